@@ -1,0 +1,39 @@
+# What every target of this project is compiled with: mixcontact_options carries warnings and sanitizers.
+
+add_library(mixcontact_options INTERFACE)
+target_compile_features(mixcontact_options INTERFACE cxx_std_17)
+
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(
+    mixcontact_options
+    INTERFACE -Wall
+              -Wextra
+              -Wpedantic
+              -Wconversion
+              -Wsign-conversion
+              -Wshadow
+              -Wold-style-cast
+              -Wcast-align
+              -Wcast-qual
+              -Wnon-virtual-dtor
+              -Wdouble-promotion
+              -Wformat=2
+              -Wimplicit-fallthrough
+              -Wundef
+              -Wunused)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(mixcontact_options INTERFACE -Wduplicated-cond -Wduplicated-branches -Wlogical-op)
+  endif()
+  if(MIXCONTACT_WERROR)
+    target_compile_options(mixcontact_options INTERFACE -Werror)
+  endif()
+endif()
+
+if(MIXCONTACT_SANITIZE)
+  target_compile_options(
+    mixcontact_options INTERFACE -fsanitize=${MIXCONTACT_SANITIZE} -fno-sanitize-recover=all
+                                 -fno-omit-frame-pointer)
+  target_link_options(mixcontact_options INTERFACE -fsanitize=${MIXCONTACT_SANITIZE})
+  # GCC's flow analysis is confused by the instrumentation and warns of impossible paths.
+  target_compile_options(mixcontact_options INTERFACE -Wno-maybe-uninitialized -Wno-null-dereference)
+endif()
