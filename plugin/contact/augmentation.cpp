@@ -1,0 +1,110 @@
+#include "augmentation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mixture_contact {
+namespace {
+
+/// A jump below this part of the field's own size counts as none where no load flows: rounding of the field's values.
+constexpr double rounding_fraction = 1e-10;
+constexpr double growth_step = 10;
+
+/// Sums over the contact area from which a FieldGap is formed.
+struct GapSums {
+  double gap = 0;      ///< INT (eps0 gap)^2 da
+  double load = 0;     ///< INT load^2 da
+  double size = 0;     ///< INT (eps0 field)^2 da
+  double largest = 0;
+
+  void add(double area, double base, double jump, double value, double field) {
+    gap += area * std::pow(base * jump, 2);
+    load += area * value * value;
+    size += area * std::pow(base * field, 2);
+    largest = std::max(largest, std::abs(jump));
+  }
+
+  FieldGap field_gap() const {
+    const double scale = std::max(std::sqrt(load), rounding_fraction * std::sqrt(size));
+    return {scale > 0 ? std::sqrt(gap) / scale : 0.0, largest};
+  }
+};
+
+double tolerance_of_jump(const Tolerances& tolerances, const Effects& effects, std::size_t field) {
+  return effects.solvent && field == 0 ? tolerances.pressure_jump : tolerances.concentration_jump;
+}
+
+bool within(double value, double tolerance) { return tolerance <= 0 || value <= tolerance; }
+
+/// The factor on a penalty after a growth step, at most what brings the smallest penalty to `accurate` times its base.
+double grown(double growth, double penalty, double base, double accurate) {
+  if (!(penalty > 0)) return growth;
+  return std::max(growth, std::min(growth * growth_step, accurate * base / penalty));
+}
+
+}  // namespace
+
+GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary,
+                       const Effects& effects) {
+  GapSums traction;
+  std::vector<GapSums> flux(static_cast<std::size_t>(effects.scalar_fields()));
+  const Penalties& base = pass.penalty();
+  pass.for_each_contact(primary, secondary, 1.0, [&](const PointContact& contact) {
+    const Index facet = contact.pair->primary_facet;
+    const double area = contact.loads.weight * contact.kinematics.area;
+    traction.add(area, base.stiffness[facet], contact.kinematics.gap, contact.loads.traction.value, std::sqrt(area));
+    const PairVector h = contact.kinematics.jump_weights();
+    for (std::size_t k = 0; k < contact.fields.size(); ++k) {
+      const auto column = contact.values.col(static_cast<Index>(k));
+      const int field = contact.fields[k];
+      flux[static_cast<std::size_t>(field)].add(area, base.conductance(field, facet), h.dot(column),
+                                                contact.loads.flux[static_cast<Index>(k)].value, column.cwiseAbs().maxCoeff());
+    }
+  });
+  GapReport report{traction.field_gap(), {}};
+  for (const GapSums& sums : flux) report.flux.push_back(sums.field_gap());
+  return report;
+}
+
+bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
+  bool met = within(report.traction.relative, tolerances.relative) && within(report.traction.largest, tolerances.gap);
+  for (std::size_t k = 0; k < report.flux.size(); ++k) {
+    met = met && within(report.flux[k].relative, tolerances.relative) &&
+          within(report.flux[k].largest, tolerance_of_jump(tolerances, effects, k));
+  }
+  return met;
+}
+
+void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary, const Effects& effects) {
+  Multipliers next = pass.multipliers;
+  next.traction.setZero();
+  next.flux.setZero(effects.scalar_fields(), pass.points());
+  pass.for_each_contact(primary, secondary, 1.0, [&](const PointContact& contact) {
+    const Index point = contact.pair->point;
+    next.traction[point] = contact.loads.traction.value;
+    for (std::size_t k = 0; k < contact.fields.size(); ++k) {
+      next.flux(contact.fields[k], point) = contact.loads.flux[static_cast<Index>(k)].value;
+    }
+  });
+  pass.multipliers = next;
+}
+
+void grow_penalties(ContactPass& pass, const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
+  const Penalties& penalty = pass.penalty();
+  Multipliers& state = pass.multipliers;
+  if (!within(report.traction.relative, tolerances.relative) || !within(report.traction.largest, tolerances.gap)) {
+    state.traction_growth = grown(state.traction_growth, penalty.traction.minCoeff(), penalty.stiffness.maxCoeff(),
+                                  default_traction_factor);
+  }
+  for (std::size_t k = 0; k < report.flux.size(); ++k) {
+    const auto field = static_cast<Index>(k);
+    if (within(report.flux[k].relative, tolerances.relative) &&
+        within(report.flux[k].largest, tolerance_of_jump(tolerances, effects, k))) {
+      continue;
+    }
+    state.flux_growth[field] = grown(state.flux_growth[field], penalty.flux.row(field).minCoeff(),
+                                     penalty.conductance.row(field).maxCoeff(), default_flux_factor);
+  }
+}
+
+}  // namespace mixture_contact

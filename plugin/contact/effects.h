@@ -1,0 +1,26 @@
+/// Which effects a contact exchanges. Search, residual, tangent, matrix profile, multipliers and log follow this value.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace mixture_contact {
+
+/// A set of exchanged scalar fields, one bit each, in the order of Effects.
+using FieldMask = std::uint64_t;
+inline constexpr int max_scalar_fields = 64;
+
+inline bool contains(FieldMask mask, int field) { return (mask >> static_cast<unsigned>(field)) & 1U; }
+inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(field); }
+
+/// What is exchanged between two surfaces. Scalar fields are counted solvent first (if exchanged), then solutes.
+struct Effects {
+  bool traction = true;      ///< displacements are free somewhere, so traction does work
+  bool solvent = false;      ///< both surfaces are permeable to the solvent
+  std::vector<int> solutes;  ///< host's ids of the solutes that both surfaces share, ascending
+
+  /// Number of exchanged scalar fields.
+  int scalar_fields() const { return (solvent ? 1 : 0) + static_cast<int>(solutes.size()); }
+};
+
+}  // namespace mixture_contact

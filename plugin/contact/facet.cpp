@@ -1,0 +1,156 @@
+#include "facet.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace mixture_contact {
+namespace {
+
+/// A function of one coordinate with its derivative.
+struct Value {
+  double value;
+  double derivative;
+};
+
+/// Signs of the corner coordinates of a quadrilateral, in node order.
+constexpr std::array<std::array<double, 2>, 4> corner_sign{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+
+/// Nodes of the 3 x 3 grid of a quad9, in node order, as positions -1, 0, 1.
+constexpr std::array<std::array<int, 2>, 9> quad9_grid{
+    {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}}};
+
+/// Quadratic Lagrange polynomial on {-1, 0, 1} that is 1 at the given node.
+Value lagrange_quadratic(int node, double x) {
+  if (node == 0) return {1 - x * x, -2 * x};
+  return {0.5 * x * (x + node), x + 0.5 * node};
+}
+
+ShapeFunctions sized(FacetType type) {
+  ShapeFunctions shape;
+  shape.value.resize(node_count(type));
+  shape.gradient.resize(node_count(type), 2);
+  return shape;
+}
+
+ShapeFunctions tri3(const Vector2d& xi) {
+  ShapeFunctions shape = sized(FacetType::tri3);
+  shape.value << 1 - xi[0] - xi[1], xi[0], xi[1];
+  shape.gradient << -1, -1, 1, 0, 0, 1;
+  return shape;
+}
+
+ShapeFunctions tri6(const Vector2d& xi) {
+  // Area coordinates L_i and their constant gradients are those of the linear triangle.
+  const ShapeFunctions area = tri3(xi);
+  ShapeFunctions shape = sized(FacetType::tri6);
+  for (Index i = 0; i < 3; ++i) {
+    const Index j = (i + 1) % 3;
+    shape.value[i] = area.value[i] * (2 * area.value[i] - 1);
+    shape.gradient.row(i) = (4 * area.value[i] - 1) * area.gradient.row(i);
+    shape.value[3 + i] = 4 * area.value[i] * area.value[j];
+    shape.gradient.row(3 + i) = 4 * (area.value[j] * area.gradient.row(i) + area.value[i] * area.gradient.row(j));
+  }
+  return shape;
+}
+
+ShapeFunctions quad4(const Vector2d& xi) {
+  ShapeFunctions shape = sized(FacetType::quad4);
+  for (Index a = 0; a < 4; ++a) {
+    const auto& [r, s] = corner_sign[static_cast<std::size_t>(a)];
+    shape.value[a] = 0.25 * (1 + r * xi[0]) * (1 + s * xi[1]);
+    shape.gradient.row(a) << 0.25 * r * (1 + s * xi[1]), 0.25 * s * (1 + r * xi[0]);
+  }
+  return shape;
+}
+
+ShapeFunctions quad9(const Vector2d& xi) {
+  ShapeFunctions shape = sized(FacetType::quad9);
+  for (Index a = 0; a < 9; ++a) {
+    const auto& grid = quad9_grid[static_cast<std::size_t>(a)];
+    const Value r = lagrange_quadratic(grid[0], xi[0]);
+    const Value s = lagrange_quadratic(grid[1], xi[1]);
+    shape.value[a] = r.value * s.value;
+    shape.gradient.row(a) << r.derivative * s.value, r.value * s.derivative;
+  }
+  return shape;
+}
+
+ShapeFunctions quad8(const Vector2d& xi) {
+  // The serendipity functions are those of quad9 with the centre function shared out so that the sum stays 1:
+  // -1/4 of it to each corner, 1/2 to each mid-edge.
+  const ShapeFunctions full = quad9(xi);
+  ShapeFunctions shape = sized(FacetType::quad8);
+  for (Index a = 0; a < 8; ++a) {
+    const double share = a < 4 ? -0.25 : 0.5;
+    shape.value[a] = full.value[a] + share * full.value[8];
+    shape.gradient.row(a) = full.gradient.row(a) + share * full.gradient.row(8);
+  }
+  return shape;
+}
+
+}  // namespace
+
+int node_count(FacetType type) {
+  switch (type) {
+    case FacetType::tri3: return 3;
+    case FacetType::tri6: return 6;
+    case FacetType::quad4: return 4;
+    case FacetType::quad8: return 8;
+    case FacetType::quad9: return 9;
+  }
+  throw std::logic_error("unknown facet type");
+}
+
+bool is_triangle(FacetType type) { return type == FacetType::tri3 || type == FacetType::tri6; }
+
+int edge_degree(FacetType type) { return type == FacetType::tri3 || type == FacetType::quad4 ? 1 : 2; }
+
+std::optional<FacetType> facet_type(bool triangle, int nodes) {
+  for (FacetType type : {FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8, FacetType::quad9}) {
+    if (is_triangle(type) == triangle && node_count(type) == nodes) return type;
+  }
+  return std::nullopt;
+}
+
+Vector2d parametric_centre(FacetType type) {
+  return is_triangle(type) ? Vector2d(1.0 / 3.0, 1.0 / 3.0) : Vector2d(0, 0);
+}
+
+Vector2d parametric_node(FacetType type, int node) {
+  constexpr std::array<std::array<double, 2>, 6> triangle{{{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
+  const auto a = static_cast<std::size_t>(node);
+  if (is_triangle(type)) return {triangle[a][0], triangle[a][1]};
+  return {static_cast<double>(quad9_grid[a][0]), static_cast<double>(quad9_grid[a][1])};
+}
+
+double distance_outside(FacetType type, const Vector2d& xi) {
+  if (is_triangle(type)) return std::max({0.0, -xi[0], -xi[1], xi[0] + xi[1] - 1});
+  return std::max(0.0, xi.cwiseAbs().maxCoeff() - 1);
+}
+
+ShapeFunctions shape_functions(FacetType type, const Vector2d& xi) {
+  switch (type) {
+    case FacetType::tri3: return tri3(xi);
+    case FacetType::tri6: return tri6(xi);
+    case FacetType::quad4: return quad4(xi);
+    case FacetType::quad8: return quad8(xi);
+    case FacetType::quad9: return quad9(xi);
+  }
+  throw std::logic_error("unknown facet type");
+}
+
+FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions) {
+  const int n = node_count(facet.type);
+  FacetCoordinates coordinates(3, n);
+  for (int a = 0; a < n; ++a) coordinates.col(a) = positions.col(facet.nodes[static_cast<std::size_t>(a)]);
+  return coordinates;
+}
+
+FacetVector facet_values(const Facet& facet, const Eigen::Ref<const VectorXd>& field) {
+  const int n = node_count(facet.type);
+  FacetVector values(n);
+  for (int a = 0; a < n; ++a) values[a] = field[facet.nodes[static_cast<std::size_t>(a)]];
+  return values;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,57 @@
+/// The facets of a contact surface: types, shape functions and parametric domains.
+#pragma once
+
+#include "types.h"
+
+#include <array>
+#include <optional>
+
+namespace mixture_contact {
+
+/// Facet types, with FEBio's node order: corners counter-clockwise seen from outside, then mid-edges, then the centre.
+/// Triangles live on xi >= 0, eta >= 0, xi + eta <= 1; quadrilaterals on [-1, 1]^2.
+enum class FacetType { tri3, tri6, quad4, quad8, quad9 };
+
+/// Number of nodes of a facet type.
+int node_count(FacetType type);
+
+/// Whether the facet is a triangle (else a quadrilateral).
+bool is_triangle(FacetType type);
+
+/// Polynomial degree along an edge: 1 or 2.
+int edge_degree(FacetType type);
+
+/// The facet type with this many nodes on a triangle or a quadrilateral; empty if there is none.
+std::optional<FacetType> facet_type(bool triangle, int nodes);
+
+/// Parametric coordinates of the middle of a facet.
+Vector2d parametric_centre(FacetType type);
+
+/// Parametric coordinates of each node, in node order.
+Vector2d parametric_node(FacetType type, int node);
+
+/// Distance in parametric coordinates by which a point lies outside the facet's domain; 0 inside.
+double distance_outside(FacetType type, const Vector2d& xi);
+
+/// Shape functions N_a(xi) and their derivatives with xi.
+struct ShapeFunctions {
+  FacetVector value;       ///< N_a, shape (n)
+  FacetGradient gradient;  ///< dN_a/dxi_alpha, shape (n, 2)
+};
+
+/// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
+ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
+
+/// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
+struct Facet {
+  FacetType type = FacetType::quad4;
+  std::array<int, max_facet_nodes> nodes{};
+};
+
+/// Columns of a per-node array that belong to a facet's nodes, shape (3, n).
+FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions);
+
+/// Entries of a per-node scalar field that belong to a facet's nodes, shape (n).
+FacetVector facet_values(const Facet& facet, const Eigen::Ref<const VectorXd>& field);
+
+}  // namespace mixture_contact

@@ -1,0 +1,193 @@
+#include "interface.h"
+
+#include "search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mixture_contact {
+namespace {
+
+constexpr double box_margin = 0.1;
+
+/// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.
+Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
+  Matrix3Xd normals = Matrix3Xd::Zero(3, mesh.nodes);
+  for (const Facet& facet : mesh.facets) {
+    const FacetCoordinates x = facet_coordinates(facet, position);
+    for (int a = 0; a < node_count(facet.type); ++a) {
+      const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, parametric_node(facet.type, a)).gradient;
+      normals.col(facet.nodes[static_cast<std::size_t>(a)]) += tangents.col(0).cross(tangents.col(1));
+    }
+  }
+  normals.colwise().normalize();
+  return normals;
+}
+
+void keep_worst(FieldGap& worst, const FieldGap& gap) {
+  worst.relative = std::max(worst.relative, gap.relative);
+  worst.largest = std::max(worst.largest, gap.largest);
+}
+
+}  // namespace
+
+ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings)
+    : mesh_(std::move(mesh)), effects_(std::move(effects)), settings_(settings) {
+  for (const Side side : both_sides) {
+    if (side == Side::secondary && !settings_.two_pass) continue;
+    passes_.push_back({side, std::make_unique<ContactPass>(mesh_[side], mesh_[other(side)], effects_, settings_)});
+  }
+}
+
+double ContactInterface::search_radius() const {
+  if (settings_.search_radius > 0) return settings_.search_radius;
+  return std::min(half_diagonal(position_[Side::primary]), half_diagonal(position_[Side::secondary]));
+}
+
+void ContactInterface::project(const PerSide<Matrix3Xd>& position) {
+  const auto same = [&](Side side) {
+    return position_[side].cols() == position[side].cols() && position_[side] == position[side];
+  };
+  if (same(Side::primary) && same(Side::secondary)) return;
+  position_ = position;
+  for (const Pass& pass : passes_) {
+    pass.integral->project(position_[pass.side], position_[other(pass.side)], search_radius());
+  }
+}
+
+void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
+  for (const Pass& pass : passes_) {
+    pass.integral->residual(fields[pass.side], fields[other(pass.side)], dt,
+                            [&](const FacetPair& facets, const VectorXd& values) { add({pass.side, facets}, values); });
+  }
+}
+
+void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
+  for (const Pass& pass : passes_) {
+    pass.integral->tangent(fields[pass.side], fields[other(pass.side)], dt,
+                           [&](const FacetPair& facets, const MatrixXd& values) { add({pass.side, facets}, values); });
+  }
+}
+
+void ContactInterface::for_each_facet_pair(const std::function<void(const Location&)>& use) const {
+  for (const Pass& pass : passes_) {
+    pass.integral->for_each_facet_pair([&](const FacetPair& facets) { use({pass.side, facets}); });
+  }
+}
+
+GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
+  GapReport worst{{}, std::vector<FieldGap>(static_cast<std::size_t>(effects_.scalar_fields()))};
+  for (const Pass& pass : passes_) {
+    const GapReport report = measure_gaps(*pass.integral, fields[pass.side], fields[other(pass.side)], effects_);
+    keep_worst(worst.traction, report.traction);
+    for (std::size_t k = 0; k < worst.flux.size(); ++k) keep_worst(worst.flux[k], report.flux[k]);
+  }
+  return worst;
+}
+
+void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
+  for (const Pass& pass : passes_) {
+    const SurfaceFields& primary = fields[pass.side];
+    const SurfaceFields& secondary = fields[other(pass.side)];
+    const GapReport report = measure_gaps(*pass.integral, primary, secondary, effects_);
+    mixture_contact::augment(*pass.integral, primary, secondary, effects_);
+    grow_penalties(*pass.integral, report, settings_.tolerances, effects_);
+  }
+}
+
+PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
+  PerSide<VectorXd> coverage{{VectorXd::Zero(mesh_[Side::primary].nodes), VectorXd::Zero(mesh_[Side::secondary].nodes)}};
+  for (const Pass& pass : passes_) {
+    coverage[pass.side] = pass.integral->coverage(position_[pass.side], position_[other(pass.side)]);
+  }
+  if (passes_.size() == 1) {
+    coverage[Side::secondary] = projected_coverage(Side::secondary, coverage[Side::primary]);
+  }
+  PerSide<std::vector<bool>> in_contact;
+  for (const Side side : both_sides) {
+    for (const double share : coverage[side]) in_contact[side].push_back(share >= covered);
+  }
+  return in_contact;
+}
+
+VectorXd ContactInterface::projected_coverage(Side side, const VectorXd& other_coverage) const {
+  const std::vector<Facet>& facets = mesh_[other(side)].facets;
+  const FacetTree tree(facets, position_[other(side)], box_margin);
+  const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
+  VectorXd coverage = VectorXd::Zero(mesh_[side].nodes);
+  for (Index node = 0; node < coverage.size(); ++node) {
+    const Ray ray{position_[side].col(node), normals.col(node), search_radius(), settings_.search_tolerance};
+    const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
+    if (!hit) continue;
+    const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
+    coverage[node] = shape_functions(facet.type, hit->eta).value.dot(facet_values(facet, other_coverage));
+  }
+  return coverage;
+}
+
+Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
+  Balance balance;
+  balance.flow = VectorXd::Zero(effects_.scalar_fields());
+  for (const Pass& pass : passes_) {
+    const double sign = pass.side == Side::primary ? 1 : -1;
+    const double share = 1.0 / static_cast<double>(passes_.size());
+    pass.integral->for_each_contact(fields[pass.side], fields[other(pass.side)], 1.0, [&](const PointContact& contact) {
+      const double weight = contact.loads.weight;
+      balance.force += sign * weight * contact.loads.traction.value * contact.kinematics.area_vector;
+      balance.area += share * weight * contact.kinematics.area;
+      for (std::size_t k = 0; k < contact.fields.size(); ++k) {
+        balance.flow[contact.fields[k]] += sign * weight * contact.kinematics.area * contact.loads.flux[static_cast<Index>(k)].value;
+      }
+    });
+  }
+  return balance;
+}
+
+NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceFields>& fields) const {
+  const Index nodes = mesh_[side].nodes;
+  const Index scalars = effects_.scalar_fields();
+  NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes), MatrixXd::Zero(scalars, nodes),
+                  VectorXd::Zero(nodes)};
+  VectorXd& weight = out.coverage;  // holds the sum of weights until the end
+  for (const Pass& pass : passes_) {
+    const bool integrated = pass.side == side;
+    const double sign = integrated ? 1 : -1;
+    pass.integral->for_each_contact(fields[pass.side], fields[other(pass.side)], 1.0, [&](const PointContact& contact) {
+      const PointKinematics& point = contact.kinematics;
+      const int facet_index = integrated ? contact.pair->primary_facet : contact.pair->secondary_facet;
+      const Facet& facet = mesh_[side].facets[static_cast<std::size_t>(facet_index)];
+      const FacetVector& shape = integrated ? point.primary_shape : point.secondary_shape;
+      const PairVector h = point.jump_weights();
+      for (Index a = 0; a < shape.size(); ++a) {
+        const int node = facet.nodes[static_cast<std::size_t>(a)];
+        const double share = contact.loads.weight * point.area * std::abs(shape[a]);
+        weight[node] += share;
+        out.gap[node] += share * point.gap;
+        out.pressure[node] -= share * contact.loads.traction.value;
+        for (std::size_t k = 0; k < contact.fields.size(); ++k) {
+          const auto column = static_cast<Index>(k);
+          out.flux(contact.fields[k], node) += sign * share * contact.loads.flux[column].value;
+          out.jump(contact.fields[k], node) += sign * share * h.dot(contact.values.col(column));
+        }
+      }
+    });
+  }
+  const VectorXd scale = (weight.array() > 0).select(weight.array().inverse(), 0.0);
+  // Two passes share the load: each integrates its part of it.
+  const double parts = static_cast<double>(passes_.size());
+  out.gap.array() *= scale.array();
+  out.pressure.array() *= parts * scale.array();
+  out.flux = parts * out.flux * scale.asDiagonal();
+  out.jump = out.jump * scale.asDiagonal();
+  return out;
+}
+
+void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance) {
+  for (const Side side : both_sides) {
+    mesh_[side].stiffness = std::move(stiffness[side]);
+    mesh_[side].conductance = std::move(conductance[side]);
+  }
+  for (const Pass& pass : passes_) pass.integral->update_penalties();
+}
+
+}  // namespace mixture_contact

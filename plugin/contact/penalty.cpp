@@ -1,0 +1,52 @@
+#include "penalty.h"
+
+#include <cmath>
+#include <limits>
+
+namespace mixture_contact {
+namespace {
+
+/// Harmonic mean of the positive entries; infinite ones count as no resistance; 0 if none is positive.
+double harmonic_mean(const Eigen::Ref<const VectorXd>& values) {
+  double resistance = 0;
+  int count = 0;
+  for (const double value : values) {
+    if (!(value > 0)) continue;
+    resistance += 1 / value;
+    ++count;
+  }
+  if (count == 0) return 0;
+  return resistance > 0 ? count / resistance : std::numeric_limits<double>::infinity();
+}
+
+double apply(const PenaltyRule& rule, double base) { return rule.automatic ? rule.value * base : rule.value; }
+
+}  // namespace
+
+double in_series(double one, double other) {
+  if (!(one > 0) || !(other > 0)) return 0;
+  const double resistance = 0.5 * (1 / one + 1 / other);
+  return resistance > 0 ? 1 / resistance : std::numeric_limits<double>::infinity();
+}
+
+Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings) {
+  const auto facets = static_cast<Index>(primary.facets.size());
+  const Index fields = effects.scalar_fields();
+  Penalties result{VectorXd(facets), MatrixXd(fields, facets), VectorXd(facets), MatrixXd(fields, facets)};
+  const double secondary_stiffness = harmonic_mean(secondary.stiffness);
+  for (Index f = 0; f < facets; ++f) {
+    result.stiffness[f] = in_series(primary.stiffness[f], secondary_stiffness);
+    result.traction[f] = apply(settings.traction, result.stiffness[f]);
+  }
+  for (Index k = 0; k < fields; ++k) {
+    const double secondary_conductance = harmonic_mean(secondary.conductance.row(k).transpose());
+    const PenaltyRule& rule = effects.solvent && k == 0 ? settings.solvent : settings.solute;
+    for (Index f = 0; f < facets; ++f) {
+      result.conductance(k, f) = in_series(primary.conductance(k, f), secondary_conductance);
+      result.flux(k, f) = apply(rule, result.conductance(k, f));
+    }
+  }
+  return result;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,35 @@
+/// The heart of the contact: residual and tangent of the virtual work (2.5) at one integration point. Pure functions.
+#pragma once
+
+#include "kinematics.h"
+#include "laws.h"
+#include "local_layout.h"
+
+namespace mixture_contact {
+
+/// Nodal values of the exchanged scalar fields on a pair of facets, one column per field, shape (n1 + n2, fields).
+using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_pair_nodes>;
+
+/// What acts at an integration point.
+struct PointLoads {
+  LawValue traction;                    ///< t_n [MPa] and dt_n/dg
+  Eigen::Array<LawValue, Eigen::Dynamic, 1> flux;  ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
+  double weight;                        ///< quadrature weight: da1 = weight * |a|
+  double time_increment;                ///< fluxes are integrated over the time step: their rows carry dt [s]
+};
+
+/// Contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape (layout.size()).
+///
+/// Displacement rows: w t_n h_a a  [N]; row of field k: w dt |a| q_k h_a  [mm^3 or nmol], with h = (N1, -N2).
+VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout);
+
+/// Exact derivative of point_residual with the nodal positions and fields, shape (layout.size(), layout.size()), eq (2.6):
+/// every block, including the changes of da1, of n1, of the projected position and of the fields sampled there.
+MatrixXd point_tangent(const PointKinematics& point, const PointLoads& loads, const PairFields& fields,
+                       const LocalLayout& layout);
+
+/// A symmetric approximation of point_tangent for symmetric solvers: the symmetric part of the displacement block, the field
+/// blocks as they are, no coupling between them.
+MatrixXd symmetric_part(const MatrixXd& tangent, const LocalLayout& layout);
+
+}  // namespace mixture_contact

@@ -1,0 +1,51 @@
+#include "projection.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+
+namespace mixture_contact {
+namespace {
+
+/// Newton from one start; empty where it does not converge.
+///
+/// Convergence is quadratic, so the step that falls below sqrt(epsilon) of the facet's size leaves an error of epsilon: one more
+/// step is taken and accepted.
+std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction,
+                             const Vector2d& start) {
+  constexpr int max_steps = 25;
+  const double accept = std::sqrt(std::numeric_limits<double>::epsilon());
+  Vector3d unknown(start[0], start[1], 0);
+  bool close = false;
+  for (int step = 0; step < max_steps; ++step) {
+    const ShapeFunctions shape = shape_functions(type, unknown.head<2>());
+    const Vector3d miss = x * shape.value - origin - unknown[2] * direction;
+    Eigen::Matrix3d slope;
+    slope << x * shape.gradient, -direction;
+    const Vector3d change = slope.partialPivLu().solve(miss);
+    unknown -= change;
+    if (!unknown.allFinite()) return std::nullopt;
+    if (close) return RayHit{unknown.head<2>(), unknown[2]};
+    close = change.head<2>().norm() < accept;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction,
+                                double tolerance) {
+  std::optional<RayHit> best;
+  const auto converges_from = [&](const Vector2d& start) {
+    const std::optional<RayHit> hit = newton(type, x, origin, direction, start);
+    if (hit && distance_outside(type, hit->eta) <= tolerance && (!best || std::abs(hit->gap) < std::abs(best->gap))) best = hit;
+    return hit.has_value();
+  };
+  const bool converged = converges_from(parametric_centre(type));
+  if (best || (converged && edge_degree(type) == 1)) return best;
+  for (int a = 0; a < node_count(type); ++a) converges_from(parametric_node(type, a));
+  return best;
+}
+
+}  // namespace mixture_contact

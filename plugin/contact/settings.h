@@ -1,0 +1,47 @@
+/// The choices a user makes about a contact.
+#pragma once
+
+namespace mixture_contact {
+
+/// How the interface conditions are enforced.
+enum class Enforcement {
+  penalty,              ///< multipliers stay zero; gaps and jumps are flux / penalty
+  augmented_lagrangian  ///< multipliers take up the loads of converged solutions until gaps and jumps meet the tolerances
+};
+
+/// Penalty of one kind of field.
+struct PenaltyRule {
+  bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
+  double value = 1.0;
+};
+
+/// Default multiples of the local stiffness and conductance. A jump is about 1/factor of the drop across the adjoining elements.
+/// Fluxes are linear in the jump, so only rounding limits their factor; the traction has a kink that a large factor sharpens.
+inline constexpr double default_traction_factor = 1e3;
+inline constexpr double default_flux_factor = 1e5;
+
+/// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
+struct Tolerances {
+  double relative = 1e-3;         ///< gap or jump over the drop across the adjoining elements, for every field [-]
+  double gap = 0;                 ///< largest |g| in contact [mm]
+  double pressure_jump = 0;       ///< largest |p1 - p2| [MPa]
+  double concentration_jump = 0;  ///< largest |c1 - c2| [mM]
+};
+
+/// All settings of a contact, with the defaults users get.
+struct Settings {
+  Enforcement enforcement = Enforcement::penalty;
+  PenaltyRule traction{true, default_traction_factor};
+  PenaltyRule solvent{true, default_flux_factor};
+  PenaltyRule solute{true, default_flux_factor};
+  Tolerances tolerances;
+  int min_augmentations = 0;
+  int max_augmentations = 10;
+  bool two_pass = false;          ///< integrate over both surfaces instead of the primary alone
+  bool symmetric = false;         ///< hand out the symmetric part of the tangent
+  int integration_order = 0;      ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones
+  double search_radius = 0;       ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces' size
+  double search_tolerance = 0.01; ///< how far outside a facet, in parametric coordinates, a projection is still accepted [-]
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,127 @@
+/// Random pairs of facets in contact, and central differences with derived steps, for the unit tests.
+#pragma once
+
+#include "contact/laws.h"
+#include "contact/point_integral.h"
+#include "contact/projection.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace test {
+
+using namespace mixture_contact;
+
+inline constexpr std::array all_facets{FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8, FacetType::quad9};
+
+/// Step of a central difference of a function of size 1 that varies over a length of 1: the truncation error step^2 and the
+/// rounding error epsilon/step are equal at step = epsilon^(1/3); the error is then about epsilon^(2/3) = 4e-11.
+inline const double difference_step = std::cbrt(std::numeric_limits<double>::epsilon());
+
+/// Central-difference derivative of a vector function, shape (rows, x.size()).
+inline MatrixXd differences(const std::function<VectorXd(const VectorXd&)>& function, const VectorXd& x) {
+  MatrixXd derivative(function(x).size(), x.size());
+  for (Index i = 0; i < x.size(); ++i) {
+    VectorXd up = x;
+    VectorXd down = x;
+    up[i] += difference_step;
+    down[i] -= difference_step;
+    derivative.col(i) = (function(up) - function(down)) / (up[i] - down[i]);
+  }
+  return derivative;
+}
+
+/// A pair of facets, one above the other, with random slope, warp and overlap, and random fields.
+struct RandomContact {
+  FacetType primary;
+  FacetType secondary;
+  LocalLayout layout;
+  VectorXd unknowns;  ///< positions and fields in the order of the layout
+  Vector2d xi;
+  double weight = 0.7;
+  double dt = 0.3;
+  double lambda = -0.4;
+  double penalty = 2.5;
+  VectorXd flux_lambda;
+  VectorXd flux_penalty;
+
+  RandomContact(FacetType one, FacetType two, Index fields, std::mt19937& random)
+      : primary(one), secondary(two), layout(node_count(one), node_count(two), fields) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto noise = [&](double size) { return size * unit(random); };
+    unknowns.resize(layout.size());
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(noise(0.5), Vector3d(noise(1), noise(1), 1).normalized()).toRotationMatrix();
+    for (Index node = 0; node < layout.nodes(); ++node) {
+      const bool first = node < layout.primary_nodes();
+      const Vector2d s = parametric_node(first ? one : two, static_cast<int>(first ? node : node - layout.primary_nodes()));
+      const Vector2d centred = s - parametric_centre(first ? one : two);
+      const double size = first ? 1.0 : 1.6;
+      Vector3d x(size * centred[0], size * (first ? 1 : -1) * centred[1], first ? 0.0 : -0.1);
+      x += Vector3d(noise(0.08), noise(0.08), noise(0.08));
+      unknowns.segment<3>(layout.displacement(node, 0)) = turn * x;
+      for (Index k = 0; k < fields; ++k) unknowns[layout.scalar(node, k)] = noise(1);
+    }
+    xi = parametric_centre(one) + Vector2d(noise(0.2), noise(0.2));
+    flux_lambda = VectorXd::NullaryExpr(fields, [&] { return noise(1); });
+    flux_penalty = VectorXd::NullaryExpr(fields, [&] { return 1.5 + noise(1); });
+  }
+
+  FacetCoordinates coordinates(const VectorXd& q, bool first) const {
+    const Index begin = first ? 0 : layout.primary_nodes();
+    const Index count = first ? layout.primary_nodes() : layout.nodes() - layout.primary_nodes();
+    FacetCoordinates x(3, count);
+    for (Index a = 0; a < count; ++a) x.col(a) = q.segment<3>(layout.displacement(begin + a, 0));
+    return x;
+  }
+
+  PairFields fields(const VectorXd& q) const {
+    PairFields values(layout.nodes(), layout.scalar_fields());
+    for (Index node = 0; node < layout.nodes(); ++node) {
+      for (Index k = 0; k < layout.scalar_fields(); ++k) values(node, k) = q[layout.scalar(node, k)];
+    }
+    return values;
+  }
+
+  PointKinematics kinematics(const VectorXd& q) const {
+    const FacetCoordinates x1 = coordinates(q, true);
+    const FacetCoordinates x2 = coordinates(q, false);
+    const ShapeFunctions shape = shape_functions(primary, xi);
+    const Eigen::Matrix<double, 3, 2> tangents = x1 * shape.gradient;
+    const Vector3d normal = tangents.col(0).cross(tangents.col(1)).normalized();
+    const auto hit = intersect(secondary, x2, x1 * shape.value, normal, 0.5);
+    if (!hit) throw std::runtime_error("the random facets do not face each other");
+    return point_kinematics(shape, x1, shape_functions(secondary, hit->eta), x2);
+  }
+
+  PointLoads loads(const PointKinematics& point, const VectorXd& q) const {
+    PointLoads result;
+    result.traction = normal_traction(lambda, penalty, point.gap, 0.0);
+    result.weight = weight;
+    result.time_increment = dt;
+    result.flux.resize(layout.scalar_fields());
+    const PairVector h = point.jump_weights();
+    const PairFields values = fields(q);
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      result.flux[k] = normal_flux(flux_lambda[k], flux_penalty[k], h.dot(values.col(k)));
+    }
+    return result;
+  }
+
+  VectorXd residual(const VectorXd& q) const {
+    const PointKinematics point = kinematics(q);
+    return point_residual(point, loads(point, q), layout);
+  }
+
+  MatrixXd tangent(const VectorXd& q) const {
+    const PointKinematics point = kinematics(q);
+    return point_tangent(point, loads(point, q), fields(q), layout);
+  }
+};
+
+}  // namespace test
