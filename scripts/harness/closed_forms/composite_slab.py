@@ -1,0 +1,137 @@
+"""Diffusion into two layers in series, joined by an interface of finite or infinite conductance.
+
+Derivation. In each layer K c~_t = G c~_zz, with K = phi_w kappa~ (capacity) and G = K d (conductance). With u = 1 - c~/c*
+and z from the bath, the modes are X1 = sin(lambda z/sqrt(d1)) and X2 = B cos(lambda (L - z)/sqrt(d2)), which satisfy u = 0 at the
+bath and u' = 0 at the sealed face L = L1 + L2. With a = lambda L1/sqrt(d1), b = lambda L2/sqrt(d2), g_i = K_i sqrt(d_i):
+
+- the flux is continuous:        g1 cos a = g2 B sin b;
+- it is eps times the jump:      X2 - X1 = (g1 lambda/eps) cos a at z = L1.
+
+Together (sin a + (g1 lambda/eps) cos a) sin b = (g1/g2) cos a cos b. The operator is self-adjoint with the weight K also for
+finite eps (the boundary terms of the jump cancel), so A = INT K X / INT K X^2. Background: Carslaw and Jaeger (1959), Conduction of Heat in
+Solids (contact resistance); Mikhailov and Ozisik (1984), Unified Analysis and Solutions of Heat and Mass Diffusion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
+
+_NEGLIGIBLE = 45.0
+
+
+@dataclass(frozen=True)
+class Layer:
+    """One layer: thickness (mm), diffusivity (mm^2/s), porosity phi_w and effective solubility kappa~."""
+
+    thickness: float
+    diffusivity: float
+    porosity: float
+    solubility: float
+
+    @property
+    def capacity(self) -> float:
+        """K = phi_w kappa~."""
+        return self.porosity * self.solubility
+
+    @property
+    def admittance(self) -> float:
+        """K sqrt(d), mm/sqrt(s)."""
+        return self.capacity * float(np.sqrt(self.diffusivity))
+
+    def phase(self, rate: float) -> float:
+        """lambda L/sqrt(d) for lambda = `rate` (1/sqrt(s))."""
+        return rate * self.thickness / float(np.sqrt(self.diffusivity))
+
+
+def concentration(
+    z: ArrayLike, t: float, first: Layer, second: Layer, *, bath: float = 1.0, conductance: float = np.inf
+) -> NDArray[np.float64]:
+    """Effective concentration c~ at a time, in two layers that were empty at t = 0.
+
+    Parameters
+    ----------
+    z : array_like
+        Distance from the bath, mm; at z = L1 itself the value of the first layer.
+    t : float
+        Time, s, positive.
+    first, second : Layer
+        The layer at the bath, and the one that is sealed behind.
+    bath : float
+        c* at z = 0, mM.
+    conductance : float
+        eps_c of the interface, mm/s.
+
+    Returns
+    -------
+    ndarray
+        c~, mM, in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
+
+    Raises
+    ------
+    ValueError
+        For a time or conductance that is not positive, or a position outside the layers.
+    """
+    position = np.asarray(z, dtype=float)
+    if t <= 0.0 or conductance <= 0.0:
+        raise ValueError("time and conductance must be positive")
+    length = first.thickness + second.thickness
+    if np.any(position < -1e-9 * length) or np.any(position > length * (1 + 1e-9)):
+        raise ValueError("z must lie between 0 and L1 + L2")
+    total = np.zeros_like(position)
+    in_first = position <= first.thickness
+    for rate in rates(first, second, conductance, np.sqrt(_NEGLIGIBLE / t)):
+        weight, below = _amplitudes(rate, first, second, conductance)
+        lower = np.sin(rate * position / np.sqrt(first.diffusivity))
+        upper = below * np.cos(rate * (length - position) / np.sqrt(second.diffusivity))
+        total += weight * np.where(in_first, lower, upper) * np.exp(-(rate**2) * t)
+    return np.asarray(bath * (1.0 - total))
+
+
+def rates(first: Layer, second: Layer, conductance: float, largest: float) -> list[float]:
+    """All lambda (1/sqrt(s)) up to the first one above `largest`.
+
+    tan a + (g1 lambda/eps) - (g1/g2) cot b increases from one of its poles (a = (m + 1/2) pi, b = m pi) to the next, from minus to
+    plus infinity, so there is exactly one root between neighbouring poles; where two poles fall together, they are a root as well.
+    """
+    poles = _poles(first, second, largest)
+    found: list[float] = []
+    for left, right in zip(poles, poles[1:]):
+        if right - left <= 1e-9 * right:
+            found.append(right)
+        else:
+            found.append(float(brentq(_characteristic, left, right, args=(first, second, conductance), xtol=1e-16, rtol=1e-14)))
+    return found
+
+
+def _poles(first: Layer, second: Layer, largest: float) -> list[float]:
+    """The poles in ascending order, from lambda = 0 to one interval beyond `largest`."""
+    tangent = np.pi * np.sqrt(first.diffusivity) / first.thickness
+    cotangent = np.pi * np.sqrt(second.diffusivity) / second.thickness
+    count = 3 + int(largest / min(tangent, cotangent)) + int(largest / max(tangent, cotangent))
+    poles = np.sort(np.concatenate([(np.arange(count) + 0.5) * tangent, np.arange(count) * cotangent]))
+    return [float(p) for p in poles[: int(np.searchsorted(poles, largest)) + 2]]
+
+
+def _characteristic(rate: float, first: Layer, second: Layer, conductance: float) -> float:
+    a, b = first.phase(rate), second.phase(rate)
+    resistance = first.admittance * rate / conductance
+    ratio = first.admittance / second.admittance
+    return float((np.sin(a) + resistance * np.cos(a)) * np.sin(b) - ratio * np.cos(a) * np.cos(b))
+
+
+def _amplitudes(rate: float, first: Layer, second: Layer, conductance: float) -> tuple[float, float]:
+    """A and B of one mode; B from whichever of its two conditions divides by the larger number."""
+    a, b = first.phase(rate), second.phase(rate)
+    g1, g2 = first.admittance, second.admittance
+    if abs(np.sin(b)) > abs(np.cos(b)):
+        below = g1 * np.cos(a) / (g2 * np.sin(b))
+    else:
+        below = (np.sin(a) + g1 * rate / conductance * np.cos(a)) / np.cos(b)
+    content = (g1 * (1 - np.cos(a)) + g2 * below * np.sin(b)) / rate
+    norm = first.capacity * (first.thickness / 2 - np.sqrt(first.diffusivity) * np.sin(2 * a) / (4 * rate))
+    norm += second.capacity * below**2 * (second.thickness / 2 + np.sqrt(second.diffusivity) * np.sin(2 * b) / (4 * rate))
+    return float(content / norm), float(below)

@@ -1,0 +1,148 @@
+"""Finds febio4 and runs it, with the plugin where a model needs it."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from harness import febio_log
+from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoundError
+from harness.paths import plugin_library
+
+Progress = Callable[[float], None]
+"""Called with the time (s) that a run has reached."""
+_THREADS = "OMP_NUM_THREADS"
+
+
+@dataclass(frozen=True)
+class Run:
+    """A finished run: where its files are, what febio4 said, and how long it took (s)."""
+
+    folder: Path
+    report: febio_log.Report
+    output: str
+    wall: float
+
+
+def find_engine() -> Path:
+    """The febio4 executable: under ``$FEBIO_ROOT`` (itself, or bin/ in it), else ~/febio4/bin, else on the PATH.
+
+    Raises
+    ------
+    EngineNotFoundError
+        Where there is none, saying where it was looked for.
+    """
+    candidates: list[Path] = []
+    root = os.environ.get("FEBIO_ROOT")
+    if root:
+        candidates += [Path(root) / "bin" / "febio4", Path(root) / "febio4"]
+    candidates.append(Path.home() / "febio4" / "bin" / "febio4")
+    on_path = shutil.which("febio4")
+    if on_path:
+        candidates.append(Path(on_path))
+    for candidate in candidates:
+        if candidate.is_file() and os.access(candidate, os.X_OK):
+            return candidate.resolve()
+    looked = ", ".join(str(c) for c in candidates)
+    raise EngineNotFoundError(
+        f"febio4 was not found (looked for {looked}, and on the PATH). Set FEBIO_ROOT to the folder that holds bin/febio4."
+    )
+
+
+def required_plugin() -> Path:
+    """The plugin library.
+
+    Raises
+    ------
+    PluginNotFoundError
+        Where it has not been built.
+    """
+    library = plugin_library()
+    if not library.is_file():
+        raise PluginNotFoundError(f"the plugin library {library} does not exist; build it first")
+    return library.resolve()
+
+
+def run(
+    model: Path,
+    *,
+    plugin: Path | None = None,
+    options: Sequence[str] = (),
+    progress: Progress | None = None,
+    check: bool = True,
+) -> Run:
+    """Run febio4 on a model file, in the folder of that file.
+
+    Parameters
+    ----------
+    model : Path
+        The .feb file; FEBio's output is written next to it.
+    plugin : Path, optional
+        Library to load with ``-import``.
+    options : sequence of str
+        Further arguments of febio4, such as ``-dump``.
+    progress : callable, optional
+        Called with each time reached, s.
+    check : bool
+        Whether a run that does not end normally is an error.
+
+    Raises
+    ------
+    EngineNotFoundError
+        No febio4.
+    EngineFailedError
+        No model file, or (with `check`) febio4 did not end normally; quotes FEBio's own words.
+    """
+    if not model.is_file():
+        raise EngineFailedError(f"there is no model file {model}")
+    command = [str(find_engine()), "-i", model.name, *options]
+    if plugin is not None:
+        command += ["-import", str(plugin)]
+    return execute(command, model.resolve().parent, progress=progress, check=check)
+
+
+def execute(command: Sequence[str], folder: Path, *, progress: Progress | None = None, check: bool = True) -> Run:
+    """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise; see `run`."""
+    environment = {_THREADS: "1", **os.environ}
+    start = time.perf_counter()
+    with subprocess.Popen(
+        command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+        text=True, errors="replace",
+    ) as process:
+        output = _follow(process, progress)
+        code = process.wait()
+    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start)
+    if check and (code != 0 or not finished.report.normal):
+        raise EngineFailedError(_complaint(command, finished, code))
+    return finished
+
+
+def _follow(process: subprocess.Popen[str], progress: Progress | None) -> str:
+    lines: list[str] = []
+    assert process.stdout is not None
+    for line in process.stdout:
+        lines.append(line)
+        match = febio_log.CONVERGED.search(line) if progress else None
+        if match and progress:
+            progress(float(match.group(1)))
+    return "".join(lines)
+
+
+def _complaint(command: Sequence[str], finished: Run, code: int) -> str:
+    report = finished.report
+    said = "; ".join(report.errors) or _last_words(finished.output)
+    return (
+        f"febio4 did not end normally (exit code {code}, {report.steps} time steps done).\n"
+        f"FEBio says: {said}\nCommand: {' '.join(command)}\nFolder: {finished.folder}"
+    )
+
+
+def _last_words(output: str) -> str:
+    said = [line.strip() for line in output.splitlines() if re.search(r"\w", line)]
+    return " | ".join(said[-5:])

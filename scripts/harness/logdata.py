@@ -1,0 +1,110 @@
+"""Reads the node and element data that febio4 writes beside its log."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.errors import DataFileError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class History:
+    """Node or element data over time.
+
+    Attributes
+    ----------
+    times : ndarray, shape (n_times,)
+        s; the first is the initial state where febio4 wrote it.
+    items : ndarray of int, shape (n_items,)
+        Node or element numbers, from 1.
+    columns : tuple of str
+        Names of the data.
+    values : ndarray, shape (n_times, n_items, n_columns)
+        12 significant digits, as febio4 writes them.
+    """
+
+    times: Array
+    items: NDArray[np.int64]
+    columns: tuple[str, ...]
+    values: Array
+
+    def __getitem__(self, column: str) -> Array:
+        """The values of one column, shape (n_times, n_items)."""
+        if column not in self.columns:
+            raise KeyError(f"no data '{column}'; there is {', '.join(self.columns)}")
+        return np.asarray(self.values[:, :, self.columns.index(column)])
+
+    def at(self, time: float) -> int:
+        """Index of the state at `time` (s).
+
+        Raises
+        ------
+        DataFileError
+            Where no state lies within 1e-6 of it, relative to the last time.
+        """
+        index = int(np.argmin(np.abs(self.times - time)))
+        if abs(self.times[index] - time) > 1e-6 * max(abs(self.times[-1]), 1e-12):
+            raise DataFileError(f"no data at t = {time:g} s; the nearest is at {self.times[index]:g} s")
+        return index
+
+
+def read_history(path: Path, columns: tuple[str, ...]) -> History:
+    """Read a data file.
+
+    Parameters
+    ----------
+    path : Path
+        File named by a ``<node_data>`` or ``<element_data>`` line without ``format``.
+    columns : tuple of str
+        Names of its columns, the number of the node or element left out.
+
+    Raises
+    ------
+    DataFileError
+        A missing file, a file without data, or one whose blocks differ in size; names file and line.
+    """
+    try:
+        lines = path.read_text().splitlines()
+    except OSError as error:
+        raise DataFileError(f"cannot read the data file {path}: {error.strerror}") from error
+    times: list[float] = []
+    blocks: list[list[str]] = []
+    for number, line in enumerate(lines, 1):
+        if line.startswith("*Time"):
+            times.append(_time(path, number, line))
+            blocks.append([])
+        elif not line.startswith("*") and line.strip():
+            if not blocks:
+                raise DataFileError(f"{path}, line {number}: data before the first '*Time' line")
+            blocks[-1].append(line)
+    return _assemble(path, columns, times, blocks)
+
+
+def _time(path: Path, number: int, line: str) -> float:
+    try:
+        return float(line.split("=")[1])
+    except (IndexError, ValueError) as error:
+        raise DataFileError(f"{path}, line {number}: expected '*Time = <number>', found '{line}'") from error
+
+
+def _assemble(path: Path, columns: tuple[str, ...], times: list[float], blocks: list[list[str]]) -> History:
+    if not blocks:
+        raise DataFileError(f"{path}: holds no data")
+    n_items, width = len(blocks[0]), 1 + len(columns)
+    for time, block in zip(times, blocks):
+        if len(block) != n_items:
+            raise DataFileError(f"{path}: {len(block)} lines at t = {time:g} s, {n_items} at t = {times[0]:g} s")
+    words = " ".join(line for block in blocks for line in block).split()
+    if len(words) != len(blocks) * n_items * width:
+        raise DataFileError(f"{path}: expected {width} numbers a line (item, {', '.join(columns)})")
+    try:
+        table = np.array(words, dtype=np.float64).reshape(len(blocks), n_items, width)
+    except ValueError as error:
+        raise DataFileError(f"{path}: {error}") from error
+    return History(np.array(times), table[0, :, 0].astype(np.int64), columns, table[:, :, 1:])

@@ -1,0 +1,219 @@
+"""A whole model, its .feb text, and where its node data go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from textwrap import indent
+
+from lxml import etree
+
+from harness.errors import ModelError
+from harness.models.mesh import Mesh
+from harness.models.parts import (
+    GAS_CONSTANT,
+    TEMPERATURE,
+    Condition,
+    Contact,
+    Control,
+    Curve,
+    Element,
+    Mixture,
+    child,
+    text_of,
+)
+
+MODULES = ("biphasic", "solute", "multiphasic")
+
+
+@dataclass(frozen=True)
+class Model:
+    """Everything that a .feb file says.
+
+    Attributes
+    ----------
+    name : str
+        Stem of the file names.
+    header : str
+        What stands at the head of the file: what it shows, units, how to run it.
+    module : str
+        One of `MODULES`.
+    mesh : Mesh
+    materials : dict of str to Mixture
+    conditions : tuple of Condition
+    control : Control
+    contacts : tuple of Contact
+    curves : tuple of Curve
+        Load curves, numbered from 1.
+    element_columns : tuple of str
+        FEBio's names of the element data to log, if any.
+    plot : bool
+        Whether a plot file is written.
+    """
+
+    name: str
+    header: str
+    module: str
+    mesh: Mesh
+    materials: dict[str, Mixture]
+    conditions: tuple[Condition, ...]
+    control: Control
+    contacts: tuple[Contact, ...] = ()
+    curves: tuple[Curve, ...] = field(default=())
+    element_columns: tuple[str, ...] = ()
+    plot: bool = False
+
+    @property
+    def n_solutes(self) -> int:
+        """Number of solutes of the model."""
+        return max((s.sol for m in self.materials.values() for s in m.solutes), default=0)
+
+    @property
+    def node_columns(self) -> tuple[str, ...]:
+        """Names of the logged node data, in the order of the columns."""
+        return ("x", "y", "z", "ux", "uy", "uz", "p", *(f"c{k + 1}" for k in range(self.n_solutes)))
+
+    @property
+    def node_file(self) -> str:
+        """Name of the file into which febio4 writes the node data."""
+        return f"{self.name}-nodes.txt"
+
+    @property
+    def element_file(self) -> str:
+        """Name of the file into which febio4 writes the element data."""
+        return f"{self.name}-elements.txt"
+
+    def text(self) -> str:
+        """The model as FEBio 4 XML.
+
+        Raises
+        ------
+        ModelError
+            Where a module, set, surface or pair is named that does not exist.
+        """
+        _check(self)
+        root = etree.Element("febio_spec", version="4.0")
+        child(root, "Module", type=self.module)
+        self.control.write(root, self.module, self.plot)
+        _globals(self, root)
+        materials = child(root, "Material")
+        for number, (name, material) in enumerate(self.materials.items(), 1):
+            material.write(materials, number, name, self.module)
+        _mesh(self.mesh, root)
+        domains = child(root, "MeshDomains")
+        for part in self.mesh.parts:
+            child(domains, "SolidDomain", name=part.name, mat=part.material)
+        _sections(self, root)
+        body = etree.tostring(root, pretty_print=True, encoding="unicode")
+        return f'<?xml version="1.0" encoding="ISO-8859-1"?>\n<!--\n{indent(self.header.strip(), "  ")}\n-->\n{body}'
+
+    def write(self, folder: Path) -> Path:
+        """Write ``<name>.feb`` into `folder`, which is made where needed, and return its path."""
+        folder.mkdir(parents=True, exist_ok=True)
+        path = folder / f"{self.name}.feb"
+        path.write_text(self.text(), encoding="iso-8859-1")
+        return path
+
+
+def _globals(model: Model, root: Element) -> None:
+    section = child(root, "Globals")
+    constants = child(section, "Constants")
+    child(constants, "R", GAS_CONSTANT)
+    child(constants, "T", TEMPERATURE)
+    child(constants, "Fc", 0.0)
+    if model.n_solutes:
+        solutes = child(section, "Solutes")
+        for number in range(1, model.n_solutes + 1):
+            made = child(solutes, "solute", id=str(number), name=f"s{number}")
+            child(made, "charge_number", 0)
+            child(made, "molar_mass", 1.0)
+            child(made, "density", 1.0)
+
+
+def _mesh(mesh: Mesh, root: Element) -> None:
+    section = child(root, "Mesh")
+    nodes = child(section, "Nodes")
+    for number, position in enumerate(mesh.nodes, 1):
+        child(nodes, "node", tuple(map(float, position)), id=str(number))
+    number = 0
+    for part in mesh.parts:
+        elements = child(section, "Elements", type="hex8", name=part.name)
+        for ids in part.elements:
+            number += 1
+            child(elements, "elem", tuple(map(int, ids)), id=str(number))
+    for name, ids in mesh.node_sets.items():
+        child(section, "NodeSet", tuple(map(int, ids)), name=name)
+    for name, facets in mesh.surfaces.items():
+        surface = child(section, "Surface", name=name)
+        for face, ids in enumerate(facets, 1):
+            child(surface, "quad4", tuple(map(int, ids)), id=str(face))
+    for name, (primary, secondary) in mesh.pairs.items():
+        pair = child(section, "SurfacePair", name=name)
+        child(pair, "primary", primary)
+        child(pair, "secondary", secondary)
+
+
+def _sections(model: Model, root: Element) -> None:
+    boundary = child(root, "Boundary")
+    loads = [c for c in model.conditions if c.tag != "bc"]
+    for condition in model.conditions:
+        if condition.tag == "bc":
+            condition.write(boundary)
+    if loads:
+        section = child(root, "Loads")
+        for load in loads:
+            load.write(section)
+    if model.contacts:
+        section = child(root, "Contact")
+        for contact in model.contacts:
+            contact.write(section)
+    if model.curves:
+        section = child(root, "LoadData")
+        for number, curve in enumerate(model.curves, 1):
+            curve.write(section, number)
+    _output(model, root)
+
+
+def _output(model: Model, root: Element) -> None:
+    output = child(root, "Output")
+    log = child(output, "logfile")
+    child(log, "node_data", data=";".join(model.node_columns), file=model.node_file, delim=" ")
+    if model.element_columns:
+        child(log, "element_data", data=";".join(model.element_columns), file=model.element_file, delim=" ")
+    if model.plot:
+        plot = child(output, "plotfile", type="febio")
+        for variable in _plot_variables(model):
+            child(plot, "var", type=variable)
+
+
+def _plot_variables(model: Model) -> tuple[str, ...]:
+    common = ("displacement", "stress", "effective fluid pressure", "fluid flux", "contact gap", "contact pressure")
+    if not model.n_solutes:
+        return common
+    return (*common, "effective solute concentration", "solute concentration", "solute flux")
+
+
+def _check(model: Model) -> None:
+    """Raise ModelError for names that lead nowhere, saying which ones exist."""
+    if model.module not in MODULES:
+        raise ModelError(f"model '{model.name}': module '{model.module}' is not one of {', '.join(MODULES)}")
+    for condition in model.conditions:
+        known = model.mesh.node_sets if condition.tag == "bc" else model.mesh.surfaces
+        _known(model, condition.kind, condition.where, known)
+    for contact in model.contacts:
+        _known(model, f"contact {contact.kind}", contact.pair, model.mesh.pairs)
+    for part in model.mesh.parts:
+        _known(model, f"part {part.name}", part.material, model.materials)
+    for param in (p for c in (*model.conditions, *model.contacts) for p in c.params):
+        if param.curve is not None and not 1 <= param.curve <= len(model.curves):
+            raise ModelError(
+                f"model '{model.name}': <{param.tag}> = {text_of(param.value)} refers to load curve {param.curve}, "
+                f"but there are {len(model.curves)}"
+            )
+
+
+def _known(model: Model, who: str, name: str, known: Iterable[str]) -> None:
+    names = list(known)
+    if name not in names:
+        raise ModelError(f"model '{model.name}': {who} refers to '{name}'; there is {', '.join(names) or 'nothing'}")

@@ -1,0 +1,124 @@
+"""How two bodies are joined: by one of the contact types, or by being one body."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+
+from harness.models.mesh import Layer, Mesh, Section, cut_column, glued_column
+from harness.models.parts import Contact, Param
+
+
+class Join(str, Enum):
+    """What stands between two neighbouring bodies."""
+
+    MIXTURE = "sliding-mixture"
+    """The plugin's interface."""
+    SOLUTE = "sliding-biphasic-solute"
+    """FEBio's interface for one solute."""
+    MULTIPHASIC = "sliding-multiphasic"
+    """FEBio's interface for any number of solutes; it belongs to the module 'multiphasic'."""
+    BIPHASIC = "sliding-biphasic"
+    """FEBio's interface for solid and solvent."""
+    UNSPLIT = "unsplit"
+    """No interface: the nodes are merged, and what is left is one body."""
+
+    @property
+    def is_contact(self) -> bool:
+        """Whether there is an interface at all."""
+        return self is not Join.UNSPLIT
+
+    @property
+    def module(self) -> str:
+        """The FEBio module in which a model with solutes can use it."""
+        return "multiphasic" if self is Join.MULTIPHASIC else "solute"
+
+    @property
+    def slug(self) -> str:
+        """The name as part of a file name."""
+        return self.value.replace("sliding-", "")
+
+
+@dataclass(frozen=True)
+class ContactSettings:
+    """Parameters of an interface under FEBio's own names; what is None is not written and keeps its default.
+
+    Attributes
+    ----------
+    laugon : str
+        ``PENALTY`` or ``AUGLAG``.
+    penalty, pressure_penalty, concentration_penalty : float
+        eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
+    auto_penalty, update_penalty, two_pass : bool
+    tolerance, gaptol, ptol, ctol : float
+        Augmentation tolerances: of the traction (relative), of the gap (mm), of pressure and concentration.
+    ambient_pressure, ambient_concentration : Param or float
+    extra : tuple of Param
+        Anything else.
+    """
+
+    laugon: str | None = None
+    penalty: float | None = None
+    pressure_penalty: float | None = None
+    concentration_penalty: float | None = None
+    auto_penalty: bool | None = None
+    update_penalty: bool | None = None
+    two_pass: bool | None = None
+    tolerance: float | None = None
+    gaptol: float | None = None
+    ptol: float | None = None
+    ctol: float | None = None
+    minaug: int | None = None
+    maxaug: int | None = None
+    search_tol: float | None = None
+    search_radius: float | None = None
+    extra: tuple[Param, ...] = ()
+
+    def params(self) -> tuple[Param, ...]:
+        """The parameters that are set, in a fixed order."""
+        named = [(name, value) for name, value in vars(self).items() if name != "extra" and value is not None]
+        return (*(Param(name, value) for name, value in named), *self.extra)
+
+
+def automatic(scale: float) -> ContactSettings:
+    """FEBio's automatic penalties times one common factor, by the penalty method."""
+    return ContactSettings(
+        laugon="PENALTY", auto_penalty=True, penalty=scale, pressure_penalty=scale, concentration_penalty=scale
+    )
+
+
+PAPER = ContactSettings(
+    laugon="PENALTY", auto_penalty=False, penalty=1400.0, pressure_penalty=1e-3, concentration_penalty=4e-4
+)
+"""The penalties of section 3.1 of Ateshian, Maas and Weiss (2012)."""
+
+
+def augmented(settings: ContactSettings, ctol: float) -> ContactSettings:
+    """The same penalties with the augmented Lagrangian, until the concentration jump is within `ctol`."""
+    return replace(settings, laugon="AUGLAG", ctol=ctol)
+
+
+def default_settings(join: Join) -> ContactSettings:
+    """What a user gets without setting any penalty; FEBio's own types need `auto_penalty` and a factor to be accurate."""
+    if join is Join.MIXTURE:
+        return ContactSettings()
+    settings = automatic(1000.0)
+    return replace(settings, concentration_penalty=None) if join is Join.BIPHASIC else settings
+
+
+def column(
+    join: Join, layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0
+) -> Mesh:
+    """The column of layers, cut where `join` is a contact and glued where it is not."""
+    if join.is_contact:
+        return cut_column(layers, bottom=bottom, section=section, gap=gap)
+    return glued_column(layers, bottom=bottom, section=section)
+
+
+def contacts(join: Join, mesh: Mesh, settings: ContactSettings | None) -> tuple[Contact, ...]:
+    """One interface for each pair of `mesh`; none where the bodies are one."""
+    if not join.is_contact:
+        return ()
+    chosen = settings if settings is not None else default_settings(join)
+    return tuple(Contact(join.value, pair, chosen.params()) for pair in mesh.pairs)

@@ -1,0 +1,86 @@
+"""Steady convection and diffusion through two layers of different material."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from harness.closed_forms import two_layer_convection
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, Join, column, contacts
+from harness.models.mesh import Layer, Section
+from harness.models.parts import (
+    Control,
+    Mixture,
+    Solid,
+    Solute,
+    concentration,
+    displace,
+    fix,
+    fluid_flux,
+    pressure,
+)
+
+UPSTREAM = 1.0
+"""Effective concentration at the inlet z = 0, mM; 0 at the outlet."""
+FLUX = 4e-4
+"""Solvent flux w along z, mm/s."""
+CLOSING = 1e-4
+"""mm by which the outlet is moved."""
+FIRST = two_layer_convection.Layer(1.0, diffusivity=5e-4, free_diffusivity=5e-4, porosity=0.8, solubility=1.0)
+SECOND = two_layer_convection.Layer(0.75, diffusivity=5e-4, free_diffusivity=1e-3, porosity=0.6, solubility=0.5)
+
+ABOUT = """\
+Steady convection and diffusion through two layers of different material in contact at z = 1 mm.
+
+Solvent is pressed in at z = 0 at 0.0004 mm/s and leaves at z = 1.75 mm without pressure; the effective concentration is
+1 mM at the inlet and 0 at the outlet, which is moved by -0.0001 mm to close the contact. The upper layer has half the
+solubility and hinders the solute (d < d0), so that the convective flux W c~, with W = kappa~ (d/d0) w, drops to a quarter there, and
+the actual concentration jumps over the interface. After 10000 s the profile is steady."""
+
+
+def _material(data: two_layer_convection.Layer) -> Mixture:
+    solute = Solute(1, data.diffusivity, data.free_diffusivity, data.solubility)
+    return Mixture(Solid(1000.0), 1e-3, data.porosity, (solute,))
+
+
+@dataclass(frozen=True)
+class Layers:
+    """Choices of the two-layer convection problem; as in `harness.models.diffusion.Diffusion`."""
+
+    join: Join = Join.MIXTURE
+    settings: ContactSettings | None = None
+    elements: int = 20
+    control: Control = Control(50, 200.0)
+    section: Section = Section()
+    module: str | None = None
+    name: str = "two-layer-convection"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        layers = [Layer("lower", "first", FIRST.thickness, self.elements)]
+        layers.append(Layer("upper", "second", SECOND.thickness, self.elements))
+        mesh = column(self.join, layers, bottom=0.0, section=self.section)
+        conditions = (
+            fix("all", "xy"),
+            fix("bottom", "z"),
+            displace("top", "z", -CLOSING),
+            concentration("bottom", UPSTREAM),
+            concentration("top", 0.0),
+            pressure("top", 0.0),
+            fluid_flux("bottom", -FLUX),
+        )
+        module = self.module or self.join.module
+        return Model(
+            name=self.name,
+            header=header(self.name, ABOUT, self.join),
+            module=module,
+            mesh=mesh,
+            materials={"first": _material(FIRST), "second": _material(SECOND)},
+            conditions=conditions,
+            control=self.control,
+            contacts=contacts(self.join, mesh, self.settings),
+            element_columns=("wz", "c", "jz") if module == "solute" else ("wz", "c1", "j1z"),
+            plot=self.plot,
+        )

@@ -1,0 +1,329 @@
+"""The pieces a model is put together from: materials, conditions, contact, control. Each writes its own XML."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Union
+
+from lxml import etree
+
+Element = etree._Element
+Value = Union[float, int, str, bool, tuple[float, ...]]
+
+GAS_CONSTANT = 8.314e-6
+"""mJ/(nmol K), with mm, N, s, nmol."""
+TEMPERATURE = 298.0
+"""K."""
+
+
+def text_of(value: Value) -> str:
+    """A value as FEBio reads it: 12 significant digits, 0/1 for truth values, commas between components."""
+    if isinstance(value, bool):
+        return str(int(value))
+    if isinstance(value, tuple):
+        return ",".join(text_of(v) for v in value)
+    if isinstance(value, float):
+        return f"{value:.12g}"
+    return str(value)
+
+
+def child(parent: Element, tag: str, value: Value | None = None, **attributes: str) -> Element:
+    """Append an element with attributes and, where given, a text."""
+    made = etree.SubElement(parent, tag, attributes)
+    if value is not None:
+        made.text = text_of(value)
+    return made
+
+
+@dataclass(frozen=True)
+class Param:
+    """One parameter: tag, value, and where needed a load curve number and attributes."""
+
+    tag: str
+    value: Value
+    curve: int | None = None
+    attributes: Mapping[str, str] = field(default_factory=dict)
+
+    def write(self, parent: Element) -> None:
+        """Append the parameter to `parent`."""
+        made = child(parent, self.tag, self.value, **dict(self.attributes))
+        if self.curve is not None:
+            made.set("lc", str(self.curve))
+
+
+@dataclass(frozen=True)
+class Solid:
+    """Neo-Hookean solid.
+
+    Attributes
+    ----------
+    modulus : float
+        Young's modulus at small strain, MPa.
+    poisson : float
+        Poisson's ratio.
+    """
+
+    modulus: float
+    poisson: float = 0.0
+
+    def write(self, parent: Element, tag: str = "solid") -> Element:
+        """Append the solid to `parent` under the name `tag`."""
+        made = child(parent, tag, type="neo-Hookean")
+        child(made, "density", 1.0)
+        child(made, "E", self.modulus)
+        child(made, "v", self.poisson)
+        return made
+
+
+@dataclass(frozen=True)
+class Solute:
+    """Transport of one solute in one material.
+
+    Attributes
+    ----------
+    sol : int
+        Number of the solute in the model's list, from 1.
+    diffusivity, free_diffusivity : float
+        d in the mixture and d0 in the solvent, mm^2/s.
+    solubility : float
+        Effective solubility kappa~, dimensionless: actual c = kappa~ c~.
+    """
+
+    sol: int = 1
+    diffusivity: float = 5e-4
+    free_diffusivity: float = 5e-4
+    solubility: float = 1.0
+
+    def write(self, parent: Element) -> None:
+        """Append the solute to the material `parent`."""
+        made = child(parent, "solute", sol=str(self.sol))
+        diffusivity = child(made, "diffusivity", type="diff-const-iso")
+        child(diffusivity, "free_diff", self.free_diffusivity)
+        child(diffusivity, "diff", self.diffusivity)
+        child(child(made, "solubility", type="solub-const"), "solub", self.solubility)
+
+
+@dataclass(frozen=True)
+class Mixture:
+    """Porous material: biphasic without solutes, biphasic-solute or multiphasic with them.
+
+    Attributes
+    ----------
+    solid : Solid
+    permeability : float
+        Hydraulic permeability k, mm^4/(N s).
+    porosity : float
+        Reference volume fraction of the solvent, phi_w.
+    solutes : tuple of Solute
+    osmotic : float
+        Osmotic coefficient Phi.
+    """
+
+    solid: Solid
+    permeability: float
+    porosity: float = 0.8
+    solutes: tuple[Solute, ...] = ()
+    osmotic: float = 1.0
+
+    def kind(self, module: str) -> str:
+        """FEBio's name of the material in `module`."""
+        if not self.solutes:
+            return "biphasic"
+        return "multiphasic" if module == "multiphasic" else "biphasic-solute"
+
+    def write(self, parent: Element, number: int, name: str, module: str) -> None:
+        """Append the material to the section `parent`."""
+        made = child(parent, "material", id=str(number), name=name, type=self.kind(module))
+        child(made, "phi0", 1.0 - self.porosity)
+        if self.kind(module) == "multiphasic":
+            child(made, "fixed_charge_density", 0.0)
+        self.solid.write(made)
+        child(child(made, "permeability", type="perm-const-iso"), "perm", self.permeability)
+        if self.solutes:
+            child(child(made, "osmotic_coefficient", type="osm-coef-const"), "osmcoef", self.osmotic)
+        for solute in self.solutes:
+            solute.write(made)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A load curve: points (time in s, factor) joined by lines or steps, constant beyond both ends."""
+
+    points: tuple[tuple[float, float], ...]
+    interpolate: str = "LINEAR"
+
+    def write(self, parent: Element, number: int) -> None:
+        """Append the curve to the section `parent`."""
+        made = child(parent, "load_controller", id=str(number), type="loadcurve")
+        child(made, "interpolate", self.interpolate)
+        child(made, "extend", "CONSTANT")
+        points = child(made, "points")
+        for point in self.points:
+            child(points, "pt", point)
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A boundary condition on a node set, or a load on a surface.
+
+    Attributes
+    ----------
+    tag, kind : str
+        ``bc`` or ``surface_load``, and FEBio's type.
+    where : str
+        Name of the node set or surface.
+    params : tuple of Param
+    """
+
+    tag: str
+    kind: str
+    where: str
+    params: tuple[Param, ...] = ()
+
+    def write(self, parent: Element) -> None:
+        """Append the condition to the section `parent`."""
+        place = "node_set" if self.tag == "bc" else "surface"
+        made = child(parent, self.tag, name=f"{self.kind} {self.where}", type=self.kind)
+        made.set(place, self.where)
+        for param in self.params:
+            param.write(made)
+
+
+def fix(where: str, axes: str) -> Condition:
+    """Hold the displacement along the axes in `axes` (letters x, y, z) on a node set."""
+    return Condition("bc", "zero displacement", where, tuple(Param(f"{a}_dof", a in axes) for a in "xyz"))
+
+
+def displace(where: str, axis: str, value: float, curve: int | None = None) -> Condition:
+    """Prescribe the displacement (mm) along one axis on a node set."""
+    params = (Param("dof", axis), Param("value", value, curve), Param("relative", False))
+    return Condition("bc", "prescribed displacement", where, params)
+
+
+def pressure(where: str, value: float, curve: int | None = None) -> Condition:
+    """Prescribe the effective fluid pressure p~ (MPa) on a node set."""
+    return Condition("bc", "prescribed fluid pressure", where, (Param("value", value, curve), Param("relative", False)))
+
+
+def concentration(where: str, value: float, curve: int | None = None, sol: int = 1) -> Condition:
+    """Prescribe the effective concentration c~ (mM) of solute `sol` on a node set."""
+    params = (Param("dof", f"c{sol}"), Param("value", value, curve), Param("relative", False))
+    return Condition("bc", "prescribed concentration", where, params)
+
+
+def normal_load(where: str, value: float, curve: int | None = None) -> Condition:
+    """Press on a surface with `value` MPa, acting on the whole mixture, in the reference configuration."""
+    params = (Param("pressure", value, curve), Param("linear", True), Param("symmetric_stiffness", False))
+    return Condition("surface_load", "pressure", where, params)
+
+
+def fluid_flux(where: str, value: float, curve: int | None = None) -> Condition:
+    """Prescribe the volume flux of solvent out of a surface relative to the solid (mm/s)."""
+    params = (Param("flux", value, curve), Param("linear", True), Param("mixture", False))
+    return Condition("surface_load", "fluidflux", where, params)
+
+
+@dataclass(frozen=True)
+class TimeStepper:
+    """FEBio's automatic time stepper.
+
+    Attributes
+    ----------
+    max_step : float
+        Largest step, s; the factor of `must_points` where that is given.
+    retries : int
+        How often a failed step is tried again.
+    optimal_iterations : int
+        Iterations above which the step shrinks.
+    must_points : int, optional
+        Number of the load curve whose points must be met.
+    aggressive : bool
+        Halve a failed step instead of taking off a fixed part.
+    force : bool
+        Always take the largest step allowed.
+    """
+
+    max_step: float
+    retries: int = 5
+    optimal_iterations: int = 11
+    must_points: int | None = None
+    aggressive: bool = False
+    force: bool = False
+
+    def write(self, parent: Element) -> None:
+        """Append the time stepper to the control section `parent`."""
+        made = child(parent, "time_stepper", type="default")
+        child(made, "max_retries", self.retries)
+        child(made, "opt_iter", self.optimal_iterations)
+        child(made, "dtmin", 0.0)
+        Param("dtmax", self.max_step, self.must_points).write(made)
+        child(made, "aggressiveness", int(self.aggressive))
+        child(made, "cutback", 0.5)
+        child(made, "dtforce", int(self.force))
+
+
+@dataclass(frozen=True)
+class Control:
+    """Time steps and Newton tolerances.
+
+    Attributes
+    ----------
+    steps : int
+        Number of steps.
+    step : float
+        Size of a step, s.
+    displacement_tolerance, energy_tolerance, pressure_tolerance, concentration_tolerance : float
+        dtol, etol, ptol, ctol of FEBio, relative.
+    residual_tolerance : float
+        rtol of FEBio; 0 switches that test off.
+    reformations : int
+        Largest number of matrix reformations in a step.
+    stepper : TimeStepper, optional
+        Adaptive steps; fixed ones without it.
+    """
+
+    steps: int
+    step: float
+    displacement_tolerance: float = 0.001
+    energy_tolerance: float = 0.01
+    pressure_tolerance: float = 0.01
+    concentration_tolerance: float = 0.01
+    residual_tolerance: float = 0.0
+    reformations: int = 15
+    stepper: TimeStepper | None = None
+
+    def write(self, parent: Element, module: str, plot: bool) -> None:
+        """Append the control section to the model `parent`."""
+        made = child(parent, "Control")
+        child(made, "analysis", "TRANSIENT")
+        child(made, "time_steps", self.steps)
+        child(made, "step_size", self.step)
+        child(made, "plot_level", "PLOT_MAJOR_ITRS" if plot else "PLOT_NEVER")
+        if self.stepper:
+            self.stepper.write(made)
+        solver = child(made, "solver", type=module)
+        child(solver, "symmetric_stiffness", "non-symmetric")
+        child(solver, "max_refs", self.reformations)
+        child(solver, "dtol", self.displacement_tolerance)
+        child(solver, "etol", self.energy_tolerance)
+        child(solver, "rtol", self.residual_tolerance)
+        child(solver, "ptol", self.pressure_tolerance)
+        if module != "biphasic":
+            child(solver, "ctol", self.concentration_tolerance)
+        child(child(solver, "qn_method", type="BFGS"), "max_ups", 0)
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A contact interface between the two surfaces of a pair."""
+
+    kind: str
+    pair: str
+    params: tuple[Param, ...] = ()
+
+    def write(self, parent: Element) -> None:
+        """Append the interface to the section `parent`."""
+        made = child(parent, "contact", name=self.pair, type=self.kind, surface_pair=self.pair)
+        for param in self.params:
+            param.write(made)
