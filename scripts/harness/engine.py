@@ -51,7 +51,8 @@ def find_engine() -> Path:
             return candidate.resolve()
     looked = ", ".join(str(c) for c in candidates)
     raise EngineNotFoundError(
-        f"febio4 was not found (looked for {looked}, and on the PATH). Set FEBIO_ROOT to the folder that holds bin/febio4."
+        f"febio4 was not found (looked for {looked}, and on the PATH). "
+        "Set FEBIO_ROOT to the folder that holds bin/febio4."
     )
 
 
@@ -65,7 +66,7 @@ def required_plugin() -> Path:
     """
     library = plugin_library()
     if not library.is_file():
-        raise PluginNotFoundError(f"the plugin library {library} does not exist; build it first")
+        raise PluginNotFoundError(f"the plugin library {library} does not exist; build it first.")
     return library.resolve()
 
 
@@ -112,8 +113,14 @@ def execute(command: Sequence[str], folder: Path, *, progress: Progress | None =
     environment = {_THREADS: "1", **os.environ}
     start = time.perf_counter()
     with subprocess.Popen(
-        command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
-        text=True, errors="replace",
+        command,
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        stdin=subprocess.DEVNULL,
+        text=True,
+        errors="replace",
     ) as process:
         output = _follow(process, progress)
         code = process.wait()

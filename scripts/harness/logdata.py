@@ -97,7 +97,7 @@ def _assemble(path: Path, columns: tuple[str, ...], times: list[float], blocks: 
     if not blocks:
         raise DataFileError(f"{path}: holds no data")
     n_items, width = len(blocks[0]), 1 + len(columns)
-    for time, block in zip(times, blocks):
+    for time, block in zip(times, blocks, strict=True):
         if len(block) != n_items:
             raise DataFileError(f"{path}: {len(block)} lines at t = {time:g} s, {n_items} at t = {times[0]:g} s")
     words = " ".join(line for block in blocks for line in block).split()

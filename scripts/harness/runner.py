@@ -86,8 +86,9 @@ class Runner:
         EngineNotFoundError, PluginNotFoundError, EngineFailedError
             See `harness.engine`.
         """
+        febio = engine.find_engine()
         plugin = engine.required_plugin() if _needs_plugin(model) else None
-        key = _key(model, plugin, options)
+        key = _key(model, (febio, plugin), options)
         if key not in self._known:
             self._known[key] = self._locked(model, plugin, tuple(options), key)
         outcome = self._known[key]
@@ -125,10 +126,10 @@ def _needs_plugin(model: Model) -> bool:
     return any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
 
 
-def _key(model: Model, plugin: Path | None, options: Sequence[str]) -> str:
+def _key(model: Model, binaries: Sequence[Path | None], options: Sequence[str]) -> str:
     digest = hashlib.sha256(model.text().encode())
     digest.update("\0".join(options).encode())
-    for binary in (engine.find_engine(), plugin):
+    for binary in binaries:
         if binary is not None:
             state = binary.stat()
             digest.update(f"{binary} {state.st_size} {state.st_mtime_ns}".encode())

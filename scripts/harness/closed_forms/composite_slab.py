@@ -1,20 +1,23 @@
 """Diffusion into two layers in series, joined by an interface of finite or infinite conductance.
 
-Derivation. In each layer K c~_t = G c~_zz, with K = phi_w kappa~ (capacity) and G = K d (conductance). With u = 1 - c~/c*
-and z from the bath, the modes are X1 = sin(lambda z/sqrt(d1)) and X2 = B cos(lambda (L - z)/sqrt(d2)), which satisfy u = 0 at the
-bath and u' = 0 at the sealed face L = L1 + L2. With a = lambda L1/sqrt(d1), b = lambda L2/sqrt(d2), g_i = K_i sqrt(d_i):
+Derivation. In each layer K c~_t = G c~_zz, with K = phi_w kappa~ (capacity) and G = K d (conductance). With
+u = 1 - c~/c* and z from the bath, the modes X1 = sin(lambda z/sqrt(d1)) and X2 = B cos(lambda (L - z)/sqrt(d2)) satisfy
+u = 0 at the bath and u' = 0 at the sealed face L = L1 + L2. With a = lambda L1/sqrt(d1), b = lambda L2/sqrt(d2) and
+g_i = K_i sqrt(d_i), at z = L1
 
 - the flux is continuous:        g1 cos a = g2 B sin b;
-- it is eps times the jump:      X2 - X1 = (g1 lambda/eps) cos a at z = L1.
+- it is eps times the jump:      X2 - X1 = (g1 lambda/eps) cos a.
 
-Together (sin a + (g1 lambda/eps) cos a) sin b = (g1/g2) cos a cos b. The operator is self-adjoint with the weight K also for
-finite eps (the boundary terms of the jump cancel), so A = INT K X / INT K X^2. Background: Carslaw and Jaeger (1959), Conduction of Heat in
-Solids (contact resistance); Mikhailov and Ozisik (1984), Unified Analysis and Solutions of Heat and Mass Diffusion.
+Together (sin a + (g1 lambda/eps) cos a) sin b = (g1/g2) cos a cos b. The operator is self-adjoint with the weight K
+also for finite eps (the boundary terms of the jump cancel), so A = INT K X / INT K X^2. Background: Carslaw and Jaeger
+(1959), Conduction of Heat in Solids (contact resistance); Mikhailov and Ozisik (1984), Unified Analysis and Solutions
+of Heat and Mass Diffusion.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -43,14 +46,14 @@ class Layer:
         return self.capacity * float(np.sqrt(self.diffusivity))
 
     def phase(self, rate: float) -> float:
-        """lambda L/sqrt(d) for lambda = `rate` (1/sqrt(s))."""
+        """Phase lambda L/sqrt(d) for lambda = `rate` (1/sqrt(s))."""
         return rate * self.thickness / float(np.sqrt(self.diffusivity))
 
 
 def concentration(
-    z: ArrayLike, t: float, first: Layer, second: Layer, *, bath: float = 1.0, conductance: float = np.inf
+    z: ArrayLike, t: float, first: Layer, second: Layer, conductance: float = np.inf
 ) -> NDArray[np.float64]:
-    """Effective concentration c~ at a time, in two layers that were empty at t = 0.
+    """Effective concentration c~/c* at a time, in two layers that were empty at t = 0, with a bath c* at z = 0.
 
     Parameters
     ----------
@@ -60,15 +63,13 @@ def concentration(
         Time, s, positive.
     first, second : Layer
         The layer at the bath, and the one that is sealed behind.
-    bath : float
-        c* at z = 0, mM.
     conductance : float
         eps_c of the interface, mm/s.
 
     Returns
     -------
     ndarray
-        c~, mM, in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
+        c~/c* in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
 
     Raises
     ------
@@ -88,22 +89,24 @@ def concentration(
         lower = np.sin(rate * position / np.sqrt(first.diffusivity))
         upper = below * np.cos(rate * (length - position) / np.sqrt(second.diffusivity))
         total += weight * np.where(in_first, lower, upper) * np.exp(-(rate**2) * t)
-    return np.asarray(bath * (1.0 - total))
+    return np.asarray(1.0 - total)
 
 
 def rates(first: Layer, second: Layer, conductance: float, largest: float) -> list[float]:
     """All lambda (1/sqrt(s)) up to the first one above `largest`.
 
-    tan a + (g1 lambda/eps) - (g1/g2) cot b increases from one of its poles (a = (m + 1/2) pi, b = m pi) to the next, from minus to
-    plus infinity, so there is exactly one root between neighbouring poles; where two poles fall together, they are a root as well.
+    tan a + (g1 lambda/eps) - (g1/g2) cot b increases from minus to plus infinity between one of its poles
+    (a = (m + 1/2) pi, b = m pi) and the next, so there is exactly one root between neighbouring poles; where two poles
+    fall together, they are a root as well.
     """
     poles = _poles(first, second, largest)
     found: list[float] = []
-    for left, right in zip(poles, poles[1:]):
+    arguments = (first, second, conductance)
+    for left, right in pairwise(poles):
         if right - left <= 1e-9 * right:
             found.append(right)
         else:
-            found.append(float(brentq(_characteristic, left, right, args=(first, second, conductance), xtol=1e-16, rtol=1e-14)))
+            found.append(float(brentq(_characteristic, left, right, args=arguments, xtol=1e-16, rtol=1e-14)))
     return found
 
 
@@ -132,6 +135,7 @@ def _amplitudes(rate: float, first: Layer, second: Layer, conductance: float) ->
     else:
         below = (np.sin(a) + g1 * rate / conductance * np.cos(a)) / np.cos(b)
     content = (g1 * (1 - np.cos(a)) + g2 * below * np.sin(b)) / rate
-    norm = first.capacity * (first.thickness / 2 - np.sqrt(first.diffusivity) * np.sin(2 * a) / (4 * rate))
-    norm += second.capacity * below**2 * (second.thickness / 2 + np.sqrt(second.diffusivity) * np.sin(2 * b) / (4 * rate))
+    lower = first.thickness / 2 - np.sqrt(first.diffusivity) * np.sin(2 * a) / (4 * rate)
+    upper = second.thickness / 2 + np.sqrt(second.diffusivity) * np.sin(2 * b) / (4 * rate)
+    norm = first.capacity * lower + second.capacity * below**2 * upper
     return float(content / norm), float(below)

@@ -1,6 +1,7 @@
 """Hertz's contact of a cylinder with a half space along a line, without friction.
 
-Source: Johnson (1985), Contact Mechanics, section 4.2(c). The pressure p0 sqrt(1 - x^2/a^2) carries F = pi a p0/2 per length.
+Source: Johnson (1985), Contact Mechanics, section 4.2(c). The pressure p0 sqrt(1 - x^2/a^2) carries F = pi a p0/2 per
+length.
 """
 
 from __future__ import annotations
@@ -17,12 +18,12 @@ def combined_modulus(first: tuple[float, float], second: tuple[float, float]) ->
 
 
 def half_width(force: float, radius: float, modulus: float) -> float:
-    """a = sqrt(4 F R/(pi E*)), mm, for the force per length F (N/mm), the relative radius R (mm) and E* (MPa)."""
+    """Half-width a = sqrt(4 F R/(pi E*)), mm, for the force per length F (N/mm), radius R (mm) and E* (MPa)."""
     return sqrt(4.0 * force * radius / (pi * modulus))
 
 
 def peak_pressure(force: float, radius: float, modulus: float) -> float:
-    """p0 = sqrt(F E*/(pi R)), MPa; arguments as in `half_width`."""
+    """Peak pressure p0 = sqrt(F E*/(pi R)), MPa; arguments as in `half_width`."""
     return sqrt(force * modulus / (pi * radius))
 
 

@@ -1,8 +1,8 @@
 """Steady convection and diffusion through one slab.
 
 Source: Ateshian, Maas, Weiss (2012), J Biomech 45(6):1023-1027, equations 3.2-3.4. Derivation: the flux
-j = phi_w (-d c' + (w0/phi_w) c) is constant, so c'' = (Pe/h) c' with Pe = h w0/(d phi_w), whose solutions are a constant
-and exp(Pe z/h); the two face values fix the rest.
+j = phi_w (-d c' + (w0/phi_w) c) is constant, so c'' = (Pe/h) c' with Pe = h w0/(d phi_w), whose solutions are a
+constant and exp(Pe z/h); the two face values fix the rest.
 """
 
 from __future__ import annotations

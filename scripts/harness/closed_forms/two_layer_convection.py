@@ -1,8 +1,9 @@
 """Steady convection and diffusion through two layers, joined by an interface of finite or infinite conductance.
 
-Derivation. In each layer the flux j = W c~ - G c~' is constant, with W = kappa~ (d/d0) w and G = phi_w kappa~ d (Ateshian, Maas,
-Weiss (2012), equation 2.3 and the constitutive law of the solute flux), so c~ - j/W = (c~_in - j/W) exp(W (z - z_in)/G). Passing from the inlet
-through layer 1, the jump j/eps and layer 2 to the outlet gives, with P_i = W_i L_i/G_i,
+Derivation. In each layer the flux j = W c~ - G c~' is constant, with W = kappa~ (d/d0) w and G = phi_w kappa~ d
+(Ateshian, Maas, Weiss (2012), J Biomech 45(6):1023-1027, constitutive law of the solute flux), so
+c~ - j/W = (c~_in - j/W) exp(W (z - z_in)/G). Passing from the inlet through layer 1, the jump j/eps and layer 2 to the
+outlet gives, with P_i = W_i L_i/G_i,
 
     j = (c_u e^{P1+P2} - c_d) / [e^{P2} (e^{P1} - 1)/W1 + (e^{P2} - 1)/W2 + e^{P2}/eps].
 
@@ -46,44 +47,38 @@ class Layer:
         return self.thickness / self.conductance if p == 0.0 else float(np.expm1(p)) / self.convection(flux)
 
 
-def solute_flux(
-    first: Layer, second: Layer, *, flux: float, upstream: float, downstream: float, conductance: float = np.inf
-) -> float:
-    """Solute flux j (nmol/(mm^2 s)) for a solvent flux w (mm/s) and face values c~_u, c~_d (mM).
+@dataclass(frozen=True)
+class Conditions:
+    """What drives the transport: solvent flux w (mm/s), face values c~_u and c~_d (mM), conductance eps (mm/s)."""
 
-    Parameters
-    ----------
-    conductance : float
-        eps_c of the interface, mm/s; the jump of c~ over it is j/eps_c.
-    """
-    gain = np.exp(second.peclet(flux))
-    resistance = gain * first.resistance(flux) + second.resistance(flux) + gain / conductance
-    return float((upstream * np.exp(first.peclet(flux)) * gain - downstream) / resistance)
+    flux: float
+    upstream: float
+    downstream: float
+    conductance: float = np.inf
 
 
-def concentration(
-    z: ArrayLike,
-    first: Layer,
-    second: Layer,
-    *,
-    flux: float,
-    upstream: float,
-    downstream: float,
-    conductance: float = np.inf,
-) -> NDArray[np.float64]:
+def solute_flux(first: Layer, second: Layer, given: Conditions) -> float:
+    """Solute flux j, nmol/(mm^2 s); the jump of c~ over the interface is j/eps."""
+    gain = np.exp(second.peclet(given.flux))
+    resistance = gain * first.resistance(given.flux) + second.resistance(given.flux) + gain / given.conductance
+    return float((given.upstream * np.exp(first.peclet(given.flux)) * gain - given.downstream) / resistance)
+
+
+def concentration(z: ArrayLike, first: Layer, second: Layer, given: Conditions) -> NDArray[np.float64]:
     """Effective concentration c~ (mM) at the distances `z` (mm) from the inlet; at z = L1 that of the first layer."""
-    j = solute_flux(first, second, flux=flux, upstream=upstream, downstream=downstream, conductance=conductance)
+    j = solute_flux(first, second, given)
     position = np.asarray(z, dtype=float)
-    at_interface = _within(first, np.asarray(first.thickness), upstream, j, flux) - j / conductance
-    below = _within(first, np.minimum(position, first.thickness), upstream, j, flux)
-    above = _within(second, np.maximum(position - first.thickness, 0.0), at_interface, j, flux)
+    at_interface = _within(first, np.asarray(first.thickness), given.upstream, (j, given.flux)) - j / given.conductance
+    below = _within(first, np.minimum(position, first.thickness), given.upstream, (j, given.flux))
+    above = _within(second, np.maximum(position - first.thickness, 0.0), at_interface, (j, given.flux))
     return np.asarray(np.where(position <= first.thickness, below, above))
 
 
 def _within(
-    layer: Layer, s: NDArray[np.float64], entry: float | NDArray[np.float64], j: float, flux: float
+    layer: Layer, s: NDArray[np.float64], entry: float | NDArray[np.float64], fluxes: tuple[float, float]
 ) -> NDArray[np.float64]:
-    """c~ at the distance `s` (mm) from the entry of a layer: c~_in e^{Ws/G} - j (e^{Ws/G} - 1)/W."""
+    """c~ at the distance `s` (mm) from the entry of a layer: c~_in e^{Ws/G} - j (e^{Ws/G} - 1)/W; fluxes (j, w)."""
+    j, flux = fluxes
     w, g = layer.convection(flux), layer.conductance
     if w == 0.0:
         return np.asarray(entry - j * s / g)

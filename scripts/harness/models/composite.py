@@ -37,8 +37,8 @@ ABOUT = """\
 Diffusion into a composite slab: two layers of different material in contact at z = 1 mm.
 
 A bath of 1 mM at z = 0, the face z = 1.75 mm sealed and moved by -0.0001 mm, which closes the contact. The upper
-layer has another diffusivity, porosity, stiffness, permeability and half the solubility: the effective concentration is
-continuous over an ideal interface, the actual one jumps by the ratio of the solubilities."""
+layer has another diffusivity, porosity, stiffness, permeability and half the solubility: the effective concentration
+is continuous over an ideal interface, the actual one jumps by the ratio of the solubilities."""
 
 
 def _material(index: int, data: composite_slab.Layer) -> Mixture:

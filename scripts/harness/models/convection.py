@@ -73,6 +73,13 @@ class Convection:
         module = self.module or self.join.module
         joined = contacts(self.join, mesh, self.settings)
         return Model(
-            name, header(name, about, self.join), module, mesh, {"gel": MATERIAL}, conditions,
-            self.control, joined, plot=self.plot,
+            name,
+            header(name, about, self.join),
+            module,
+            mesh,
+            {"gel": MATERIAL},
+            conditions,
+            self.control,
+            joined,
+            plot=self.plot,
         )

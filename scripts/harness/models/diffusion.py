@@ -81,6 +81,13 @@ class Diffusion:
         module = self.module or self.join.module
         joined = contacts(self.join, mesh, self.settings)
         return Model(
-            self.name, header(self.name, ABOUT, self.join), module, mesh, {"gel": MATERIAL}, conditions,
-            self.control, joined, plot=self.plot,
+            self.name,
+            header(self.name, ABOUT, self.join),
+            module,
+            mesh,
+            {"gel": MATERIAL},
+            conditions,
+            self.control,
+            joined,
+            plot=self.plot,
         )

@@ -205,7 +205,8 @@ def _check(model: Model) -> None:
         _known(model, f"contact {contact.kind}", contact.pair, model.mesh.pairs)
     for part in model.mesh.parts:
         _known(model, f"part {part.name}", part.material, model.materials)
-    for param in (p for c in (*model.conditions, *model.contacts) for p in c.params):
+    given = [condition.params for condition in model.conditions] + [contact.params for contact in model.contacts]
+    for param in (param for params in given for param in params):
         if param.curve is not None and not 1 <= param.curve <= len(model.curves):
             raise ModelError(
                 f"model '{model.name}': <{param.tag}> = {text_of(param.value)} refers to load curve {param.curve}, "

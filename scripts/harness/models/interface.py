@@ -100,7 +100,7 @@ def augmented(settings: ContactSettings, ctol: float) -> ContactSettings:
 
 
 def default_settings(join: Join) -> ContactSettings:
-    """What a user gets without setting any penalty; FEBio's own types need `auto_penalty` and a factor to be accurate."""
+    """What a user gets without setting a penalty; FEBio's own types need `auto_penalty` and a factor to be accurate."""
     if join is Join.MIXTURE:
         return ContactSettings()
     settings = automatic(1000.0)

@@ -27,16 +27,18 @@ FLUX = 4e-4
 """Solvent flux w along z, mm/s."""
 CLOSING = 1e-4
 """mm by which the outlet is moved."""
+GIVEN = two_layer_convection.Conditions(FLUX, UPSTREAM, 0.0)
 FIRST = two_layer_convection.Layer(1.0, diffusivity=5e-4, free_diffusivity=5e-4, porosity=0.8, solubility=1.0)
 SECOND = two_layer_convection.Layer(0.75, diffusivity=5e-4, free_diffusivity=1e-3, porosity=0.6, solubility=0.5)
 
 ABOUT = """\
 Steady convection and diffusion through two layers of different material in contact at z = 1 mm.
 
-Solvent is pressed in at z = 0 at 0.0004 mm/s and leaves at z = 1.75 mm without pressure; the effective concentration is
-1 mM at the inlet and 0 at the outlet, which is moved by -0.0001 mm to close the contact. The upper layer has half the
-solubility and hinders the solute (d < d0), so that the convective flux W c~, with W = kappa~ (d/d0) w, drops to a quarter there, and
-the actual concentration jumps over the interface. After 10000 s the profile is steady."""
+Solvent is pressed in at z = 0 at 0.0004 mm/s and leaves at z = 1.75 mm without pressure; the effective
+concentration is 1 mM at the inlet and 0 at the outlet, which is moved by -0.0001 mm to close the contact. The upper
+layer has half the solubility and hinders the solute (d < d0), so that the convective flux W c~, with
+W = kappa~ (d/d0) w, drops to a quarter there, and the actual concentration jumps over the interface. After 10000 s the
+profile is steady."""
 
 
 def _material(data: two_layer_convection.Layer) -> Mixture:

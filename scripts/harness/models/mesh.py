@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -109,9 +110,7 @@ def _heights(layer: Layer, start: float) -> NDArray[np.float64]:
     return np.linspace(start, start + layer.thickness, layer.elements + 1)
 
 
-def cut_column(
-    layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0
-) -> Mesh:
+def cut_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0) -> Mesh:
     """Stack layers along z as separate bodies, with a contact pair between each two neighbours.
 
     Parameters
@@ -152,8 +151,10 @@ def cut_column(
         surfaces[f"{layer.name}-top"] = block.top_facets + offset
         offset += len(block.nodes)
         height += layer.thickness + gap
-    pairs = {f"{a.name}/{b.name}": (f"{a.name}-top", f"{b.name}-bottom") for a, b in zip(layers, layers[1:])}
-    return Mesh(np.concatenate(nodes), tuple(parts), _with_ends(sets, layers, offset), _with_ends(surfaces, layers), pairs)
+    pairs = {f"{a.name}/{b.name}": (f"{a.name}-top", f"{b.name}-bottom") for a, b in pairwise(layers)}
+    return Mesh(
+        np.concatenate(nodes), tuple(parts), _with_ends(sets, layers, offset), _with_ends(surfaces, layers), pairs
+    )
 
 
 def glued_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None) -> Mesh:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Union
+from typing import TypeAlias
 
 from lxml import etree
 
 Element = etree._Element
-Value = Union[float, int, str, bool, tuple[float, ...]]
+Value: TypeAlias = float | int | str | bool | tuple[float, ...]
 
 GAS_CONSTANT = 8.314e-6
 """mJ/(nmol K), with mm, N, s, nmol."""
