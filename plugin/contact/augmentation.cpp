@@ -30,11 +30,14 @@ struct GapSums {
   }
 };
 
-double tolerance_of_jump(const Tolerances& tolerances, const Effects& effects, std::size_t field) {
-  return effects.solvent && field == 0 ? tolerances.pressure_jump : tolerances.concentration_jump;
+const Tolerances::Field& tolerance_of_flux(const Tolerances& tolerances, const Effects& effects, std::size_t field) {
+  return effects.solvent && field == 0 ? tolerances.solvent : tolerances.solute;
 }
 
-bool within(double value, double tolerance) { return tolerance <= 0 || value <= tolerance; }
+bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
+  return (tolerance.relative <= 0 || gap.relative <= tolerance.relative) &&
+         (tolerance.largest <= 0 || gap.largest <= tolerance.largest);
+}
 
 /// The factor on a penalty after a growth step, at most what brings the smallest penalty to `accurate` times its base.
 double grown(double growth, double penalty, double base, double accurate) {
@@ -67,10 +70,9 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
 }
 
 bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
-  bool met = within(report.traction.relative, tolerances.relative) && within(report.traction.largest, tolerances.gap);
+  bool met = within(report.traction, tolerances.traction);
   for (std::size_t k = 0; k < report.flux.size(); ++k) {
-    met = met && within(report.flux[k].relative, tolerances.relative) &&
-          within(report.flux[k].largest, tolerance_of_jump(tolerances, effects, k));
+    met = met && within(report.flux[k], tolerance_of_flux(tolerances, effects, k));
   }
   return met;
 }
@@ -92,16 +94,13 @@ void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceField
 void grow_penalties(ContactPass& pass, const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
   const Penalties& penalty = pass.penalty();
   Multipliers& state = pass.multipliers;
-  if (!within(report.traction.relative, tolerances.relative) || !within(report.traction.largest, tolerances.gap)) {
+  if (!within(report.traction, tolerances.traction)) {
     state.traction_growth = grown(state.traction_growth, penalty.traction.minCoeff(), penalty.stiffness.maxCoeff(),
                                   default_traction_factor);
   }
   for (std::size_t k = 0; k < report.flux.size(); ++k) {
     const auto field = static_cast<Index>(k);
-    if (within(report.flux[k].relative, tolerances.relative) &&
-        within(report.flux[k].largest, tolerance_of_jump(tolerances, effects, k))) {
-      continue;
-    }
+    if (within(report.flux[k], tolerance_of_flux(tolerances, effects, k))) continue;
     state.flux_growth[field] = grown(state.flux_growth[field], penalty.flux.row(field).minCoeff(),
                                      penalty.conductance.row(field).maxCoeff(), default_flux_factor);
   }

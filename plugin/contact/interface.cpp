@@ -39,20 +39,40 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
   }
 }
 
-double ContactInterface::search_radius() const {
+double ContactInterface::search_radius(const PerSide<Matrix3Xd>& position) const {
   if (settings_.search_radius > 0) return settings_.search_radius;
-  return std::min(half_diagonal(position_[Side::primary]), half_diagonal(position_[Side::secondary]));
+  return std::min(half_diagonal(position[Side::primary]), half_diagonal(position[Side::secondary]));
 }
 
-void ContactInterface::project(const PerSide<Matrix3Xd>& position) {
+void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search) {
   const auto same = [&](Side side) {
     return position_[side].cols() == position[side].cols() && position_[side] == position[side];
   };
   if (same(Side::primary) && same(Side::secondary)) return;
   position_ = position;
   for (const Pass& pass : passes_) {
-    pass.integral->project(position_[pass.side], position_[other(pass.side)], search_radius());
+    const Matrix3Xd& x1 = position_[pass.side];
+    const Matrix3Xd& x2 = position_[other(pass.side)];
+    if (search == Search::everywhere) {
+      pass.integral->project(x1, x2, search_radius(position_));
+    } else {
+      pass.integral->project_on_same_facets(x1, x2);
+    }
   }
+}
+
+Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) const {
+  const std::vector<Facet>& facets = mesh_[Side::secondary].facets;
+  const Matrix3Xd& x2 = position[Side::secondary];
+  const FacetTree tree(facets, x2, box_margin);
+  Matrix3Xd moved = position[Side::primary];
+  const Matrix3Xd normals = nodal_normals(mesh_[Side::primary], moved);
+  for (Index node = 0; node < moved.cols(); ++node) {
+    const Ray ray{moved.col(node), normals.col(node), search_radius(position), settings_.search_tolerance};
+    const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, x2, ray);
+    if (hit && hit->gap < 0) moved.col(node) += hit->gap * normals.col(node);
+  }
+  return moved;
 }
 
 void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
@@ -116,7 +136,7 @@ VectorXd ContactInterface::projected_coverage(Side side, const VectorXd& other_c
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
   VectorXd coverage = VectorXd::Zero(mesh_[side].nodes);
   for (Index node = 0; node < coverage.size(); ++node) {
-    const Ray ray{position_[side].col(node), normals.col(node), search_radius(), settings_.search_tolerance};
+    const Ray ray{position_[side].col(node), normals.col(node), search_radius(position_), settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
     if (!hit) continue;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];

@@ -58,8 +58,14 @@ class ContactInterface {
   ContactInterface(const ContactInterface&) = delete;
   ContactInterface& operator=(const ContactInterface&) = delete;
 
+  /// Whether a projection looks for the facet anew or keeps to the one that a point saw last.
+  enum class Search { everywhere, same_facets };
+
   /// Sets the configuration: search and projection. Nothing happens if positions have not changed since the last call.
-  void project(const PerSide<Matrix3Xd>& position);
+  void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
+
+  /// Positions of the primary nodes with those that overlap the secondary surface moved onto it along their normals.
+  Matrix3Xd without_overlap(const PerSide<Matrix3Xd>& position) const;
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const;
@@ -95,7 +101,7 @@ class ContactInterface {
     std::unique_ptr<ContactPass> integral;
   };
 
-  double search_radius() const;
+  double search_radius(const PerSide<Matrix3Xd>& position) const;
   VectorXd projected_coverage(Side side, const VectorXd& other_coverage) const;
 
   PerSide<SurfaceMesh> mesh_;

@@ -1,8 +1,6 @@
 #include "pass.h"
 
 #include "quadrature.h"
-#include "search.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -42,15 +40,29 @@ void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radiu
   touch_ = touch_fraction * half_diagonal(x1);
   const FacetTree tree(secondary_.facets, x2, box_margin);
   for (std::size_t q = 0; q < points_.size(); ++q) {
-    const IntegrationPoint& point = points_[q];
-    const FacetCoordinates facet_x1 = facet_coordinates(primary_.facets[static_cast<std::size_t>(point.facet)], x1);
-    const Vector3d origin = facet_x1 * point.shape.value;
-    const Eigen::Matrix<double, 3, 2> tangents = facet_x1 * point.shape.gradient;
-    const Vector3d normal = tangents.col(0).cross(tangents.col(1)).normalized();
-    const std::optional<SurfaceHit> hit =
-        nearest_facing(tree, secondary_.facets, x2, {origin, normal, radius, settings_.search_tolerance});
-    if (hit) pairs_.push_back({static_cast<int>(q), point.facet, hit->facet, hit->eta});
+    const std::optional<SurfaceHit> hit = nearest_facing(tree, secondary_.facets, x2, ray(q, x1, radius));
+    if (hit) pairs_.push_back({static_cast<int>(q), points_[q].facet, hit->facet, hit->eta});
   }
+}
+
+void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
+  std::vector<PointPair> kept;
+  for (PointPair pair : pairs_) {
+    const Facet& facet = secondary_.facets[static_cast<std::size_t>(pair.secondary_facet)];
+    const Ray from = ray(static_cast<std::size_t>(pair.point), x1, 0);
+    const auto hit = intersect(facet.type, facet_coordinates(facet, x2), from.origin, from.direction, from.tolerance);
+    if (!hit) continue;
+    pair.eta = hit->eta;
+    kept.push_back(pair);
+  }
+  pairs_ = std::move(kept);
+}
+
+Ray ContactPass::ray(std::size_t point, const Matrix3Xd& x1, double radius) const {
+  const ShapeFunctions& shape = points_[point].shape;
+  const FacetCoordinates x = facet_coordinates(primary_.facets[static_cast<std::size_t>(points_[point].facet)], x1);
+  const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
+  return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), radius, settings_.search_tolerance};
 }
 
 PointKinematics ContactPass::kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {

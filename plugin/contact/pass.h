@@ -3,7 +3,7 @@
 
 #include "penalty.h"
 #include "point_integral.h"
-#include "projection.h"
+#include "search.h"
 
 #include <functional>
 #include <vector>
@@ -52,6 +52,9 @@ class ContactPass {
   /// Projects every integration point onto the secondary surface: of the facets that face it within `radius`, the nearest.
   void project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius);
 
+  /// Projects the points that saw a facet in the last project() onto that same facet again, without a search.
+  void project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2);
+
   /// Calls `use` for every point that is in contact, in a fixed order.
   void for_each_contact(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                         const std::function<void(const PointContact&)>& use) const;
@@ -86,6 +89,7 @@ class ContactPass {
     ShapeFunctions shape;
   };
 
+  Ray ray(std::size_t point, const Matrix3Xd& x1, double radius) const;
   PointKinematics kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   LawValue traction(const PointPair& pair, double gap) const;
   std::vector<int> exchanged_fields(const PointPair& pair) const;

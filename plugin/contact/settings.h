@@ -22,10 +22,14 @@ inline constexpr double default_flux_factor = 1e5;
 
 /// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
 struct Tolerances {
-  double relative = 1e-3;         ///< gap or jump over the drop across the adjoining elements, for every field [-]
-  double gap = 0;                 ///< largest |g| in contact [mm]
-  double pressure_jump = 0;       ///< largest |p1 - p2| [MPa]
-  double concentration_jump = 0;  ///< largest |c1 - c2| [mM]
+  /// Criteria of one kind of field.
+  struct Field {
+    double relative = 1e-3;  ///< rms gap or jump over the drop across the adjoining elements [-]
+    double largest = 0;      ///< largest |g| [mm], |p1 - p2| [MPa] or |c1 - c2| [mM] in contact
+  };
+  Field traction;
+  Field solvent;
+  Field solute;
 };
 
 /// All settings of a contact, with the defaults users get.

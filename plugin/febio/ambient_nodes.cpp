@@ -1,0 +1,51 @@
+#include "ambient_nodes.h"
+
+#include <FECore/DOFS.h>
+#include <FECore/FEAnalysis.h>
+#include <FECore/FEModel.h>
+
+namespace {
+
+/// FEBio's code for a degree of freedom whose value is prescribed, and back: the map is its own inverse.
+int prescribed(int equation) { return -equation - 2; }
+
+}  // namespace
+
+FENewtonSolver* AmbientNodes::solver() const {
+  return dynamic_cast<FENewtonSolver*>(fem_.GetCurrentStep()->GetFESolver());
+}
+
+bool AmbientNodes::is_free(const FENode& node, int dof) {
+  return dof >= 0 && node.get_bc(dof) == DOF_OPEN && node.m_ID[static_cast<std::size_t>(dof)] != -1;
+}
+
+bool AmbientNodes::hold(FENode& node, int dof, double value) {
+  int& id = node.m_ID[static_cast<std::size_t>(dof)];
+  const bool changed = id >= 0 || node.get(dof) != value;
+  if (id >= 0) id = prescribed(id);
+  node.set(dof, value);
+  return changed;
+}
+
+bool AmbientNodes::release(FENode& node, int dof, const std::vector<double>& increment) {
+  int& id = node.m_ID[static_cast<std::size_t>(dof)];
+  if (id >= 0) return false;
+  id = prescribed(id);
+  if (FENewtonSolver* newton = solver()) {
+    const auto n = static_cast<std::size_t>(id);
+    newton->m_Ut[n] = node.get(dof) - newton->m_Ui[n] - (n < increment.size() ? increment[n] : 0.0);
+  }
+  released_.emplace_back(&node, dof);
+  return true;
+}
+
+void AmbientNodes::synchronise() {
+  FENewtonSolver* newton = solver();
+  for (const auto& [node, dof] : released_) {
+    const int id = node->m_ID[static_cast<std::size_t>(dof)];
+    if (newton == nullptr || id < 0) continue;
+    const auto n = static_cast<std::size_t>(id);
+    newton->m_Ut[n] = node->get(dof) - newton->m_Ui[n];
+  }
+  released_.clear();
+}

@@ -1,0 +1,25 @@
+/// Storing the core's values in FEBio's dump streams, which serve restart files and time step cutbacks.
+#pragma once
+
+#include "contact/types.h"
+
+#include <FECore/DumpStream.h>
+
+#include <vector>
+
+/// Writes a value to an archive, or reads it, according to the archive's direction.
+template <class T>
+void archive(DumpStream& ar, T& value) {
+  ar & value;
+}
+
+/// The same for an Eigen matrix or vector: its shape, then its entries.
+template <int Rows, int Columns, int Options, int MaxRows, int MaxColumns>
+void archive(DumpStream& ar, Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>& matrix) {
+  int rows = static_cast<int>(matrix.rows());
+  int columns = static_cast<int>(matrix.cols());
+  std::vector<double> entries(matrix.data(), matrix.data() + matrix.size());
+  ar & rows & columns & entries;
+  if (ar.IsSaving()) return;
+  matrix = Eigen::Map<const Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>>(entries.data(), rows, columns);
+}

@@ -1,0 +1,90 @@
+#include "contact_parameters.h"
+
+#include "contact/quadrature.h"
+
+#include <cmath>
+
+namespace {
+
+using mixture_contact::PenaltyRule;
+
+/// A penalty that is not given is automatic and accurate; one that is given is a value, or with auto_penalty a factor.
+PenaltyRule penalty_rule(bool given, double value, bool auto_penalty, double default_factor) {
+  return given ? PenaltyRule{auto_penalty, value} : PenaltyRule{true, default_factor};
+}
+
+void require_not_negative(std::vector<std::string>& list, const char* name, double value) {
+  if (std::isfinite(value) && value >= 0) return;
+  list.push_back("<" + std::string(name) + "> is " + std::to_string(value) + "; it must be a number that is not negative.");
+}
+
+void require_positive(std::vector<std::string>& list, const char* name, bool given, double value) {
+  if (!given || (std::isfinite(value) && value > 0)) return;
+  list.push_back("<" + std::string(name) + "> is " + std::to_string(value) +
+                 "; it must be a positive number. Leave it out to have it chosen automatically.");
+}
+
+void require_unused(std::vector<std::string>& list, const char* name, bool used, const char* why) {
+  if (used) list.push_back("<" + std::string(name) + "> is set, but " + why + ". Leave it out or set it to 0.");
+}
+
+}  // namespace
+
+std::vector<std::string> complaints(const ContactParameters& p) {
+  std::vector<std::string> list;
+  require_not_negative(list, "tolerance", p.tolerance);
+  require_not_negative(list, "traction_tolerance", p.traction_tolerance);
+  require_not_negative(list, "solvent_tolerance", p.solvent_tolerance);
+  require_not_negative(list, "solute_tolerance", p.solute_tolerance);
+  require_not_negative(list, "gaptol", p.gaptol);
+  require_not_negative(list, "ptol", p.ptol);
+  require_not_negative(list, "ctol", p.ctol);
+  require_not_negative(list, "search_tol", p.search_tol);
+  require_positive(list, "penalty", p.penalty_given, p.penalty);
+  require_positive(list, "pressure_penalty", p.pressure_penalty_given, p.pressure_penalty);
+  require_positive(list, "concentration_penalty", p.concentration_penalty_given, p.concentration_penalty);
+  require_positive(list, "search_radius", p.search_radius_given, p.search_radius);
+  if (p.integration_order < 0 || p.integration_order > mixture_contact::max_quadrature_order) {
+    list.push_back("<integration_order> is " + std::to_string(p.integration_order) + "; it must lie between 1 and " +
+                   std::to_string(mixture_contact::max_quadrature_order) + ", or be 0 for the default.");
+  }
+  if (p.seg_up < 0) list.push_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
+  if (p.minaug < 0) list.push_back("<minaug> is negative; it must be a number of augmentations.");
+  if (p.maxaug < p.minaug) list.push_back("<maxaug> is less than <minaug>.");
+  if (!std::isfinite(p.ambient_pressure)) list.push_back("<ambient_pressure> is not a finite number.");
+  require_unused(list, "fric_coeff", p.fric_coeff != 0, "friction is not part of sliding-mixture");
+  require_unused(list, "offset", p.offset != 0, "sliding-mixture brings the surfaces themselves into contact");
+  require_unused(list, "tension", p.tension, "sliding-mixture transmits compression only");
+  require_unused(list, "shell_bottom_primary", p.shell_bottom_primary, "sliding-mixture works on the faces of solid elements");
+  require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary, "sliding-mixture works on the faces of solid elements");
+  return list;
+}
+
+std::vector<std::string> notices(const ContactParameters& p) {
+  std::vector<std::string> list;
+  if (p.knmult_given) list.emplace_back("<knmult> has no effect: the linearisation is always complete.");
+  if (p.smooth_aug_given && p.smooth_aug) list.emplace_back("<smooth_aug> has no effect: multipliers take the contact's own loads.");
+  if (p.smooth_fls_given && p.smooth_fls) list.emplace_back("<smooth_fls> has no effect: there is no friction.");
+  if (p.contact_frac_given) list.emplace_back("<contact_frac> has no effect: there is no friction.");
+  return list;
+}
+
+mixture_contact::Settings core_settings(const ContactParameters& p, bool augmented) {
+  using namespace mixture_contact;
+  Settings settings;
+  settings.enforcement = augmented ? Enforcement::augmented_lagrangian : Enforcement::penalty;
+  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, default_traction_factor);
+  settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, default_flux_factor);
+  settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty, default_flux_factor);
+  settings.tolerances.traction = {p.traction_tolerance_given ? p.traction_tolerance : p.tolerance, p.gaptol};
+  settings.tolerances.solvent = {p.solvent_tolerance_given ? p.solvent_tolerance : p.tolerance, p.ptol};
+  settings.tolerances.solute = {p.solute_tolerance_given ? p.solute_tolerance : p.tolerance, p.ctol};
+  settings.min_augmentations = p.minaug;
+  settings.max_augmentations = p.maxaug;
+  settings.two_pass = p.two_pass;
+  settings.symmetric = p.symmetric_stiffness;
+  settings.integration_order = p.integration_order;
+  settings.search_radius = p.search_radius_given ? p.search_radius : 0;
+  settings.search_tolerance = p.search_tol;
+  return settings;
+}

@@ -1,0 +1,123 @@
+#include "material_properties.h"
+
+#include <FEBioMech/FEElasticMaterial.h>
+#include <FEBioMech/FERigidMaterial.h>
+#include <FEBioMix/FEBiphasic.h>
+#include <FEBioMix/FEBiphasicSolute.h>
+#include <FEBioMix/FEMultiphasic.h>
+#include <FEBioMix/FESolute.h>
+#include <FEBioMix/FESoluteInterface.h>
+#include <FEBioMix/FETriphasic.h>
+#include <FECore/FEMaterial.h>
+#include <FECore/FEMesh.h>
+#include <FECore/FEModel.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace {
+
+/// A copy of an element's first material point in the undeformed state.
+std::unique_ptr<FEMaterialPoint> reference_copy(FEMaterialPoint& original) {
+  std::unique_ptr<FEMaterialPoint> copy(original.Copy());
+  copy->m_elem = original.m_elem;
+  copy->m_index = original.m_index;
+  copy->m_r0 = original.m_r0;
+  copy->m_rt = original.m_r0;
+  if (auto* elastic = copy->ExtractData<FEElasticMaterialPoint>()) {
+    elastic->m_F = mat3dd(1.0);
+    elastic->m_J = 1.0;
+    elastic->m_s.zero();
+  }
+  return copy;
+}
+
+/// Young's modulus along n of an elasticity tensor: the inverse of the normal component of its compliance.
+double modulus_along(const vec3d& n, const tens4ds& elasticity) {
+  const tens4ds compliance = elasticity.inverse();
+  return 1.0 / (n * (vdotTdotv(n, compliance, n) * n));
+}
+
+/// Porosity of any mixture material.
+double porosity(FEMaterial& material, FEMaterialPoint& point) {
+  if (auto* m = dynamic_cast<FEBiphasic*>(&material)) return m->Porosity(point);
+  if (auto* m = dynamic_cast<FEBiphasicSolute*>(&material)) return m->Porosity(point);
+  if (auto* m = dynamic_cast<FETriphasic*>(&material)) return m->Porosity(point);
+  if (auto* m = dynamic_cast<FEMultiphasic*>(&material)) return m->Porosity(point);
+  return 0;
+}
+
+FEHydraulicPermeability* permeability_of(FEMaterial& material) {
+  if (auto* m = dynamic_cast<FEBiphasic*>(&material)) return m->GetPermeability();
+  if (auto* m = dynamic_cast<FEBiphasicSolute*>(&material)) return m->GetPermeability();
+  if (auto* m = dynamic_cast<FETriphasic*>(&material)) return m->GetPermeability();
+  if (auto* m = dynamic_cast<FEMultiphasic*>(&material)) return m->GetPermeability();
+  return nullptr;
+}
+
+double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n) {
+  if (dynamic_cast<FERigidMaterial*>(&material)) return std::numeric_limits<double>::infinity();
+  // The solid matrix of a mixture carries the drained stiffness.
+  auto* solid = material.ExtractProperty<FEElasticMaterial>();
+  if (solid == nullptr) return 0;
+  return modulus_along(n, solid->Tangent(point));
+}
+
+/// Solute conductance, diffusive and convective: phi_w kappa~ d + kappa~ (d/d0) |w_n| h, over the thickness h.
+double solute_conductance(FEMaterial& material, FESolute& solute, FEMaterialPoint& point, const vec3d& n, double convection,
+                          double thickness) {
+  const double diffusivity = n * (solute.m_pDiff->Diffusivity(point) * n);
+  const double solubility = solute.m_pSolub->Solubility(point);
+  const double free = solute.m_pDiff->Free_Diffusivity(point);
+  const double hindrance = free > 0 ? diffusivity / free : 1.0;
+  return solubility * (porosity(material, point) * diffusivity / thickness + hindrance * convection);
+}
+
+}  // namespace
+
+std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet, std::string& problem) {
+  FEElement* element = facet.m_elem[0].pe;
+  if (element == nullptr) {
+    problem = "a facet of the surface is not a face of any element";
+    return std::nullopt;
+  }
+  FEMaterial* material = fem.GetMaterial(element->GetMatID());
+  const double volume = fem.GetMesh().ElementVolume(*element);
+  const double thickness = std::abs(volume) / surface.FaceArea(facet);
+  if (!(thickness > 0) || volume < 0) {
+    problem = "element " + std::to_string(element->GetID()) + " behind a facet has no positive volume (inverted or degenerate)";
+    return std::nullopt;
+  }
+  vec3d tangents[2];
+  surface.CoBaseVectors0(facet, 0, tangents);
+  vec3d n = tangents[0] ^ tangents[1];
+  n.unit();
+
+  FacetMaterial result;
+  if (dynamic_cast<FERigidMaterial*>(material)) {
+    result.stiffness = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  FEMaterialPoint& original = *element->GetMaterialPoint(0);
+  const std::unique_ptr<FEMaterialPoint> point = reference_copy(original);
+  result.stiffness = stiffness_of(*material, *point, n) / thickness;
+  if (!(result.stiffness > 0)) {
+    problem = "material \"" + material->GetName() + "\" (" + std::string(material->GetTypeStr()) +
+              ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
+    return std::nullopt;
+  }
+  if (FEHydraulicPermeability* permeability = permeability_of(*material)) {
+    result.permeable = true;
+    result.permeability = n * (permeability->Permeability(*point) * n) / thickness;
+  }
+  if (auto* mixture = dynamic_cast<FESoluteInterface*>(material)) {
+    const auto* flow = original.ExtractData<FEBiphasicMaterialPoint>();
+    const double convection = flow ? std::abs(flow->m_w * n) : 0.0;
+    for (int k = 0; k < mixture->Solutes(); ++k) {
+      FESolute& solute = *mixture->GetSolute(k);
+      result.solutes[solute.GetSoluteID() - 1] = solute_conductance(*material, solute, *point, n, convection, thickness);
+    }
+  }
+  return result;
+}

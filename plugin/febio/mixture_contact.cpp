@@ -1,0 +1,590 @@
+#include "mixture_contact.h"
+
+#include "archive.h"
+#include "material_properties.h"
+
+#include <FECore/DumpStream.h>
+#include <FECore/FEAnalysis.h>
+#include <FECore/FEGlobalMatrix.h>
+#include <FECore/FEGlobalVector.h>
+#include <FECore/FELinearSystem.h>
+#include <FECore/FEMesh.h>
+#include <FECore/FEModel.h>
+#include <FECore/FESolver.h>
+#include <FECore/log.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace mixture_contact;
+
+BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
+  ADD_PARAMETER(m_laugon, "laugon")->setLongName("Enforcement method")->setEnums("PENALTY\0AUGLAG\0");
+  ADD_PARAMETER(parameters_.tolerance, "tolerance");
+  ADD_PARAMETER(parameters_.traction_tolerance, "traction_tolerance", parameters_.traction_tolerance_given);
+  ADD_PARAMETER(parameters_.solvent_tolerance, "solvent_tolerance", parameters_.solvent_tolerance_given);
+  ADD_PARAMETER(parameters_.solute_tolerance, "solute_tolerance", parameters_.solute_tolerance_given);
+  ADD_PARAMETER(parameters_.gaptol, "gaptol")->setUnits(UNIT_LENGTH);
+  ADD_PARAMETER(parameters_.ptol, "ptol")->setUnits(UNIT_PRESSURE);
+  ADD_PARAMETER(parameters_.ctol, "ctol")->setUnits(UNIT_CONCENTRATION);
+  ADD_PARAMETER(parameters_.penalty, "penalty", parameters_.penalty_given);
+  ADD_PARAMETER(parameters_.pressure_penalty, "pressure_penalty", parameters_.pressure_penalty_given);
+  ADD_PARAMETER(parameters_.concentration_penalty, "concentration_penalty", parameters_.concentration_penalty_given);
+  ADD_PARAMETER(parameters_.auto_penalty, "auto_penalty");
+  ADD_PARAMETER(parameters_.update_penalty, "update_penalty");
+  ADD_PARAMETER(parameters_.two_pass, "two_pass");
+  ADD_PARAMETER(parameters_.symmetric_stiffness, "symmetric_stiffness");
+  ADD_PARAMETER(parameters_.integration_order, "integration_order");
+  ADD_PARAMETER(parameters_.search_tol, "search_tol");
+  ADD_PARAMETER(parameters_.search_radius, "search_radius", parameters_.search_radius_given)->setUnits(UNIT_LENGTH);
+  ADD_PARAMETER(parameters_.seg_up, "seg_up");
+  ADD_PARAMETER(parameters_.node_reloc, "node_reloc");
+  ADD_PARAMETER(parameters_.minaug, "minaug");
+  ADD_PARAMETER(parameters_.maxaug, "maxaug");
+  ADD_PARAMETER(parameters_.ambient_pressure, "ambient_pressure")->setUnits(UNIT_PRESSURE);
+  ADD_PARAMETER(parameters_.flip_primary, "flip_primary");
+  ADD_PARAMETER(parameters_.flip_secondary, "flip_secondary");
+  ADD_PARAMETER(parameters_.fric_coeff, "fric_coeff");
+  ADD_PARAMETER(parameters_.contact_frac, "contact_frac", parameters_.contact_frac_given);
+  ADD_PARAMETER(parameters_.offset, "offset");
+  ADD_PARAMETER(parameters_.tension, "tension");
+  ADD_PARAMETER(parameters_.shell_bottom_primary, "shell_bottom_primary");
+  ADD_PARAMETER(parameters_.shell_bottom_secondary, "shell_bottom_secondary");
+  ADD_PARAMETER(parameters_.knmult, "knmult")->SetWatchVariable(&parameters_.knmult_given);
+  ADD_PARAMETER(parameters_.smooth_aug, "smooth_aug")->SetWatchVariable(&parameters_.smooth_aug_given);
+  ADD_PARAMETER(parameters_.smooth_fls, "smooth_fls")->SetWatchVariable(&parameters_.smooth_fls_given);
+  ADD_PROPERTY(ambient_concentrations_, "ambient_concentration", FEProperty::Optional)
+      ->SetDefaultType("mixture_ambient_concentration");
+END_FECORE_CLASS()
+
+FEMixtureContact::FEMixtureContact(FEModel* fem) : FEContactInterface(fem), primary_(fem), secondary_(fem), ambient_(*fem) {
+  SetID(fem->SurfacePairConstraints() + 1);
+  primary_.SetSibling(&secondary_);
+  secondary_.SetSibling(&primary_);
+  primary_.SetContactInterface(this);
+  secondary_.SetContactInterface(this);
+}
+
+// ---------------------------------------------------------------------------------------------------------- setting up
+
+bool FEMixtureContact::Init() {
+  FEModel& fem = *GetFEModel();
+  pressure_dof_ = fem.GetDOFIndex("p");
+  concentration_dof_ = fem.GetDOFIndex("concentration", 0);
+  concentrations_ = std::max(0, fem.GetDOFS().GetVariableSize("concentration"));
+  if (!check_parameters()) return false;
+  for (const Side side : both_sides) {
+    if (!surface(side).Init()) return false;
+  }
+  if (parameters_.flip_primary) primary_.Invert();
+  if (parameters_.flip_secondary) secondary_.Invert();
+  if (!check_surfaces() || !read_materials() || !check_ambient()) return false;
+  if (!output_registered_) fem.AddCallback(on_step_solved, CB_TIMESTEP_SOLVED, this);
+  output_registered_ = true;
+  return true;
+}
+
+bool FEMixtureContact::check_parameters() {
+  const std::vector<std::string> wrong = complaints(parameters_);
+  for (const std::string& sentence : wrong) feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
+  for (const std::string& sentence : notices(parameters_)) feLog("sliding-mixture \"%s\": %s\n", GetName().c_str(), sentence.c_str());
+  return wrong.empty();
+}
+
+namespace {
+
+std::set<std::vector<int>> facet_nodes(FESurface& surface) {
+  std::set<std::vector<int>> facets;
+  for (int i = 0; i < surface.Elements(); ++i) {
+    std::vector<int> nodes = surface.Element(i).m_node;
+    std::sort(nodes.begin(), nodes.end());
+    facets.insert(nodes);
+  }
+  return facets;
+}
+
+bool is_triangular(const FESurfaceElement& element) { return element.Shape() == ET_TRI3 || element.Shape() == ET_TRI6 || element.Shape() == ET_TRI7 || element.Shape() == ET_TRI10; }
+
+std::optional<FacetType> type_of(const FESurfaceElement& element) { return facet_type(is_triangular(element), element.Nodes()); }
+
+}  // namespace
+
+bool FEMixtureContact::check_surfaces() {
+  for (const Side side : both_sides) {
+    FEMixtureSurface& s = surface(side);
+    for (int i = 0; i < s.Elements(); ++i) {
+      if (type_of(s.Element(i))) continue;
+      feLogError("sliding-mixture \"%s\": surface \"%s\" has a facet with %d nodes, which is not supported. Allowed are facets with 3 or "
+                 "6 (triangles) and 4, 8 or 9 nodes (quadrilaterals).",
+                 GetName().c_str(), s.GetName().c_str(), s.Element(i).Nodes());
+      return false;
+    }
+  }
+  const auto one = facet_nodes(primary_);
+  const auto two = facet_nodes(secondary_);
+  const bool shared = std::any_of(one.begin(), one.end(), [&](const auto& facet) { return two.count(facet) > 0; });
+  if (shared) {
+    feLogError("sliding-mixture \"%s\": the surfaces \"%s\" and \"%s\" share facets. A surface cannot be in contact with itself; the "
+               "primary and secondary surface of the surface pair must be different.",
+               GetName().c_str(), primary_.GetName().c_str(), secondary_.GetName().c_str());
+  }
+  return !shared;
+}
+
+bool FEMixtureContact::read_materials() {
+  PerSide<std::vector<FacetMaterial>> materials;
+  for (const Side side : both_sides) {
+    FEMixtureSurface& s = surface(side);
+    for (int i = 0; i < s.Elements(); ++i) {
+      std::string problem;
+      const auto material = facet_material(*GetFEModel(), s, s.Element(i), problem);
+      if (!material) {
+        feLogError("sliding-mixture \"%s\": surface \"%s\": %s.", GetName().c_str(), s.GetName().c_str(), problem.c_str());
+        return false;
+      }
+      materials[side].push_back(*material);
+    }
+  }
+  decide_effects(materials);
+  log_effects(materials);
+  build_core({{surface_mesh(Side::primary, materials[Side::primary]), surface_mesh(Side::secondary, materials[Side::secondary])}});
+  const VectorXd& penalty = core_->pass(0).penalty().traction;
+  if (!penalty.allFinite()) {
+    feLogError("sliding-mixture \"%s\": both surfaces are rigid, so there is no stiffness to choose a penalty from. Set <penalty> "
+               "to a value [force/length^3] and <auto_penalty> to 0.",
+               GetName().c_str());
+  }
+  return penalty.allFinite();
+}
+
+void FEMixtureContact::build_core(PerSide<SurfaceMesh> meshes) {
+  const bool augmented = m_laugon == FECore::AUGLAG_METHOD;
+  core_ = std::make_unique<ContactInterface>(std::move(meshes), effects_, core_settings(parameters_, augmented));
+}
+
+void FEMixtureContact::decide_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
+  PerSide<bool> permeable{{false, false}};
+  PerSide<std::set<int>> solutes;
+  for (const Side side : both_sides) {
+    for (const FacetMaterial& material : materials[side]) {
+      permeable[side] = permeable[side] || material.permeable;
+      for (const auto& entry : material.solutes) solutes[side].insert(entry.first);
+    }
+  }
+  effects_ = {};
+  effects_.solvent = pressure_dof_ >= 0 && permeable[Side::primary] && permeable[Side::secondary];
+  const auto& two = solutes[Side::secondary];
+  for (const int solute : solutes[Side::primary]) {
+    if (concentration_dof_ >= 0 && two.count(solute) > 0) effects_.solutes.push_back(solute);
+  }
+}
+
+SurfaceMesh FEMixtureContact::surface_mesh(Side side, const std::vector<FacetMaterial>& materials) {
+  FEMixtureSurface& s = surface(side);
+  const auto facets = static_cast<Index>(materials.size());
+  SurfaceMesh mesh;
+  mesh.nodes = s.Nodes();
+  mesh.stiffness.resize(facets);
+  mesh.conductance.setZero(effects_.scalar_fields(), facets);
+  for (Index f = 0; f < facets; ++f) {
+    const FESurfaceElement& element = s.Element(static_cast<int>(f));
+    Facet facet;
+    facet.type = *type_of(element);
+    std::copy_n(element.m_lnode.begin(), element.Nodes(), facet.nodes.begin());
+    mesh.facets.push_back(facet);
+
+    const FacetMaterial& material = materials[static_cast<std::size_t>(f)];
+    mesh.stiffness[f] = material.stiffness;
+    FieldMask known = 0;
+    int field = 0;
+    if (effects_.solvent) {
+      if (material.permeable) known |= only(field);
+      mesh.conductance(field++, f) = material.permeability;
+    }
+    for (const int solute : effects_.solutes) {
+      const auto entry = material.solutes.find(solute);
+      if (entry != material.solutes.end()) {
+        known |= only(field);
+        mesh.conductance(field, f) = entry->second;
+      }
+      ++field;
+    }
+    mesh.permeable.push_back(known);
+  }
+  return mesh;
+}
+
+bool FEMixtureContact::update_properties() {
+  PerSide<VectorXd> stiffness;
+  PerSide<MatrixXd> conductance;
+  for (const Side side : both_sides) {
+    FEMixtureSurface& s = surface(side);
+    std::vector<FacetMaterial> materials;
+    for (int i = 0; i < s.Elements(); ++i) {
+      std::string problem;
+      const auto material = facet_material(*GetFEModel(), s, s.Element(i), problem);
+      if (!material) return false;
+      materials.push_back(*material);
+    }
+    SurfaceMesh mesh = surface_mesh(side, materials);
+    stiffness[side] = mesh.stiffness;
+    conductance[side] = mesh.conductance;
+  }
+  core_->update_properties(stiffness, conductance);
+  return true;
+}
+
+void FEMixtureContact::log_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
+  const auto permeable = [&](Side side) {
+    return std::any_of(materials[side].begin(), materials[side].end(), [](const FacetMaterial& m) { return m.permeable; });
+  };
+  std::string line = "traction";
+  std::string absent;
+  if (effects_.solvent) {
+    line += ", solvent";
+  } else if (pressure_dof_ < 0) {
+    absent += " No solvent: the module has no fluid pressure.";
+  } else {
+    for (const Side side : both_sides) {
+      if (!permeable(side)) absent += " No solvent: \"" + surface(side).GetName() + "\" is impermeable.";
+    }
+  }
+  for (int solute = 0; solute < concentrations_; ++solute) {
+    const auto has = [&](Side side) {
+      return std::any_of(materials[side].begin(), materials[side].end(),
+                         [&](const FacetMaterial& m) { return m.solutes.count(solute) > 0; });
+    };
+    const std::string name = "solute " + std::to_string(solute + 1);
+    if (has(Side::primary) && has(Side::secondary)) {
+      line += ", " + name;
+      continue;
+    }
+    for (const Side side : both_sides) {
+      if (!has(side)) absent += " No " + name + ": \"" + surface(side).GetName() + "\" does not have it.";
+    }
+  }
+  feLog("sliding-mixture \"%s\" exchanges %s.%s\n", GetName().c_str(), line.c_str(), absent.c_str());
+}
+
+bool FEMixtureContact::check_ambient() {
+  for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
+    if (ambient->solute < 0 || ambient->solute > concentrations_) {
+      feLogError("sliding-mixture \"%s\": <ambient_concentration sol=\"%d\"> names a solute that the model does not have. It has %d.",
+                 GetName().c_str(), ambient->solute, concentrations_);
+      return false;
+    }
+    if (ambient->solute == 0 && concentrations_ != 1) {
+      feLogError("sliding-mixture \"%s\": <ambient_concentration> needs the attribute sol=\"...\" to say which of the model's %d solutes "
+                 "it is for.",
+                 GetName().c_str(), concentrations_);
+      return false;
+    }
+  }
+  return true;
+}
+
+void FEMixtureContact::Activate() {
+  FEContactInterface::Activate();
+  update_properties();
+  if (parameters_.node_reloc && !relocated_) relocate_nodes();
+  Update();
+}
+
+void FEMixtureContact::PrepStep() {
+  ambient_.synchronise();
+  if (parameters_.update_penalty) update_properties();
+}
+
+// --------------------------------------------------------------------------------------------------- state of the model
+
+int FEMixtureContact::field_dof(int field) const {
+  if (effects_.solvent && field == 0) return pressure_dof_;
+  return concentration_dof_ + effects_.solutes[static_cast<std::size_t>(field - (effects_.solvent ? 1 : 0))];
+}
+
+Matrix3Xd FEMixtureContact::positions(Side side) {
+  FEMixtureSurface& s = surface(side);
+  Matrix3Xd x(3, s.Nodes());
+  for (int i = 0; i < s.Nodes(); ++i) {
+    const vec3d& r = s.Node(i).m_rt;
+    x.col(i) << r.x, r.y, r.z;
+  }
+  return x;
+}
+
+PerSide<SurfaceFields> FEMixtureContact::fields() {
+  PerSide<SurfaceFields> all;
+  for (const Side side : both_sides) {
+    FEMixtureSurface& s = surface(side);
+    all[side].position = positions(side);
+    all[side].scalar.resize(s.Nodes(), effects_.scalar_fields());
+    for (int k = 0; k < effects_.scalar_fields(); ++k) {
+      const int dof = field_dof(k);
+      for (int i = 0; i < s.Nodes(); ++i) all[side].scalar(i, k) = s.Node(i).get(dof);
+    }
+  }
+  return all;
+}
+
+void FEMixtureContact::project() {
+  const FESolver* solver = GetFEModel()->GetCurrentStep()->GetFESolver();
+  const bool keep_facets = parameters_.seg_up > 0 && solver->m_niter > parameters_.seg_up;
+  core_->project({{positions(Side::primary), positions(Side::secondary)}},
+                 keep_facets ? ContactInterface::Search::same_facets : ContactInterface::Search::everywhere);
+}
+
+void FEMixtureContact::relocate_nodes() {
+  const Matrix3Xd moved = core_->without_overlap({{positions(Side::primary), positions(Side::secondary)}});
+  for (int i = 0; i < primary_.Nodes(); ++i) {
+    FENode& node = primary_.Node(i);
+    node.m_rt = vec3d(moved(0, i), moved(1, i), moved(2, i));
+    node.m_r0 = node.m_rt;
+  }
+  relocated_ = true;
+}
+
+void FEMixtureContact::Update() {
+  project();
+  // The bodies have been evaluated already in this pass: ask for it again if an ambient value changed.
+  if (apply_ambient({})) GetFEModel()->SetMeshUpdateFlag(true);
+}
+
+void FEMixtureContact::Update(const std::vector<double>& /*total*/, const std::vector<double>& increment) {
+  // Positions are new, pressures and concentrations and the bodies come next: ambient values set here reach them in time.
+  project();
+  apply_ambient(increment);
+}
+
+// --------------------------------------------------------------------------------------------------- ambient conditions
+
+std::vector<FEMixtureContact*> FEMixtureContact::active_contacts() {
+  std::vector<FEMixtureContact*> contacts;
+  FEModel& fem = *GetFEModel();
+  for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
+    auto* contact = dynamic_cast<FEMixtureContact*>(fem.SurfacePairConstraint(i));
+    if (contact && contact->IsActive()) contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+double FEMixtureContact::ambient_value(int dof) const {
+  if (dof == pressure_dof_) return parameters_.ambient_pressure;
+  for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
+    const int solute = ambient->solute > 0 ? ambient->solute - 1 : 0;
+    if (dof == concentration_dof_ + solute) return ambient->value;
+  }
+  return 0;
+}
+
+bool FEMixtureContact::apply_ambient(const std::vector<double>& increment) {
+  // A node is at ambient only where no contact has it: the last contact to be updated decides for all.
+  const std::vector<FEMixtureContact*> contacts = active_contacts();
+  if (contacts.empty() || contacts.back() != this || pressure_dof_ < 0) return false;
+  struct NodeStatus {
+    bool in_contact;
+    FEMixtureContact* ambient;
+  };
+  std::map<FENode*, NodeStatus> nodes;
+  for (FEMixtureContact* contact : contacts) {
+    const auto in_contact = contact->core_->nodes_in_contact();
+    for (const Side side : both_sides) {
+      FEMixtureSurface& s = contact->surface(side);
+      for (int i = 0; i < s.Nodes(); ++i) {
+        NodeStatus& status = nodes.insert({&s.Node(i), {false, contact}}).first->second;
+        status.in_contact = status.in_contact || in_contact[side][static_cast<std::size_t>(i)];
+      }
+    }
+  }
+  bool changed = false;
+  const auto apply = [&](FENode& node, const NodeStatus& status, int dof) {
+    if (!AmbientNodes::is_free(node, dof)) return;
+    const bool switched = status.in_contact ? ambient_.release(node, dof, increment)
+                                            : ambient_.hold(node, dof, status.ambient->ambient_value(dof));
+    changed = changed || switched;
+  };
+  for (auto& [node, status] : nodes) {
+    apply(*node, status, pressure_dof_);
+    for (int k = 0; k < concentrations_; ++k) apply(*node, status, concentration_dof_ + k);
+  }
+  return changed;
+}
+
+// ------------------------------------------------------------------------------------------------------- local to global
+
+std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at) {
+  std::vector<int> nodes;
+  const auto append = [&](FEMixtureSurface& s, const Facet& facet) {
+    for (int a = 0; a < node_count(facet.type); ++a) nodes.push_back(s.NodeIndex(facet.nodes[static_cast<std::size_t>(a)]));
+  };
+  append(surface(at.first), at.facets.primary);
+  append(surface(other(at.first)), at.facets.secondary);
+  return nodes;
+}
+
+std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& at, const std::vector<int>& nodes) {
+  const LocalLayout& layout = at.facets.layout;
+  FEMesh& mesh = GetFEModel()->GetMesh();
+  const std::array<int, 3> displacement{GetFEModel()->GetDOFIndex("x"), GetFEModel()->GetDOFIndex("y"), GetFEModel()->GetDOFIndex("z")};
+  std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
+  for (Index node = 0; node < layout.nodes(); ++node) {
+    const std::vector<int>& id = mesh.Node(nodes[static_cast<std::size_t>(node)]).m_ID;
+    for (std::size_t i = 0; i < 3; ++i) {
+      ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(displacement[i])];
+    }
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      const int dof = field_dof(at.facets.fields[static_cast<std::size_t>(k)]);
+      ids[static_cast<std::size_t>(layout.scalar(node, k))] = id[static_cast<std::size_t>(dof)];
+    }
+  }
+  return ids;
+}
+
+void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
+  // Rigid nodes bring the equations of their body's rotations in as well.
+  FEModel& fem = *GetFEModel();
+  const std::array<int, 3> rotation{fem.GetDOFIndex("Ru"), fem.GetDOFIndex("Rv"), fem.GetDOFIndex("Rw")};
+  core_->for_each_facet_pair([&](const ContactInterface::Location& at) {
+    const std::vector<int> nodes = node_ids(at);
+    std::vector<int> ids = equations(at, nodes);
+    for (const int node : nodes) {
+      for (const int dof : rotation) {
+        if (dof >= 0) ids.push_back(fem.GetMesh().Node(node).m_ID[static_cast<std::size_t>(dof)]);
+      }
+    }
+    matrix.build_add(ids);
+  });
+}
+
+void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
+  core_->residual(fields(), time.timeIncrement, [&](const ContactInterface::Location& at, const VectorXd& values) {
+    std::vector<int> nodes = node_ids(at);
+    std::vector<int> ids = equations(at, nodes);
+    std::vector<double> entries(values.data(), values.data() + values.size());
+    residual.Assemble(nodes, ids, entries);
+  });
+}
+
+void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
+  core_->tangent(fields(), time.timeIncrement, [&](const ContactInterface::Location& at, const MatrixXd& values) {
+    const std::vector<int> nodes = node_ids(at);
+    FEElementMatrix stiffness;
+    const int size = static_cast<int>(values.rows());
+    stiffness.resize(size, size);
+    // FEBio solves K du = R with K = -dR/du.
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j < size; ++j) stiffness[i][j] = -values(i, j);
+    }
+    stiffness.SetNodes(nodes);
+    stiffness.SetIndices(equations(at, nodes));
+    system.Assemble(stiffness);
+  });
+}
+
+// --------------------------------------------------------------------------------------------------------- augmentation
+
+bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
+  if (m_laugon != FECore::AUGLAG_METHOD) return true;
+  const Settings& settings = core_->settings();
+  const PerSide<SurfaceFields> current = fields();
+  const GapReport report = core_->gaps(current);
+  log_gaps(augmentation, report);
+  const bool met = core_->converged(report);
+  if (met && augmentation >= settings.min_augmentations) return true;
+  if (augmentation >= settings.max_augmentations) {
+    feLogWarning("sliding-mixture \"%s\": %d augmentations (maxaug) were not enough to meet the tolerances.", GetName().c_str(),
+                 augmentation);
+    return true;
+  }
+  core_->augment(current);
+  return false;
+}
+
+void FEMixtureContact::log_gaps(int augmentation, const GapReport& report) {
+  const Tolerances& tolerances = core_->settings().tolerances;
+  const auto row = [&](const std::string& name, const FieldGap& gap, const Tolerances::Field& tolerance) {
+    feLog("    %-16s %12.4le (%9.2le)  %12.4le (%9.2le)\n", name.c_str(), gap.relative, tolerance.relative, gap.largest, tolerance.largest);
+  };
+  feLog(" sliding-mixture \"%s\", augmentation %d: gaps, with the tolerances (0: none)\n", GetName().c_str(), augmentation);
+  feLog("                         RELATIVE                  LARGEST\n");
+  row("gap", report.traction, tolerances.traction);
+  for (std::size_t k = 0; k < report.flux.size(); ++k) {
+    const bool solvent = effects_.solvent && k == 0;
+    const std::string name = solvent ? "pressure jump" : "jump of c" + std::to_string(field_dof(static_cast<int>(k)) - concentration_dof_ + 1);
+    row(name, report.flux[k], solvent ? tolerances.solvent : tolerances.solute);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------- output and restart
+
+void FEMixtureContact::store_output() {
+  const PerSide<SurfaceFields> current = fields();
+  Balance total = core_->balance(current);
+  primary_.store_output(core_->nodal_output(Side::primary, current), total);
+  total.force = -total.force;
+  total.flow = -total.flow;
+  secondary_.store_output(core_->nodal_output(Side::secondary, current), total);
+}
+
+bool FEMixtureContact::on_step_solved(FEModel* /*fem*/, unsigned int /*when*/, void* contact) {
+  auto* self = static_cast<FEMixtureContact*>(contact);
+  if (self->IsActive()) self->store_output();
+  return true;
+}
+
+namespace {
+
+void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
+  int facets = static_cast<int>(mesh.facets.size());
+  ar & mesh.nodes & facets;
+  mesh.facets.resize(static_cast<std::size_t>(facets));
+  mesh.permeable.resize(static_cast<std::size_t>(facets));
+  for (Facet& facet : mesh.facets) {
+    int type = static_cast<int>(facet.type);
+    ar & type;
+    facet.type = static_cast<FacetType>(type);
+    for (int& node : facet.nodes) ar & node;
+  }
+  for (FieldMask& mask : mesh.permeable) {
+    // Dump streams know no 64-bit integers.
+    int low = static_cast<int>(static_cast<std::uint32_t>(mask));
+    int high = static_cast<int>(static_cast<std::uint32_t>(mask >> 32U));
+    ar & low & high;
+    mask = static_cast<FieldMask>(static_cast<std::uint32_t>(low)) | static_cast<FieldMask>(static_cast<std::uint32_t>(high)) << 32U;
+  }
+  archive(ar, mesh.stiffness);
+  archive(ar, mesh.conductance);
+}
+
+void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
+  archive(ar, multipliers.traction);
+  archive(ar, multipliers.flux);
+  archive(ar, multipliers.traction_growth);
+  archive(ar, multipliers.flux_growth);
+}
+
+}  // namespace
+
+void FEMixtureContact::Serialize(DumpStream& ar) {
+  FEContactInterface::Serialize(ar);
+  primary_.Serialize(ar);
+  secondary_.Serialize(ar);
+  if (!ar.IsShallow()) {
+    ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_;
+    ar & effects_.traction & effects_.solvent & effects_.solutes;
+    ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given & parameters_.solute_tolerance_given;
+    ar & parameters_.penalty_given & parameters_.pressure_penalty_given & parameters_.concentration_penalty_given;
+    ar & parameters_.search_radius_given;
+    PerSide<SurfaceMesh> meshes;
+    for (const Side side : both_sides) {
+      if (ar.IsSaving()) meshes[side] = core_->mesh(side);
+      archive_mesh(ar, meshes[side]);
+    }
+    if (!ar.IsSaving()) build_core(std::move(meshes));
+  }
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) archive_multipliers(ar, core_->multipliers(pass));
+  if (!ar.IsSaving() && !ar.IsShallow() && !output_registered_) {
+    GetFEModel()->AddCallback(on_step_solved, CB_TIMESTEP_SOLVED, this);
+    output_registered_ = true;
+  }
+}

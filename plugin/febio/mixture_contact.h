@@ -1,0 +1,91 @@
+/// The contact interface <contact type="sliding-mixture">: FEBio's side of the contact core.
+#pragma once
+
+#include "ambient_concentration.h"
+#include "ambient_nodes.h"
+#include "contact/interface.h"
+#include "contact_parameters.h"
+#include "mixture_surface.h"
+
+#include <FEBioMech/FEContactInterface.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// Gathers positions, fields and equation numbers for the core, and hands its residual and tangent to FEBio. No mechanics here.
+class FEMixtureContact : public FEContactInterface {
+ public:
+  explicit FEMixtureContact(FEModel* fem);
+
+  bool Init() override;
+  void Activate() override;
+  void PrepStep() override;
+  using FEContactInterface::Update;
+  void Update() override;
+  void Update(const std::vector<double>& total, const std::vector<double>& increment) override;
+  void BuildMatrixProfile(FEGlobalMatrix& matrix) override;
+  void LoadVector(FEGlobalVector& residual, const FETimeInfo& time) override;
+  void StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) override;
+  bool Augment(int augmentation, const FETimeInfo& time) override;
+  void Serialize(DumpStream& ar) override;
+
+  FESurface* GetPrimarySurface() override { return &primary_; }
+  FESurface* GetSecondarySurface() override { return &secondary_; }
+  bool UseNodalIntegration() override { return false; }
+
+  const mixture_contact::Effects& effects() const { return effects_; }
+
+ private:
+  using Side = mixture_contact::Side;
+  template <class T>
+  using PerSide = mixture_contact::PerSide<T>;
+
+  FEMixtureSurface& surface(Side side) { return side == Side::primary ? primary_ : secondary_; }
+
+  // Setting up
+  bool check_parameters();
+  bool check_surfaces();
+  bool read_materials();
+  bool check_ambient();
+  void decide_effects(const PerSide<std::vector<struct FacetMaterial>>& materials);
+  mixture_contact::SurfaceMesh surface_mesh(Side side, const std::vector<FacetMaterial>& materials);
+  bool update_properties();
+  void log_effects(const PerSide<std::vector<FacetMaterial>>& materials);
+  void build_core(PerSide<mixture_contact::SurfaceMesh> meshes);
+
+  // State of the model
+  int field_dof(int field) const;
+  mixture_contact::Matrix3Xd positions(Side side);
+  PerSide<mixture_contact::SurfaceFields> fields();
+  void project();
+  void relocate_nodes();
+
+  // Ambient conditions
+  bool apply_ambient(const std::vector<double>& increment);
+  double ambient_value(int dof) const;
+  std::vector<FEMixtureContact*> active_contacts();
+
+  // Local to global
+  std::vector<int> node_ids(const mixture_contact::ContactInterface::Location& at);
+  std::vector<int> equations(const mixture_contact::ContactInterface::Location& at, const std::vector<int>& nodes);
+  void log_gaps(int augmentation, const mixture_contact::GapReport& report);
+  void store_output();
+  static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);
+
+  ContactParameters parameters_;
+  std::vector<FEMixtureAmbientConcentration*> ambient_concentrations_;
+  FEMixtureSurface primary_;
+  FEMixtureSurface secondary_;
+  AmbientNodes ambient_;
+
+  mixture_contact::Effects effects_;
+  std::unique_ptr<mixture_contact::ContactInterface> core_;
+  int pressure_dof_ = -1;
+  int concentration_dof_ = -1;   ///< of solute 0; the others follow
+  int concentrations_ = 0;       ///< number of solutes in the model
+  bool relocated_ = false;
+  bool output_registered_ = false;
+
+  DECLARE_FECORE_CLASS()
+};

@@ -1,0 +1,117 @@
+#include "mixture_surface.h"
+
+#include "archive.h"
+
+#include <FECore/FEMesh.h>
+#include <FECore/FEModel.h>
+
+using mixture_contact::Index;
+
+namespace {
+
+vec3d to_febio(const mixture_contact::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total) {
+  nodal_ = nodal;
+  total_ = total;
+  std::vector<double> gap(FEElement::MAX_NODES);
+  std::vector<double> pressure(FEElement::MAX_NODES);
+  std::vector<double> jump(FEElement::MAX_NODES);
+  for (int face = 0; face < Elements(); ++face) {
+    FESurfaceElement& element = Element(face);
+    for (int a = 0; a < element.Nodes(); ++a) {
+      const auto entry = static_cast<std::size_t>(a);
+      const int node = element.m_lnode[entry];
+      gap[entry] = nodal.gap[node];
+      pressure[entry] = nodal.pressure[node];
+      jump[entry] = nodal.jump.rows() > 0 ? nodal.jump(0, node) : 0.0;
+    }
+    for (int q = 0; q < element.GaussPoints(); ++q) {
+      auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+      point.m_gap = -element.eval(gap.data(), q);  // FEBio counts an overlap as a positive gap
+      point.m_Ln = element.eval(pressure.data(), q);
+      point.m_pg = element.eval(jump.data(), q);
+      point.m_nu = SurfaceNormal(element, q);
+      point.m_tr = point.m_nu * (-point.m_Ln);
+    }
+  }
+}
+
+vec3d FEMixtureSurface::GetContactForce() { return to_febio(total_.force); }
+
+vec3d FEMixtureSurface::GetFluidForce() {
+  // Force of the fluid on this surface where it is in contact: -p n da.
+  vec3d force(0, 0, 0);
+  if (m_dofP < 0 || nodal_.pressure.size() != Nodes()) return force;
+  for (int face = 0; face < Elements(); ++face) {
+    FESurfaceElement& element = Element(face);
+    for (int q = 0; q < element.GaussPoints(); ++q) {
+      const auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+      if (!(point.m_Ln > 0)) continue;
+      double pressure = 0;
+      for (int a = 0; a < element.Nodes(); ++a) {
+        pressure += element.H(q)[a] * m_pMesh->Node(element.m_node[static_cast<std::size_t>(a)]).get(m_dofP);
+      }
+      vec3d tangents[2];
+      CoBaseVectors(element, q, tangents);
+      force -= (tangents[0] ^ tangents[1]) * (pressure * element.GaussWeights()[q]);
+    }
+  }
+  return force;
+}
+
+void FEMixtureSurface::GetVectorGap(int face, vec3d& gap) {
+  FESurfaceElement& element = Element(face);
+  gap = vec3d(0, 0, 0);
+  for (int q = 0; q < element.GaussPoints(); ++q) {
+    const auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+    gap += point.m_nu * (point.m_gap / element.GaussPoints());
+  }
+}
+
+void FEMixtureSurface::GetContactTraction(int face, vec3d& traction) {
+  FESurfaceElement& element = Element(face);
+  traction = vec3d(0, 0, 0);
+  for (int q = 0; q < element.GaussPoints(); ++q) {
+    traction += static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q)).m_tr / element.GaussPoints();
+  }
+}
+
+void FEMixtureSurface::GetNodalVectorGap(int face, vec3d* gap) {
+  FESurfaceElement& element = Element(face);
+  vec3d at_points[FEElement::MAX_INTPOINTS];
+  for (int q = 0; q < element.GaussPoints(); ++q) {
+    const auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+    at_points[q] = point.m_nu * point.m_gap;
+  }
+  element.project_to_nodes(at_points, gap);
+}
+
+void FEMixtureSurface::GetNodalContactPressure(int face, double* pressure) {
+  FESurfaceElement& element = Element(face);
+  for (int a = 0; a < element.Nodes(); ++a) {
+    const int node = element.m_lnode[static_cast<std::size_t>(a)];
+    pressure[a] = node < nodal_.pressure.size() ? nodal_.pressure[node] : 0.0;
+  }
+}
+
+void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
+  FESurfaceElement& element = Element(face);
+  double pressure[FEElement::MAX_NODES];
+  GetNodalContactPressure(face, pressure);
+  for (int a = 0; a < element.Nodes(); ++a) traction[a] = SurfaceNormal(element, a) * (-pressure[a]);
+}
+
+void FEMixtureSurface::Serialize(DumpStream& ar) {
+  FEBiphasicContactSurface::Serialize(ar);
+  archive(ar, nodal_.gap);
+  archive(ar, nodal_.pressure);
+  archive(ar, nodal_.flux);
+  archive(ar, nodal_.jump);
+  archive(ar, nodal_.coverage);
+  archive(ar, total_.force);
+  archive(ar, total_.area);
+  archive(ar, total_.flow);
+}

@@ -1,0 +1,36 @@
+/// A surface of the contact as FEBio knows it: geometry, and the values that FEBio's own plot variables ask for.
+#pragma once
+
+#include "contact/interface.h"
+
+#include <FEBioMix/FEBiphasicContactSurface.h>
+
+class FEMixtureSurface : public FEBiphasicContactSurface {
+ public:
+  explicit FEMixtureSurface(FEModel* fem) : FEBiphasicContactSurface(fem) {}
+
+  /// One FEBiphasicContactPoint per integration point of FEBio's rule; it carries output only.
+  FEMaterialPoint* CreateMaterialPoint() override { return new FEBiphasicContactPoint; }
+
+  /// Takes the values at the nodes and the totals of this surface for output, and hands them on to FEBio's material points.
+  void store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total);
+
+  const mixture_contact::NodalOutput& nodal_output() const { return nodal_; }
+  /// Totals as they act on this surface; flows out of this surface's body.
+  const mixture_contact::Balance& total() const { return total_; }
+
+  vec3d GetContactForce() override;
+  double GetContactArea() override { return total_.area; }
+  vec3d GetFluidForce() override;
+  void GetVectorGap(int face, vec3d& gap) override;
+  void GetContactTraction(int face, vec3d& traction) override;
+  void GetNodalVectorGap(int face, vec3d* gap) override;
+  void GetNodalContactPressure(int face, double* pressure) override;
+  void GetNodalContactTraction(int face, vec3d* traction) override;
+
+  void Serialize(DumpStream& ar) override;
+
+ private:
+  mixture_contact::NodalOutput nodal_;
+  mixture_contact::Balance total_;
+};
