@@ -181,7 +181,7 @@ def confined_creep(context: Context) -> list[Measure]:
     settlement = compare.largest_difference(*runs, "uz") / scale
     return [
         Measure("Confined creep, cut against whole, fluid pressure / load", pressures, 1e-5),
-        Measure("Confined creep, cut against whole, settlement", settlement, 1e-5, note="overlap of 1e-10 mm"),
+        Measure("Confined creep, cut against whole, settlement", settlement, 5e-5, note="penetration: load/penalty"),
         Measure("Confined creep, settlement against the closed form", creep_error(runs[0]), 5e-3, note="tau >= 0.1"),
     ]
 

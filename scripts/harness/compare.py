@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,6 +43,11 @@ class Measure:
     def passed(self) -> bool:
         """Whether the value lies within its bounds; nan does not."""
         return self.lowest <= self.value <= self.bar
+
+
+def missed(measures: Iterable[Measure]) -> list[str]:
+    """The measures that miss their bar, each in a line."""
+    return [f"{m.name}: {m.value:.6g}, not within [{m.lowest:g}, {m.bar:g}] {m.note}" for m in measures if not m.passed]
 
 
 def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:

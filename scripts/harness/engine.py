@@ -108,6 +108,29 @@ def run(
     return execute(command, model.resolve().parent, progress=progress, check=check)
 
 
+def restart(archive: Path, *, plugin: Path | None = None, check: bool = True) -> Run:
+    """Continue from a dump file, in its folder; data and plot files are continued as well.
+
+    Parameters
+    ----------
+    archive : Path
+        What ``-dump`` left. FEBio can only continue a run that also wrote a plot file.
+    plugin : Path, optional
+        Library to load with ``-import``.
+    check : bool
+        Whether a run that does not end normally is an error.
+
+    Raises
+    ------
+    EngineNotFoundError, EngineFailedError
+        As in `run`.
+    """
+    command = [str(find_engine()), "-r", archive.name]
+    if plugin is not None:
+        command += ["-import", str(plugin)]
+    return execute(command, archive.resolve().parent, check=check)
+
+
 def execute(command: Sequence[str], folder: Path, *, progress: Progress | None = None, check: bool = True) -> Run:
     """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise; see `run`."""
     environment = {_THREADS: "1", **os.environ}

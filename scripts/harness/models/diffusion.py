@@ -56,6 +56,11 @@ class Diffusion:
     module : str, optional
         The module that `join` asks for without it.
     name : str
+    plot : bool
+    lower, upper : Mixture
+        Materials of the two cubes.
+    bath : tuple of float
+        Concentration of each solute in the bath, mM.
     """
 
     join: Join = Join.MIXTURE
@@ -66,17 +71,26 @@ class Diffusion:
     module: str | None = None
     name: str = "diffusion"
     plot: bool = False
+    lower: Mixture = MATERIAL
+    upper: Mixture = MATERIAL
+    bath: tuple[float, ...] = (BATH,)
 
     def model(self) -> Model:
         """The model of these choices."""
-        layers = [Layer("lower", "gel", HEIGHT / 2, self.elements), Layer("upper", "gel", HEIGHT / 2, self.elements)]
+        same = self.lower == self.upper
+        materials = {"gel": self.lower} if same else {"lower-gel": self.lower, "upper-gel": self.upper}
+        names = tuple(materials)
+        layers = [
+            Layer("lower", names[0], HEIGHT / 2, self.elements),
+            Layer("upper", names[-1], HEIGHT / 2, self.elements),
+        ]
         mesh = column(self.join, layers, bottom=-HEIGHT / 2, section=self.section)
         conditions = (
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -CLOSING),
-            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * BATH),
-            concentration("bottom", BATH),
+            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * sum(self.bath)),
+            *(concentration("bottom", value, sol=number) for number, value in enumerate(self.bath, 1)),
         )
         module = self.module or self.join.module
         joined = contacts(self.join, mesh, self.settings)
@@ -85,7 +99,7 @@ class Diffusion:
             header(self.name, ABOUT, self.join),
             module,
             mesh,
-            {"gel": MATERIAL},
+            materials,
             conditions,
             self.control,
             joined,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from harness.errors import ModelError
 
+Axis = NDArray[np.float64]
 Nodes = NDArray[np.float64]
 Ids = NDArray[np.int64]
 
@@ -74,6 +75,17 @@ class Section:
 
 
 @dataclass(frozen=True)
+class Box:
+    """A body: its name, material, lowest corner (mm), size (mm) and numbers of elements along x, y, z."""
+
+    name: str
+    material: str
+    corner: tuple[float, float, float]
+    size: tuple[float, float, float]
+    elements: tuple[int, int, int]
+
+
+@dataclass(frozen=True)
 class _Block:
     nodes: Nodes
     elements: Ids
@@ -83,11 +95,8 @@ class _Block:
     top_facets: Ids
 
 
-def _block(z: NDArray[np.float64], section: Section) -> _Block:
-    """One box of hex8 over the heights `z` (n_z + 1 values, mm), nodes numbered from 1, x fastest."""
-    nx, ny = section.elements
-    x = np.linspace(0.0, section.width[0], nx + 1)
-    y = np.linspace(0.0, section.width[1], ny + 1)
+def _block(x: Axis, y: Axis, z: Axis) -> _Block:
+    """One box of hex8 over the given lines of nodes (mm), nodes numbered from 1, x fastest."""
     zz, yy, xx = np.meshgrid(z, y, x, indexing="ij")
     nodes = np.column_stack([xx.ravel(), yy.ravel(), zz.ravel()])
     number = 1 + np.arange(len(nodes), dtype=np.int64).reshape(zz.shape)
@@ -101,13 +110,47 @@ def _block(z: NDArray[np.float64], section: Section) -> _Block:
     return _Block(nodes, elements, number[0].ravel(), number[-1].ravel(), downward, upward)
 
 
-def _heights(layer: Layer, start: float) -> NDArray[np.float64]:
-    if layer.elements < 1 or layer.thickness <= 0.0:
-        raise ModelError(
-            f"layer '{layer.name}': needs a thickness above 0 and at least one element, "
-            f"got {layer.thickness} mm and {layer.elements}"
-        )
-    return np.linspace(start, start + layer.thickness, layer.elements + 1)
+def _line(start: float, length: float, elements: int, name: str) -> Axis:
+    if elements < 1 or length <= 0.0:
+        raise ModelError(f"'{name}' needs a size above 0 and at least one element, got {length} mm and {elements}")
+    return np.linspace(start, start + length, elements + 1)
+
+
+def assemble(boxes: Sequence[Box]) -> Mesh:
+    """Put bodies together that share no nodes.
+
+    Parameters
+    ----------
+    boxes : sequence of Box
+        Numbered in this order.
+
+    Returns
+    -------
+    Mesh
+        Node sets ``all`` and, for each box, ``<name>-bottom`` and ``<name>-top``; surfaces of the latter names, their
+        facets ordered with x fastest; no pairs.
+
+    Raises
+    ------
+    ModelError
+        For a box without size or elements.
+    """
+    nodes: list[Nodes] = []
+    parts: list[Part] = []
+    sets: dict[str, Ids] = {}
+    surfaces: dict[str, Ids] = {}
+    offset = 0
+    for box in boxes:
+        block = _block(*(_line(box.corner[k], box.size[k], box.elements[k], box.name) for k in range(3)))
+        nodes.append(block.nodes)
+        parts.append(Part(box.name, box.material, block.elements + offset))
+        sets[f"{box.name}-bottom"] = block.bottom + offset
+        sets[f"{box.name}-top"] = block.top + offset
+        surfaces[f"{box.name}-bottom"] = block.bottom_facets + offset
+        surfaces[f"{box.name}-top"] = block.top_facets + offset
+        offset += len(block.nodes)
+    everything = {"all": np.arange(1, offset + 1, dtype=np.int64)}
+    return Mesh(np.concatenate(nodes), tuple(parts), everything | sets, surfaces)
 
 
 def cut_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0) -> Mesh:
@@ -136,25 +179,16 @@ def cut_column(layers: Sequence[Layer], *, bottom: float, section: Section | Non
         For a layer without thickness or elements.
     """
     section = section or Section()
-    nodes: list[Nodes] = []
-    parts: list[Part] = []
-    sets: dict[str, Ids] = {}
-    surfaces: dict[str, Ids] = {}
-    offset, height = 0, bottom
+    boxes: list[Box] = []
+    height = bottom
     for layer in layers:
-        block = _block(_heights(layer, height), section)
-        nodes.append(block.nodes)
-        parts.append(Part(layer.name, layer.material, block.elements + offset))
-        sets[f"{layer.name}-bottom"] = block.bottom + offset
-        sets[f"{layer.name}-top"] = block.top + offset
-        surfaces[f"{layer.name}-bottom"] = block.bottom_facets + offset
-        surfaces[f"{layer.name}-top"] = block.top_facets + offset
-        offset += len(block.nodes)
+        size, elements = (*section.width, layer.thickness), (*section.elements, layer.elements)
+        boxes.append(Box(layer.name, layer.material, (0.0, 0.0, height), size, elements))
         height += layer.thickness + gap
+    mesh = assemble(boxes)
     pairs = {f"{a.name}/{b.name}": (f"{a.name}-top", f"{b.name}-bottom") for a, b in pairwise(layers)}
-    return Mesh(
-        np.concatenate(nodes), tuple(parts), _with_ends(sets, layers, offset), _with_ends(surfaces, layers), pairs
-    )
+    sets, surfaces = (_with_ends(groups, layers) for groups in (mesh.node_sets, mesh.surfaces))
+    return replace(mesh, node_sets=sets, surfaces=surfaces, pairs=pairs)
 
 
 def glued_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None) -> Mesh:
@@ -168,11 +202,11 @@ def glued_column(layers: Sequence[Layer], *, bottom: float, section: Section | N
         For a layer without thickness or elements.
     """
     section = section or Section()
-    heights = [_heights(layers[0], bottom)]
+    x, y = (_line(0.0, section.width[k], section.elements[k], "section") for k in range(2))
+    heights = [_line(bottom, layers[0].thickness, layers[0].elements, layers[0].name)]
     for layer in layers[1:]:
-        heights.append(_heights(layer, float(heights[-1][-1])))
-    z = np.concatenate([heights[0], *[h[1:] for h in heights[1:]]])
-    block = _block(z, section)
+        heights.append(_line(float(heights[-1][-1]), layer.thickness, layer.elements, layer.name))
+    block = _block(x, y, np.concatenate([heights[0], *[h[1:] for h in heights[1:]]]))
     per_plane = (section.elements[0] + 1) * (section.elements[1] + 1)
     per_row = section.elements[0] * section.elements[1]
     parts: list[Part] = []
@@ -185,11 +219,10 @@ def glued_column(layers: Sequence[Layer], *, bottom: float, section: Section | N
         sets[f"{layer.name}-top"] = block.bottom + last * per_plane
         first = last
     surfaces = {f"{layers[0].name}-bottom": block.bottom_facets, f"{layers[-1].name}-top": block.top_facets}
-    return Mesh(block.nodes, tuple(parts), _with_ends(sets, layers, len(block.nodes)), _with_ends(surfaces, layers))
+    everything = {"all": np.arange(1, len(block.nodes) + 1, dtype=np.int64)}
+    return Mesh(block.nodes, tuple(parts), everything | _with_ends(sets, layers), _with_ends(surfaces, layers))
 
 
-def _with_ends(groups: dict[str, Ids], layers: Sequence[Layer], n_nodes: int | None = None) -> dict[str, Ids]:
-    """Add the names ``bottom`` and ``top`` (and ``all`` where the number of nodes is given)."""
-    ends = {"bottom": groups[f"{layers[0].name}-bottom"], "top": groups[f"{layers[-1].name}-top"]}
-    everything = {} if n_nodes is None else {"all": np.arange(1, n_nodes + 1, dtype=np.int64)}
-    return everything | ends | groups
+def _with_ends(groups: dict[str, Ids], layers: Sequence[Layer]) -> dict[str, Ids]:
+    """Add the names ``bottom`` and ``top`` for the two ends of a column."""
+    return {"bottom": groups[f"{layers[0].name}-bottom"], "top": groups[f"{layers[-1].name}-top"]} | groups

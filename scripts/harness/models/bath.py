@@ -1,0 +1,106 @@
+"""Two bodies in a bath: apart, or partly in contact, so that contact nodes are at ambient values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from harness.models.diffusion import MATERIAL
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import Join, default_settings
+from harness.models.mesh import Box, Ids, Mesh, assemble
+from harness.models.parts import Condition, Contact, Control, Curve, Param, concentration, displace, fix, pressure
+
+PRESSURE = -1e-3
+"""Ambient effective pressure at the end of its load curve, MPa."""
+CONCENTRATION = 0.4
+"""Ambient effective concentration at the end of its load curve, mM."""
+CURVES = (Curve(((0.0, 0.0), (1000.0, 1.0))), Curve(((0.0, 0.0), (600.0, 0.5), (1000.0, 1.0))))
+"""Load curves of the ambient pressure and of the ambient concentration."""
+
+
+def ambient(module: str) -> tuple[Param, ...]:
+    """Ambient values that follow `CURVES`, in the spelling of the module."""
+    if module == "multiphasic":
+        dissolved = Param("ambient_concentration", CONCENTRATION, 2, {"sol": "1"})
+    else:
+        dissolved = Param("ambient_concentration", CONCENTRATION, 2)
+    return (Param("ambient_pressure", PRESSURE, 1), dissolved)
+
+
+@dataclass(frozen=True)
+class Apart:
+    """Two cubes with a gap between them that a bath fills.
+
+    Attributes
+    ----------
+    join : Join
+    gap : float
+        mm.
+    held : tuple of Condition
+        Conditions on nodes of the contact surfaces (``lower-top``, ``upper-bottom``), which the bath must not overrule.
+    control : Control
+    """
+
+    join: Join = Join.MIXTURE
+    gap: float = 0.5
+    held: tuple[Condition, ...] = ()
+    control: Control = Control(10, 100.0)
+    name: str = "apart"
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        boxes = [Box("lower", "gel", (0.0, 0.0, -1.0), (1.0, 1.0, 1.0), (1, 1, 5))]
+        boxes.append(Box("upper", "gel", (0.0, 0.0, self.gap), (1.0, 1.0, 1.0), (1, 1, 5)))
+        mesh = replace(assemble(boxes), pairs={"lower/upper": ("lower-top", "upper-bottom")})
+        module = self.join.module
+        conditions = (fix("all", "xy"), fix("lower-bottom", "z"), fix("upper-top", "z"), *self.held)
+        about = "Two cubes apart in a bath whose pressure and concentration follow load curves."
+        contact = Contact(self.join.value, "lower/upper", (*_settings(self.join), *ambient(module)))
+        text = header(self.name, about, self.join)
+        materials = {"gel": MATERIAL}
+        return Model(self.name, text, module, mesh, materials, conditions, self.control, (contact,), CURVES)
+
+
+@dataclass(frozen=True)
+class HalfWet:
+    """A slab with two interfaces that share the nodes of its middle: the left one closed, the right one open."""
+
+    join: Join = Join.MIXTURE
+    control: Control = Control(10, 100.0)
+    name: str = "half-wet"
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        boxes = [Box("slab", "gel", (0.0, 0.0, -1.0), (2.0, 1.0, 1.0), (2, 1, 5))]
+        boxes.append(Box("left", "gel", (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (1, 1, 5)))
+        boxes.append(Box("right", "gel", (1.0, 0.0, 0.5), (1.0, 1.0, 1.0), (1, 1, 5)))
+        mesh = two_patches(assemble(boxes), "slab-top", ("left-bottom", "right-bottom"))
+        conditions = (
+            fix("all", "xy"),
+            fix("slab-bottom", "z"),
+            fix("right-top", "z"),
+            displace("left-top", "z", -1e-3),
+            concentration("slab-bottom", 1.0),
+            pressure("slab-bottom", 0.0),
+        )
+        settings = (*_settings(self.join), *ambient(self.join.module))
+        joined = tuple(Contact(self.join.value, pair, settings) for pair in mesh.pairs)
+        about = "A slab in contact on its left half and wet by a bath on its right half."
+        text = header(self.name, about, self.join)
+        materials = {"gel": MATERIAL}
+        return Model(self.name, text, self.join.module, mesh, materials, conditions, self.control, joined, CURVES)
+
+
+def two_patches(mesh: Mesh, primary: str, secondaries: tuple[str, str]) -> Mesh:
+    """Cut the two facets of `primary` into surfaces of their own, each facing one of `secondaries`."""
+    first, second = (mesh.surfaces[primary][k : k + 1] for k in range(2))
+    patches: dict[str, Ids] = {"patch-1": first, "patch-2": second}
+    pairs = {f"pair-{k + 1}": (f"patch-{k + 1}", secondaries[k]) for k in range(2)}
+    return replace(mesh, surfaces=mesh.surfaces | patches, pairs=pairs)
+
+
+def _settings(join: Join) -> tuple[Param, ...]:
+    """The default settings; a search radius keeps FEBio's own types from joining what is apart."""
+    given = default_settings(join)
+    return given.params() if join is Join.MIXTURE else replace(given, search_radius=0.1).params()
