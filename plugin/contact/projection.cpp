@@ -1,5 +1,6 @@
 #include "projection.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -32,6 +33,20 @@ std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Ve
   return std::nullopt;
 }
 
+/// Whether the facet's normals at all nodes are on one side of a direction. A line along it then meets the facet at most once: to
+/// meet it twice it has to enter and to leave. (Exact for quad4, whose normal is linear between its corners.)
+bool faces_one_way(FacetType type, const FacetCoordinates& x, const Vector3d& direction) {
+  bool towards = false;
+  bool away = false;
+  for (int a = 0; a < node_count(type); ++a) {
+    const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(type, parametric_node(type, a)).gradient;
+    const double side = tangents.col(0).cross(tangents.col(1)).dot(direction);
+    towards = towards || side > 0;
+    away = away || side < 0;
+  }
+  return !(towards && away);
+}
+
 }  // namespace
 
 std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction,
@@ -43,7 +58,7 @@ std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const
     return hit.has_value();
   };
   const bool converged = converges_from(parametric_centre(type));
-  if (best || (converged && edge_degree(type) == 1)) return best;
+  if ((best || (converged && edge_degree(type) == 1)) && faces_one_way(type, x, direction)) return best;
   for (int a = 0; a < node_count(type); ++a) converges_from(parametric_node(type, a));
   return best;
 }

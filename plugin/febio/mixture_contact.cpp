@@ -58,7 +58,7 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
       ->SetDefaultType("mixture_ambient_concentration");
 END_FECORE_CLASS()
 
-FEMixtureContact::FEMixtureContact(FEModel* fem) : FEContactInterface(fem), primary_(fem), secondary_(fem), ambient_(*fem) {
+FEMixtureContact::FEMixtureContact(FEModel* fem) : FEContactInterface(fem), primary_(fem, *this), secondary_(fem, *this), ambient_(*fem) {
   SetID(fem->SurfacePairConstraints() + 1);
   primary_.SetSibling(&secondary_);
   secondary_.SetSibling(&primary_);

@@ -5,9 +5,14 @@
 
 #include <FEBioMix/FEBiphasicContactSurface.h>
 
+class FEMixtureContact;
+
 class FEMixtureSurface : public FEBiphasicContactSurface {
  public:
-  explicit FEMixtureSurface(FEModel* fem) : FEBiphasicContactSurface(fem) {}
+  FEMixtureSurface(FEModel* fem, const FEMixtureContact& contact) : FEBiphasicContactSurface(fem), contact_(contact) {}
+
+  /// The contact that owns this surface.
+  const FEMixtureContact& contact() const { return contact_; }
 
   /// One FEBiphasicContactPoint per integration point of FEBio's rule; it carries output only.
   FEMaterialPoint* CreateMaterialPoint() override { return new FEBiphasicContactPoint; }
@@ -31,6 +36,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   void Serialize(DumpStream& ar) override;
 
  private:
+  const FEMixtureContact& contact_;
   mixture_contact::NodalOutput nodal_;
   mixture_contact::Balance total_;
 };

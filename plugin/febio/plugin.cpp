@@ -1,6 +1,7 @@
 /// The entry points that febio4 looks for in a plugin, and the registration of everything it offers.
 #include "ambient_concentration.h"
 #include "mixture_contact.h"
+#include "output_variables.h"
 
 #include <FECore/FECoreKernel.h>
 #include <FECore/version.h>
@@ -20,6 +21,7 @@ void PluginInitialize(FECoreKernel& kernel) {
   FECoreKernel::SetInstance(&kernel);
   REGISTER_FECORE_CLASS(FEMixtureContact, "sliding-mixture");
   REGISTER_FECORE_CLASS(FEMixtureAmbientConcentration, "mixture_ambient_concentration");
+  register_output_variables();
 }
 
 }

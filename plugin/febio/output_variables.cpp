@@ -1,0 +1,210 @@
+#include "output_variables.h"
+
+#include "mixture_contact.h"
+
+#include <FEBioMix/FESolute.h>
+#include <FECore/FECoreFactory.h>
+#include <FECore/FECoreKernel.h>
+#include <FECore/FEModel.h>
+#include <FECore/log.h>
+
+#include <string>
+#include <utility>
+
+using mixture_contact::Index;
+using mixture_contact::MatrixXd;
+
+namespace {
+
+constexpr int logged_solutes = 8;
+
+/// The exchanged field of a surface's contact that is the solvent (solute = -1) or a solute; -1 where it is not exchanged.
+int exchanged_field(const FEMixtureSurface& surface, int solute) {
+  const auto& effects = surface.contact().effects();
+  if (solute < 0) return effects.solvent ? 0 : -1;
+  for (std::size_t k = 0; k < effects.solutes.size(); ++k) {
+    if (effects.solutes[k] == solute) return static_cast<int>(k) + (effects.solvent ? 1 : 0);
+  }
+  return -1;
+}
+
+/// What is reported of an exchanged field.
+enum class Quantity { flux, jump };
+
+double nodal_value(const FEMixtureSurface& surface, Quantity quantity, int solute, int node) {
+  const int field = exchanged_field(surface, solute);
+  const MatrixXd& values = quantity == Quantity::flux ? surface.nodal_output().flux : surface.nodal_output().jump;
+  return field < 0 || node >= values.cols() ? 0.0 : values(field, node);
+}
+
+double flow(const FEMixtureSurface& surface, int solute) {
+  const int field = exchanged_field(surface, solute);
+  return field < 0 || field >= surface.total().flow.size() ? 0.0 : surface.total().flow[field];
+}
+
+/// The contact surface that a plot or log record means: the surface itself, or the one of the same name in a contact.
+FEMixtureSurface* contact_surface(FEModel& fem, FESurface& surface) {
+  if (auto* own = dynamic_cast<FEMixtureSurface*>(&surface)) return own;
+  for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
+    auto* contact = dynamic_cast<FEMixtureContact*>(fem.SurfacePairConstraint(i));
+    if (contact == nullptr) continue;
+    for (FESurface* candidate : {contact->GetPrimarySurface(), contact->GetSecondarySurface()}) {
+      if (candidate->GetName() == surface.GetName()) return dynamic_cast<FEMixtureSurface*>(candidate);
+    }
+  }
+  return nullptr;
+}
+
+void name_solutes(FEPlotData& data, FEModel& fem) {
+  std::vector<std::string> names;
+  for (int i = 0; i < fem.GlobalDataItems(); ++i) {
+    if (auto* solute = dynamic_cast<FESoluteData*>(fem.GetGlobalData(i))) names.push_back(solute->GetName());
+  }
+  data.SetArraySize(static_cast<int>(names.size()));
+  data.SetArrayNames(names);
+}
+
+// ------------------------------------------------------------------------------------------------------------ plot file
+
+template <Quantity quantity>
+class FEPlotSolvent : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotSolvent(FEModel* fem) : FEPlotSurfaceData(fem, PLT_FLOAT, FMT_NODE) {}
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    for (int node = 0; node < surface.Nodes(); ++node) stream << nodal_value(*own, quantity, -1, node);
+    return true;
+  }
+};
+
+template <Quantity quantity>
+class FEPlotSolute : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotSolute(FEModel* fem) : FEPlotSurfaceData(fem, PLT_ARRAY, FMT_NODE) { name_solutes(*this, *fem); }
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    for (int node = 0; node < surface.Nodes(); ++node) {
+      for (int solute = 0; solute < GetArraysize(); ++solute) stream << nodal_value(*own, quantity, solute, node);
+    }
+    return true;
+  }
+};
+
+class FEPlotCoverage : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotCoverage(FEModel* fem) : FEPlotSurfaceData(fem, PLT_FLOAT, FMT_NODE) {}
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    const auto& coverage = own->nodal_output().coverage;
+    for (int node = 0; node < surface.Nodes(); ++node) stream << (node < coverage.size() ? coverage[node] : 0.0);
+    return true;
+  }
+};
+
+class FEPlotSolventFlow : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotSolventFlow(FEModel* fem) : FEPlotSurfaceData(fem, PLT_FLOAT, FMT_REGION) {}
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    stream << flow(*own, -1);
+    return true;
+  }
+};
+
+class FEPlotSoluteFlow : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotSoluteFlow(FEModel* fem) : FEPlotSurfaceData(fem, PLT_ARRAY, FMT_REGION) { name_solutes(*this, *fem); }
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    for (int solute = 0; solute < GetArraysize(); ++solute) stream << flow(*own, solute);
+    return true;
+  }
+};
+
+// ------------------------------------------------------------------------------------------------------------- log file
+
+/// A number per surface. A surface that no sliding-mixture contact has is said to be so, once.
+class FELogMixtureSurface : public FELogSurfaceData {
+ public:
+  using FELogSurfaceData::FELogSurfaceData;
+  double value(FESurface& surface) override {
+    const FEMixtureSurface* own = contact_surface(*GetFEModel(), surface);
+    if (own != nullptr) return value_of(*own);
+    if (!warned_) feLogWarning("Log data \"%s\": \"%s\" is no surface of a sliding-mixture contact.", GetTypeStr(), surface.GetName().c_str());
+    warned_ = true;
+    return 0;
+  }
+
+ private:
+  virtual double value_of(const FEMixtureSurface& surface) const = 0;
+  bool warned_ = false;
+};
+
+template <int component>
+class FELogContactForce : public FELogMixtureSurface {
+  using FELogMixtureSurface::FELogMixtureSurface;
+  double value_of(const FEMixtureSurface& surface) const override { return surface.total().force[component]; }
+};
+
+/// solute = -1: the solvent.
+template <int solute>
+class FELogFlow : public FELogMixtureSurface {
+  using FELogMixtureSurface::FELogMixtureSurface;
+  double value_of(const FEMixtureSurface& surface) const override { return flow(surface, solute); }
+};
+
+/// Mean of the nodal values of a facet.
+template <Quantity quantity, int solute>
+class FELogFacet : public FELogFaceData {
+ public:
+  using FELogFaceData::FELogFaceData;
+  double value(FESurfaceElement& element) override {
+    auto* surface = dynamic_cast<FESurface*>(element.GetMeshPartition());
+    const FEMixtureSurface* own = surface ? contact_surface(*GetFEModel(), *surface) : nullptr;
+    if (own == nullptr) return 0;
+    double sum = 0;
+    for (int a = 0; a < element.Nodes(); ++a) sum += nodal_value(*own, quantity, solute, element.m_lnode[static_cast<std::size_t>(a)]);
+    return sum / element.Nodes();
+  }
+};
+
+// --------------------------------------------------------------------------------------------------------- registration
+
+/// Registers a class under a name. FEBio keeps the pointers, so factory and name live as long as the process.
+template <class T>
+void offer(const std::string& name) {
+  static const std::string kept = name;
+  static const FERegisterClass_T<T> factory(T::superClassID(), kept.c_str(), T::BaseClassName(), kept.c_str());
+}
+
+template <int... solutes>
+void offer_solute_logs(std::integer_sequence<int, solutes...> /*unused*/) {
+  const auto named = [](const char* what, int solute) { return std::string(what) + " " + std::to_string(solute + 1); };
+  (offer<FELogFlow<solutes>>(named("contact solute flow", solutes)), ...);
+  (offer<FELogFacet<Quantity::flux, solutes>>(named("contact solute flux", solutes)), ...);
+  (offer<FELogFacet<Quantity::jump, solutes>>(named("contact solute jump", solutes)), ...);
+}
+
+}  // namespace
+
+void register_output_variables() {
+  offer<FEPlotSolvent<Quantity::flux>>("contact solvent flux");
+  offer<FEPlotSolvent<Quantity::jump>>("contact solvent jump");
+  offer<FEPlotSolute<Quantity::flux>>("contact solute flux");
+  offer<FEPlotSolute<Quantity::jump>>("contact solute jump");
+  offer<FEPlotCoverage>("contact coverage");
+  offer<FEPlotSolventFlow>("contact solvent flow");
+  offer<FEPlotSoluteFlow>("contact solute flow");
+  offer<FELogContactForce<0>>("contact_force.x");
+  offer<FELogContactForce<1>>("contact_force.y");
+  offer<FELogContactForce<2>>("contact_force.z");
+  offer<FELogFlow<-1>>("contact solvent flow");
+  offer<FELogFacet<Quantity::flux, -1>>("contact solvent flux");
+  offer<FELogFacet<Quantity::jump, -1>>("contact solvent jump");
+  offer_solute_logs(std::make_integer_sequence<int, logged_solutes>());
+}
