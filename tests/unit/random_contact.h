@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <random>
 #include <stdexcept>
 
@@ -18,10 +19,11 @@ namespace test {
 
 using namespace mixture_contact;
 
-inline constexpr std::array all_facets{FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8, FacetType::quad9};
+inline constexpr std::array all_facets{FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8,
+                                       FacetType::quad9};
 
-/// Step of a central difference of a function of size 1 that varies over a length of 1: the truncation error step^2 and the
-/// rounding error epsilon/step are equal at step = epsilon^(1/3); the error is then about epsilon^(2/3) = 4e-11.
+/// Step of a central difference of a function of size 1 that varies over a length of 1: the truncation error step^2 and
+/// the rounding error epsilon/step are equal at step = epsilon^(1/3); the error is then about epsilon^(2/3) = 4e-11.
 inline const double difference_step = std::cbrt(std::numeric_limits<double>::epsilon());
 
 /// Central-difference derivative of a vector function, shape (rows, x.size()).
@@ -35,6 +37,42 @@ inline MatrixXd differences(const std::function<VectorXd(const VectorXd&)>& func
     derivative.col(i) = (function(up) - function(down)) / (up[i] - down[i]);
   }
   return derivative;
+}
+
+/// Bound on the relative error of such a difference: with third derivatives up to 1e3 times the first (facets of size 1
+/// with slopes and curvatures up to 1, whose powers multiply) it is 1e3 step^2 / 6 + epsilon / step = 6e-9, and 1e-7 is
+/// asked for.
+inline constexpr double difference_tolerance = 1e-7;
+
+/// A sum of a few dozen terms of size 1, each the outcome of about a dozen operations, is exact to this.
+inline constexpr double rounding = 500 * std::numeric_limits<double>::epsilon();
+
+inline double relative_error(const MatrixXd& value, const MatrixXd& reference) {
+  return (value - reference).norm() / reference.norm();
+}
+
+/// A point in the domain of a facet.
+inline Vector2d random_inside(FacetType type, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Vector2d square(unit(random), unit(random));
+  if (!is_triangle(type)) return square;
+  const Vector2d folded = 0.5 * (square + Vector2d::Ones());
+  return folded.sum() > 1 ? Vector2d(Vector2d::Ones() - folded) : folded;
+}
+
+inline Vector3d random_vector(double size, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  return size * Vector3d(unit(random), unit(random), unit(random));
+}
+
+/// A facet in the plane z = 0 that faces up, of size 1 to 2, with every node displaced at random by up to `noise`.
+inline FacetCoordinates random_facet(FacetType type, double noise, std::mt19937& random) {
+  FacetCoordinates x(3, node_count(type));
+  for (int a = 0; a < node_count(type); ++a) {
+    x.col(a) << parametric_node(type, a), 0;
+    x.col(a) += random_vector(noise, random);
+  }
+  return x;
 }
 
 /// A pair of facets, one above the other, with random slope, warp and overlap, and random fields.
@@ -56,10 +94,12 @@ struct RandomContact {
     std::uniform_real_distribution<double> unit(-1, 1);
     const auto noise = [&](double size) { return size * unit(random); };
     unknowns.resize(layout.size());
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(noise(0.5), Vector3d(noise(1), noise(1), 1).normalized()).toRotationMatrix();
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(noise(0.5), Vector3d(noise(1), noise(1), 1).normalized()).toRotationMatrix();
     for (Index node = 0; node < layout.nodes(); ++node) {
       const bool first = node < layout.primary_nodes();
-      const Vector2d s = parametric_node(first ? one : two, static_cast<int>(first ? node : node - layout.primary_nodes()));
+      const Vector2d s =
+          parametric_node(first ? one : two, static_cast<int>(first ? node : node - layout.primary_nodes()));
       const Vector2d centred = s - parametric_centre(first ? one : two);
       const double size = first ? 1.0 : 1.6;
       Vector3d x(size * centred[0], size * (first ? 1 : -1) * centred[1], first ? 0.0 : -0.1);
@@ -88,15 +128,20 @@ struct RandomContact {
     return values;
   }
 
-  PointKinematics kinematics(const VectorXd& q) const {
+  /// Where the primary normal at xi meets the secondary facet.
+  RayHit projection(const VectorXd& q) const {
     const FacetCoordinates x1 = coordinates(q, true);
-    const FacetCoordinates x2 = coordinates(q, false);
     const ShapeFunctions shape = shape_functions(primary, xi);
     const Eigen::Matrix<double, 3, 2> tangents = x1 * shape.gradient;
     const Vector3d normal = tangents.col(0).cross(tangents.col(1)).normalized();
-    const auto hit = intersect(secondary, x2, x1 * shape.value, normal, 0.5);
+    const auto hit = intersect(secondary, coordinates(q, false), x1 * shape.value, normal, 0.5);
     if (!hit) throw std::runtime_error("the random facets do not face each other");
-    return point_kinematics(shape, x1, shape_functions(secondary, hit->eta), x2);
+    return *hit;
+  }
+
+  PointKinematics kinematics(const VectorXd& q) const {
+    return point_kinematics(shape_functions(primary, xi), coordinates(q, true),
+                            shape_functions(secondary, projection(q).eta), coordinates(q, false));
   }
 
   PointLoads loads(const PointKinematics& point, const VectorXd& q) const {

@@ -1,0 +1,228 @@
+/// Surfaces made of regular grids, flat or disturbed, and contacts between two of them, for the unit tests.
+#pragma once
+
+#include "contact/interface.h"
+#include "random_contact.h"
+
+#include <map>
+#include <utility>
+
+namespace test {
+
+/// A rectangle in a plane z = const, divided into cells of one quadrilateral or two triangles.
+struct Grid {
+  FacetType type = FacetType::quad4;
+  int cells_x = 2;
+  int cells_y = 2;
+  Vector2d low{0, 0};
+  Vector2d high{1, 1};
+  double z = 0;
+  bool faces_up = true;
+};
+
+/// A surface with properties that are the same everywhere, and its nodes' positions.
+struct GridSurface {
+  SurfaceMesh mesh;
+  Matrix3Xd position;
+};
+
+/// An affine map from the parametric domain of a facet to half-cells.
+struct CellPart {
+  Vector2d origin;
+  Vector2d first;
+  Vector2d second;
+};
+
+inline std::vector<CellPart> cell_parts(FacetType type) {
+  if (!is_triangle(type)) return {{{1, 1}, {1, 0}, {0, 1}}};
+  return {{{0, 0}, {2, 0}, {2, 2}}, {{0, 0}, {2, 2}, {0, 2}}};
+}
+
+inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness = 1, double conductance = 1) {
+  GridSurface surface;
+  std::map<std::pair<int, int>, int> numbers;  // of the nodes, by their place in half-cells
+  std::vector<Vector3d> positions;
+  const auto node_at = [&](const Vector2d& half_cells) {
+    const std::pair<int, int> place(static_cast<int>(std::lround(half_cells[0])),
+                                    static_cast<int>(std::lround(half_cells[1])));
+    const auto [entry, added] = numbers.insert({place, static_cast<int>(numbers.size())});
+    if (added) {
+      Vector2d share(place.first / (2.0 * grid.cells_x), place.second / (2.0 * grid.cells_y));
+      if (!grid.faces_up) share[0] = 1 - share[0];  // a mirror image turns the normals round
+      const Vector2d flat = grid.low + share.cwiseProduct(grid.high - grid.low);
+      positions.emplace_back(flat[0], flat[1], grid.z);
+    }
+    return entry->second;
+  };
+  for (int j = 0; j < grid.cells_y; ++j) {
+    for (int i = 0; i < grid.cells_x; ++i) {
+      for (const CellPart& part : cell_parts(grid.type)) {
+        Facet facet;
+        facet.type = grid.type;
+        for (int a = 0; a < node_count(grid.type); ++a) {
+          const Vector2d s = parametric_node(grid.type, a);
+          facet.nodes[static_cast<std::size_t>(a)] =
+              node_at(Vector2d(2 * i, 2 * j) + part.origin + s[0] * part.first + s[1] * part.second);
+        }
+        surface.mesh.facets.push_back(facet);
+      }
+    }
+  }
+  const auto facets = static_cast<Index>(surface.mesh.facets.size());
+  surface.mesh.nodes = static_cast<int>(positions.size());
+  surface.mesh.permeable.assign(surface.mesh.facets.size(), ~FieldMask{0});
+  surface.mesh.stiffness = VectorXd::Constant(facets, stiffness);
+  surface.mesh.conductance = MatrixXd::Constant(fields, facets, conductance);
+  surface.position.resize(3, surface.mesh.nodes);
+  for (int node = 0; node < surface.mesh.nodes; ++node) {
+    surface.position.col(node) = positions[static_cast<std::size_t>(node)];
+  }
+  return surface;
+}
+
+/// The solvent, if asked for, and solutes with the ids 0, 1, ...
+inline Effects effects_of(bool solvent, int solutes) {
+  Effects effects;
+  effects.solvent = solvent;
+  for (int id = 0; id < solutes; ++id) effects.solutes.push_back(id);
+  return effects;
+}
+
+/// Two surfaces, the fields on them, and how they touch.
+struct Scene {
+  PerSide<SurfaceMesh> mesh;
+  PerSide<SurfaceFields> fields;
+  Effects effects;
+  Settings settings;
+
+  Scene(const PerSide<Grid>& grids, const Effects& exchanged, const Settings& chosen = {})
+      : effects(exchanged), settings(chosen) {
+    for (const Side side : both_sides) {
+      const GridSurface surface = grid_surface(grids[side], effects.scalar_fields());
+      mesh[side] = surface.mesh;
+      fields[side] = {surface.position, MatrixXd::Zero(surface.mesh.nodes, effects.scalar_fields())};
+    }
+  }
+
+  PerSide<Matrix3Xd> position() const { return {{fields[Side::primary].position, fields[Side::secondary].position}}; }
+
+  /// Displaces every node at random by up to `size`, and gives every field random values between -1 and 1.
+  void disturb(double size, std::mt19937& random) {
+    for (SurfaceFields& field : fields) {
+      for (Index node = 0; node < field.position.cols(); ++node)
+        field.position.col(node) += random_vector(size, random);
+      field.scalar =
+          MatrixXd::NullaryExpr(field.scalar.rows(), field.scalar.cols(), [&] { return random_vector(1, random)[0]; });
+    }
+  }
+
+  /// Gives a field one value on each side.
+  void set_field(Index field, double primary, double secondary) {
+    fields[Side::primary].scalar.col(field).setConstant(primary);
+    fields[Side::secondary].scalar.col(field).setConstant(secondary);
+  }
+
+  /// The contact, projected at the scene's positions.
+  std::unique_ptr<ContactInterface> contact() const {
+    auto result = std::make_unique<ContactInterface>(mesh, effects, settings);
+    result->project(position());
+    return result;
+  }
+};
+
+/// Facing unit squares (or other rectangles), the secondary one `overlap` deep in the primary one.
+inline PerSide<Grid> facing_grids(FacetType one, FacetType two, double overlap, int cells_one = 2, int cells_two = 2) {
+  Grid primary{one, cells_one, cells_one};
+  Grid secondary{two, cells_two, cells_two};
+  secondary.z = -overlap;
+  secondary.faces_up = false;
+  return {{primary, secondary}};
+}
+
+/// Explicit penalties, so that loads are known.
+inline Settings explicit_settings(double traction, double solvent, double solute) {
+  Settings settings;
+  settings.traction = {false, traction};
+  settings.solvent = {false, solvent};
+  settings.solute = {false, solute};
+  return settings;
+}
+
+/// Numbering of all unknowns of a scene: primary nodes first, each with its displacements and its fields.
+struct GlobalLayout {
+  PerSide<Index> nodes;
+  Index fields;
+
+  explicit GlobalLayout(const Scene& scene)
+      : nodes{{scene.mesh[Side::primary].nodes, scene.mesh[Side::secondary].nodes}},
+        fields(scene.effects.scalar_fields()) {}
+
+  Index per_node() const { return 3 + fields; }
+  Index size() const { return (nodes[Side::primary] + nodes[Side::secondary]) * per_node(); }
+  /// Component 0 to 2: a displacement; 3 + k: field k.
+  Index entry(Side side, Index node, Index component) const {
+    return (node + (side == Side::primary ? 0 : nodes[Side::primary])) * per_node() + component;
+  }
+
+  /// Global entries of a local vector, in its order.
+  std::vector<Index> entries(const ContactInterface::Location& location) const {
+    const LocalLayout& local = location.facets.layout;
+    std::vector<Index> result(static_cast<std::size_t>(local.size()));
+    for (Index a = 0; a < local.nodes(); ++a) {
+      const bool first = a < local.primary_nodes();
+      const Side side = first ? location.first : other(location.first);
+      const Facet& facet = first ? location.facets.primary : location.facets.secondary;
+      const int node = facet.nodes[static_cast<std::size_t>(first ? a : a - local.primary_nodes())];
+      for (Index i = 0; i < 3; ++i) result[static_cast<std::size_t>(local.displacement(a, i))] = entry(side, node, i);
+      for (Index k = 0; k < local.scalar_fields(); ++k) {
+        result[static_cast<std::size_t>(local.scalar(a, k))] =
+            entry(side, node, 3 + location.facets.fields[static_cast<std::size_t>(k)]);
+      }
+    }
+    return result;
+  }
+
+  VectorXd pack(const PerSide<SurfaceFields>& values) const {
+    VectorXd q(size());
+    for (const Side side : both_sides) {
+      for (Index node = 0; node < nodes[side]; ++node) {
+        q.segment<3>(entry(side, node, 0)) = values[side].position.col(node);
+        q.segment(entry(side, node, 3), fields) = values[side].scalar.row(node).transpose();
+      }
+    }
+    return q;
+  }
+
+  PerSide<SurfaceFields> unpack(const VectorXd& q) const {
+    PerSide<SurfaceFields> values;
+    for (const Side side : both_sides) {
+      values[side] = {Matrix3Xd(3, nodes[side]), MatrixXd(nodes[side], fields)};
+      for (Index node = 0; node < nodes[side]; ++node) {
+        values[side].position.col(node) = q.segment<3>(entry(side, node, 0));
+        values[side].scalar.row(node) = q.segment(entry(side, node, 3), fields).transpose();
+      }
+    }
+    return values;
+  }
+};
+
+inline VectorXd assembled_residual(const ContactInterface& contact, const GlobalLayout& layout,
+                                   const PerSide<SurfaceFields>& fields, double dt) {
+  VectorXd sum = VectorXd::Zero(layout.size());
+  contact.residual(fields, dt, [&](const ContactInterface::Location& location, const VectorXd& values) {
+    sum(layout.entries(location)) += values;
+  });
+  return sum;
+}
+
+inline MatrixXd assembled_tangent(const ContactInterface& contact, const GlobalLayout& layout,
+                                  const PerSide<SurfaceFields>& fields, double dt) {
+  MatrixXd sum = MatrixXd::Zero(layout.size(), layout.size());
+  contact.tangent(fields, dt, [&](const ContactInterface::Location& location, const MatrixXd& values) {
+    const std::vector<Index> entries = layout.entries(location);
+    sum(entries, entries) += values;
+  });
+  return sum;
+}
+
+}  // namespace test
