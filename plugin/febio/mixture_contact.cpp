@@ -346,14 +346,24 @@ void FEMixtureContact::relocate_nodes() {
 
 void FEMixtureContact::Update() {
   project();
-  // The bodies have been evaluated already in this pass: ask for it again if an ambient value changed.
+  // Outside of a trial, that is at the start of a step and after an augmentation, the status of nodes is decided here. The bodies
+  // have been evaluated already in this pass: ask for it again if an ambient value changed.
+  if (in_trial_) {
+    in_trial_ = false;
+    return;
+  }
+  decided_iteration_ = -1;
   if (apply_ambient({})) GetFEModel()->SetMeshUpdateFlag(true);
 }
 
 void FEMixtureContact::Update(const std::vector<double>& /*total*/, const std::vector<double>& increment) {
   // Positions are new, pressures and concentrations and the bodies come next: ambient values set here reach them in time.
   project();
-  apply_ambient(increment);
+  in_trial_ = true;
+  // Further trials of a line search keep the status of the first one, so that they evaluate one and the same function.
+  const int iteration = GetFEModel()->GetCurrentStep()->GetFESolver()->m_niter;
+  if (iteration != decided_iteration_) apply_ambient(increment);
+  decided_iteration_ = iteration;
 }
 
 // --------------------------------------------------------------------------------------------------- ambient conditions
@@ -583,6 +593,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     if (!ar.IsSaving()) build_core(std::move(meshes));
   }
   for (std::size_t pass = 0; pass < core_->passes(); ++pass) archive_multipliers(ar, core_->multipliers(pass));
+  if (!ar.IsSaving()) in_trial_ = false;  // a trial that was cut back is over
   if (!ar.IsSaving() && !ar.IsShallow() && !output_registered_) {
     GetFEModel()->AddCallback(on_step_solved, CB_TIMESTEP_SOLVED, this);
     output_registered_ = true;

@@ -85,6 +85,8 @@ class FEMixtureContact : public FEContactInterface {
   int concentration_dof_ = -1;   ///< of solute 0; the others follow
   int concentrations_ = 0;       ///< number of solutes in the model
   bool relocated_ = false;
+  bool in_trial_ = false;       ///< an evaluation of a trial increment is under way
+  int decided_iteration_ = -1;  ///< the iteration whose trials have their ambient status; -1: none
   bool output_registered_ = false;
 
   DECLARE_FECORE_CLASS()
