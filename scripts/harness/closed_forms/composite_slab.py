@@ -24,6 +24,11 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 _NEGLIGIBLE = 45.0
+"""Exponent beyond which a term is below 3e-20."""
+_COINCIDENT = 1e-9
+"""Relative distance below which two poles are one."""
+_BESIDE = 1e-7
+"""Distance from a double pole, where the characteristic function vanishes, relative to the next pole's."""
 
 
 @dataclass(frozen=True)
@@ -99,24 +104,37 @@ def rates(first: Layer, second: Layer, conductance: float, largest: float) -> li
     (a = (m + 1/2) pi, b = m pi) and the next, so there is exactly one root between neighbouring poles; where two poles
     fall together, they are a root as well.
     """
-    poles = _poles(first, second, largest)
     found: list[float] = []
-    arguments = (first, second, conductance)
-    for left, right in pairwise(poles):
-        if right - left <= 1e-9 * right:
-            found.append(right)
-        else:
-            found.append(float(brentq(_characteristic, left, right, args=arguments, xtol=1e-16, rtol=1e-14)))
+    for left, right in pairwise(_poles(first, second, largest)):
+        width = right.rate - left.rate
+        start = left.rate + (_BESIDE * width if left.double else 0.0)
+        stop = right.rate - (_BESIDE * width if right.double else 0.0)
+        arguments = (first, second, conductance)
+        found.append(float(brentq(_characteristic, start, stop, args=arguments, xtol=1e-16, rtol=1e-14)))
+        if right.double:
+            found.append(right.rate)
     return found
 
 
-def _poles(first: Layer, second: Layer, largest: float) -> list[float]:
-    """The poles in ascending order, from lambda = 0 to one interval beyond `largest`."""
+@dataclass(frozen=True)
+class _Pole:
+    rate: float
+    double: bool
+
+
+def _poles(first: Layer, second: Layer, largest: float) -> list[_Pole]:
+    """The poles in ascending order, from lambda = 0 to one interval beyond `largest`; coincident ones as one."""
     tangent = np.pi * np.sqrt(first.diffusivity) / first.thickness
     cotangent = np.pi * np.sqrt(second.diffusivity) / second.thickness
     count = 3 + int(largest / min(tangent, cotangent)) + int(largest / max(tangent, cotangent))
-    poles = np.sort(np.concatenate([(np.arange(count) + 0.5) * tangent, np.arange(count) * cotangent]))
-    return [float(p) for p in poles[: int(np.searchsorted(poles, largest)) + 2]]
+    rates = np.sort(np.concatenate([(np.arange(count) + 0.5) * tangent, np.arange(count) * cotangent]))
+    poles: list[_Pole] = []
+    for rate in rates[: int(np.searchsorted(rates, largest)) + 2]:
+        if poles and rate - poles[-1].rate <= _COINCIDENT * rate:
+            poles[-1] = _Pole(poles[-1].rate, double=True)
+        else:
+            poles.append(_Pole(float(rate), double=False))
+    return poles
 
 
 def _characteristic(rate: float, first: Layer, second: Layer, conductance: float) -> float:

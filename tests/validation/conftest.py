@@ -1,0 +1,51 @@
+"""Fixtures of the model tests: which interface is tested, and a runner that runs each model once a session.
+
+``MIXCONTACT_INTERFACE`` chooses another contact type than ``sliding-mixture``, to see what FEBio's own interfaces do.
+"""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from harness import engine
+from harness.checks import Context
+from harness.errors import EngineNotFoundError, PluginNotFoundError
+from harness.models.interface import Join
+from harness.runner import Runner
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "mixture_only: FEBio's own interfaces cannot do this")
+
+
+@pytest.fixture(scope="session")
+def join() -> Join:
+    """What joins the bodies in this session."""
+    return Join(os.environ.get("MIXCONTACT_INTERFACE", Join.MIXTURE.value))
+
+
+@pytest.fixture(autouse=True)
+def _can_be_tested(request: pytest.FixtureRequest) -> None:
+    if request.node.get_closest_marker("mixture_only") and request.getfixturevalue("join") is not Join.MIXTURE:
+        pytest.skip("only sliding-mixture can do this")
+
+
+@pytest.fixture(scope="session")
+def runner(join: Join, tmp_path_factory: pytest.TempPathFactory) -> Runner:
+    """Runs models, each once a session, also where several processes share the session."""
+    try:
+        engine.find_engine()
+        if join is Join.MIXTURE:
+            engine.required_plugin()
+    except (EngineNotFoundError, PluginNotFoundError) as error:
+        pytest.skip(str(error))
+    base = tmp_path_factory.getbasetemp()
+    return Runner((base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "runs")
+
+
+@pytest.fixture(scope="session")
+def context(runner: Runner, join: Join) -> Context:
+    """What the checks need."""
+    return Context(runner, join)

@@ -1,0 +1,86 @@
+"""The command line."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from harness.models.diffusion import Diffusion
+from harness.models.interface import Join
+from harness.models.parts import Control
+from harness.paths import REPOSITORY
+
+
+def harness(*arguments, **environment):
+    """Run the command line in a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-m", "harness", *map(str, arguments)],
+        env={**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts"), "COLUMNS": "200", **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_models_are_written_and_checked(tmp_path):
+    assert harness("models", "--folder", tmp_path).returncode == 0
+    assert harness("models", "--folder", tmp_path, "--check").returncode == 0
+    (tmp_path / "diffusion.feb").write_text("changed")
+    finished = harness("models", "--folder", tmp_path, "--check")
+    assert finished.returncode == 2
+    assert "diffusion.feb" in finished.stderr
+
+
+def test_without_febio_the_rest_is_done_and_the_reason_given(tmp_path):
+    nothing = {"FEBIO_ROOT": str(tmp_path), "HOME": str(tmp_path), "PATH": str(tmp_path)}
+    finished = harness("validate", "--folder", tmp_path, **nothing)
+    assert finished.returncode == 3
+    said = " ".join(finished.stdout.split())
+    assert "febio4 was not found" in said
+    assert "Left out: diffusion, " in said
+    assert {"validation.json", "figure-3.2.png", "figure-3.3.png"} <= {path.name for path in tmp_path.iterdir()}
+    assert harness("plot", tmp_path / "validation.json").returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("run", "none.feb"), "none.feb: cannot be read"),
+        (("run", "README.md"), "a model file ends in .feb"),
+        (("plot", "none.json"), "cannot read none.json"),
+        (("validate", "--only", "everything"), "'everything' is not one of closed-forms, diffusion"),
+        (("validate", "--interface", "unsplit"), "'unsplit' is what the others are compared with"),
+        (("validate", "--interface", "glue"), "'glue'"),
+    ],
+)
+def test_bad_input_is_explained(arguments, message):
+    finished = harness(*arguments)
+    assert finished.returncode == 2
+    assert message in finished.stderr
+    assert "Traceback" not in finished.stderr
+
+
+def test_a_bar_that_is_missed_is_a_failure(runner, tmp_path):
+    finished = harness(
+        "validate", "--interface", Join.SOLUTE.value, "--only", "orders", "--only", "layers", "--folder", tmp_path
+    )
+    assert finished.returncode == 1
+    assert "missed" in finished.stdout
+
+
+def test_run_reports_what_a_run_took(runner, join, tmp_path):
+    path = Diffusion(join, elements=4, control=Control(5, 200.0)).model().write(tmp_path)
+    finished = harness("run", path)
+    assert finished.returncode == 0
+    assert "normal termination, 5 steps" in finished.stdout
+
+
+def test_run_quotes_febio_where_it_fails(runner, tmp_path):
+    path = Diffusion(Join.UNSPLIT, elements=1, control=Control(5, 200.0)).model().write(tmp_path)
+    path.write_text(path.read_text().replace("<E>10</E>", "<modulus>10</modulus>"))
+    finished = harness("run", path)
+    assert finished.returncode == 2
+    assert "modulus" in finished.stderr

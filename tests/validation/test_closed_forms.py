@@ -1,0 +1,158 @@
+"""The closed forms satisfy the equations they claim to solve; no run is needed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.special import erfc
+
+from harness.closed_forms import (
+    composite_slab,
+    confined_compression,
+    hertz,
+    penalty_leak,
+    steady_convection,
+    transient_diffusion,
+    two_layer_convection,
+)
+
+SLAB = {"height": 2.0, "diffusivity": 5e-4}
+FIRST = composite_slab.Layer(1.0, diffusivity=5e-4, porosity=0.8, solubility=1.0)
+SECOND = composite_slab.Layer(0.7, diffusivity=1.3e-3, porosity=0.6, solubility=0.4)
+CONDUCTANCES = [4e-4, np.inf]
+
+
+def test_transient_diffusion_obeys_its_equation():
+    z, t, dz, dt = np.linspace(-0.9, 0.9, 19), 900.0, 1e-3, 1e-2
+    c = lambda z, t: transient_diffusion.concentration(z, t, **SLAB)  # noqa: E731
+    rate = (c(z, t + dt) - c(z, t - dt)) / (2 * dt)
+    curvature = (c(z + dz, t) - 2 * c(z, t) + c(z - dz, t)) / dz**2
+    np.testing.assert_allclose(rate, SLAB["diffusivity"] * curvature, rtol=1e-5, atol=1e-10)
+
+
+def test_transient_diffusion_at_its_boundaries_and_limits():
+    assert transient_diffusion.concentration(-1.0, 700.0, bath=2.0, **SLAB) == pytest.approx(2.0, abs=1e-14)
+    inside, face = transient_diffusion.concentration([1.0 - 1e-5, 1.0], 700.0, **SLAB)
+    assert inside - face == pytest.approx(0.0, abs=1e-9)
+    assert transient_diffusion.concentration(1.0, 1e6, **SLAB) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_transient_diffusion_starts_like_a_half_space():
+    depth, t = np.linspace(0.0, 0.5, 11), 2.0
+    expected = erfc(depth / (2 * np.sqrt(SLAB["diffusivity"] * t)))
+    np.testing.assert_allclose(transient_diffusion.concentration(depth - 1.0, t, **SLAB), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize(("z", "t"), [(0.0, 0.0), (0.0, -1.0), (1.1, 1.0)])
+def test_transient_diffusion_refuses_what_it_cannot_answer(z, t):
+    with pytest.raises(ValueError, match=r"must"):
+        transient_diffusion.concentration(z, t, **SLAB)
+
+
+@pytest.mark.parametrize("peclet", [-30.0, -1.0, 0.0, 1e-8, 1.0, 10.0, 2000.0])
+def test_steady_convection_between_its_faces(peclet):
+    ends = steady_convection.concentration([-1.0, 1.0], height=2.0, peclet=peclet, upstream=0.9, downstream=0.2)
+    np.testing.assert_allclose(ends, [0.9, 0.2], rtol=1e-13)
+
+
+@pytest.mark.parametrize("peclet", [-3.0, 1e-8, 1.0, 10.0])
+def test_steady_convection_has_one_flux(peclet):
+    z, dz = np.linspace(-0.95, 0.95, 39), 1e-4
+    c = lambda z: steady_convection.concentration(z, height=2.0, peclet=peclet)  # noqa: E731
+    flux = peclet / 2.0 * c(z) - (c(z + dz) - c(z - dz)) / (2 * dz)
+    np.testing.assert_allclose(flux, flux[0], rtol=1e-6)
+
+
+def test_peclet_numbers_of_the_paper():
+    for expected, drop in ((0.0, 0.0), (1.0, 0.4), (10.0, 4.0)):
+        found = steady_convection.peclet(pressure_drop=drop, permeability=1e-3, diffusivity=5e-4, porosity=0.8)
+        assert found == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.parametrize("conductance", CONDUCTANCES)
+def test_composite_slab_obeys_its_equations(conductance):
+    t, s = 400.0, 1e-4
+    c = lambda z: composite_slab.concentration(np.asarray(z), t, FIRST, SECOND, conductance)  # noqa: E731
+    below, above = c([1.0 - s, 1.0]), c([1.0 + 1e-12, 1.0 + s])
+    j1 = -FIRST.capacity * FIRST.diffusivity * (below[1] - below[0]) / s
+    j2 = -SECOND.capacity * SECOND.diffusivity * (above[1] - above[0]) / s
+    assert j1 == pytest.approx(j2, rel=1e-3)
+    assert below[1] - above[0] == pytest.approx(j1 / conductance, rel=1e-3, abs=1e-9)
+    assert c([0.0])[0] == pytest.approx(1.0, abs=1e-13)
+
+
+@pytest.mark.parametrize("conductance", CONDUCTANCES)
+def test_composite_slab_starts_empty_and_ends_full(conductance):
+    z = np.linspace(0.05, 1.7, 34)
+    early = composite_slab.concentration(z, 0.02, FIRST, SECOND, conductance)
+    late = composite_slab.concentration(z, 1e6, FIRST, SECOND, conductance)
+    np.testing.assert_allclose(early, 0.0, atol=1e-9)
+    np.testing.assert_allclose(late, 1.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("cut", [0.3, 1.0, 1.5])
+def test_composite_slab_of_one_material_is_a_slab(cut):
+    z = np.linspace(0.0, 2.0, 41)
+    first = composite_slab.Layer(cut, diffusivity=5e-4, porosity=0.8, solubility=0.7)
+    second = composite_slab.Layer(2.0 - cut, diffusivity=5e-4, porosity=0.8, solubility=0.7)
+    expected = transient_diffusion.concentration(z - 1.0, 300.0, **SLAB)
+    np.testing.assert_allclose(composite_slab.concentration(z, 300.0, first, second), expected, atol=1e-12)
+
+
+def test_composite_slab_finds_every_root_where_poles_coincide():
+    """With L1/sqrt(d1) = 1 and L2/sqrt(d2) = 2 each pole of tan a is one of cot b."""
+    first = composite_slab.Layer(1.0, diffusivity=1.0, porosity=1.0, solubility=1.0)
+    second = composite_slab.Layer(2.0, diffusivity=1.0, porosity=1.0, solubility=1.0)
+    z = np.linspace(0.0, 3.0, 31)
+    expected = transient_diffusion.concentration(z - 1.5, 0.1, height=3.0, diffusivity=1.0)
+    np.testing.assert_allclose(composite_slab.concentration(z, 0.1, first, second), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("conductance", CONDUCTANCES)
+@pytest.mark.parametrize("flux", [-3e-4, 0.0, 4e-4])
+def test_two_layer_convection_between_its_faces_and_over_the_interface(conductance, flux):
+    first = two_layer_convection.Layer(1.0, 5e-4, 5e-4, porosity=0.8, solubility=1.0)
+    second = two_layer_convection.Layer(0.7, 3e-4, 9e-4, porosity=0.6, solubility=0.4)
+    given = two_layer_convection.Conditions(flux, 0.9, 0.2, conductance)
+    j = two_layer_convection.solute_flux(first, second, given)
+    ends = two_layer_convection.concentration([0.0, 1.0, 1.0 + 1e-12, 1.7], first, second, given)
+    np.testing.assert_allclose(ends[[0, 3]], [0.9, 0.2], rtol=1e-9)
+    assert ends[1] - ends[2] == pytest.approx(j / conductance, rel=1e-6, abs=1e-9)
+
+
+def test_leak_is_that_of_layers_without_convection():
+    first = two_layer_convection.Layer(1.0, 5e-4, 5e-4, porosity=0.8, solubility=1.0)
+    given = two_layer_convection.Conditions(0.0, 1.0, 0.0, 4e-4)
+    jump = two_layer_convection.solute_flux(first, first, given) / given.conductance
+    resistance = first.thickness / first.conductance
+    assert penalty_leak.relative_jump((resistance, resistance), 4e-4) == pytest.approx(jump, rel=1e-13)
+    assert jump == pytest.approx(1.0 / 3.0, rel=1e-13)
+
+
+def test_confined_compression_is_consistent():
+    data = {"load": 1e-3, "modulus": 2.0, "height": 1.5}
+    zeta, tau, s = np.linspace(0.1, 0.9, 9), 0.2, 1e-4
+    u = lambda zeta, tau: confined_compression.displacement(zeta, tau, **data)  # noqa: E731
+    curvature = (u(zeta + s, tau) - 2 * u(zeta, tau) + u(zeta - s, tau)) / s**2
+    rate = (u(zeta, tau + s) - u(zeta, tau - s)) / (2 * s)
+    np.testing.assert_allclose(rate, curvature, rtol=1e-4, atol=1e-12)
+    strain = (u(zeta + s, tau) - u(zeta - s, tau)) / (2 * s) / data["height"]
+    pressure = confined_compression.fluid_pressure(zeta, tau, load=data["load"])
+    np.testing.assert_allclose(pressure, data["load"] - data["modulus"] * strain, rtol=1e-6, atol=1e-12)
+
+
+def test_confined_compression_at_its_limits():
+    data = {"load": 1e-3, "modulus": 2.0, "height": 1.5}
+    final = data["load"] / data["modulus"] * data["height"]
+    assert confined_compression.displacement(1.0, 50.0, **data) == pytest.approx(final, rel=1e-13)
+    early = confined_compression.displacement(1.0, 1e-4, **data)
+    assert early == pytest.approx(final * 2 * np.sqrt(1e-4 / np.pi), rel=1e-3)
+
+
+def test_hertz_pressure_carries_the_force():
+    modulus = hertz.combined_modulus((1.0, 0.3), (2.0, 0.4))
+    a = hertz.half_width(0.1, 3.0, modulus)
+    x = a * np.sin(np.linspace(-np.pi / 2, np.pi / 2, 2001))
+    carried = np.trapezoid(hertz.pressure(x, 0.1, 3.0, modulus), x)
+    assert carried == pytest.approx(0.1, rel=1e-5)
+    assert hertz.pressure(1.1 * a, 0.1, 3.0, modulus) == 0.0

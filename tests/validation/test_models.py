@@ -1,0 +1,162 @@
+"""Models and their files; no run is needed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from lxml import etree
+
+from harness import catalogue, compare, febfile
+from harness.errors import ModelError
+from harness.models.bath import Apart, HalfWet
+from harness.models.diffusion import Diffusion
+from harness.models.interface import PAPER, Join, automatic
+from harness.models.mesh import Layer, Section, cut_column, glued_column
+from harness.models.parts import Control, Param, fix
+from harness.models.patches import Patches
+from harness.paths import MODELS
+
+LAYERS = [Layer("a", "m", 1.0, 3), Layer("b", "m", 0.5, 2), Layer("c", "m", 2.0, 1)]
+SECTION = Section((2.0, 1.0), (3, 2))
+
+
+def volumes(mesh):
+    """Signed volume of each hexahedron, from its edges at the first node."""
+    corner = [mesh.nodes[part.elements - 1] for part in mesh.parts]
+    found = [np.linalg.det(np.stack([x[:, k] - x[:, 0] for k in (1, 3, 4)], axis=1)) for x in corner]
+    return np.concatenate(found)
+
+
+@pytest.mark.parametrize("build", [cut_column, glued_column])
+def test_columns_fill_their_space(build):
+    mesh = build(LAYERS, bottom=-1.0, section=SECTION)
+    assert np.all(volumes(mesh) > 0.0)
+    assert volumes(mesh).sum() == pytest.approx(2.0 * 3.5)
+    assert mesh.nodes[:, 2].min() == -1.0
+    assert mesh.nodes[:, 2].max() == pytest.approx(2.5)
+
+
+@pytest.mark.parametrize("build", [cut_column, glued_column])
+def test_surfaces_face_outwards(build):
+    mesh = build(LAYERS, bottom=0.0, section=SECTION)
+    for name, facets in mesh.surfaces.items():
+        x = mesh.nodes[facets - 1]
+        normal = np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0])
+        assert np.all(normal[:, 2] > 0.0) == name.endswith("top"), name
+
+
+def test_a_glued_column_has_the_nodes_of_the_cut_one():
+    cut, glued = (build(LAYERS, bottom=0.0, section=SECTION) for build in (cut_column, glued_column))
+    same = compare.counterparts(cut, glued)
+    np.testing.assert_allclose(cut.nodes, glued.nodes[same], atol=1e-12)
+    assert len(cut.nodes) - len(glued.nodes) == 2 * 12
+    assert set(same) == set(range(len(glued.nodes)))
+    for name in ("bottom", "top", "b-top", "c-bottom"):
+        assert set(same[cut.node_sets[name] - 1] + 1) == set(glued.node_sets[name])
+
+
+def test_facing_nodes_are_at_one_place():
+    mesh = cut_column(LAYERS, bottom=0.0, section=SECTION)
+    below, above = compare.facing(mesh, "a/b")
+    np.testing.assert_allclose(mesh.nodes[below - 1], mesh.nodes[above - 1])
+
+
+@pytest.mark.parametrize(("thickness", "elements"), [(0.0, 1), (-1.0, 2), (1.0, 0)])
+def test_a_layer_needs_a_size(thickness, elements):
+    with pytest.raises(ModelError, match="'thin' needs a size"):
+        cut_column([Layer("thin", "m", thickness, elements)], bottom=0.0)
+
+
+def test_committed_models_are_what_the_generator_writes():
+    assert catalogue.outdated(MODELS) == []
+
+
+@pytest.mark.parametrize("model", catalogue.models(), ids=lambda model: model.name)
+def test_model_files_say_what_a_reader_needs(model):
+    head = model.text().split("-->")[0]
+    for words in ("Units: mm, N, s, nmol", f"models/{model.name}.feb", "-import build/lib/libFEBioMixtureContact.so"):
+        assert words in head
+    assert max(map(len, head.splitlines())) <= 121
+
+
+@pytest.mark.parametrize("join", list(Join))
+def test_the_interface_is_a_parameter(join):
+    root = etree.fromstring(Diffusion(join, PAPER, elements=2).model().text().encode())
+    types = [contact.get("type") for contact in root.iter("contact")]
+    assert types == ([join.value] if join.is_contact else [])
+    module = root.find("Module")
+    assert module is not None
+    assert module.get("type") == join.module
+
+
+def test_only_the_settings_that_are_given_are_written():
+    contact = Diffusion(Join.MIXTURE, elements=1).model().contacts[0]
+    assert contact.params == ()
+    contact = Diffusion(Join.MIXTURE, automatic(10.0), elements=1).model().contacts[0]
+    assert {p.tag: p.value for p in contact.params} == {
+        "laugon": "PENALTY",
+        "auto_penalty": True,
+        "penalty": 10.0,
+        "pressure_penalty": 10.0,
+        "concentration_penalty": 10.0,
+    }
+
+
+@pytest.mark.parametrize("module", ["solute", "multiphasic"])
+def test_the_scenes_are_complete(module):
+    join = Join.MULTIPHASIC if module == "multiphasic" else Join.SOLUTE
+    for scene in (Apart(join), HalfWet(join), Patches(join), Patches(join, divided=False)):
+        assert "<SurfacePair" in scene.model().text()
+
+
+def test_names_that_lead_nowhere_are_refused():
+    model = Diffusion(Join.MIXTURE, elements=1).model()
+    with pytest.raises(ModelError, match=r"refers to 'roof'; there is .*bottom"):
+        replace(model, conditions=(fix("roof", "z"),)).text()
+    with pytest.raises(ModelError, match="module 'salt' is not one of biphasic, solute, multiphasic"):
+        replace(model, module="salt").text()
+    contact = replace(model.contacts[0], params=(Param("ambient_pressure", 1.0, 3),))
+    with pytest.raises(ModelError, match=r"<ambient_pressure> = 1 refers to load curve 3, but there are 0"):
+        replace(model, contacts=(contact,)).text()
+
+
+def test_a_model_file_is_read_back(tmp_path):
+    path = Diffusion(Join.MIXTURE, elements=1, control=Control(7, 2.5)).model().write(tmp_path)
+    file = febfile.inspect(path)
+    assert (file.module, file.contacts, file.end) == ("solute", ("sliding-mixture",), 17.5)
+
+
+MODEL = '<febio_spec version="4.0"><Module type="solute"/>{}</febio_spec>'
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "is not XML"),
+        ("<febio_spec version='4.0'><Module></febio_spec>", "is not XML"),
+        ("<model/>", "line 1: the root is <model>; a model has <febio_spec>"),
+        ("<febio_spec version='2.5'/>", "version='2.5'>; the plugin is for version 4.0"),
+        ("<febio_spec version='4.0'/>", "has no <Module type="),
+        (MODEL.format("<Contact><contact surface_pair='a'/></Contact>"), "<contact> has no type"),
+        (
+            MODEL.format("<Contact><contact type='sliding-mixture' surface_pair='a'/></Contact>"),
+            "'a', which does not exist",
+        ),
+        (MODEL.format("<Control><time_steps>ten</time_steps></Control>"), "<time_steps> is 'ten'; a number is needed"),
+    ],
+)
+def test_bad_model_files_are_explained(tmp_path, text, message):
+    path = tmp_path / "bad.feb"
+    path.write_text(text)
+    with pytest.raises(ModelError, match=message.replace("(", r"\(")) as raised:
+        febfile.inspect(path)
+    assert str(path) in str(raised.value)
+
+
+def test_missing_and_misnamed_model_files_are_explained(tmp_path):
+    with pytest.raises(ModelError, match="cannot be read"):
+        febfile.inspect(tmp_path / "none.feb")
+    with pytest.raises(ModelError, match=r"ends in \.feb"):
+        febfile.inspect(tmp_path / "none.xml")
