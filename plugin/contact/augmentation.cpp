@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mixture_contact {
 namespace {
@@ -21,12 +22,12 @@ struct GapSums {
     gap += area * std::pow(base * jump, 2);
     load += area * value * value;
     size += area * std::pow(base * field, 2);
-    largest = std::max(largest, std::abs(jump));
+    largest = larger(largest, std::abs(jump));
   }
 
   FieldGap field_gap() const {
     const double scale = std::max(std::sqrt(load), rounding_fraction * std::sqrt(size));
-    return {scale > 0 ? std::sqrt(gap) / scale : 0.0, largest};
+    return {std::sqrt(gap) / (scale == 0 ? 1 : scale), largest};  // nothing over nothing is no gap; NaN stays NaN
   }
 };
 
@@ -39,10 +40,12 @@ bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
          (tolerance.largest <= 0 || gap.largest <= tolerance.largest);
 }
 
-/// The factor on a penalty after a growth step, at most what brings the smallest penalty to `accurate` times its base.
-double grown(double growth, double penalty, double base, double accurate) {
-  if (!(penalty > 0)) return growth;
-  return std::max(growth, std::min(growth * growth_step, accurate * base / penalty));
+/// The factor on a field's penalties after a growth step, at most what brings the smallest penalty to `accurate` times the
+/// largest base. Facets without a penalty (sealed ones) have no say.
+double grown(double growth, const VectorXd& penalties, const VectorXd& bases, double accurate) {
+  const double none = std::numeric_limits<double>::infinity();
+  const double penalty = (penalties.array() > 0).select(penalties, none).minCoeff();
+  return std::max(growth, std::min(growth * growth_step, accurate * bases.maxCoeff() / penalty));
 }
 
 }  // namespace
@@ -55,7 +58,9 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
   pass.for_each_contact(primary, secondary, 1.0, [&](const PointContact& contact) {
     const Index facet = contact.pair->primary_facet;
     const double area = contact.loads.weight * contact.kinematics.area;
-    traction.add(area, base.stiffness[facet], contact.kinematics.gap, contact.loads.traction.value, std::sqrt(area));
+    // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
+    const double gap = contact.loads.traction.value < 0 ? contact.kinematics.gap : 0.0;
+    traction.add(area, base.stiffness[facet], gap, contact.loads.traction.value, std::sqrt(area));
     const PairVector h = contact.kinematics.jump_weights();
     for (std::size_t k = 0; k < contact.fields.size(); ++k) {
       const auto column = contact.values.col(static_cast<Index>(k));
@@ -95,14 +100,13 @@ void grow_penalties(ContactPass& pass, const GapReport& report, const Tolerances
   const Penalties& penalty = pass.penalty();
   Multipliers& state = pass.multipliers;
   if (!within(report.traction, tolerances.traction)) {
-    state.traction_growth = grown(state.traction_growth, penalty.traction.minCoeff(), penalty.stiffness.maxCoeff(),
-                                  default_traction_factor);
+    state.traction_growth = grown(state.traction_growth, penalty.traction, penalty.stiffness, default_traction_factor);
   }
   for (std::size_t k = 0; k < report.flux.size(); ++k) {
     const auto field = static_cast<Index>(k);
     if (within(report.flux[k], tolerance_of_flux(tolerances, effects, k))) continue;
-    state.flux_growth[field] = grown(state.flux_growth[field], penalty.flux.row(field).minCoeff(),
-                                     penalty.conductance.row(field).maxCoeff(), default_flux_factor);
+    state.flux_growth[field] = grown(state.flux_growth[field], penalty.flux.row(field).transpose(),
+                                     penalty.conductance.row(field).transpose(), default_flux_factor);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "pass.h"
 
+#include <cmath>
 #include <vector>
 
 namespace mixture_contact {
@@ -18,6 +19,9 @@ struct GapReport {
   FieldGap traction;
   std::vector<FieldGap> flux;
 };
+
+/// The larger of two values; not a number if one of them is none, so that a failed evaluation never looks converged.
+inline double larger(double one, double other) { return one > other || std::isnan(one) ? one : other; }
 
 /// Gaps and jumps of the points in contact at the current state.
 ///

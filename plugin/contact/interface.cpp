@@ -25,8 +25,8 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
 }
 
 void keep_worst(FieldGap& worst, const FieldGap& gap) {
-  worst.relative = std::max(worst.relative, gap.relative);
-  worst.largest = std::max(worst.largest, gap.largest);
+  worst.relative = larger(worst.relative, gap.relative);
+  worst.largest = larger(worst.largest, gap.largest);
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, co
   for (Index f = 0; f < facets; ++f) {
     result.stiffness[f] = in_series(primary.stiffness[f], secondary_stiffness);
     result.traction[f] = apply(settings.traction, result.stiffness[f]);
+    // Two rigid sides have no elements to measure gaps against: an explicit penalty stands in for their stiffness.
+    if (std::isinf(result.stiffness[f])) result.stiffness[f] = result.traction[f];
   }
   for (Index k = 0; k < fields; ++k) {
     const double secondary_conductance = harmonic_mean(secondary.conductance.row(k).transpose());

@@ -10,7 +10,7 @@ namespace mixture_contact {
 struct Penalties {
   VectorXd traction;        ///< eps_n per facet [N/mm^3]
   MatrixXd flux;            ///< eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
-  VectorXd stiffness;       ///< stiffness of the adjoining elements per facet [N/mm^3]
+  VectorXd stiffness;       ///< stiffness of the adjoining elements per facet (between rigid bodies: the penalty) [N/mm^3]
   MatrixXd conductance;     ///< conductance of the adjoining elements per (field, facet), units of flux
 };
 
