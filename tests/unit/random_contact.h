@@ -94,12 +94,12 @@ struct RandomContact {
     std::uniform_real_distribution<double> unit(-1, 1);
     const auto noise = [&](double size) { return size * unit(random); };
     unknowns.resize(layout.size());
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(noise(0.5), Vector3d(noise(1), noise(1), 1).normalized()).toRotationMatrix();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(noise(0.5), Vector3d(noise(1), noise(1), 1).normalized())
+                                     .toRotationMatrix();
     for (Index node = 0; node < layout.nodes(); ++node) {
       const bool first = node < layout.primary_nodes();
-      const Vector2d s =
-          parametric_node(first ? one : two, static_cast<int>(first ? node : node - layout.primary_nodes()));
+      const Vector2d s = parametric_node(first ? one : two,
+                                         static_cast<int>(first ? node : node - layout.primary_nodes()));
       const Vector2d centred = s - parametric_centre(first ? one : two);
       const double size = first ? 1.0 : 1.6;
       Vector3d x(size * centred[0], size * (first ? 1 : -1) * centred[1], first ? 0.0 : -0.1);

@@ -61,8 +61,8 @@ inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness =
         facet.type = grid.type;
         for (int a = 0; a < node_count(grid.type); ++a) {
           const Vector2d s = parametric_node(grid.type, a);
-          facet.nodes[static_cast<std::size_t>(a)] =
-              node_at(Vector2d(2 * i, 2 * j) + part.origin + s[0] * part.first + s[1] * part.second);
+          facet.nodes[static_cast<std::size_t>(a)] = node_at(Vector2d(2 * i, 2 * j) + part.origin + s[0] * part.first +
+                                                             s[1] * part.second);
         }
         surface.mesh.facets.push_back(facet);
       }
@@ -111,8 +111,8 @@ struct Scene {
     for (SurfaceFields& field : fields) {
       for (Index node = 0; node < field.position.cols(); ++node)
         field.position.col(node) += random_vector(size, random);
-      field.scalar =
-          MatrixXd::NullaryExpr(field.scalar.rows(), field.scalar.cols(), [&] { return random_vector(1, random)[0]; });
+      field.scalar = MatrixXd::NullaryExpr(field.scalar.rows(), field.scalar.cols(),
+                                           [&] { return random_vector(1, random)[0]; });
     }
   }
 
@@ -175,8 +175,8 @@ struct GlobalLayout {
       const int node = facet.nodes[static_cast<std::size_t>(first ? a : a - local.primary_nodes())];
       for (Index i = 0; i < 3; ++i) result[static_cast<std::size_t>(local.displacement(a, i))] = entry(side, node, i);
       for (Index k = 0; k < local.scalar_fields(); ++k) {
-        result[static_cast<std::size_t>(local.scalar(a, k))] =
-            entry(side, node, 3 + location.facets.fields[static_cast<std::size_t>(k)]);
+        result[static_cast<std::size_t>(local.scalar(a, k))] = entry(
+            side, node, 3 + location.facets.fields[static_cast<std::size_t>(k)]);
       }
     }
     return result;

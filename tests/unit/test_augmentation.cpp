@@ -8,9 +8,12 @@ using namespace test;
 
 namespace {
 
+constexpr Tolerances::Field off{0, 0};
+
 /// Unit squares that overlap by 1/16 with a jump in the solvent and one solute.
 Scene loaded_scene() {
-  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625), effects_of(true, 1), explicit_settings(4, 2, 8));
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625), effects_of(true, 1),
+              explicit_settings(4, 2, 8));
   scene.set_field(0, 0.5, 0.25);
   scene.set_field(1, 1, 3);
   return scene;
@@ -27,8 +30,8 @@ PerSide<Matrix3Xd> positions(const PerSide<SurfaceFields>& fields) {
   return {{fields[Side::primary].position, fields[Side::secondary].position}};
 }
 
-/// Two conductors in series whose ends next to each other are the two surfaces of a contact, for one solute. Conductance of the
-/// first 3, of the second 0.75, area 1, values at the far ends 1 and 0; no storage.
+/// Two conductors in series whose ends next to each other are the two surfaces of a contact, for one solute.
+/// Conductance of the first 3, of the second 0.75, area 1, values at the far ends 1 and 0; no storage.
 struct Conductors {
   static constexpr double first = 3;
   static constexpr double second = 0.75;
@@ -37,11 +40,12 @@ struct Conductors {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
 
-  explicit Conductors(double penalty_over_conductance) : scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.01), effects_of(false, 1)) {
+  explicit Conductors(double penalty_over_conductance)
+      : scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.01), effects_of(false, 1)) {
     scene.mesh[Side::primary].conductance.setConstant(first);
     scene.mesh[Side::secondary].conductance.setConstant(second);
     scene.settings.solute = {false, penalty_over_conductance * in_series_of_both};
-    scene.settings.tolerances = {0, 0, 0, 1e-10};
+    scene.settings.tolerances = {off, off, {0, 1e-10}};
     contact = scene.contact();
   }
 
@@ -63,7 +67,8 @@ struct Conductors {
   double jump() const { return contact->gaps(scene.fields).flux[0].largest; }
 };
 
-/// Scene in other units: lengths, pressures and concentrations (then moles per volume) multiplied by the factors; time is kept.
+/// Scene in other units: lengths, pressures and concentrations (then moles per volume) multiplied by the factors; time
+/// is kept.
 Scene in_units(const Scene& scene, double length, double pressure, double concentration) {
   Scene scaled = scene;
   for (const Side side : both_sides) {
@@ -97,7 +102,7 @@ BOOST_AUTO_TEST_CASE(multipliers_take_over_the_load) {
 
 BOOST_AUTO_TEST_CASE(a_second_augmentation_adds_the_load_of_the_remaining_gap) {
   Scene scene = loaded_scene();
-  scene.settings.tolerances = {0, 0, 0, 0};  // everything converged: no growth
+  scene.settings.tolerances = {off, off, off};  // everything converged: no growth
   const auto contact = scene.contact();
   contact->augment(scene.fields);
   contact->augment(scene.fields);
@@ -197,7 +202,7 @@ BOOST_AUTO_TEST_CASE(growth_stops_at_the_accurate_penalty_and_never_shrinks) {
 
 BOOST_AUTO_TEST_CASE(fields_that_meet_their_tolerance_keep_their_penalty) {
   Scene scene = loaded_scene();
-  scene.settings.tolerances = {0, 1e-3, 1, 1e-3};  // gap and solute miss theirs, the solvent does not
+  scene.settings.tolerances = {{0, 1e-3}, {0, 1}, {0, 1e-3}};  // gap and solute miss theirs, the solvent does not
   const auto contact = scene.contact();
   contact->augment(scene.fields);
   BOOST_TEST(contact->multipliers(0).traction_growth == 10.0);
@@ -263,7 +268,7 @@ BOOST_AUTO_TEST_CASE(no_gap_and_no_load_is_a_gap_of_zero) {
     const GapReport report = contact->gaps(scene.fields);
     BOOST_TEST(report.traction.relative == 0.0);
     BOOST_TEST(report.traction.largest == 0.0);
-    for (const FieldGap& gap : report.flux) BOOST_TEST(gap.relative <= scene.settings.tolerances.relative);
+    for (const FieldGap& gap : report.flux) BOOST_TEST(gap.relative <= scene.settings.tolerances.solute.relative);
     for (const FieldGap& gap : report.flux) BOOST_TEST(gap.largest <= rounding * value);
     BOOST_TEST(contact->converged(report));
   }
@@ -291,29 +296,52 @@ BOOST_AUTO_TEST_CASE(nothing_in_contact_is_converged) {
 BOOST_AUTO_TEST_CASE(each_tolerance_guards_its_own_field) {
   const Effects effects = effects_of(true, 1);
   const GapReport report{{0.1, 1}, {{0.2, 2}, {0.3, 3}}};
-  BOOST_TEST(meets(report, {0, 0, 0, 0}, effects));
-  BOOST_TEST(meets(report, {0.3, 1, 2, 3}, effects));
-  BOOST_TEST(!meets(report, {0.29, 0, 0, 0}, effects));
-  BOOST_TEST(!meets(report, {0, 0.99, 0, 0}, effects));
-  BOOST_TEST(!meets(report, {0, 0, 1.99, 0}, effects));
-  BOOST_TEST(!meets(report, {0, 0, 0, 2.99}, effects));
-  BOOST_TEST(meets(report, {0, 0, 1, 3}, effects_of(false, 2)));   // without a solvent both fields are solutes
-  BOOST_TEST(!meets(report, {0, 0, 2, 1.9}, effects_of(false, 2)));
+  BOOST_TEST(meets(report, {off, off, off}, effects));
+  BOOST_TEST(meets(report, {{0.1, 1}, {0.2, 2}, {0.3, 3}}, effects));
+  BOOST_TEST(!meets(report, {{0.09, 0}, off, off}, effects));
+  BOOST_TEST(!meets(report, {{0, 0.9}, off, off}, effects));
+  BOOST_TEST(!meets(report, {off, {0.19, 0}, off}, effects));
+  BOOST_TEST(!meets(report, {off, {0, 1.9}, off}, effects));
+  BOOST_TEST(!meets(report, {off, off, {0.29, 0}}, effects));
+  BOOST_TEST(!meets(report, {off, off, {0, 2.9}}, effects));
+  // Without a solvent both fields are solutes.
+  BOOST_TEST(meets(report, {off, {0, 0.1}, {0, 3}}, effects_of(false, 2)));
+  BOOST_TEST(!meets(report, {off, off, {0, 1.9}}, effects_of(false, 2)));
 }
 
 BOOST_AUTO_TEST_CASE(a_gap_that_is_not_a_number_is_never_converged) {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
-  BOOST_TEST(!meets({{not_a_number, 0}, {}}, {1e-3, 0, 0, 0}, effects_of(false, 0)));
-  BOOST_TEST(!meets({{0, 0}, {{0, not_a_number}}}, {0, 0, 0, 1}, effects_of(false, 1)));
+  BOOST_TEST(!meets({{not_a_number, 0}, {}}, {{1e-3, 0}, off, off}, effects_of(false, 0)));
+  BOOST_TEST(!meets({{0, 0}, {{0, not_a_number}}}, {off, off, {0, 1}}, effects_of(false, 1)));
 }
 
-BOOST_AUTO_TEST_CASE(a_gap_between_rigid_bodies_is_measured_without_dividing_infinities) {
+BOOST_AUTO_TEST_CASE(fields_that_are_not_numbers_are_never_converged) {
+  for (const bool two_pass : {false, true}) {
+    Scene scene = loaded_scene();
+    scene.settings.two_pass = two_pass;
+    scene.fields[Side::primary].scalar(0, 1) = std::numeric_limits<double>::quiet_NaN();
+    const auto contact = scene.contact();
+    const GapReport report = contact->gaps(scene.fields);
+    BOOST_TEST(std::isnan(report.flux[1].relative));
+    BOOST_TEST(std::isnan(report.flux[1].largest));
+    BOOST_TEST(std::isfinite(report.flux[0].relative));
+    BOOST_TEST(!contact->converged(report));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_that_touch_without_a_load_are_converged) {
+  const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, -1e-11), effects_of(false, 0));
+  const GapReport report = report_of(scene);
+  BOOST_TEST(report.traction.relative == 0.0);
+  BOOST_TEST(report.traction.largest == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(gaps_between_rigid_bodies_are_measured_against_the_penalty) {
   Scene scene = loaded_scene();
   for (const Side side : both_sides) scene.mesh[side].stiffness.setConstant(std::numeric_limits<double>::infinity());
   const auto contact = scene.contact();
-  BOOST_TEST(!std::isnan(contact->gaps(scene.fields).traction.relative));
-  const Scene touching(facing_grids(FacetType::quad4, FacetType::quad4, 0), effects_of(false, 0), explicit_settings(4, 0, 0));
-  Scene rigid = touching;
-  for (const Side side : both_sides) rigid.mesh[side].stiffness.setConstant(std::numeric_limits<double>::infinity());
-  BOOST_TEST(report_of(rigid).traction.relative == 0.0);
+  check_close(contact->gaps(scene.fields).traction.relative, 1, rounding);
+  contact->augment(scene.fields);
+  contact->multipliers(0).traction_growth = 1;
+  check_close(contact->gaps(scene.fields).traction.relative, 0.5, rounding);  // the load has doubled
 }

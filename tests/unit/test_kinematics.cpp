@@ -54,8 +54,8 @@ BOOST_AUTO_TEST_CASE(variations_match_differences_for_every_pair_of_facets) {
   double worst = 0;
   for_every_pair(1, [&](const RandomContact& contact) {
     const MatrixXd exact = exact_variations(contact);
-    const MatrixXd approximate =
-        differences([&](const VectorXd& q) { return quantities(contact, q); }, contact.unknowns);
+    const MatrixXd approximate = differences([&](const VectorXd& q) { return quantities(contact, q); },
+                                             contact.unknowns);
     for (const auto& [first, count] : rows) {
       const double error = relative_error(approximate.middleRows(first, count), exact.middleRows(first, count));
       worst = std::max(worst, error);

@@ -33,7 +33,8 @@ void tangent_of(const ContactPass& pass, const Scene& scene,
 /// Number of integration points in contact.
 int contacts(const ContactPass& pass, const Scene& scene) {
   int count = 0;
-  pass.for_each_contact(scene.fields[Side::primary], scene.fields[Side::secondary], dt, [&](const PointContact&) { ++count; });
+  pass.for_each_contact(scene.fields[Side::primary], scene.fields[Side::secondary], dt,
+                        [&](const PointContact&) { ++count; });
   return count;
 }
 
@@ -82,11 +83,12 @@ BOOST_AUTO_TEST_CASE(every_point_of_facing_surfaces_finds_the_point_opposite) {
       const ContactPass pass = pass_of(scene);
       BOOST_TEST(static_cast<Index>(pass.pairs().size()) == pass.points());
       int found = 0;
-      pass.for_each_contact(scene.fields[Side::primary], scene.fields[Side::secondary], dt, [&](const PointContact& contact) {
-        ++found;
-        BOOST_TEST(std::abs(contact.kinematics.gap + 0.0625) <= rounding);
-        BOOST_TEST((contact.kinematics.normal - Vector3d(0, 0, 1)).norm() <= rounding);
-      });
+      pass.for_each_contact(scene.fields[Side::primary], scene.fields[Side::secondary], dt,
+                            [&](const PointContact& contact) {
+                              ++found;
+                              BOOST_TEST(std::abs(contact.kinematics.gap + 0.0625) <= rounding);
+                              BOOST_TEST((contact.kinematics.normal - Vector3d(0, 0, 1)).norm() <= rounding);
+                            });
       BOOST_TEST(found == pass.points());
     }
   }
@@ -97,7 +99,8 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_give_their_exact_force_and_flows
     for (const FacetType two : all_facets) {
       const Scene scene = overlapping_squares(one, two);
       VectorXd sum = VectorXd::Zero(6);
-      residual_of(pass_of(scene), scene, [&](const FacetPair& pair, const VectorXd& r) { sum += primary_sum(pair, r); });
+      residual_of(pass_of(scene), scene,
+                  [&](const FacetPair& pair, const VectorXd& r) { sum += primary_sum(pair, r); });
       // Area 1; t_n = -4/16 along +z; w = 2 (1/2 - 1/4); j = 8 (1 - 1/2) and 8 (0 - 2).
       VectorXd expected(6);
       expected << 0, 0, -0.25, dt * 0.5, dt * 4, dt * -16;
@@ -113,14 +116,16 @@ BOOST_AUTO_TEST_CASE(each_pair_of_facets_is_handed_out_once_and_is_in_the_profil
   const ContactPass pass = pass_of(scene);
   using Key = std::pair<const Facet*, const Facet*>;
   std::set<Key> profile;
-  pass.for_each_facet_pair([&](const FacetPair& pair) { BOOST_TEST(profile.insert({&pair.primary, &pair.secondary}).second); });
+  pass.for_each_facet_pair(
+      [&](const FacetPair& pair) { BOOST_TEST(profile.insert({&pair.primary, &pair.secondary}).second); });
   std::set<Key> loaded;
   residual_of(pass, scene, [&](const FacetPair& pair, const VectorXd& residual) {
     BOOST_TEST(loaded.insert({&pair.primary, &pair.secondary}).second);
     BOOST_TEST(residual.size() == pair.layout.size());
   });
   std::set<Key> stiff;
-  tangent_of(pass, scene, [&](const FacetPair& pair, const MatrixXd&) { stiff.insert({&pair.primary, &pair.secondary}); });
+  tangent_of(pass, scene,
+             [&](const FacetPair& pair, const MatrixXd&) { stiff.insert({&pair.primary, &pair.secondary}); });
   BOOST_TEST((loaded == stiff));
   BOOST_TEST(loaded.size() > 9U);
   BOOST_TEST(std::includes(profile.begin(), profile.end(), loaded.begin(), loaded.end()));
@@ -130,7 +135,8 @@ BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
   constexpr int fields = 5;
   std::mt19937 random(2);
   for (int sample = 0; sample < 20; ++sample) {
-    Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 3), effects_of(sample % 2 == 0, fields - sample % 2));
+    Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 3),
+                effects_of(sample % 2 == 0, fields - sample % 2));
     const int count = scene.effects.scalar_fields();
     scene.disturb(0.01, random);
     for (const Side side : both_sides) {
@@ -151,7 +157,8 @@ BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
     tangent_of(pass, scene, [&](const FacetPair& pair, const MatrixXd& tangent) {
       BOOST_TEST(tangent.rows() == pair.layout.nodes() * (3 + static_cast<Index>(pair.fields.size())));
     });
-    pass.for_each_facet_pair([&](const FacetPair& pair) { BOOST_TEST((pair.fields == fields_in(mask_of(pair), count))); });
+    pass.for_each_facet_pair(
+        [&](const FacetPair& pair) { BOOST_TEST((pair.fields == fields_in(mask_of(pair), count))); });
     BOOST_TEST(handed_out > 0);
   }
 }

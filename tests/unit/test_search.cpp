@@ -36,8 +36,8 @@ std::optional<RayHit> hit_of(const GridSurface& surface, std::size_t index, cons
 
 bool faces(const GridSurface& surface, std::size_t index, const Vector2d& eta, const Vector3d& direction) {
   const Facet& facet = surface.mesh.facets[index];
-  const Eigen::Matrix<double, 3, 2> tangents =
-      facet_coordinates(facet, surface.position) * shape_functions(facet.type, eta).gradient;
+  const Eigen::Matrix<double, 3, 2> tangents = facet_coordinates(facet, surface.position) *
+                                               shape_functions(facet.type, eta).gradient;
   return tangents.col(0).cross(tangents.col(1)).dot(direction) < 0;
 }
 
