@@ -48,12 +48,14 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   const auto same = [&](Side side) {
     return position_[side].cols() == position[side].cols() && position_[side] == position[side];
   };
-  if (same(Side::primary) && same(Side::secondary)) return;
+  const bool search_all = search == Search::everywhere;
+  if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
+  searched_ = search_all;
   for (const Pass& pass : passes_) {
     const Matrix3Xd& x1 = position_[pass.side];
     const Matrix3Xd& x2 = position_[other(pass.side)];
-    if (search == Search::everywhere) {
+    if (search_all) {
       pass.integral->project(x1, x2, search_radius(position_));
     } else {
       pass.integral->project_on_same_facets(x1, x2);

@@ -61,7 +61,7 @@ class ContactInterface {
   /// Whether a projection looks for the facet anew or keeps to the one that a point saw last.
   enum class Search { everywhere, same_facets };
 
-  /// Sets the configuration: search and projection. Nothing happens if positions have not changed since the last call.
+  /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
   void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
 
   /// Positions of the primary nodes with those that overlap the secondary surface moved onto it along their normals.
@@ -109,6 +109,7 @@ class ContactInterface {
   Settings settings_;
   std::vector<Pass> passes_;
   PerSide<Matrix3Xd> position_;
+  bool searched_ = false;  ///< whether the last projection was a search everywhere
 };
 
 }  // namespace mixture_contact

@@ -11,6 +11,7 @@ namespace {
 constexpr double box_margin = 0.1;
 /// Surfaces closer than this part of their size touch to rounding.
 constexpr double touch_fraction = 1e-10;
+constexpr int nothing_seen = -1;
 
 }  // namespace
 
@@ -37,25 +38,26 @@ void ContactPass::update_penalties() { penalties_ = penalties(primary_, secondar
 
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   pairs_.clear();
+  seen_.assign(points_.size(), nothing_seen);
   touch_ = touch_fraction * half_diagonal(x1);
   const FacetTree tree(secondary_.facets, x2, box_margin);
   for (std::size_t q = 0; q < points_.size(); ++q) {
     const std::optional<SurfaceHit> hit = nearest_facing(tree, secondary_.facets, x2, ray(q, x1, radius));
-    if (hit) pairs_.push_back({static_cast<int>(q), points_[q].facet, hit->facet, hit->eta});
+    if (!hit) continue;
+    seen_[q] = hit->facet;
+    pairs_.push_back({static_cast<int>(q), points_[q].facet, hit->facet, hit->eta});
   }
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
-  std::vector<PointPair> kept;
-  for (PointPair pair : pairs_) {
-    const Facet& facet = secondary_.facets[static_cast<std::size_t>(pair.secondary_facet)];
-    const Ray from = ray(static_cast<std::size_t>(pair.point), x1, 0);
+  pairs_.clear();
+  for (std::size_t q = 0; q < seen_.size(); ++q) {
+    if (seen_[q] == nothing_seen) continue;
+    const Facet& facet = secondary_.facets[static_cast<std::size_t>(seen_[q])];
+    const Ray from = ray(q, x1, 0);
     const auto hit = intersect(facet.type, facet_coordinates(facet, x2), from.origin, from.direction, from.tolerance);
-    if (!hit) continue;
-    pair.eta = hit->eta;
-    kept.push_back(pair);
+    if (hit) pairs_.push_back({static_cast<int>(q), points_[q].facet, seen_[q], hit->eta});
   }
-  pairs_ = std::move(kept);
 }
 
 Ray ContactPass::ray(std::size_t point, const Matrix3Xd& x1, double radius) const {

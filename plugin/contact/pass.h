@@ -52,7 +52,8 @@ class ContactPass {
   /// Projects every integration point onto the secondary surface: of the facets that face it within `radius`, the nearest.
   void project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius);
 
-  /// Projects the points that saw a facet in the last project() onto that same facet again, without a search.
+  /// Projects the points that saw a facet in the last project() onto that same facet again, without a search. A point that leaves
+  /// its facet comes back with it: the result depends on that search and the positions alone.
   void project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2);
 
   /// Calls `use` for every point that is in contact, in a fixed order.
@@ -108,6 +109,7 @@ class ContactPass {
   Penalties penalties_;
   std::vector<IntegrationPoint> points_;
   std::vector<PointPair> pairs_;
+  std::vector<int> seen_;  ///< per point: the secondary facet that the last project() found, or -1
   double touch_ = 0;  ///< distance at which surfaces touch to rounding [mm]
 };
 
