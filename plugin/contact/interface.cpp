@@ -170,7 +170,7 @@ NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceField
   const Index scalars = effects_.scalar_fields();
   NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes), MatrixXd::Zero(scalars, nodes),
                   VectorXd::Zero(nodes)};
-  VectorXd& weight = out.coverage;  // holds the sum of weights until the end
+  VectorXd& weight = out.coverage;  // the sum of weights of all passes until the end
   for (const Pass& pass : passes_) {
     const bool integrated = pass.side == side;
     const double sign = integrated ? 1 : -1;
@@ -180,9 +180,10 @@ NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceField
       const Facet& facet = mesh_[side].facets[static_cast<std::size_t>(facet_index)];
       const FacetVector& shape = integrated ? point.primary_shape : point.secondary_shape;
       const PairVector h = point.jump_weights();
+      const double area = contact.loads.weight * point.area / shape.cwiseAbs().sum();
       for (Index a = 0; a < shape.size(); ++a) {
         const int node = facet.nodes[static_cast<std::size_t>(a)];
-        const double share = contact.loads.weight * point.area * std::abs(shape[a]);
+        const double share = area * std::abs(shape[a]);
         weight[node] += share;
         out.gap[node] += share * point.gap;
         out.pressure[node] -= share * contact.loads.traction.value;
@@ -201,6 +202,7 @@ NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceField
   out.pressure.array() *= parts * scale.array();
   out.flux = parts * out.flux * scale.asDiagonal();
   out.jump = out.jump * scale.asDiagonal();
+  out.coverage /= parts;
   return out;
 }
 
