@@ -40,6 +40,9 @@ class Apart:
     held : tuple of Condition
         Conditions on nodes of the contact surfaces (``lower-top``, ``upper-bottom``), which the bath must not overrule.
     control : Control
+    name : str
+    module : str, optional
+        The module that `join` asks for without it.
     """
 
     join: Join = Join.MIXTURE
@@ -47,13 +50,14 @@ class Apart:
     held: tuple[Condition, ...] = ()
     control: Control = Control(10, 100.0)
     name: str = "apart"
+    module: str | None = None
 
     def model(self) -> Model:
         """The model of these choices."""
         boxes = [Box("lower", "gel", (0.0, 0.0, -1.0), (1.0, 1.0, 1.0), (1, 1, 5))]
         boxes.append(Box("upper", "gel", (0.0, 0.0, self.gap), (1.0, 1.0, 1.0), (1, 1, 5)))
         mesh = replace(assemble(boxes), pairs={"lower/upper": ("lower-top", "upper-bottom")})
-        module = self.join.module
+        module = self.module or self.join.module
         conditions = (fix("all", "xy"), fix("lower-bottom", "z"), fix("upper-top", "z"), *self.held)
         about = "Two cubes apart in a bath whose pressure and concentration follow load curves."
         contact = Contact(self.join.value, "lower/upper", (*_settings(self.join), *ambient(module)))

@@ -30,7 +30,7 @@ class Patches:
     join: Join = Join.MIXTURE
     settings: ContactSettings | None = None
     divided: bool = True
-    control: Control = Control(10, 200.0)
+    control: Control = Control(4, 2000.0)
     name: str = "patches"
 
     def model(self) -> Model:

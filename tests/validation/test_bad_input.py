@@ -1,0 +1,104 @@
+"""What a model may say wrongly: FEBio stops before the first step, and the message names the culprit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from harness import engine
+from harness.models.bath import Apart
+from harness.models.diffusion import Diffusion
+from harness.models.interface import ContactSettings, Join
+from harness.models.parts import Control, Param
+
+pytestmark = pytest.mark.mixture_only
+
+
+@pytest.fixture
+def complaint(runner, tmp_path):
+    """What FEBio says about a model, or about the text of one."""
+
+    def run(model, change=lambda text: text):
+        path = model.write(tmp_path)
+        path.write_text(change(path.read_text()))
+        finished = engine.run(path, plugin=engine.required_plugin(), check=False)
+        assert not finished.report.normal
+        assert finished.report.steps == 0
+        assert "Segmentation" not in finished.output
+        assert finished.report.errors
+        return " ".join(finished.report.errors)
+
+    return run
+
+
+def _model(*params):
+    settings = ContactSettings(extra=params)
+    return Diffusion(Join.MIXTURE, settings, elements=2, control=Control(2, 200.0), name="bad").model()
+
+
+@pytest.mark.parametrize("tag", ["penalty", "pressure_penalty", "concentration_penalty"])
+@pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf"), 0.0])
+def test_meaningless_penalties(complaint, tag, value):
+    assert tag in complaint(_model(Param(tag, value)))
+
+
+@pytest.mark.parametrize("tag", ["tolerance", "gaptol", "ptol", "ctol", "search_tol", "search_radius"])
+def test_negative_tolerances(complaint, tag):
+    assert tag in complaint(_model(Param(tag, -1.0)))
+
+
+def test_unknown_parameter(complaint):
+    assert "pressure_penlaty" in complaint(_model(Param("pressure_penlaty", 1.0)))
+
+
+def test_unknown_enforcement(complaint):
+    assert "laugon" in complaint(_model(Param("laugon", "MAGIC")))
+
+
+def test_friction_does_not_exist_yet(complaint):
+    assert "fric_coeff" in complaint(_model(Param("fric_coeff", 0.1)))
+
+
+def test_ambient_concentration_of_an_unknown_solute(complaint):
+    said = complaint(_model(Param("ambient_concentration", 1.0, None, {"sol": "3"})))
+    assert "ambient_concentration" in said
+    assert "3" in said
+
+
+def test_missing_surface_pair(complaint):
+    said = complaint(_model(), lambda text: text.replace('surface_pair="lower/upper"', 'surface_pair="nothing"'))
+    assert "surface_pair" in said
+
+
+def test_no_surface_pair(complaint):
+    assert "surface_pair" in complaint(_model(), lambda text: text.replace(' surface_pair="lower/upper"', ""))
+
+
+def test_empty_surface(complaint):
+    def empty(text):
+        start = text.index('<Surface name="lower-top">')
+        stop = text.index("</Surface>", start) + len("</Surface>")
+        return text[:start] + '<Surface name="lower-top"/>' + text[stop:]
+
+    assert complaint(_model(), empty)
+
+
+def test_one_surface_against_itself(complaint):
+    said = complaint(_model(), lambda text: text.replace("<secondary>upper-bottom", "<secondary>lower-top"))
+    assert "surface" in said.lower()
+
+
+def test_inverted_facets(complaint):
+    model = _model()
+    mesh = model.mesh
+    turned = replace(mesh, surfaces=mesh.surfaces | {"lower-top": mesh.surfaces["lower-top"][:, ::-1]})
+    assert "invert" in complaint(replace(model, mesh=turned)).lower()
+
+
+def test_facets_that_belong_to_no_element(complaint):
+    model = Apart(Join.MIXTURE, control=Control(2, 200.0), name="bad").model()
+    mesh = model.mesh
+    mixed = mesh.surfaces["lower-top"].copy()
+    mixed[0, 0] = mesh.node_sets["upper-bottom"][0]
+    assert complaint(replace(model, mesh=replace(mesh, surfaces=mesh.surfaces | {"lower-top": mixed})))

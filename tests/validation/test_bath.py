@@ -1,0 +1,72 @@
+"""Contact nodes that are not in contact: ambient values by load curve, prescribed values, and shared nodes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from harness import compare
+from harness.models.bath import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
+from harness.models.interface import Join
+from harness.models.parts import concentration, pressure
+from harness.models.patches import Patches
+
+
+def ambient(times):
+    """Ambient pressure (MPa) and concentration (mM) at the given times (s)."""
+    factors = [np.interp(times, *zip(*curve.points, strict=True)) for curve in CURVES]
+    return PRESSURE * factors[0], CONCENTRATION * factors[1]
+
+
+def at(run, column, node_set):
+    """Values of a column over a node set, shape (n_times, n_nodes)."""
+    return run.nodes[column][:, run.model.mesh.node_sets[node_set] - 1]
+
+
+@pytest.mark.parametrize("module", ["solute", "multiphasic"])
+def test_ambient_values_follow_their_load_curves(context, module):
+    if module == "multiphasic" and context.join is not Join.MIXTURE:
+        pytest.skip("FEBio takes no load curve for the ambient concentration of 'sliding-multiphasic'")
+    run = context.runner(Apart(context.join, module=module).model())
+    p, c = ambient(run.nodes.times)
+    for surface in ("lower-top", "upper-bottom"):
+        np.testing.assert_allclose(at(run, "p", surface), np.broadcast_to(p[:, None], (len(p), 4)), rtol=1e-11)
+        np.testing.assert_allclose(at(run, "c1", surface), np.broadcast_to(c[:, None], (len(c), 4)), rtol=1e-11)
+
+
+@pytest.mark.mixture_only
+def test_prescribed_values_on_contact_nodes_are_left_alone(context):
+    held = (concentration("lower-top", 0.7), pressure("upper-bottom", 2e-3))
+    run = context.runner(Apart(context.join, held=held, name="held").model())
+    p, c = ambient(run.nodes.times)
+    np.testing.assert_allclose(at(run, "c1", "lower-top")[1:], 0.7, rtol=1e-12)
+    np.testing.assert_allclose(at(run, "p", "upper-bottom")[1:], 2e-3, rtol=1e-12)
+    np.testing.assert_allclose(at(run, "p", "lower-top")[:, 0], p, rtol=1e-11)
+    np.testing.assert_allclose(at(run, "c1", "upper-bottom")[:, 0], c, rtol=1e-11)
+
+
+@pytest.mark.mixture_only
+def test_a_node_is_at_ambient_only_where_no_interface_has_it_in_contact(context):
+    run = context.runner(HalfWet(context.join).model())
+    slab, left = at(run, "c1", "slab-top")[-1], at(run, "c1", "left-bottom")[-1]
+    x = run.model.mesh.nodes[run.model.mesh.node_sets["slab-top"] - 1, 0]
+    np.testing.assert_allclose(slab[x == 2.0], CONCENTRATION, rtol=1e-11)
+    np.testing.assert_allclose(at(run, "c1", "right-bottom")[-1], CONCENTRATION, rtol=1e-11)
+    np.testing.assert_allclose(slab[x < 1.5], left, rtol=1e-5)
+    assert np.all(np.abs(slab[x < 1.5] - CONCENTRATION) > 1e-2)
+
+
+def test_two_interfaces_that_share_nodes_act_as_one(context):
+    two, one = (
+        context.runner(Patches(context.join, divided=divided, name=f"patches-{divided}").model())
+        for divided in (True, False)
+    )
+    np.testing.assert_allclose(two.nodes["c1"], one.nodes["c1"], atol=1e-9)
+    assert np.ptp(at(two, "c1", "lower-top")[-1]) > 0.02
+
+
+@pytest.mark.mixture_only
+def test_two_interfaces_that_share_nodes_do_not_show(context):
+    two = context.runner(Patches(context.join, name="patches-True").model())
+    whole = context.runner(Patches(Join.UNSPLIT, name="patches-whole").model())
+    assert compare.largest_difference(two, whole, "c1") <= 1e-6

@@ -1,0 +1,83 @@
+"""A run that is interrupted and restarted, or whose step is cut back, equals the one that was not."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from harness import engine, logdata
+from harness.models.diffusion import CLOSING, Diffusion
+from harness.models.interface import PAPER, ContactSettings, Join, augmented
+from harness.models.parts import Control, Curve, TimeStepper, displace
+
+EQUAL = 1e-10
+SETTINGS = {
+    "default": None,
+    "two passes": ContactSettings(two_pass=True),
+    "paper": PAPER,
+    "augmented": augmented(PAPER, 1e-4),
+}
+
+
+@pytest.fixture(params=SETTINGS)
+def settings(request, join):
+    if request.param == "two passes" and join is not Join.MIXTURE:
+        pytest.skip("FEBio's own interfaces do not run with two passes and no penalties")
+    return SETTINGS[request.param]
+
+
+def test_restart(context, settings, tmp_path):
+    """From the archive that was written after 12 of 20 steps; FEBio needs a plot file to continue."""
+    model = Diffusion(context.join, settings, elements=5, control=Control(20, 50.0), name="restart", plot=True).model()
+    run = context.runner(model, options=("-dump=1", "-dump_stride=12"))
+    folder = shutil.copytree(run.folder, tmp_path / "continued")
+    (folder / model.node_file).unlink()
+    plugin = engine.required_plugin() if context.join is Join.MIXTURE else None
+    engine.restart(folder / "restart.dmp", plugin=plugin)
+    whole, part = run.nodes, logdata.read_history(folder / model.node_file, model.node_columns)
+    np.testing.assert_allclose(part.times, whole.times[13:])
+    np.testing.assert_allclose(part.values, whole.values[13:], atol=EQUAL, rtol=0.0)
+
+
+def _spiked(join, settings, stepper, times=None):
+    """Problem 3.1 with a displacement that no step can reach at t = 100 s, and is harmless before and after.
+
+    With `times` the steps end there, and the spike is passed over.
+    """
+    spike = Curve(((0.0, 1.0), (99.0, 1.0), (100.0, 1500.0), (101.0, 1.0)))
+    curves = (spike,) if times is None else (spike, Curve(tuple((float(t), 20.0) for t in times), "STEP"))
+    control = Control(10, 20.0, stepper=stepper)
+    model = Diffusion(join, settings, elements=5, control=control, name="cutback").model()
+    conditions = tuple(
+        displace("top", "z", -CLOSING, 1) if condition.kind == "prescribed displacement" else condition
+        for condition in model.conditions
+    )
+    return replace(model, conditions=conditions, curves=curves)
+
+
+def test_cutback(context, settings):
+    """The failed attempt moves the bodies far into each other; nothing of that may stay."""
+    cut_back = context.runner(
+        _spiked(context.join, settings, TimeStepper(20.0, optimal_iterations=10**6, aggressive=True))
+    )
+    assert cut_back.report.retries >= 1
+    times = cut_back.nodes.times
+    straight = context.runner(
+        _spiked(context.join, settings, TimeStepper(0.0, optimal_iterations=10**6, must_points=2, force=True), times)
+    )
+    assert straight.report.retries == 0
+    np.testing.assert_allclose(straight.nodes.times, times, rtol=1e-8)
+    np.testing.assert_allclose(straight.nodes.values, cut_back.nodes.values, atol=EQUAL, rtol=0.0)
+
+
+def test_a_second_run_is_the_same_run(context, settings, tmp_path):
+    """Bit for bit, as far as FEBio writes: nothing depends on what memory held before."""
+    model = Diffusion(context.join, settings, elements=5, control=Control(10, 50.0), name="again").model()
+    first = context.runner(model)
+    plugin = engine.required_plugin() if context.join is Join.MIXTURE else None
+    engine.run(model.write(tmp_path), plugin=plugin)
+    again = logdata.read_history(tmp_path / model.node_file, model.node_columns)
+    np.testing.assert_array_equal(again.values, first.nodes.values)

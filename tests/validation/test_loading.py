@@ -1,0 +1,60 @@
+"""How the plugin comes into febio4, and what it says there."""
+
+from __future__ import annotations
+
+import pytest
+
+from harness import engine, logdata
+from harness.errors import EngineFailedError
+from harness.models.diffusion import Diffusion
+from harness.models.interface import Join
+from harness.models.parts import Control
+
+pytestmark = pytest.mark.mixture_only
+SHORT = Control(5, 200.0)
+
+
+def _model():
+    return Diffusion(Join.MIXTURE, elements=4, control=SHORT, name="loaded").model()
+
+
+@pytest.fixture
+def path(runner, tmp_path):
+    return _model().write(tmp_path)
+
+
+def test_by_import(path):
+    finished = engine.run(path, plugin=engine.required_plugin())
+    assert "Success loading plugin" in finished.output
+    assert finished.report.steps == 5
+
+
+def test_by_configuration_file(path):
+    """An ``<import>`` in febio.xml gives the same run as ``-import``."""
+    own, model = path.parent / "own", _model()
+    own.mkdir()
+    engine.run(model.write(own), plugin=engine.required_plugin())
+    configuration = path.parent / "febio.xml"
+    configuration.write_text(
+        '<?xml version="1.0" encoding="ISO-8859-1"?>\n<febio_config version="3.0">\n'
+        '<default_linear_solver type="pardiso"></default_linear_solver>\n'
+        f"<import>{engine.required_plugin()}</import>\n</febio_config>\n"
+    )
+    finished = engine.run(path, options=("-config", str(configuration)))
+    assert finished.report.steps == 5
+    first, second = (
+        logdata.read_history(folder / model.node_file, model.node_columns) for folder in (own, path.parent)
+    )
+    assert (first.values == second.values).all()
+
+
+def test_without_the_plugin_febio_says_what_it_does_not_know(path):
+    with pytest.raises(EngineFailedError, match=r'tag "contact" .* attribute "type"'):
+        engine.run(path)
+
+
+def test_the_log_says_which_effects_are_active(path):
+    finished = engine.run(path, plugin=engine.required_plugin())
+    line = next(line for line in finished.output.splitlines() if line.startswith("sliding-mixture"))
+    for effect in ("traction", "solvent", "solute 1"):
+        assert effect in line

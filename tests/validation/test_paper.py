@@ -1,0 +1,93 @@
+"""Problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012), held against closed forms and against the body that is not cut."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from harness import checks, compare
+from harness.models.diffusion import Diffusion
+from harness.models.interface import PAPER, ContactSettings, Join
+from harness.models.mesh import Section
+from harness.models.parts import Control, Param
+
+SHORT = Control(
+    40,
+    50.0,
+    displacement_tolerance=1e-6,
+    energy_tolerance=1e-8,
+    pressure_tolerance=1e-6,
+    concentration_tolerance=1e-6,
+)
+"""So strict that what Newton leaves does not matter."""
+OPTIONS = {
+    "defaults": ContactSettings(),
+    "two passes": ContactSettings(two_pass=True),
+    "augmented": ContactSettings(laugon="AUGLAG"),
+    "two passes, augmented": ContactSettings(laugon="AUGLAG", two_pass=True),
+    "symmetric": ContactSettings(extra=(Param("symmetric_stiffness", True),)),
+    "updated": ContactSettings(update_penalty=True),
+}
+
+
+def test_diffusion_is_that_of_the_whole_body_in_as_many_iterations(context):
+    assert compare.missed(checks.diffusion_against_whole(context)) == []
+
+
+def test_diffusion_follows_the_closed_form_as_well_as_the_whole_body(context):
+    assert compare.missed(checks.diffusion_against_closed_form(context)) == []
+
+
+def test_convection_follows_the_closed_form_as_well_as_the_whole_body(context):
+    assert compare.missed(checks.convection_against_closed_form(context)) == []
+
+
+def test_a_penalty_leaks_what_its_value_says(context):
+    assert compare.missed(checks.leak_of_a_penalty(context)) == []
+
+
+@pytest.mark.parametrize("penalty", [1e-4, 4e-4, 4e-3])
+def test_the_leak_follows_the_penalty(context, penalty):
+    settings = ContactSettings(
+        laugon="PENALTY", auto_penalty=False, penalty=1400.0, pressure_penalty=1e-3, concentration_penalty=penalty
+    )
+    model = checks.convection.Convection(
+        0, context.join, settings, elements=4, control=Control(20, 2000.0), name="leak"
+    ).model()
+    jump = compare.jump(context.runner(model), "c1", checks.PAIR)
+    assert jump == pytest.approx(checks.expected_leak(settings), rel=0.01)
+
+
+@pytest.mark.mixture_only
+def test_augmentation_closes_the_jump_at_a_bounded_cost(context):
+    assert compare.missed(checks.augmentation(context)) == []
+
+
+def test_orders_of_convergence_across_the_contact(context):
+    assert compare.missed(checks.orders(context)) == []
+
+
+@pytest.mark.mixture_only
+@pytest.mark.parametrize("option", OPTIONS)
+@pytest.mark.parametrize("module", ["solute", "multiphasic"])
+def test_the_cut_is_not_seen_whatever_the_options(context, module, option):
+    """Short runs with 2 x 2 facets in both modules.
+
+    Closing the contact in one step presses the fluid up; there the pressure sees that the contact gives a little.
+    """
+    data = {"elements": 10, "control": SHORT, "section": Section((1.0, 1.0), (2, 2)), "module": module}
+    cut = context.runner(Diffusion(context.join, OPTIONS[option], name="diffusion-short", **data).model())
+    whole = context.runner(Diffusion(Join.UNSPLIT, name="diffusion-short-whole", **data).model())
+    assert compare.largest_difference(cut, whole, "c1") <= 1e-6
+    assert compare.largest_difference(cut, whole, "p") <= 1e-3 * np.abs(whole.nodes["p"]).max()
+    allowed = {"augmented": 1.25, "two passes, augmented": 1.25, "symmetric": 2.0}.get(option, 1.05)
+    assert cut.report.iterations <= allowed * whole.report.iterations
+
+
+@pytest.mark.mixture_only
+def test_the_papers_penalties_leave_the_transient_open_without_augmentation(context):
+    """So that the test of augmentation above has something to close."""
+    run = context.runner(Diffusion(context.join, PAPER, elements=10, control=SHORT, name="diffusion-open").model())
+    below, above = compare.facing(run.model.mesh, checks.PAIR)
+    history = run.nodes["c1"]
+    assert abs(history[:, below - 1] - history[:, above - 1]).max() > 0.1
