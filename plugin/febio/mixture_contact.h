@@ -4,7 +4,7 @@
 #include "ambient_concentration.h"
 #include "ambient_nodes.h"
 #include "contact/interface.h"
-#include "contact_parameters.h"
+#include "host/contact_parameters.h"
 #include "mixture_surface.h"
 
 #include <FEBioMech/FEContactInterface.h>
@@ -52,6 +52,7 @@ class FEMixtureContact : public FEContactInterface {
   mixture_contact::SurfaceMesh surface_mesh(Side side, const std::vector<FacetMaterial>& materials);
   bool update_properties();
   void log_effects(const PerSide<std::vector<FacetMaterial>>& materials);
+  void add_callbacks();
   void build_core(PerSide<mixture_contact::SurfaceMesh> meshes);
 
   // State of the model
@@ -61,12 +62,18 @@ class FEMixtureContact : public FEContactInterface {
   void project();
   void relocate_nodes();
 
+  // Status: which points are in contact, which nodes at ambient conditions
+  bool decide_status();
+  FENewtonSolver* newton_solver();
+  static bool on_matrix_reformed(FEModel* fem, unsigned int when, void* contact);
+
   // Ambient conditions
-  bool apply_ambient(const std::vector<double>& increment);
+  bool apply_ambient(const std::vector<FEMixtureContact*>& contacts);
   double ambient_value(int dof) const;
   std::vector<FEMixtureContact*> active_contacts();
 
   // Local to global
+  void add_to_profile(FEGlobalMatrix& matrix);
   std::vector<int> node_ids(const mixture_contact::ContactInterface::Location& at);
   std::vector<int> equations(const mixture_contact::ContactInterface::Location& at, const std::vector<int>& nodes);
   void log_gaps(int augmentation, const mixture_contact::GapReport& report);
@@ -85,9 +92,10 @@ class FEMixtureContact : public FEContactInterface {
   int concentration_dof_ = -1;   ///< of solute 0; the others follow
   int concentrations_ = 0;       ///< number of solutes in the model
   bool relocated_ = false;
-  bool in_trial_ = false;       ///< an evaluation of a trial increment is under way
-  int decided_iteration_ = -1;  ///< the iteration whose trials have their ambient status; -1: none
-  bool output_registered_ = false;
+  bool in_trial_ = false;           ///< an evaluation that must keep status is under way
+  bool status_changed_ = false;     ///< in the last decision
+  bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with a status that has changed since
+  bool has_callbacks_ = false;
 
   DECLARE_FECORE_CLASS()
 };

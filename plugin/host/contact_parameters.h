@@ -1,4 +1,4 @@
-/// The parameters of <contact type="sliding-mixture">, as FEBio reads them, and what they mean to the contact core.
+/// The parameters of <contact type="sliding-mixture"> in a model file, and what they mean to the contact core. Shared by the hosts.
 #pragma once
 
 #include "contact/settings.h"
@@ -8,6 +8,7 @@
 
 /// Values under FEBio's own names. A `_given` flag tells whether the model sets the parameter.
 struct ContactParameters {
+  int laugon = 0;           ///< 0: PENALTY, 1: AUGLAG
   double tolerance = 1e-3;  ///< relative tolerance of every field [-]
   double traction_tolerance = 0;
   double solvent_tolerance = 0;
@@ -65,5 +66,5 @@ std::vector<std::string> complaints(const ContactParameters& parameters);
 /// What a user should know of parameters that have no effect here, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
 
-/// The core's settings. `augmented` is whether laugon asks for augmented Lagrangian updates.
-mixture_contact::Settings core_settings(const ContactParameters& parameters, bool augmented);
+/// The core's settings.
+mixture_contact::Settings core_settings(const ContactParameters& parameters);

@@ -69,10 +69,10 @@ std::vector<std::string> notices(const ContactParameters& p) {
   return list;
 }
 
-mixture_contact::Settings core_settings(const ContactParameters& p, bool augmented) {
+mixture_contact::Settings core_settings(const ContactParameters& p) {
   using namespace mixture_contact;
   Settings settings;
-  settings.enforcement = augmented ? Enforcement::augmented_lagrangian : Enforcement::penalty;
+  settings.enforcement = p.laugon == 1 ? Enforcement::augmented_lagrangian : Enforcement::penalty;
   settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, default_traction_factor);
   settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, default_flux_factor);
   settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty, default_flux_factor);
