@@ -38,10 +38,10 @@ struct NodalOutput {
   VectorXd coverage;  ///< area in contact that belongs to the node [mm^2]
 };
 
-/// A node of a surface is in contact, and so not at ambient conditions, where at least this share of the area around it is.
-/// A node at the rim of a fully covered facet has a half (a quarter at a corner); one that only its neighbour's Gauss points reach
-/// has less than 0.2.
-inline constexpr double covered = 0.2;
+/// A node of a surface is in contact, and so not at ambient conditions, where a facet around it is covered at least to this share
+/// (see ContactPass::coverage). The node of a fully covered facet has 1; one that only the far points of its facets reach has about
+/// 0.2 to 0.35. Exactly one half is common (a facet cut through the middle), so the bound is not put there.
+inline constexpr double covered = 0.4;
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers.
 class ContactInterface {

@@ -12,6 +12,7 @@ constexpr double box_margin = 0.1;
 /// Surfaces closer than this part of their size touch to rounding.
 constexpr double touch_fraction = 1e-10;
 constexpr int nothing_seen = -1;
+constexpr double least_share = 1e-6;
 
 }  // namespace
 
@@ -187,21 +188,27 @@ void ContactPass::for_each_facet_pair(const std::function<void(const FacetPair&)
 }
 
 VectorXd ContactPass::coverage(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  VectorXd total = VectorXd::Zero(primary_.nodes);
-  VectorXd covered = VectorXd::Zero(primary_.nodes);
-  const auto spread = [&](const IntegrationPoint& point, VectorXd& sum) {
-    const Facet& facet = primary_.facets[static_cast<std::size_t>(point.facet)];
-    const Eigen::Matrix<double, 3, 2> tangents = facet_coordinates(facet, x1) * point.shape.gradient;
-    const double area = point.weight * tangents.col(0).cross(tangents.col(1)).norm();
-    for (Index a = 0; a < point.shape.value.size(); ++a) {
-      sum[facet.nodes[static_cast<std::size_t>(a)]] += area * std::abs(point.shape.value[a]);
-    }
-  };
-  for (const IntegrationPoint& point : points_) spread(point, total);
+  std::vector<bool> in_contact(points_.size(), false);
   for (const PointPair& pair : pairs_) {
-    if (traction(pair, kinematics(pair, x1, x2).gap).derivative > 0) spread(points_[static_cast<std::size_t>(pair.point)], covered);
+    in_contact[static_cast<std::size_t>(pair.point)] = traction(pair, kinematics(pair, x1, x2).gap).derivative > 0;
   }
-  return (total.array() > 0).select(covered.array() / total.array(), 0.0);
+  VectorXd coverage = VectorXd::Zero(primary_.nodes);
+  for (std::size_t q = 0; q < points_.size();) {
+    const Facet& facet = primary_.facets[static_cast<std::size_t>(points_[q].facet)];
+    FacetVector total = FacetVector::Zero(node_count(facet.type));
+    FacetVector covered = total;
+    for (const int index = points_[q].facet; q < points_.size() && points_[q].facet == index; ++q) {
+      // The least share lets points count where a shape function vanishes at all of them.
+      const FacetVector share = points_[q].weight * points_[q].shape.value.cwiseAbs().cwiseMax(least_share);
+      total += share;
+      if (in_contact[q]) covered += share;
+    }
+    for (Index a = 0; a < total.size(); ++a) {
+      double& node = coverage[facet.nodes[static_cast<std::size_t>(a)]];
+      node = std::max(node, covered[a] / total[a]);
+    }
+  }
+  return coverage;
 }
 
 }  // namespace mixture_contact

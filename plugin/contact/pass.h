@@ -71,7 +71,9 @@ class ContactPass {
   /// All pairs of facets that see each other, in contact or not: what a matrix profile has to hold.
   void for_each_facet_pair(const std::function<void(const FacetPair&)>& use) const;
 
-  /// Share of the area around each primary node that is in contact, 0 to 1, in the configuration of the last project().
+  /// How far the area next to each primary node is in contact, 0 to 1, in the configuration of the last project(): of the facets
+  /// around the node the one with the largest share of its points in contact, each point weighted by its nearness to the node (its
+  /// shape function). This depends neither on how many facets meet at the node nor on their sizes.
   VectorXd coverage(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
 
   /// Recomputes the penalties after the properties of the surfaces have changed.
