@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -63,7 +64,7 @@ class Results:
         """Write ``validation.json`` into `folder` and return its path."""
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / FILE_NAME
-        path.write_text(json.dumps(_as_data(self), indent=1))
+        path.write_text(json.dumps(_as_data(self), indent=1, allow_nan=False))
         return path
 
 
@@ -78,12 +79,14 @@ def _as_data(results: Results) -> dict[str, Any]:
 
 
 def _measures(measures: Sequence[Measure]) -> list[dict[str, Any]]:
-    """Measures as data; a lower bound is only there where it is finite, for JSON has no infinity."""
+    """Measures as data. JSON has no infinity and no nan: such a lower bound is left out, such a value is null."""
     kept = []
     for measure in measures:
         entry = asdict(measure) | {"passed": measure.passed}
-        if measure.lowest == -float("inf"):
+        if math.isinf(measure.lowest):
             del entry["lowest"]
+        if math.isnan(measure.value):
+            entry["value"] = None
         kept.append(entry)
     return kept
 
@@ -111,9 +114,11 @@ def read(path: Path) -> Results:
 
 
 def _from_data(data: dict[str, Any]) -> Results:
-    checks = {
-        name: [Measure(**{key: value for key, value in entry.items() if key != "passed"}) for entry in entries]
-        for name, entries in data["checks"].items()
-    }
+    checks = {name: [_measure(entry) for entry in entries] for name, entries in data["checks"].items()}
     profiles = [Profile(**entry) for entry in data["profiles"]]
     return Results(data["interface"], checks, dict(data["left_out"]), profiles)
+
+
+def _measure(entry: dict[str, Any]) -> Measure:
+    given = {key: value for key, value in entry.items() if key != "passed"}
+    return Measure(**given | {"value": math.nan if given["value"] is None else given["value"]})

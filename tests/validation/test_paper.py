@@ -1,4 +1,4 @@
-"""Problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012), held against closed forms and against the body that is not cut."""
+"""Problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012) against closed forms and against the body that is not cut."""
 
 from __future__ import annotations
 

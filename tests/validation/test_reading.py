@@ -118,6 +118,12 @@ def test_results_survive_writing_and_reading(tmp_path):
     assert results.read(written.write(tmp_path)) == written
 
 
+def test_a_failed_run_is_kept_as_null(tmp_path):
+    path = results.Results("sliding-mixture", {"check": [Measure("a", math.nan, 0.0)]}).write(tmp_path)
+    assert "NaN" not in path.read_text()
+    assert math.isnan(results.read(path).checks["check"][0].value)
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
