@@ -67,7 +67,7 @@ def test_what_passes_is_what_the_closed_form_says(run):
 
 
 def test_the_upper_cube_gains_what_passes(run):
-    """Content of the upper cube, INT phi_w c dV, at each step against the flow summed over the steps (backward Euler)."""
+    """Content of the upper cube, INT phi_w c dV, against the flow summed over the steps (backward Euler)."""
     step = 100.0
     model = Diffusion(Join.MIXTURE, elements=10, control=Control(20, step)).model()
     history, below, _ = run(model)
