@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -102,10 +103,13 @@ def run(
     """
     if not model.is_file():
         raise EngineFailedError(f"there is no model file {model}")
-    command = [str(find_engine()), "-i", model.name, *options]
-    if plugin is not None:
-        command += ["-import", str(plugin)]
-    return execute(command, model.resolve().parent, progress=progress, check=check)
+    return execute(command(model, plugin, options), model.resolve().parent, progress=progress, check=check)
+
+
+def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()) -> list[str]:
+    """The command line that runs a model file from its own folder; the parameters are those of `run`."""
+    load = [] if plugin is None else ["-import", str(plugin)]
+    return [str(find_engine()), "-i", model.name, *options, *load]
 
 
 def restart(archive: Path, *, plugin: Path | None = None, check: bool = True) -> Run:
@@ -131,8 +135,18 @@ def restart(archive: Path, *, plugin: Path | None = None, check: bool = True) ->
     return execute(command, archive.resolve().parent, check=check)
 
 
-def execute(command: Sequence[str], folder: Path, *, progress: Progress | None = None, check: bool = True) -> Run:
-    """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise; see `run`."""
+def execute(
+    command: Sequence[str],
+    folder: Path,
+    *,
+    progress: Progress | None = None,
+    check: bool = True,
+    timeout: float | None = None,
+) -> Run:
+    """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise; see `run`.
+
+    A run that takes longer than `timeout` s is ended, and then did not end normally.
+    """
     environment = {_THREADS: "1", **os.environ}
     start = time.perf_counter()
     with subprocess.Popen(
@@ -145,8 +159,13 @@ def execute(command: Sequence[str], folder: Path, *, progress: Progress | None =
         text=True,
         errors="replace",
     ) as process:
+        watch = threading.Timer(timeout, process.kill) if timeout is not None else None
+        if watch:
+            watch.start()
         output = _follow(process, progress)
         code = process.wait()
+        if watch:
+            watch.cancel()
     finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start)
     if check and (code != 0 or not finished.report.normal):
         raise EngineFailedError(_complaint(command, finished, code))

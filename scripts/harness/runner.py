@@ -64,10 +64,13 @@ class Runner:
     root : Path
     announce : callable, optional
         Told of progress.
+    timeout : float, optional
+        s after which a run is ended.
     """
 
     root: Path
     announce: Announce | None = None
+    timeout: float | None = None
     _known: dict[str, Outcome] = field(default_factory=dict)
 
     def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> Outcome:
@@ -108,7 +111,9 @@ class Runner:
         with suppress(FileNotFoundError):
             shutil.rmtree(folder)
         path = model.write(folder)
-        finished = engine.run(path, plugin=plugin, options=options, progress=self._progress(model), check=False)
+        command = engine.command(path, plugin, options)
+        progress = self._progress(model)
+        finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
         done = {"report": asdict(finished.report), "wall": finished.wall}
         (folder / "done.json").write_text(json.dumps(done))

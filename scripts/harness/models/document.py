@@ -50,6 +50,8 @@ class Model:
         FEBio's names of the element data to log, if any.
     plot : bool
         Whether a plot file is written.
+    further_columns : tuple of str
+        FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
     """
 
     name: str
@@ -63,6 +65,7 @@ class Model:
     curves: tuple[Curve, ...] = field(default=())
     element_columns: tuple[str, ...] = ()
     plot: bool = False
+    further_columns: tuple[str, ...] = ()
 
     @property
     def n_solutes(self) -> int:
@@ -72,7 +75,8 @@ class Model:
     @property
     def node_columns(self) -> tuple[str, ...]:
         """Names of the logged node data, in the order of the columns."""
-        return ("x", "y", "z", "ux", "uy", "uz", "p", *(f"c{k + 1}" for k in range(self.n_solutes)))
+        solutes = (f"c{k + 1}" for k in range(self.n_solutes))
+        return ("x", "y", "z", "ux", "uy", "uz", "p", *solutes, *self.further_columns)
 
     @property
     def node_file(self) -> str:
@@ -138,7 +142,7 @@ def _mesh(mesh: Mesh, root: Element) -> None:
         child(nodes, "node", tuple(map(float, position)), id=str(number))
     number = 0
     for part in mesh.parts:
-        elements = child(section, "Elements", type="hex8", name=part.name)
+        elements = child(section, "Elements", type=f"hex{part.elements.shape[1]}", name=part.name)
         for ids in part.elements:
             number += 1
             child(elements, "elem", tuple(map(int, ids)), id=str(number))
@@ -147,7 +151,7 @@ def _mesh(mesh: Mesh, root: Element) -> None:
     for name, facets in mesh.surfaces.items():
         surface = child(section, "Surface", name=name)
         for face, ids in enumerate(facets, 1):
-            child(surface, "quad4", tuple(map(int, ids)), id=str(face))
+            child(surface, f"quad{len(ids)}", tuple(map(int, ids)), id=str(face))
     for name, (primary, secondary) in mesh.pairs.items():
         pair = child(section, "SurfacePair", name=name)
         child(pair, "primary", primary)
@@ -156,14 +160,14 @@ def _mesh(mesh: Mesh, root: Element) -> None:
 
 def _sections(model: Model, root: Element) -> None:
     boundary = child(root, "Boundary")
-    loads = [c for c in model.conditions if c.tag != "bc"]
     for condition in model.conditions:
         if condition.tag == "bc":
             condition.write(boundary)
-    if loads:
-        section = child(root, "Loads")
-        for load in loads:
-            load.write(section)
+    for title, tag in (("Initial", "ic"), ("Loads", "surface_load")):
+        chosen = [condition for condition in model.conditions if condition.tag == tag]
+        section = child(root, title) if chosen else boundary
+        for condition in chosen:
+            condition.write(section)
     if model.contacts:
         section = child(root, "Contact")
         for contact in model.contacts:
@@ -199,7 +203,7 @@ def _check(model: Model) -> None:
     if model.module not in MODULES:
         raise ModelError(f"model '{model.name}': module '{model.module}' is not one of {', '.join(MODULES)}")
     for condition in model.conditions:
-        known = model.mesh.node_sets if condition.tag == "bc" else model.mesh.surfaces
+        known = model.mesh.node_sets if condition.on_nodes else model.mesh.surfaces
         _known(model, condition.kind, condition.where, known)
     for contact in model.contacts:
         _known(model, f"contact {contact.kind}", contact.pair, model.mesh.pairs)

@@ -165,12 +165,12 @@ class Curve:
 
 @dataclass(frozen=True)
 class Condition:
-    """A boundary condition on a node set, or a load on a surface.
+    """A boundary or initial condition on a node set, or a load on a surface.
 
     Attributes
     ----------
     tag, kind : str
-        ``bc`` or ``surface_load``, and FEBio's type.
+        ``bc``, ``ic`` or ``surface_load``, and FEBio's type.
     where : str
         Name of the node set or surface.
     params : tuple of Param
@@ -181,9 +181,14 @@ class Condition:
     where: str
     params: tuple[Param, ...] = ()
 
+    @property
+    def on_nodes(self) -> bool:
+        """Whether `where` is a node set; otherwise it is a surface."""
+        return self.tag in ("bc", "ic")
+
     def write(self, parent: Element) -> None:
         """Append the condition to the section `parent`."""
-        place = "node_set" if self.tag == "bc" else "surface"
+        place = "node_set" if self.on_nodes else "surface"
         made = child(parent, self.tag, name=f"{self.kind} {self.where}", type=self.kind)
         made.set(place, self.where)
         for param in self.params:
@@ -212,6 +217,16 @@ def concentration(where: str, value: float, curve: int | None = None, sol: int =
     return Condition("bc", "prescribed concentration", where, params)
 
 
+def initial_pressure(where: str, value: float) -> Condition:
+    """Effective fluid pressure p~ (MPa) of a node set at the start."""
+    return Condition("ic", "initial fluid pressure", where, (Param("value", value),))
+
+
+def initial_concentration(where: str, value: float, sol: int = 1) -> Condition:
+    """Effective concentration c~ (mM) of solute `sol` on a node set at the start."""
+    return Condition("ic", "initial concentration", where, (Param("dof", f"c{sol}"), Param("value", value)))
+
+
 def normal_load(where: str, value: float, curve: int | None = None) -> Condition:
     """Press on a surface with `value` MPa, acting on the whole mixture, in the reference configuration."""
     params = (Param("pressure", value, curve), Param("linear", True), Param("symmetric_stiffness", False))
@@ -231,7 +246,7 @@ class TimeStepper:
     Attributes
     ----------
     max_step : float
-        Largest step, s; the factor of `must_points` where that is given.
+        Largest step, s; 0 where `must_points` is given, whose values then are the largest step.
     retries : int
         How often a failed step is tried again.
     optimal_iterations : int
@@ -280,7 +295,9 @@ class Control:
     reformations : int
         Largest number of matrix reformations in a step.
     stepper : TimeStepper, optional
-        Adaptive steps; fixed ones without it.
+        Adaptive steps; fixed ones without it. The analysis ends at `steps` times `step` all the same.
+    solver : tuple of Param
+        Further parameters of the solver.
     """
 
     steps: int
@@ -292,6 +309,7 @@ class Control:
     residual_tolerance: float = 0.0
     reformations: int = 15
     stepper: TimeStepper | None = None
+    solver: tuple[Param, ...] = ()
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
         """Append the control section to the model `parent`."""
@@ -311,6 +329,8 @@ class Control:
         child(solver, "ptol", self.pressure_tolerance)
         if module != "biphasic":
             child(solver, "ctol", self.concentration_tolerance)
+        for param in self.solver:
+            param.write(solver)
         child(child(solver, "qn_method", type="BFGS"), "max_ups", 0)
 
 

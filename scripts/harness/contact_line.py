@@ -1,0 +1,109 @@
+"""Two surfaces seen as lines in the plane z = 0: their gap, and the fields on both sides of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models.mesh import Ids, Mesh
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Projection:
+    """Points projected on a line.
+
+    Attributes
+    ----------
+    gap : ndarray, shape (n_points,)
+        mm along the normal of the line, negative where a point lies inside the other body.
+    segment : ndarray of int, shape (n_points,)
+        The segment of the line, from 0.
+    fraction : ndarray, shape (n_points,)
+        Place on the segment, from 0 to 1.
+    """
+
+    gap: Array
+    segment: Ids
+    fraction: Array
+
+    def sample(self, values: Array) -> Array:
+        """Values on the line at the projections, of the values at its nodes."""
+        low, high = values[self.segment], values[self.segment + 1]
+        return np.asarray(low + self.fraction * (high - low))
+
+
+def line_nodes(mesh: Mesh, surface: str) -> Ids:
+    """Numbers (from 1) of a surface's nodes in the plane z = 0, from the axis x = 0 outwards along the surface.
+
+    Mid-edge nodes of quadratic elements are among them: the line then has two segments for each edge.
+    """
+    on_plane = np.abs(mesh.nodes[:, 2]) < 1e-9
+    chains: dict[int, set[int]] = {}
+    for facet in mesh.surfaces[surface].tolist():
+        corners, middles = facet[:4], facet[4:]
+        for i in range(4):
+            chain = [corners[i], *([middles[i]] if middles else []), corners[(i + 1) % 4]]
+            if all(on_plane[number - 1] for number in chain):
+                for a, b in pairwise(chain):
+                    chains.setdefault(a, set()).add(b)
+                    chains.setdefault(b, set()).add(a)
+    ends = [number for number, others in chains.items() if len(others) == 1]
+    path = [min(ends, key=lambda number: float(mesh.nodes[number - 1, 0]))]
+    while True:
+        following = [number for number in chains[path[-1]] if number not in path[-2:-1]]
+        if not following:
+            return np.array(path, dtype=np.int64)
+        path.append(following[0])
+
+
+def project(points: Array, line: Array) -> Projection:
+    """Project points on a line of segments.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n_points, 2)
+        Positions x, y, mm.
+    line : ndarray, shape (n_nodes, 2)
+        Positions of its nodes; the body it bounds lies to its left.
+    """
+    start, along = line[:-1], np.diff(line, axis=0)
+    squared = np.sum(along**2, axis=1)
+    relative = points[:, None, :] - start
+    fraction = np.clip(np.sum(relative * along, axis=2) / squared, 0.0, 1.0)
+    away = relative - fraction[..., None] * along
+    distance = np.linalg.norm(away, axis=2)
+    nearest = np.argmin(distance, axis=1)
+    rows = np.arange(len(points))
+    cross = along[:, 0] * relative[..., 1] - along[:, 1] * relative[..., 0]
+    side = np.where(cross[rows, nearest] > 0.0, -1.0, 1.0)
+    return Projection(side * distance[rows, nearest], nearest.astype(np.int64), fraction[rows, nearest])
+
+
+def half_width(x: Array, gap: Array, closed: float = 0.0) -> float:
+    """Place (mm) at which a line that touches at its start leaves the other one.
+
+    Parameters
+    ----------
+    x, gap : ndarray, shape (n_points,)
+        Positions along the line and gaps, mm, from the axis outwards.
+    closed : float
+        Gap up to which surfaces count as being in contact, mm.
+
+    Returns
+    -------
+    float
+        Interpolated between the last closed point and the first open one after it; 0 where nothing is in contact.
+    """
+    touching = np.flatnonzero(gap <= closed)
+    if touching.size == 0:
+        return 0.0
+    last = int(touching[-1])
+    if last == len(x) - 1:
+        return float(x[last])
+    share = (closed - gap[last]) / (gap[last + 1] - gap[last])
+    return float(x[last] + share * (x[last + 1] - x[last]))

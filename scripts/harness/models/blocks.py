@@ -1,0 +1,114 @@
+"""Hexahedral meshes put together from mapped blocks: merging, boundary facets, quadratic elements."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from harness.models.mesh import Ids, Nodes
+
+Points = NDArray[np.float64]
+Middles = Callable[[Points], Points]
+"""Positions (n, 3) of the mid-edge nodes of edges whose ends are (n, 2, 3)."""
+
+FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+"""Corners (from 0) of the faces of a hex8 in FEBio's order, counterclockwise seen from outside."""
+EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
+"""Ends of the edges on which nodes 9 to 20 of FEBio's hex20 lie."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """The elements of one body.
+
+    Attributes
+    ----------
+    nodes : ndarray, shape (n_nodes, 3)
+        mm.
+    elements : ndarray of int, shape (n_elements, 8 or 20)
+        Node numbers from 0.
+    """
+
+    nodes: Nodes
+    elements: Ids
+
+
+def structured(points: Points) -> Body:
+    """One block.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n_i + 1, n_j + 1, n_k + 1, 3)
+        Its nodes, mm; a left-handed block is turned over.
+    """
+    if _is_left_handed(points):
+        points = points[:, :, ::-1]
+    number = np.arange(points[..., 0].size, dtype=np.int64).reshape(points.shape[:3])
+    low, high = slice(None, -1), slice(1, None)
+    corners = [number[i, j, k] for k in (low, high) for i, j in ((low, low), (high, low), (high, high), (low, high))]
+    return Body(points.reshape(-1, 3), np.stack([corner.ravel() for corner in corners], axis=1))
+
+
+def _is_left_handed(points: Points) -> bool:
+    """Whether the edges at the first corner of a block turn the wrong way."""
+    edges = (points[1, 0, 0], points[0, 1, 0], points[0, 0, 1])
+    return bool(np.linalg.det(np.stack([edge - points[0, 0, 0] for edge in edges])) < 0.0)
+
+
+def merged(bodies: Sequence[Body], tolerance: float = 1e-9) -> Body:
+    """One body, in which nodes nearer than `tolerance` (mm) to each other are one node."""
+    nodes = np.concatenate([body.nodes for body in bodies])
+    offsets = np.cumsum([0, *(len(body.nodes) for body in bodies[:-1])])
+    elements = np.concatenate([body.elements + offset for body, offset in zip(bodies, offsets, strict=True)])
+    same = np.arange(len(nodes))
+    for low, high in sorted(cKDTree(nodes).query_pairs(tolerance)):
+        same[high] = same[low]
+    kept, number = np.unique(same, return_inverse=True)
+    return Body(nodes[kept], np.asarray(number, dtype=np.int64)[elements])
+
+
+def straight(ends: Points) -> Points:
+    """Middles of straight edges."""
+    return np.asarray(ends.mean(axis=1))
+
+
+def quadratic(body: Body, middles: Middles = straight) -> Body:
+    """The same body of hex20: a node on the middle of each edge.
+
+    Parameters
+    ----------
+    body : Body
+        Of hex8.
+    middles : callable
+        Where the new nodes are; other than the middles of the edges where these are curved.
+    """
+    ends = np.sort(body.elements[:, np.array(EDGES)].reshape(-1, 2), axis=1)
+    edges, index = np.unique(ends, axis=0, return_inverse=True)
+    placed = middles(body.nodes[edges])
+    added = len(body.nodes) + np.asarray(index, dtype=np.int64).reshape(len(body.elements), len(EDGES))
+    return Body(np.concatenate([body.nodes, placed]), np.concatenate([body.elements, added], axis=1))
+
+
+def boundary(body: Body) -> Ids:
+    """Outer facets of a body, shape (n_facets, 4 or 8): corners counterclockwise seen from outside, then middles."""
+    corners = np.array(FACES)
+    locals_ = corners if body.elements.shape[1] == 8 else np.concatenate([corners, _middles(corners)], axis=1)
+    facets = body.elements[:, locals_].reshape(-1, locals_.shape[1])
+    _, index, count = np.unique(np.sort(facets[:, :4], axis=1), axis=0, return_index=True, return_counts=True)
+    return np.asarray(facets[np.sort(index[count == 1])], dtype=np.int64)
+
+
+def _middles(corners: Ids) -> Ids:
+    """Local numbers of the mid-edge nodes of the faces of a hex20."""
+    number = {frozenset(edge): 8 + place for place, edge in enumerate(EDGES)}
+    return np.array([[number[frozenset((face[i], face[(i + 1) % 4]))] for i in range(4)] for face in corners.tolist()])
+
+
+def facets_where(body: Body, inside: Callable[[Points], NDArray[np.bool_]]) -> Ids:
+    """Outer facets whose nodes all satisfy `inside`, a function of positions of shape (..., 3)."""
+    facets = boundary(body)
+    return np.asarray(facets[np.all(inside(body.nodes[facets]), axis=1)], dtype=np.int64)

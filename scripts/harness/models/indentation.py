@@ -1,0 +1,131 @@
+"""Problem 3.3: a semi-cylinder is driven into a slab in a bath, and solute leaves the slab into both."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.indentation_mesh import Grid, Primary, mesh
+from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.parts import (
+    GAS_CONSTANT,
+    TEMPERATURE,
+    Condition,
+    Control,
+    Curve,
+    Mixture,
+    Param,
+    Solid,
+    Solute,
+    TimeStepper,
+    displace,
+    fix,
+    initial_concentration,
+    initial_pressure,
+)
+
+CONCENTRATION = 1.0
+"""Initial concentration of the slab, mM; the cylinder and the bath have none."""
+DEPTH = 2.0
+"""mm by which the cylinder's flat top is driven down."""
+RAMP = 1.0
+"""s in which it is driven."""
+END = 6000.0
+"""s."""
+TIMES = (1.0, 100.0, 1000.0, 6000.0)
+"""Times of the pictures of figure 3.4, s; a time step ends at each."""
+GEL = Mixture(Solid(1.0, 0.3), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
+
+RAMP_CURVE, STEP_CURVE = 1, 2
+STEPS = Curve(((0.0, 0.1), (RAMP, 0.1), (100.0, 20.0), (1000.0, 250.0), (END, 250.0)))
+"""Largest time step (s) over time; its points must be met. Fronts need small steps early, and nothing does later."""
+CONTROL = Control(
+    round(END / 0.01),
+    0.01,
+    reformations=25,
+    stepper=TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=STEP_CURVE, aggressive=True),
+)
+
+ABOUT = """\
+Transient contact with solute transport: problem 3.3 and figure 3.4 of Ateshian, Maas and Weiss (2012),
+J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
+
+A {body} of radius {radius:g} mm is driven {depth:g} mm into a slab 3 mm wide and 2 mm high in 1 s, and held to
+6000 s. Solute diffuses and is squeezed from the slab (1 mM) into the {body} and into the bath (both 0 mM), which
+wets what is not in contact. By symmetry half of it is modelled{plane}."""
+
+
+@dataclass(frozen=True)
+class Indentation:
+    """Choices of problem 3.3.
+
+    Attributes
+    ----------
+    join : Join
+    settings : ContactSettings, optional
+        Default settings without it.
+    grid : Grid
+    primary : Primary
+        Which body has the primary surface.
+    clamp : bool
+        Whether FEBio's multiphasic solver sets negative concentrations to zero; its solute solver always does.
+    sliding : bool
+        Whether the slab's bottom can slide along x (and z).
+    control : Control
+    module : str, optional
+        The module that `join` asks for without it.
+    name : str
+    """
+
+    join: Join = Join.MIXTURE
+    settings: ContactSettings | None = None
+    grid: Grid = Grid()
+    primary: Primary = Primary.CYLINDER
+    clamp: bool = True
+    sliding: bool = True
+    control: Control = CONTROL
+    module: str | None = None
+    name: str = "indentation"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        made = mesh(self.grid, self.primary)
+        module = self.module or self.join.module
+        return Model(
+            self.name,
+            header(self.name, self._about(), self.join),
+            module,
+            made,
+            {"slab": GEL, "cylinder": GEL},
+            self._conditions(),
+            self._control(module),
+            contacts(self.join, made, self.settings),
+            (Curve(((0.0, 0.0), (RAMP, 1.0))), STEPS),
+            plot=self.plot,
+            further_columns=("Rx", "Ry", "Rz"),
+        )
+
+    def _about(self) -> str:
+        body = "hemisphere" if self.grid.solid else "semi-cylinder"
+        plane = " (a quarter)" if self.grid.solid else ", as a layer of one element with no displacement along z"
+        return ABOUT.format(body=body, radius=self.grid.radius, depth=DEPTH, plane=plane)
+
+    def _conditions(self) -> tuple[Condition, ...]:
+        """With the initial p~ = -R T Phi c the actual fluid pressure is zero at the start, as in the bath."""
+        plane = fix("symmetry-z", "z") if self.grid.solid else fix("all", "z")
+        return (
+            plane,
+            fix("symmetry", "x"),
+            fix("bottom", "y" if self.sliding else "xyz"),
+            fix("top", "xz"),
+            displace("top", "y", -DEPTH, RAMP_CURVE),
+            initial_concentration("slab", CONCENTRATION),
+            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * GEL.osmotic * CONCENTRATION),
+        )
+
+    def _control(self, module: str) -> Control:
+        if module != "multiphasic":
+            return self.control
+        return replace(self.control, solver=(Param("force_positive_concentrations", self.clamp), *self.control.solver))
