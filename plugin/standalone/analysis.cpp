@@ -1,0 +1,98 @@
+#include "analysis.h"
+
+#include "newton.h"
+#include "output.h"
+#include "time_stepper.h"
+
+#include <chrono>
+
+namespace standalone {
+namespace {
+
+void log_summary(Log& log, int steps, const Effort& total, bool done, double seconds) {
+  log.print("\n\n N O N L I N E A R   I T E R A T I O N   I N F O R M A T I O N\n\n");
+  log.print("\tNumber of time steps completed .................... : %d\n\n", steps);
+  log.print("\tTotal number of equilibrium iterations ............ : %d\n\n", total.iterations);
+  log.print("\tAverage number of equilibrium iterations .......... : %g\n\n", steps > 0 ? 1.0 * total.iterations / steps : 0.0);
+  log.print("\tTotal number of right hand evaluations ............ : %d\n\n", total.residuals);
+  log.print("\tTotal number of stiffness reformations ............ : %d\n\n", total.reformations);
+  log.print("\n Elapsed time : %.2f s\n\n", seconds);
+  log.print("\n %s\n\n", done ? "N O R M A L   T E R M I N A T I O N" : "E R R O R   T E R M I N A T I O N");
+}
+
+/// The steps of an analysis.
+class Steps {
+ public:
+  Steps(const Model& model, Log& log)
+      : model_(model), log_(log), problem_(model), newton_(problem_, log), output_(problem_, log), stepper_(model, log) {}
+
+  bool run() {
+    for (Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
+    output_.write(0, 0);
+    const double end = model_.control.end();
+    const double near = end * 1e-7;
+    while (end - time_ > near) {
+      if (time_ + stepper_.increment() <= time_) {
+        log_.box("ERROR", "The time step has become too small for the time to advance.");
+        return false;
+      }
+      if (!step(std::min(time_ + stepper_.increment(), end))) {
+        if (!stepper_.retry()) return false;
+      } else if (time_ + near < end) {
+        stepper_.advance(time_, newton_.effort().iterations);
+      }
+    }
+    return true;
+  }
+
+  int done() const { return done_; }
+  const Effort& total() const { return total_; }
+
+ private:
+  /// Takes one step to `time`; where it fails, everything is as before.
+  bool step(double time) {
+    log_.print("\n===== beginning time step %d : %g =====\n\n", done_ + 1, time);
+    const Problem::State before = problem_.save();
+    try {
+      newton_.solve_step(time, time - time_);
+    } catch (const StepFailure& failure) {
+      log_.box("ERROR", failure.what());
+      log_.print("\n\n------- failed to converge at time : %g\n\n", time);
+      total_ += newton_.effort();
+      problem_.restore(before);
+      return false;
+    }
+    total_ += newton_.effort();
+    log_.print("\nconvergence summary\n    number of iterations   : %d\n    number of reformations : %d\n",
+               newton_.effort().iterations, newton_.effort().reformations);
+    log_.print("\n------- converged at time : %g\n\n", time);
+    time_ = time;
+    output_.write(++done_, time);
+    stepper_.succeeded();
+    return true;
+  }
+
+  const Model& model_;
+  Log& log_;
+  Problem problem_;
+  Newton newton_;
+  Output output_;
+  TimeStepper stepper_;
+  double time_ = 0;
+  int done_ = 0;
+  Effort total_;
+};
+
+}  // namespace
+
+bool run(const Model& model, Log& log) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const std::string& notice : model.notices) log.print("Note: %s\n", notice.c_str());
+  Steps steps(model, log);
+  const bool done = steps.run();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  log_summary(log, steps.done(), steps.total(), done, seconds.count());
+  return done;
+}
+
+}  // namespace standalone

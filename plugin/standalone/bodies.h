@@ -1,0 +1,59 @@
+/// The bodies: residual and tangent of (2.1)-(2.3) over all elements.
+#pragma once
+
+#include "law.h"
+
+#include <functional>
+
+namespace standalone {
+
+/// The elements of a model with what is integrated over them. Evaluations are const; only accept_step() changes the history.
+///
+/// Local vectors of an element are field by field: entry field * nodes + node, fields in the order of Material::dof.
+class Bodies {
+ public:
+  explicit Bodies(const Model& model);
+
+  std::size_t elements() const { return elements_.size(); }
+  const Element& element(std::size_t e) const { return model_.mesh.elements[e]; }
+  const Material& material(std::size_t e) const;
+
+  /// Internal forces of (2.1) and dt times the balances (2.2), (2.3), for nodal values of shape (dofs, nodes).
+  /// Throws StepFailure where an element is inverted.
+  VectorXd residual(std::size_t e, const MatrixXd& values, double dt) const;
+
+  /// Exact derivative of residual() with the element's nodal values, by automatic differentiation of the law at each point.
+  MatrixXd tangent(std::size_t e, const MatrixXd& values, double dt) const;
+
+  /// Keeps J and the contents at these nodal values as what the next time step starts from.
+  void accept_step(const MatrixXd& values);
+
+  /// Averages over an element's integration points, for output.
+  struct Average {
+    Vector3d solvent_flux{0, 0, 0};   ///< [mm/s]
+    Matrix3d stress = Matrix3d::Zero();  ///< Cauchy stress [MPa]
+    Matrix3Xd solute_flux;            ///< one column per solute of the material [nmol/(mm^2 s)]
+    VectorXd concentration;           ///< actual concentration kappa~ c~ [mM]
+    double pressure = 0;              ///< actual pressure [MPa]
+  };
+  Average average(std::size_t e, const MatrixXd& values) const;
+
+  /// Volume of an element in the reference configuration [mm^3].
+  double volume(std::size_t e) const;
+
+ private:
+  struct Point {
+    Eigen::Matrix4Xd shape;  ///< N_a and its reference gradient, shape (4, nodes)
+    double volume;           ///< weight times reference Jacobian [mm^3]
+    PointHistory last;
+  };
+
+  /// Nodal values of the fields of an element, shape (nodes, fields).
+  MatrixXd nodal_fields(std::size_t e, const MatrixXd& values) const;
+
+  const Model& model_;
+  double gas_energy_;  ///< R T [mJ/nmol]
+  std::vector<std::vector<Point>> elements_;
+};
+
+}  // namespace standalone

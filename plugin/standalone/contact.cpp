@@ -1,0 +1,210 @@
+#include "contact.h"
+
+#include "contact/quadrature.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace standalone {
+namespace {
+
+using mixture_contact::both_sides;
+using mixture_contact::Facet;
+using mixture_contact::only;
+
+/// The facet seen from the other side.
+Facet inverted(const Facet& facet) {
+  const std::array<std::size_t, 8> order{0, 3, 2, 1, 7, 6, 5, 4};
+  Facet turned = facet;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(mixture_contact::node_count(facet.type)); ++a) {
+    turned.nodes[a] = facet.nodes[order[a]];
+  }
+  return turned;
+}
+
+/// Integral of the area vector over a facet: its direction is the normal [mm^2].
+Vector3d area_vector(const Facet& facet, const Matrix3Xd& position) {
+  Vector3d sum(0, 0, 0);
+  const auto x = mixture_contact::facet_coordinates(facet, position);
+  for (const auto& point : mixture_contact::quadrature(facet.type, mixture_contact::default_quadrature_order(facet.type))) {
+    const Eigen::Matrix<double, 3, 2> tangents = x * mixture_contact::shape_functions(facet.type, point.xi).gradient;
+    sum += point.weight * tangents.col(0).cross(tangents.col(1));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Contact::Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies)
+    : model_(model), definition_(definition), bodies_(bodies) {
+  PerSide<bool> permeable{{false, false}};
+  PerSide<std::set<int>> solutes;
+  for (const Side side : both_sides) {
+    facets_[side] = model.mesh.surfaces.at(definition.surfaces[static_cast<std::size_t>(side)]);
+    const bool flip = side == Side::primary ? definition.parameters.flip_primary : definition.parameters.flip_secondary;
+    std::set<int> nodes;
+    for (SurfaceFacet& facet : facets_[side]) {
+      if (flip) facet.facet = inverted(facet.facet);
+      nodes.insert(facet.facet.nodes.begin(), facet.facet.nodes.begin() + mixture_contact::node_count(facet.facet.type));
+      const Material& material = bodies.material(static_cast<std::size_t>(facet.element));
+      permeable[side] = permeable[side] || material.porous;
+      for (const Solute& solute : material.solutes) solutes[side].insert(solute.index);
+    }
+    nodes_[side].assign(nodes.begin(), nodes.end());
+  }
+  effects_.solvent = permeable[Side::primary] && permeable[Side::secondary];
+  std::set_intersection(solutes[Side::primary].begin(), solutes[Side::primary].end(), solutes[Side::secondary].begin(),
+                        solutes[Side::secondary].end(), std::back_inserter(effects_.solutes));
+  const MatrixXd start = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
+  core_ = std::make_unique<mixture_contact::ContactInterface>(
+      PerSide<mixture_contact::SurfaceMesh>{{surface_mesh(Side::primary, start), surface_mesh(Side::secondary, start)}}, effects_,
+      core_settings(definition.parameters));
+  if (!core_->pass(0).penalty().traction.allFinite()) {
+    throw InputError(model.file + ": contact \"" + definition.name +
+                     "\": both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave "
+                     "<auto_penalty> at 0");
+  }
+}
+
+std::string Contact::effects_line() const {
+  std::string line = "sliding-mixture \"" + definition_.name + "\" exchanges traction";
+  if (effects_.solvent) line += ", solvent";
+  for (const int solute : effects_.solutes) line += ", solute " + std::to_string(solute + 1);
+  return line + ".";
+}
+
+mixture_contact::SurfaceMesh Contact::surface_mesh(Side side, const MatrixXd& values) const {
+  mixture_contact::SurfaceMesh mesh;
+  const auto count = static_cast<Index>(facets_[side].size());
+  mesh.nodes = static_cast<int>(nodes_[side].size());
+  mesh.stiffness.resize(count);
+  mesh.conductance.setZero(effects_.scalar_fields(), count);
+  for (Index f = 0; f < count; ++f) {
+    const SurfaceFacet& facet = facets_[side][static_cast<std::size_t>(f)];
+    const auto element = static_cast<std::size_t>(facet.element);
+    const Material& material = bodies_.material(element);
+    const Vector3d area = area_vector(facet.facet, model_.mesh.nodes);
+    const double thickness = bodies_.volume(element) / area.norm();
+    const Vector3d flow = bodies_.average(element, values).solvent_flux;
+    const double convection = std::abs(flow.dot(area.normalized()));
+    mesh.stiffness[f] = material.rigid ? std::numeric_limits<double>::infinity() : material.modulus / thickness;
+    mixture_contact::FieldMask known = 0;
+    if (effects_.solvent && material.porous) {
+      known |= only(0);
+      mesh.conductance(0, f) = material.permeability / thickness;
+    }
+    for (const Solute& solute : material.solutes) {
+      const auto shared = std::find(effects_.solutes.begin(), effects_.solutes.end(), solute.index);
+      if (shared == effects_.solutes.end()) continue;
+      const auto field = static_cast<int>(shared - effects_.solutes.begin()) + (effects_.solvent ? 1 : 0);
+      known |= only(field);
+      const double spread = (1 - material.solid_fraction) * solute.diffusivity / thickness;
+      const double carried = solute.diffusivity / solute.free_diffusivity * convection;
+      mesh.conductance(field, f) = solute.solubility * (spread + carried);
+    }
+    mesh.permeable.push_back(known);
+    Facet local = facet.facet;
+    for (int a = 0; a < mixture_contact::node_count(local.type); ++a) {
+      int& node = local.nodes[static_cast<std::size_t>(a)];
+      node = static_cast<int>(std::lower_bound(nodes_[side].begin(), nodes_[side].end(), node) - nodes_[side].begin());
+    }
+    mesh.facets.push_back(local);
+  }
+  return mesh;
+}
+
+void Contact::update_properties(const MatrixXd& values) {
+  PerSide<VectorXd> stiffness;
+  PerSide<MatrixXd> conductance;
+  for (const Side side : both_sides) {
+    const mixture_contact::SurfaceMesh mesh = surface_mesh(side, values);
+    stiffness[side] = mesh.stiffness;
+    conductance[side] = mesh.conductance;
+  }
+  core_->update_properties(stiffness, conductance);
+}
+
+Contact::PerSide<Matrix3Xd> Contact::positions(const MatrixXd& values) const {
+  PerSide<Matrix3Xd> all;
+  for (const Side side : both_sides) {
+    all[side].resize(3, static_cast<Index>(nodes_[side].size()));
+    for (Index i = 0; i < all[side].cols(); ++i) {
+      const int node = nodes_[side][static_cast<std::size_t>(i)];
+      all[side].col(i) = model_.mesh.nodes.col(node) + values.col(node).head<3>();
+    }
+  }
+  return all;
+}
+
+void Contact::project(const MatrixXd& values, bool keep_facets) {
+  using Search = mixture_contact::ContactInterface::Search;
+  core_->project(positions(values), keep_facets ? Search::same_facets : Search::everywhere);
+}
+
+int Contact::field_dof(int field) const {
+  if (effects_.solvent && field == 0) return pressure_dof;
+  return concentration_dof(effects_.solutes[static_cast<std::size_t>(field - (effects_.solvent ? 1 : 0))]);
+}
+
+Contact::PerSide<mixture_contact::SurfaceFields> Contact::fields(const MatrixXd& values) const {
+  PerSide<mixture_contact::SurfaceFields> all;
+  PerSide<Matrix3Xd> position = positions(values);
+  for (const Side side : both_sides) {
+    all[side].position = std::move(position[side]);
+    all[side].scalar.resize(static_cast<Index>(nodes_[side].size()), effects_.scalar_fields());
+    for (int k = 0; k < effects_.scalar_fields(); ++k) {
+      for (Index i = 0; i < all[side].scalar.rows(); ++i) {
+        all[side].scalar(i, k) = values(field_dof(k), nodes_[side][static_cast<std::size_t>(i)]);
+      }
+    }
+  }
+  return all;
+}
+
+Contact::Dofs Contact::dofs(const mixture_contact::ContactInterface::Location& at) const {
+  const mixture_contact::LocalLayout& layout = at.facets.layout;
+  Dofs all(static_cast<std::size_t>(layout.size()));
+  for (Index a = 0; a < layout.nodes(); ++a) {
+    const bool first = a < layout.primary_nodes();
+    const Facet& facet = first ? at.facets.primary : at.facets.secondary;
+    const auto local = static_cast<std::size_t>(first ? a : a - layout.primary_nodes());
+    const int node = nodes_[first ? at.first : other(at.first)][static_cast<std::size_t>(facet.nodes[local])];
+    for (int i = 0; i < 3; ++i) all[static_cast<std::size_t>(layout.displacement(a, i))] = {i, node};
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      const int dof = field_dof(at.facets.fields[static_cast<std::size_t>(k)]);
+      all[static_cast<std::size_t>(layout.scalar(a, k))] = {dof, node};
+    }
+  }
+  return all;
+}
+
+void Contact::add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const {
+  core_->residual(fields(values), dt, [&](const mixture_contact::ContactInterface::Location& at, const VectorXd& local) {
+    Index entry = 0;
+    for (const auto& [dof, node] : dofs(at)) forces(dof, node) += local[entry++];
+  });
+}
+
+void Contact::for_each_tangent(const MatrixXd& values, double dt,
+                               const std::function<void(const Dofs&, const MatrixXd&)>& add) const {
+  core_->tangent(fields(values), dt, [&](const mixture_contact::ContactInterface::Location& at, const MatrixXd& local) {
+    add(dofs(at), local);
+  });
+}
+
+Contact::Saved Contact::save() {
+  Saved saved;
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) {
+    saved.multipliers.push_back(core_->multipliers(pass));
+  }
+  return saved;
+}
+
+void Contact::restore(const Saved& saved) {
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) {
+    core_->multipliers(pass) = saved.multipliers[pass];
+  }
+}
+
+}  // namespace standalone

@@ -1,0 +1,63 @@
+/// A contact interface of a model: gathers positions and fields for the contact core, and hands its residual and tangent on.
+#pragma once
+
+#include "bodies.h"
+#include "contact/interface.h"
+
+namespace standalone {
+
+/// One contact. Its state, beside the core's multipliers and status, are the current nodal values that the caller passes.
+class Contact {
+ public:
+  using Side = mixture_contact::Side;
+  template <class T>
+  using PerSide = mixture_contact::PerSide<T>;
+
+  /// Throws InputError where the surfaces cannot be in contact.
+  Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
+
+  const ContactDefinition& definition() const { return definition_; }
+  mixture_contact::ContactInterface& core() { return *core_; }
+  const std::vector<int>& nodes(Side side) const { return nodes_[side]; }
+  /// A line that says which effects the contact exchanges.
+  std::string effects_line() const;
+
+  /// Stiffness and conductance behind each facet, for the automatic penalties; the convective part follows the current flow.
+  void update_properties(const MatrixXd& values);
+  /// Finds out which facets face each other; `keep_facets`: no new search.
+  void project(const MatrixXd& values, bool keep_facets);
+  /// Holds the status of every point at what the law says now; returns whether any changed.
+  bool hold_status() { return false; }
+  /// Whether the held status is the one that the law gives now.
+  bool status_holds() const { return true; }
+  PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const;
+
+  /// Adds the virtual work (2.5) to nodal forces of shape (dofs, nodes).
+  void add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const;
+  /// Calls add(degrees of freedom as (dof, node), tangent) for each pair of facets in contact, eq (2.6).
+  using Dofs = std::vector<std::pair<int, int>>;
+  void for_each_tangent(const MatrixXd& values, double dt, const std::function<void(const Dofs&, const MatrixXd&)>& add) const;
+
+  /// State to be kept for a time step that is tried again.
+  struct Saved {
+    std::vector<mixture_contact::Multipliers> multipliers;
+  };
+  Saved save();
+  void restore(const Saved& saved);
+
+ private:
+  mixture_contact::SurfaceMesh surface_mesh(Side side, const MatrixXd& values) const;
+  PerSide<Matrix3Xd> positions(const MatrixXd& values) const;
+  int field_dof(int field) const;
+  Dofs dofs(const mixture_contact::ContactInterface::Location& at) const;
+
+  const Model& model_;
+  const ContactDefinition& definition_;
+  const Bodies& bodies_;
+  PerSide<std::vector<SurfaceFacet>> facets_;  ///< with nodes of the mesh
+  PerSide<std::vector<int>> nodes_;            ///< mesh nodes of each surface, in the order of the core
+  mixture_contact::Effects effects_;
+  std::unique_ptr<mixture_contact::ContactInterface> core_;
+};
+
+}  // namespace standalone

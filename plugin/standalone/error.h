@@ -1,0 +1,18 @@
+/// What can go wrong in a run, as exceptions.
+#pragma once
+
+#include <stdexcept>
+
+namespace standalone {
+
+/// A model that cannot be run: the text names the tag, its line and what is wrong.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A time step that failed and may be tried again with a smaller increment.
+struct StepFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace standalone

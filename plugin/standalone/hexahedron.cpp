@@ -1,0 +1,60 @@
+#include "hexahedron.h"
+
+#include "contact/quadrature.h"
+
+#include <array>
+
+namespace standalone {
+namespace {
+
+/// Parametric coordinates of the 20 nodes; 0 along the edge that a mid-edge node stands on.
+constexpr std::array<std::array<int, 3>, 20> node_xi{{
+    {-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1},  // corners
+    {0, -1, -1},  {1, 0, -1},  {0, 1, -1}, {-1, 0, -1},                                                  // lower edges
+    {0, -1, 1},   {1, 0, 1},   {0, 1, 1},  {-1, 0, 1},                                                   // upper edges
+    {-1, -1, 0},  {1, -1, 0},  {1, 1, 0},  {-1, 1, 0},                                                   // between
+}};
+
+/// A factor of a shape function in one coordinate, (1 + xi xi_a) or (1 - xi^2), and its derivative.
+Eigen::Vector2d factor(double xi, int node) {
+  if (node == 0) return {1 - xi * xi, -2 * xi};
+  return {1 + xi * node, static_cast<double>(node)};
+}
+
+}  // namespace
+
+Eigen::Matrix4Xd hexahedron_shape(int nodes, const Eigen::Vector3d& xi) {
+  Eigen::Matrix4Xd shape(4, nodes);
+  for (int a = 0; a < nodes; ++a) {
+    const auto& at = node_xi[static_cast<std::size_t>(a)];
+    const Eigen::Vector2d r = factor(xi[0], at[0]);
+    const Eigen::Vector2d s = factor(xi[1], at[1]);
+    const Eigen::Vector2d t = factor(xi[2], at[2]);
+    const Eigen::Vector4d product(r[0] * s[0] * t[0], r[1] * s[0] * t[0], r[0] * s[1] * t[0], r[0] * s[0] * t[1]);
+    if (a >= 8) {
+      shape.col(a) = product / 4;
+    } else if (nodes == 8) {
+      shape.col(a) = product / 8;
+    } else {  // a corner among 20: vanishes on the mid-edge nodes
+      const double plane = xi[0] * at[0] + xi[1] * at[1] + xi[2] * at[2] - 2;
+      shape.col(a) = product * plane / 8;
+      for (int i = 0; i < 3; ++i) shape(1 + i, a) += product[0] * at[static_cast<std::size_t>(i)] / 8;
+    }
+  }
+  return shape;
+}
+
+std::vector<HexahedronPoint> hexahedron_rule(int nodes) {
+  const Eigen::MatrixX2d line = mixture_contact::gauss_legendre(nodes == 8 ? 2 : 3);
+  std::vector<HexahedronPoint> rule;
+  for (Eigen::Index k = 0; k < line.rows(); ++k) {
+    for (Eigen::Index j = 0; j < line.rows(); ++j) {
+      for (Eigen::Index i = 0; i < line.rows(); ++i) {
+        rule.push_back({{line(i, 0), line(j, 0), line(k, 0)}, line(i, 1) * line(j, 1) * line(k, 1)});
+      }
+    }
+  }
+  return rule;
+}
+
+}  // namespace standalone

@@ -1,0 +1,59 @@
+/// mixture-contact: runs a model with contact between mixtures, without FEBio.
+
+#include "analysis.h"
+#include "error.h"
+#include "reader.h"
+
+#include <boost/program_options.hpp>
+
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+namespace {
+
+namespace options = boost::program_options;
+
+int run_model(const std::string& path, bool check_only) {
+  standalone::Log log;
+  try {
+    const standalone::Model model = standalone::read_model(path);
+    if (check_only) {
+      log.print("%s: the model is complete and supported.\n", path.c_str());
+      return 0;
+    }
+    log.open(std::filesystem::path(path).replace_extension("log").string());
+    return standalone::run(model, log) ? 0 : 1;
+  } catch (const standalone::InputError& error) {
+    log.box("ERROR", error.what());
+  } catch (const std::bad_alloc&) {
+    log.box("ERROR", "There is not enough memory for this model.");
+  } catch (const std::exception& error) {
+    log.box("ERROR", std::string("Unexpected: ") + error.what());
+  }
+  log.print("\n E R R O R   T E R M I N A T I O N\n\n");
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  options::options_description shown("Usage: mixture-contact [options] model.feb\n\nRuns a model (a subset of FEBio XML 4.0) and writes "
+                                     "log and data beside it.\n\nOptions");
+  shown.add_options()("help,h", "show this text")("check", "read the model and say what is wrong with it, without running it");
+  options::options_description all;
+  all.add(shown).add_options()("model", options::value<std::string>());
+  options::variables_map given;
+  try {
+    options::store(options::command_line_parser(argc, argv).options(all).positional(options::positional_options_description().add("model", 1)).run(), given);
+  } catch (const options::error& error) {
+    std::cerr << "mixture-contact: " << error.what() << '\n';
+    return 1;
+  }
+  if (given.count("help") > 0 || given.count("model") == 0) {
+    std::cout << shown << '\n';
+    return given.count("help") > 0 ? 0 : 1;
+  }
+  return run_model(given["model"].as<std::string>(), given.count("check") > 0);
+}

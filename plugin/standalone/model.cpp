@@ -1,0 +1,25 @@
+#include "model.h"
+
+#include <algorithm>
+
+namespace standalone {
+
+double LoadCurve::at(double time) const {
+  const auto after = std::upper_bound(points.begin(), points.end(), time, [](double t, const auto& p) { return t < p[0]; });
+  if (after == points.begin()) return points.front()[1];
+  if (after == points.end()) return points.back()[1];
+  const auto& [t0, f0] = *(after - 1);
+  const auto& [t1, f1] = *after;
+  if (steps) return time == t0 ? f0 : f1;
+  return f0 + (f1 - f0) * (time - t0) / (t1 - t0);
+}
+
+double Parameter::at(double time, const std::vector<LoadCurve>& curves) const {
+  return curve < 0 ? value : value * curves[static_cast<std::size_t>(curve)].at(time);
+}
+
+int Material::dof(int field) const {
+  return field <= pressure_dof ? field : concentration_dof(solutes[static_cast<std::size_t>(field - 4)].index);
+}
+
+}  // namespace standalone

@@ -1,0 +1,175 @@
+/// A model as its file describes it: plain data, checked by the reader.
+#pragma once
+
+#include "contact/facet.h"
+#include "host/contact_parameters.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace standalone {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Rows of nodal values: displacements u [mm], effective fluid pressure p~ [MPa], effective concentrations c~ [mM].
+inline constexpr int pressure_dof = 3;
+inline constexpr int concentration_dof(int solute) { return 4 + solute; }
+
+/// A function of time: points joined by lines, or steps up to the next point; constant beyond both ends.
+struct LoadCurve {
+  std::vector<std::array<double, 2>> points;  ///< (time [s], value), times ascending
+  bool steps = false;
+
+  double at(double time) const;
+};
+
+/// A value, times a load curve where it has one.
+struct Parameter {
+  double value = 0;
+  int curve = -1;  ///< index of the load curve, -1 for none
+
+  double at(double time, const std::vector<LoadCurve>& curves) const;
+};
+
+/// A solute in one material.
+struct Solute {
+  int index = 0;                ///< in the model's list, from 0
+  double diffusivity = 0;       ///< d in the mixture [mm^2/s]
+  double free_diffusivity = 0;  ///< d0 in the solvent [mm^2/s]
+  double solubility = 1;        ///< effective solubility kappa~: c = kappa~ c~ [-]
+};
+
+/// A neo-Hookean solid, alone or as the matrix of a mixture, or a rigid body.
+struct Material {
+  std::string name;
+  bool rigid = false;
+  bool porous = false;
+  double modulus = 0;         ///< Young's modulus at small strain [MPa]
+  double poisson = 0;         ///< Poisson's ratio [-]
+  double solid_fraction = 0;  ///< phi_s in the reference configuration [-]
+  double permeability = 0;    ///< k [mm^4/(N s)]
+  double osmotic = 1;         ///< osmotic coefficient Phi [-]
+  std::vector<Solute> solutes;
+
+  /// Fields on the nodes of an element of this material: u, p~ if porous, c~ per solute.
+  int fields() const { return porous ? 4 + static_cast<int>(solutes.size()) : 3; }
+  /// Row of nodal values that holds a field.
+  int dof(int field) const;
+};
+
+/// A hexahedron in FEBio's node order; 8 nodes, or 20 with those on the edges.
+struct Element {
+  int id = 0;
+  int material = 0;
+  std::vector<int> nodes;
+};
+
+/// A facet of a surface (node indices of the mesh) and the element behind it.
+struct SurfaceFacet {
+  mixture_contact::Facet facet;
+  int element = -1;
+};
+
+struct Mesh {
+  Matrix3Xd nodes;  ///< reference positions [mm]
+  std::vector<Element> elements;
+  std::map<std::string, std::vector<int>> parts;  ///< elements of each <Elements> section
+  std::map<std::string, std::vector<int>> node_sets;
+  std::map<std::string, std::vector<SurfaceFacet>> surfaces;
+  std::map<std::string, std::array<std::string, 2>> pairs;  ///< primary and secondary surface
+};
+
+/// A degree of freedom that is given on some nodes: at the start, or always.
+struct Condition {
+  int dof = 0;
+  std::vector<int> nodes;
+  Parameter value;
+};
+
+/// A dead load on a surface in the reference configuration.
+struct SurfaceLoad {
+  bool fluid = false;  ///< outward volume flux of solvent [mm/s]; else a pressure on the mixture [MPa]
+  std::vector<SurfaceFacet> facets;
+  Parameter value;
+};
+
+/// FEBio's automatic time stepper.
+struct StepControl {
+  int max_retries = 5;
+  int optimal_iterations = 11;
+  double least = 0;      ///< dtmin [s]
+  double largest = 0.1;  ///< dtmax [s], unless a must-point curve holds it
+  int must_points = -1;  ///< load curve whose points must be met and whose values are the largest step; -1: none
+  double cutback = 0.5;
+  bool aggressive = false;
+  bool force = false;
+};
+
+/// Time steps, and Newton's method with FEBio's convergence tests.
+struct Control {
+  std::string module;
+  int steps = 0;
+  double step_size = 0;  ///< [s]
+  std::optional<StepControl> stepper;
+  int max_reformations = 15;
+  double displacement_tolerance = 1e-3;
+  double energy_tolerance = 1e-2;
+  double residual_tolerance = 0;
+  double pressure_tolerance = 1e-2;
+  double concentration_tolerance = 1e-2;
+  double least_residual = 1e-20;  ///< squared norm below which nothing acts on the system
+  double search_tolerance = 0.9;  ///< line search: energy at which a step is good enough, 0 for no line search
+  double least_search = 0.01;
+  int max_searches = 5;
+  bool clamp = false;  ///< negative concentrations are set to zero, as FEBio's solute solver does
+  bool plot = true;
+
+  double end() const { return steps * step_size; }
+};
+
+/// A contact interface.
+struct ContactDefinition {
+  std::string name;
+  std::array<std::string, 2> surfaces;  ///< primary, secondary
+  ContactParameters parameters;
+  Parameter ambient_pressure;                   ///< p* [MPa]
+  std::map<int, Parameter> ambient_concentration;  ///< solute -> c* [mM]
+};
+
+/// A file of node or element data.
+struct DataFile {
+  bool elements = false;
+  std::vector<std::string> columns;
+  std::string names;  ///< the columns as the model spells them
+  std::string file;
+  std::string separator = " ";
+};
+
+struct Model {
+  std::string file;
+  Control control;
+  double gas_constant = 0;  ///< R [mJ/(nmol K)]
+  double temperature = 0;   ///< [K]
+  int solutes = 0;
+  std::vector<Material> materials;
+  Mesh mesh;
+  std::vector<Condition> prescribed;
+  std::vector<Condition> initial;
+  std::vector<SurfaceLoad> loads;
+  std::vector<ContactDefinition> contacts;
+  std::vector<LoadCurve> curves;
+  std::vector<DataFile> data;
+  std::vector<std::string> notices;  ///< what a user should know of parameters without effect
+
+  int dofs() const { return concentration_dof(solutes); }
+};
+
+}  // namespace standalone

@@ -1,0 +1,34 @@
+/// What a run writes beside its log: data files in FEBio's format, and files for ParaView.
+#pragma once
+
+#include "columns.h"
+#include "log.h"
+#include "problem.h"
+
+#include <fstream>
+
+namespace standalone {
+
+/// Writes the state of a problem to all the files that its model asks for, in the folder of the model.
+class Output {
+ public:
+  /// Opens the files; throws InputError where one cannot be written.
+  Output(const Problem& problem, Log& log);
+
+  /// Writes the state at the end of a step (0: the initial one) at `time` [s].
+  void write(int step, double time);
+
+ private:
+  double node_value(const NodeColumn& column, int node) const;
+  double element_value(const ElementColumn& column, const Bodies::Average& average, const Material& material) const;
+  void write_data(std::size_t table, int step, double time);
+  void write_row(std::size_t table, int item, const std::vector<double>& values);
+  void write_vtk(int step, double time);
+
+  const Problem& problem_;
+  Log& log_;
+  std::vector<std::ofstream> streams_;            ///< one per data file of the model
+  std::vector<std::pair<double, std::string>> states_;  ///< time [s] and .vtu file of each state written
+};
+
+}  // namespace standalone

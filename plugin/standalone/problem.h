@@ -1,0 +1,79 @@
+/// A model at work: its current state, and what acts on it.
+#pragma once
+
+#include "contact.h"
+#include "equations.h"
+#include "linear_system.h"
+
+namespace standalone {
+
+/// Bodies, contacts and conditions with the current nodal values.
+///
+/// The vectors over the equations follow FEBio: `total` of the accepted steps, the `increment` of the current step, and a trial
+/// on top of both. Nodal values are their sum, except that a solver may set negative concentrations to zero, and that ambient
+/// nodes have their bath's value.
+class Problem {
+ public:
+  explicit Problem(const Model& model);
+
+  const Model& model() const { return model_; }
+  const Bodies& bodies() const { return bodies_; }
+  const Equations& equations() const { return equations_; }
+  std::vector<Contact>& contacts() { return contacts_; }
+  /// Current u [mm], p~ [MPa] and c~ [mM], shape (dofs, nodes).
+  const MatrixXd& values() const { return state_.values; }
+  /// Forces that the last residual() left on prescribed degrees of freedom, shape (dofs, nodes): the reactions.
+  const MatrixXd& reactions() const { return reactions_; }
+  /// Whether an equation is at its ambient value now.
+  const std::vector<bool>& held() const { return state_.ambient; }
+  LinearSystem linear_system() const;
+
+  /// Starts a time step that ends at `time` [s].
+  void start_step(double time, double dt);
+  /// Keeps the current state as what the next step starts from.
+  void accept_step();
+
+  /// Decides which points and nodes are in contact at the current state, and switches the others' nodes to ambient values.
+  /// Between decisions the status is held. Returns whether anything changed.
+  bool decide_status();
+  bool status_holds();
+
+  /// Sets the nodal values to total + increment + trial and prescribed values. `keep_facets`: contact keeps to known facets.
+  void set_trial(const VectorXd& trial, int iteration);
+  /// Adds an accepted trial to the step's increment.
+  void accept_trial(const VectorXd& trial) { state_.increment += trial; }
+
+  /// Forces on the free equations; zero in equilibrium. Throws StepFailure where an element is inverted or a force not finite.
+  VectorXd residual();
+  /// Assembles the tangent, -d residual/d values. Returns the forces that prescribed increments which are not yet in the nodal
+  /// values will bring.
+  VectorXd assemble(LinearSystem& system);
+
+  /// Everything that changes in a time step, to try one again.
+  struct State {
+    MatrixXd values;
+    VectorXd total, increment;
+    std::vector<bool> ambient;
+    std::vector<Contact::Saved> contacts;
+  };
+  State save();
+  void restore(const State& state);
+
+ private:
+  double ambient_value(const ContactDefinition& contact, int dof) const;
+  bool switch_ambient();
+  bool set_ambient(int equation, bool in_contact, double value);
+
+  const Model& model_;
+  Equations equations_;
+  Bodies bodies_;
+  std::vector<Contact> contacts_;
+  std::vector<MatrixXd> unit_forces_;  ///< per load
+  State state_;
+  MatrixXd target_;     ///< prescribed values of the current step
+  MatrixXd pending_;    ///< prescribed increments that are not yet in the nodal values
+  MatrixXd reactions_;
+  double time_ = 0, dt_ = 0;
+};
+
+}  // namespace standalone

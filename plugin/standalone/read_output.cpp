@@ -1,0 +1,38 @@
+#include "columns.h"
+#include "sections.h"
+
+#include <sstream>
+
+namespace standalone {
+
+void read_output(const Tag& section, Model& model) {
+  section.allow_children({"logfile", "plotfile"});
+  if (const auto plot = section.find("plotfile"); plot && model.control.plot) {
+    plot->allow_attributes({"type"});
+    model.notices.emplace_back("the plot file is written for ParaView (.pvd), with displacement, pressure and concentrations.");
+  } else {
+    model.control.plot = false;
+  }
+  const auto log = section.find("logfile");
+  if (!log) return;
+  log->allow_children({"node_data", "element_data"});
+  for (const Tag& tag : log->children()) {
+    tag.allow_attributes({"data", "file", "delim", "name"});
+    if (!tag.text().empty()) tag.fail("a choice of items is not supported; the data of all are written");
+    DataFile file;
+    file.elements = tag.name() == "element_data";
+    file.names = tag.attribute("data");
+    file.file = tag.attribute("file");
+    file.separator = tag.find_attribute("delim").value_or(" ");
+    std::istringstream names(file.names);
+    for (std::string name; std::getline(names, name, ';');) file.columns.push_back(name);
+    if (file.columns.empty()) tag.fail("the attribute data names no column");
+    for (const std::string& name : file.columns) {
+      const bool known = file.elements ? element_column(name, model.solutes).has_value() : node_column(name, model.solutes).has_value();
+      if (!known) tag.fail("the data \"" + name + "\" are not supported");
+    }
+    model.data.push_back(std::move(file));
+  }
+}
+
+}  // namespace standalone
