@@ -17,13 +17,13 @@ TIMEOUT = 180.0
 
 
 class Configuration(str, Enum):
-    """The columns of the table: what is changed in a run."""
+    """What is changed in a run: the automatic penalties, two passes, the primary surface, AUGLAG with tolerance 0.05."""
 
-    PENALTY_1 = "penalty 1"
-    TWO_PASS = "two passes"
-    SLAB = "slab primary"
-    PENALTY_10 = "penalty 10"
-    AUGLAG = "AUGLAG 0.05"
+    PENALTY_1 = "penalty-1"
+    TWO_PASS = "two-pass"
+    SLAB = "slab-primary"
+    PENALTY_10 = "penalty-10"
+    AUGLAG = "auglag"
 
     @property
     def scale(self) -> float:
@@ -69,7 +69,7 @@ class Case:
     @property
     def name(self) -> str:
         """Stem of the files."""
-        parts = [self.join.slug, self.module, self.configuration.name.lower().replace("_", "-")]
+        parts = [self.join.slug, self.module, self.configuration.value]
         parts += [] if self.clamp else ["unclamped"]
         return "-".join([*parts, *([] if self.scaled else ["default"])])
 

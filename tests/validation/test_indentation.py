@@ -1,0 +1,212 @@
+"""Problem 3.3 without a run: its meshes, the balance of solute, the contact seen as a line, and the reading of logs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from harness import contact_line, diagnosis, solute_balance
+from harness.diagnosis import Ailment
+from harness.hexahedra import geometry, rule
+from harness.indentation_study import Configuration, febio_cases, mixture_cases
+from harness.models import blocks, indentation_mesh
+from harness.models.blocks import Body
+from harness.models.indentation import CONCENTRATION, Indentation, Variant
+from harness.models.indentation_mesh import Grid
+from harness.solute_balance import State
+
+GRIDS = {
+    "medium": Grid(),
+    "fine": indentation_mesh.LEVELS[2],
+    "ball": indentation_mesh.BALL,
+    "hex20": Grid(nodes=20),
+    "ball hex20": Grid(across=3, down=3, around=2, nodes=20, solid=True),
+}
+
+
+def volume(body: Body) -> float:
+    return float(geometry(body.nodes, body.elements).volumes.sum())
+
+
+@pytest.mark.parametrize("grid", GRIDS.values(), ids=GRIDS)
+def test_no_element_is_inverted(grid):
+    for body in (indentation_mesh.slab_body(grid), indentation_mesh.cylinder_body(grid)):
+        assert geometry(body.nodes, body.elements).volumes.min() > 0.0
+        assert indentation_mesh.smallest_jacobian(body) > 0.2
+
+
+@pytest.mark.parametrize("nodes", [8, 20])
+def test_volume_of_the_round_body_converges_to_that_of_the_circle(nodes):
+    exact = np.pi / 4 * 3.0**2 * 0.25
+    errors = [abs(volume(indentation_mesh.cylinder_body(Grid(around=n, nodes=nodes))) / exact - 1.0) for n in (3, 6)]
+    order = np.log2(errors[0] / errors[1])
+    assert order == pytest.approx(2.0 if nodes == 8 else 4.0, abs=0.1)
+
+
+def test_bodies_touch_at_the_axis_and_nowhere_else():
+    mesh = indentation_mesh.mesh(Grid())
+    slab, arc = (mesh.nodes[contact_line.line_nodes(mesh, f"{body}-contact") - 1, :2] for body in ("slab", "cylinder"))
+    gap = contact_line.project(slab, arc).gap
+    assert gap[0] == pytest.approx(0.0, abs=1e-12)
+    assert np.all(gap[1:] > 0.0)
+
+
+@pytest.mark.parametrize("grid", [Grid(), Grid(nodes=20), Grid(side=True)], ids=["hex8", "hex20", "side"])
+def test_facets_point_outwards(grid):
+    mesh = indentation_mesh.mesh(grid)
+    for name, middle in (("slab-contact", (0.0, 1.0)), ("cylinder-contact", (0.0, 5.0))):
+        x = mesh.nodes[mesh.surfaces[name][:, :4] - 1]
+        normal = np.cross(x[:, 2] - x[:, 0], x[:, 3] - x[:, 1])[:, :2]
+        outward = x.mean(axis=1)[:, :2] - np.array(middle)
+        assert np.all(np.sum(normal * outward, axis=1) > 0.0)
+
+
+def test_contact_surface_follows_the_side_only_where_asked():
+    assert len(indentation_mesh.mesh(Grid()).surfaces["slab-contact"]) == 18
+    assert len(indentation_mesh.mesh(Grid(side=True)).surfaces["slab-contact"]) == 18 + 12
+
+
+def test_a_left_handed_block_is_turned_over():
+    axes = np.meshgrid([0.0, 1.0], [0.0, 1.0], [0.0, -2.0], indexing="ij")
+    assert volume(blocks.structured(np.stack(axes, axis=-1))) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize("nodes", [8, 20])
+def test_shape_functions_reproduce_their_space(nodes):
+    used = rule(nodes)
+    np.testing.assert_allclose(used.values.sum(axis=1), 1.0, atol=1e-14)
+    np.testing.assert_allclose(used.slopes.sum(axis=1), 0.0, atol=1e-14)
+    body = indentation_mesh.slab_body(Grid(across=2, down=2, nodes=nodes))
+    x, y, _ = body.nodes.T
+    field = 2.0 * x - y if nodes == 8 else x**2 + x * y
+    found = geometry(body.nodes, body.elements)
+    places = [found.at_points(component[body.elements]) for component in (x, y)]
+    exact = (2.0, -1.0) if nodes == 8 else (2.0 * places[0] + places[1], places[0])
+    for axis in (0, 1):
+        np.testing.assert_allclose(
+            found.gradient(field[body.elements])[..., axis], np.broadcast_to(exact[axis], places[0].shape), atol=1e-12
+        )
+
+
+@pytest.fixture(params=[8, 20], ids=["hex8", "hex20"])
+def model(request):
+    return Indentation(grid=Grid(across=4, down=3, around=2, nodes=request.param)).model()
+
+
+def squeezed(model, stretch: float) -> np.ndarray:
+    """Positions after a uniform stretch along y."""
+    return model.mesh.nodes * np.array([1.0, stretch, 1.0])
+
+
+def test_content_of_a_squeezed_slab(model):
+    """phi_w = 1 - phi_0/J: with J = 0.7 and phi_0 = 0.2 the pores hold 0.5 of the reference volume."""
+    x = model.mesh.nodes[:, 0]
+    slab = model.mesh.parts[0]
+    amount = solute_balance.content(model, slab, State(squeezed(model, 0.7), 0.0 * x, 1.0 + x))
+    assert amount == pytest.approx((0.7 - 0.2) * (3.0 * 2.0 * 0.25) * (1.0 + 1.5), rel=1e-12)
+
+
+def test_pores_that_are_squeezed_shut_hold_nothing(model):
+    x = model.mesh.nodes[:, 0]
+    state = State(squeezed(model, 0.15), 0.0 * x, 1.0 + 0.0 * x)
+    assert solute_balance.content(model, model.mesh.parts[0], state) == 0.0
+
+
+def test_inflow_is_the_change_of_the_content(model):
+    part, x = model.mesh.parts[0], model.mesh.nodes
+    before = State(x, 0.01 * x[:, 0], np.ones(len(x)))
+    after = State(squeezed(model, 0.8), 0.02 * x[:, 1], 1.0 - 0.1 * x[:, 0])
+    entered = solute_balance.inflow(model, part, before, after, 3.0)
+    contents = [solute_balance.content(model, part, state) for state in (before, after)]
+    assert entered.sum() == pytest.approx(contents[1] - contents[0], rel=1e-12)
+
+
+def test_inflow_of_steady_diffusion(model):
+    """A linear profile without solvent flux: phi_w d dc/dy enters at the top and leaves at the bottom."""
+    part, x = model.mesh.parts[0], model.mesh.nodes
+    solute = model.materials["slab"].solutes[0]
+    thermal = solute_balance.GAS_CONSTANT * solute_balance.TEMPERATURE
+    ratio = solute.diffusivity / solute.free_diffusivity
+    concentration = x[:, 1]
+    state = State(x, -thermal * ratio * concentration, concentration)
+    entered = solute_balance.inflow(model, part, state, state, 10.0)
+    expected = 10.0 * 0.8 * solute.diffusivity * 3.0 * 0.25
+    top, bottom = np.abs(x[:, 1] - 2.0) < 1e-9, np.abs(x[:, 1]) < 1e-9
+    assert entered[top].sum() == pytest.approx(expected)
+    assert entered[bottom].sum() == pytest.approx(-expected)
+    assert np.max(np.abs(entered[~top & ~bottom])) < 1e-15
+
+
+def test_initial_content_is_that_of_the_slab(model):
+    concentration = np.zeros(len(model.mesh.nodes))
+    concentration[model.mesh.node_sets["slab"] - 1] = CONCENTRATION
+    state = State(model.mesh.nodes, 0.0 * concentration, concentration)
+    contents = [solute_balance.content(model, part, state) for part in model.mesh.parts]
+    assert contents == pytest.approx([0.8 * 3.0 * 2.0 * 0.25, 0.0])
+
+
+def test_projection_on_a_line():
+    line = np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 1.0]])
+    found = contact_line.project(np.array([[0.25, -0.1], [0.5, 0.2], [1.5, 0.5]]), line)
+    np.testing.assert_allclose(found.gap, [0.1, -0.2, 0.0], atol=1e-12)
+    np.testing.assert_allclose(found.sample(np.array([0.0, 1.0, 3.0])), [0.25, 0.5, 2.0])
+
+
+@pytest.mark.parametrize(("gap", "expected"), [([0.0, -0.1, 0.3], 1.25), ([0.1, 0.2, 0.3], 0.0), ([-1.0] * 3, 2.0)])
+def test_half_width(gap, expected):
+    assert contact_line.half_width(np.array([0.0, 1.0, 2.0]), np.array(gap)) == pytest.approx(expected)
+
+
+def test_every_variant_is_a_model():
+    assert all("<contact" in variant.problem.model().text() for variant in (Variant.SLAB_PRIMARY, Variant.BALL))
+
+
+def test_configurations_have_names_of_their_own():
+    cases = [*febio_cases(), *febio_cases(clamp=False), *mixture_cases("solute"), *mixture_cases("multiphasic")]
+    names = [case.name for case in cases]
+    assert len(set(names)) == len(names) == 5 * len(Configuration)
+
+
+STEP = "===== beginning time step {} : {} =====\n"
+ITERATION = """
+\tstep from line search         = {ls}
+\tconvergence norms :     INITIAL         CURRENT         REQUIRED
+\t   residual          1.0e+00    {residual}    0.0e+00
+\t   energy            1.0e+00    1.0e-09    1.0e-02
+\t   concentration     1.0e+00    1.0e-03    1.0e-06
+"""
+FAILED = """
+ *************************************************************************
+ *                                ERROR                                  *
+ * {}  *
+ *************************************************************************
+"""
+
+
+def attempt(residuals, *, ls=1.0, error="Max nr of reformations reached."):
+    text = "".join(ITERATION.format(ls=ls, residual=residual) for residual in residuals)
+    return STEP.format(1, 0.5) + text + (FAILED.format(error) if error else "")
+
+
+@pytest.mark.parametrize(
+    ("log", "ailment"),
+    [
+        (attempt([1e-5, 5e-9] * 10), Ailment.CHATTER),
+        (attempt([1e-9] * 20, ls=0.06), Ailment.SEARCH),
+        (attempt([10.0**k for k in range(12)]), Ailment.DIVERGES),
+        (attempt([1e-3 / k for k in range(1, 20)]), Ailment.SLOW),
+        (attempt([1.0, float("nan")], error="NAN detected in residual vector at index 3."), Ailment.NAN),
+        (attempt([1.0], error="2 negative jacobians detected."), Ailment.JACOBIAN),
+        (attempt([1.0], error=""), Ailment.UNFINISHED),
+        (attempt([1.0], error="") + "------- converged at time : 0.5\n", Ailment.NONE),
+    ],
+)
+def test_ailment_of_an_attempt(log, ailment):
+    assert [found.ailment for found in diagnosis.attempts(log)] == [ailment]
+
+
+def test_summary_counts_failed_attempts_and_names_the_unmet_norm():
+    converged = attempt([1.0], error="") + "------- converged at time : 0.5\n"
+    text = diagnosis.summary(converged + attempt([1e-9] * 20, ls=0.06))
+    assert text == "line search stalls x 1; the last, to t = 0.5 s: line search stalls (unmet: concentration)"
+    assert diagnosis.summary(converged) == "no failed attempt"
