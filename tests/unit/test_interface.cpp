@@ -22,7 +22,7 @@ constexpr std::array<std::array<FacetType, 2>, 5> mixed_pairs{{{FacetType::quad4
 
 /// A non-matching contact with random overlap, slopes, fields and multipliers.
 Scene random_scene(FacetType one, FacetType two, bool two_pass, std::mt19937& random) {
-  Scene scene(facing_grids(one, two, 0.05, 2, 3), effects_of(true, 1), explicit_settings(3, 2, 5));
+  Scene scene(facing_grids(one, two, 0.05, 1, 2), effects_of(true, 1), explicit_settings(3, 2, 5));
   scene.settings.two_pass = two_pass;
   scene.disturb(0.02, random);
   return scene;
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(keeping_the_facets_leaves_no_trace_either) {
 BOOST_AUTO_TEST_CASE(a_search_follows_a_projection_on_the_same_facets_at_the_same_place) {
   using Search = ContactInterface::Search;
   for_random_contacts(8, [](const Scene& scene, ContactInterface& contact) {
-    const PerSide<Matrix3Xd> aside = moved(scene.position(), {0.3, 0, 0});
+    const PerSide<Matrix3Xd> aside = moved(scene.position(), {-0.45, 0, 0});
     Scene there = scene;
     there.fields[Side::secondary].position = aside[Side::secondary];
     contact.project(aside);

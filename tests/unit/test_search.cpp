@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(candidates_hold_every_facet_that_a_loop_over_all_finds) {
   for (const FacetType type : all_facets) {
     const GridSurface surface = random_surface(type, random);
     const FacetTree tree(surface.mesh.facets, surface.position, box_margin);
-    for (int sample = 0; sample < 300; ++sample) {
+    for (int sample = 0; sample < 150; ++sample) {
       const Ray ray = random_ray(random);
       const std::vector<int> candidates = tree.candidates(ray.origin, ray.direction, ray.reach);
       BOOST_TEST(std::is_sorted(candidates.begin(), candidates.end()));
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(candidates_hold_every_facet_that_a_loop_over_all_finds) {
       }
     }
   }
-  BOOST_TEST(hits > 500);
+  BOOST_TEST(hits > 250);
 }
 
 BOOST_AUTO_TEST_CASE(candidates_leave_most_of_a_large_surface_out) {
@@ -102,14 +102,15 @@ BOOST_AUTO_TEST_CASE(the_nearest_facing_hit_is_that_of_a_loop_over_all_facets) {
   int found = 0;
   for (const FacetType type : all_facets) {
     const GridSurface surface = random_surface(type, random);
-    for (int sample = 0; sample < 200; ++sample) {
+    const FacetTree tree(surface.mesh.facets, surface.position, box_margin);
+    for (int sample = 0; sample < 100; ++sample) {
       const Ray ray = random_ray(random);
       const std::optional<SurfaceHit> expected = brute_force(surface, ray);
       found += expected.has_value();
-      BOOST_TEST(same(search(surface, ray), expected));
+      BOOST_TEST(same(nearest_facing(tree, surface.mesh.facets, surface.position, ray), expected));
     }
   }
-  BOOST_TEST(found > 300);
+  BOOST_TEST(found > 150);
 }
 
 BOOST_AUTO_TEST_CASE(the_result_does_not_depend_on_earlier_searches) {
