@@ -25,7 +25,7 @@ void Log::open(const std::string& path) {
 }
 
 void Log::write(const std::string& text) {
-  std::cout << text;
+  if (on_screen_) std::cout << text;
   if (file_.is_open()) file_ << text;
 }
 
@@ -54,7 +54,6 @@ void Log::box(const char* title, const std::string& text) {
   }
   const std::string edge = " " + std::string(box_width + 2, '*') + "\n";
   write("\n" + edge + frame + framed(line) + edge);
-  std::cout.flush();
 }
 
 }  // namespace standalone

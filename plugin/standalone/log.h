@@ -8,7 +8,9 @@ namespace standalone {
 
 class Log {
  public:
-  /// Writes to the screen only until a file is opened. Throws InputError where the file cannot be written.
+  explicit Log(bool on_screen = true) : on_screen_(on_screen) {}
+
+  /// Writes to a file as well from now on. Throws InputError where the file cannot be written.
   void open(const std::string& path);
 
   /// Like printf.
@@ -19,6 +21,7 @@ class Log {
  private:
   void write(const std::string& text);
 
+  bool on_screen_;
   std::ofstream file_;
 };
 

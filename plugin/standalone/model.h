@@ -92,6 +92,7 @@ struct Condition {
   int dof = 0;
   std::vector<int> nodes;
   Parameter value;
+  bool reaction = true;  ///< whether its reaction is reported: FEBio has none for zero displacements
 };
 
 /// A dead load on a surface in the reference configuration.

@@ -170,7 +170,7 @@ VectorXd Problem::residual() {
   }
   reactions_.setZero();
   for (const Condition& condition : model_.prescribed) {
-    for (const int node : condition.nodes) reactions_(condition.dof, node) = forces(condition.dof, node);
+    for (const int node : condition.nodes) reactions_(condition.dof, node) = condition.reaction ? forces(condition.dof, node) : 0;
   }
   return free;
 }

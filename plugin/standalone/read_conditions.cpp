@@ -29,7 +29,7 @@ void read_zero_displacement(const Tag& tag, const std::vector<int>& nodes, Model
   tag.allow_children({"x_dof", "y_dof", "z_dof"});
   for (int i = 0; i < 3; ++i) {
     const auto axis = tag.find((std::string(axes[static_cast<std::size_t>(i)]) + "_dof").c_str());
-    if (axis && axis->flag()) model.prescribed.push_back({i, nodes, {}});
+    if (axis && axis->flag()) model.prescribed.push_back({i, nodes, {}, false});
   }
 }
 
