@@ -12,8 +12,9 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from harness import catalogue, engine, febfile, figures, indentation_command, results, validation
+from harness import catalogue, engine, febfile, figures, hosts, indentation_command, results, validation
 from harness.checks import CHECKS, Check, Context
+from harness.compare import Measure
 from harness.errors import HarnessError
 from harness.models.interface import Join
 from harness.paths import MODELS, RESULTS
@@ -56,22 +57,35 @@ def validate(
     only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    chosen: Annotated[
+        hosts.Engine | None, typer.Option("--engine", help="What runs the models: febio4 if it is there.")
+    ] = None,
 ) -> None:
-    """Run the paper's problems through febio4, compare with the closed forms, and draw figures 3.2 and 3.3.
+    """Run the paper's problems, compare with the closed forms, and draw figures 3.2 and 3.3.
 
-    Exit code 0: every bar is met; 1: one is missed; 3: none is missed, but febio4 or the plugin is not there.
+    Without febio4 the embedded engine runs the models. Exit code 0: every bar is met; 1: one is missed; 3: none is
+    missed, but checks were left out.
     """
     if interface is Join.UNSPLIT:
         raise typer.BadParameter("'unsplit' is what the others are compared with", param_hint="--interface")
     checks = _selected(only)
-    found = _with_progress(checks, interface, folder, jobs)
+    engines = hosts.engines(chosen, interface)
+    if chosen is None and engines == (hosts.STANDALONE,):
+        console.print(f"[yellow]The embedded engine runs the models:[/] {_plain(hosts.why_not_febio(interface))}")
+    found = {host.name: _with_progress(checks, interface, _folder(folder, host), jobs, host) for host in engines}
     console.print(_table(found))
-    written = [found.write(folder), *figures.draw(found.profiles, folder)]
-    console.print("Written: " + ", ".join(str(path) for path in written))
-    _conclude(found)
+    for host in engines:
+        own = _folder(folder, host)
+        written = [found[host.name].write(own), *figures.draw(found[host.name].profiles, own)]
+        console.print("Written: " + ", ".join(str(path) for path in written))
+    _conclude(list(found.values()))
 
 
-def _with_progress(checks: list[Check], interface: Join, folder: Path, jobs: int) -> results.Results:
+def _folder(folder: Path, host: engine.Host) -> Path:
+    return folder / host.name if host is hosts.STANDALONE else folder
+
+
+def _with_progress(checks: list[Check], interface: Join, folder: Path, jobs: int, host: engine.Host) -> results.Results:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
         overall = progress.add_task("checks", total=len(checks))
@@ -82,37 +96,52 @@ def _with_progress(checks: list[Check], interface: Join, folder: Path, jobs: int
                 tasks[name] = progress.add_task(name, total=100)
             progress.update(tasks[name], completed=round(100 * fraction), visible=fraction < 1.0)
 
-        context = Context(Runner(folder / "runs", announce), interface)
+        context = Context(Runner(folder / "runs", announce, host=host), interface)
         return validation.validate(context, checks, jobs=jobs, finished=lambda _: progress.advance(overall))
 
 
-def _table(found: results.Results) -> Table:
-    table = Table(title=f"Contact type: {found.interface}", title_justify="left")
+def _table(found: dict[str, results.Results]) -> Table:
+    """Measures of each engine, side by side with their difference where there are two."""
+    first, *others = found.values()
+    table = Table(title=f"Contact type: {first.interface}; run by {' and '.join(found)}", title_justify="left")
     table.add_column("measure")
-    table.add_column("measured", justify="right")
+    for name in found:
+        table.add_column(name, justify="right")
+    if others:
+        table.add_column("difference", justify="right")
     table.add_column("bar", justify="right")
     table.add_column("")
     table.add_column("note", overflow="fold")
-    for measures in found.checks.values():
-        for m in measures:
-            bar = f"<= {m.bar:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.bar:.4g}"
-            mark = "[green]met[/]" if m.passed else "[bold red]missed[/]"
-            table.add_row(_plain(m.name), f"{m.value:.4g}", bar, mark, _plain(m.note))
+    for check, measures in first.checks.items():
+        for place, m in enumerate(measures):
+            twins = [twin for other in others for twin in other.checks.get(check, [])[place : place + 1]]
+            table.add_row(*_row(m, twins, len(others)))
         table.add_section()
     return table
 
 
-def _conclude(found: results.Results) -> None:
-    if found.left_out:
-        reasons = " ".join(dict.fromkeys(found.left_out.values()))
+def _row(m: Measure, twins: list[Measure], columns: int) -> list[str]:
+    bar = f"<= {m.bar:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.bar:.4g}"
+    mark = "[green]met[/]" if all(each.passed for each in (m, *twins)) else "[bold red]missed[/]"
+    values = [f"{each.value:.4g}" for each in (m, *twins)]
+    if columns:
+        values += [f"{twins[0].value - m.value:.1e}"] if twins else ["-", "-"]
+    return [_plain(m.name), *values, bar, mark, _plain(m.note)]
+
+
+def _conclude(found: list[results.Results]) -> None:
+    left_out = {name: why for one in found for name, why in one.left_out.items()}
+    missed = sum(len(one.missed) for one in found)
+    if left_out:
+        reasons = " ".join(dict.fromkeys(left_out.values()))
         console.print(
-            f"[bold yellow]Left out:[/] {', '.join(found.left_out)}. The reason: {_plain(reasons)} "
+            f"[bold yellow]Left out:[/] {', '.join(left_out)}. The reason: {_plain(reasons)} "
             "What needs no run was done: the closed forms were checked, and the figures show them alone."
         )
-    if found.missed:
-        console.print(f"[bold red]{len(found.missed)} of the bars are missed.[/]")
+    if missed:
+        console.print(f"[bold red]{missed} of the bars are missed.[/]")
         raise typer.Exit(MISSED)
-    if found.left_out:
+    if left_out:
         raise typer.Exit(LEFT_OUT)
     console.print("[bold green]Every bar is met.[/]")
 
@@ -120,17 +149,28 @@ def _conclude(found: results.Results) -> None:
 @app.command()
 def run(
     model: Annotated[Path, typer.Argument(help="A .feb file.")],
+    chosen: Annotated[
+        hosts.Engine | None, typer.Option("--engine", help="What runs the model: febio4 if it is there.")
+    ] = None,
 ) -> None:
     """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture'."""
     file = febfile.inspect(model)
-    plugin = engine.required_plugin() if Join.MIXTURE.value in file.contacts else None
+    contact = Join.MIXTURE if Join.MIXTURE.value in file.contacts else Join.UNSPLIT
+    for host in hosts.engines(chosen, contact):
+        _run_one(model, file, host, contact is Join.MIXTURE)
+
+
+def _run_one(model: Path, file: febfile.FebFile, host: engine.Host, needs_plugin: bool) -> None:
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(model.name, total=file.end or None)
-        finished = engine.run(model, plugin=plugin, progress=lambda time: bar.update(task, completed=time))
+        command = host.command(model, needs_plugin)
+        finished = engine.execute(
+            command, model.resolve().parent, progress=lambda time: bar.update(task, completed=time)
+        )
     report = finished.report
     console.print(
-        f"{model.name}: normal termination, {report.steps} steps, {report.iterations} iterations, "
+        f"{model.name}, run by {host.name}: normal termination, {report.steps} steps, {report.iterations} iterations, "
         f"{report.residuals} residuals, {report.reformations} reformations, {report.retries} retries, "
         f"{finished.wall:.1f} s"
     )

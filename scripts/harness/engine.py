@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from harness import febio_log
 from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoundError
@@ -29,6 +30,32 @@ class Run:
     report: febio_log.Report
     output: str
     wall: float
+
+
+class Host(Protocol):
+    """A program that runs models."""
+
+    name: str
+
+    def binaries(self, plugin: bool) -> tuple[Path, ...]:
+        """The files that decide what a run gives; those for a contact of type 'sliding-mixture' too if `plugin`."""
+
+    def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:
+        """The command line that runs a model file from its own folder."""
+
+
+class Febio4:
+    """Runs models with febio4 and, where they need it, the plugin."""
+
+    name = "febio4"
+
+    def binaries(self, plugin: bool) -> tuple[Path, ...]:
+        """febio4, and the plugin library if a model needs it."""
+        return (find_engine(), required_plugin()) if plugin else (find_engine(),)
+
+    def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:
+        """As `command`, with the library of the build."""
+        return command(model, required_plugin() if plugin else None, options)
 
 
 def find_engine() -> Path:
@@ -186,9 +213,11 @@ def _follow(process: subprocess.Popen[str], progress: Progress | None) -> str:
 def _complaint(command: Sequence[str], finished: Run, code: int) -> str:
     report = finished.report
     said = "; ".join(report.errors) or _last_words(finished.output)
+    name = Path(command[0]).name
+    who = name if name == "mixture-contact" else "FEBio"
     return (
-        f"febio4 did not end normally (exit code {code}, {report.steps} time steps done).\n"
-        f"FEBio says: {said}\nCommand: {' '.join(command)}\nFolder: {finished.folder}"
+        f"{name} did not end normally (exit code {code}, {report.steps} time steps done).\n"
+        f"{who} says: {said}\nCommand: {' '.join(command)}\nFolder: {finished.folder}"
     )
 
 

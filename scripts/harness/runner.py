@@ -51,7 +51,7 @@ class Outcome:
 
     @property
     def log(self) -> str:
-        """The text of febio4's log."""
+        """The text of the engine's log."""
         return (self.folder / f"{self.model.name}.log").read_text(errors="replace")
 
 
@@ -66,11 +66,14 @@ class Runner:
         Told of progress.
     timeout : float, optional
         s after which a run is ended.
+    host : engine.Host
+        What runs them; febio4 without it.
     """
 
     root: Path
     announce: Announce | None = None
     timeout: float | None = None
+    host: engine.Host = field(default_factory=engine.Febio4)
     _known: dict[str, Outcome] = field(default_factory=dict)
 
     def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> Outcome:
@@ -89,29 +92,27 @@ class Runner:
         EngineNotFoundError, PluginNotFoundError, EngineFailedError
             See `harness.engine`.
         """
-        febio = engine.find_engine()
-        plugin = engine.required_plugin() if _needs_plugin(model) else None
-        key = _key(model, (febio, plugin), options)
+        key = _key(model, self.host.binaries(_needs_plugin(model)), options)
         if key not in self._known:
-            self._known[key] = self._locked(model, plugin, tuple(options), key)
+            self._known[key] = self._locked(model, tuple(options), key)
         outcome = self._known[key]
         if check and not outcome.report.normal:
             said = "; ".join(outcome.report.errors) or "no reason given"
             raise EngineFailedError(f"model '{model.name}' did not end normally: {said} (see {outcome.folder})")
         return outcome
 
-    def _locked(self, model: Model, plugin: Path | None, options: tuple[str, ...], key: str) -> Outcome:
+    def _locked(self, model: Model, options: tuple[str, ...], key: str) -> Outcome:
         folder = self.root / f"{model.name}-{key}"
         self.root.mkdir(parents=True, exist_ok=True)
         with (self.root / f"{key}.lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
-            return _read_back(model, folder) or self._run(model, plugin, options, folder)
+            return _read_back(model, folder) or self._run(model, options, folder)
 
-    def _run(self, model: Model, plugin: Path | None, options: tuple[str, ...], folder: Path) -> Outcome:
+    def _run(self, model: Model, options: tuple[str, ...], folder: Path) -> Outcome:
         with suppress(FileNotFoundError):
             shutil.rmtree(folder)
         path = model.write(folder)
-        command = engine.command(path, plugin, options)
+        command = self.host.command(path, _needs_plugin(model), options)
         progress = self._progress(model)
         finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
@@ -131,13 +132,12 @@ def _needs_plugin(model: Model) -> bool:
     return any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
 
 
-def _key(model: Model, binaries: Sequence[Path | None], options: Sequence[str]) -> str:
+def _key(model: Model, binaries: Sequence[Path], options: Sequence[str]) -> str:
     digest = hashlib.sha256(model.text().encode())
     digest.update("\0".join(options).encode())
     for binary in binaries:
-        if binary is not None:
-            state = binary.stat()
-            digest.update(f"{binary} {state.st_size} {state.st_mtime_ns}".encode())
+        state = binary.stat()
+        digest.update(f"{binary} {state.st_size} {state.st_mtime_ns}".encode())
     return digest.hexdigest()[:16]
 
 

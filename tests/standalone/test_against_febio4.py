@@ -1,0 +1,116 @@
+"""The embedded engine against febio4 with the plugin: the same models, node by node."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from harness import engine
+from harness.errors import EngineNotFoundError, PluginNotFoundError
+from harness.hosts import FEBIO4, STANDALONE
+from harness.models.composite import Composite
+from harness.models.confined import Confined
+from harness.models.convection import Convection
+from harness.models.diffusion import Diffusion
+from harness.models.document import Model
+from harness.models.interface import ContactSettings, Join
+from harness.models.parts import Control, Param
+from harness.runner import Outcome, Runner
+
+BAR = 1e-7
+"""Largest difference of a nodal variable, relative to its largest value."""
+FLOORS = {1.0: 1e-26, 10.0: 1e-22, 100.0: 1e-19}
+"""Squared residual at which rounding is all that is left, for each Young's modulus (MPa)."""
+
+
+def strict(model: Model, floor: float) -> Model:
+    """The model with tolerances that leave nothing but rounding."""
+    control = replace(
+        model.control,
+        displacement_tolerance=1e-7,
+        energy_tolerance=0.0,
+        pressure_tolerance=1e-7,
+        concentration_tolerance=1e-7,
+        solver=(Param("min_residual", floor),),
+    )
+    return replace(model, control=control)
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory: pytest.TempPathFactory):
+    """Runs a model with both engines."""
+    try:
+        for host in (FEBIO4, STANDALONE):
+            host.binaries(plugin=True)
+    except (EngineNotFoundError, PluginNotFoundError) as error:
+        pytest.skip(str(error))
+    root = tmp_path_factory.mktemp("runs")
+
+    def both(model: Model) -> tuple[Outcome, Outcome]:
+        return tuple(Runner(root / host.name, host=host)(model) for host in (FEBIO4, STANDALONE))
+
+    return both
+
+
+def differences(one: Outcome, two: Outcome) -> dict[str, float]:
+    """Largest difference of each nodal variable that is not zero throughout, over all times, relative to its size."""
+    first, second = one.nodes, two.nodes
+    np.testing.assert_allclose(first.times, second.times, rtol=1e-9)
+    sizes = {name: np.abs(first[name]).max() for name in first.columns if name not in ("x", "y", "z")}
+    return {name: np.abs(first[name] - second[name]).max() / size for name, size in sizes.items() if size > 0}
+
+
+def test_diffusion_agrees_at_every_node_and_time(runs):
+    found = differences(*runs(strict(Diffusion(control=Control(400, 20.0)).model(), FLOORS[10.0])))
+    assert max(found.values()) <= BAR, found
+
+
+@pytest.mark.parametrize("peclet", [0, 1, 10])
+def test_convection_agrees_at_every_node_and_time(runs, peclet):
+    found = differences(*runs(strict(Convection(peclet).model(), FLOORS[100.0])))
+    assert max(found.values()) <= BAR, found
+
+
+@pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG"])
+def test_unlike_materials_agree(runs, laugon):
+    model = Composite(settings=ContactSettings(laugon=laugon), control=Control(10, 50.0)).model()
+    found = differences(*runs(strict(model, FLOORS[100.0])))
+    assert max(found.values()) <= BAR, found
+
+
+def test_a_loaded_biphasic_layer_agrees(runs):
+    found = differences(*runs(strict(Confined(control=Control(20, 20.0)).model(), FLOORS[1.0])))
+    assert max(found.values()) <= BAR, found
+
+
+def test_a_body_without_contact_agrees(runs):
+    found = differences(*runs(strict(Diffusion(Join.UNSPLIT, control=Control(20, 50.0)).model(), FLOORS[10.0])))
+    assert max(found.values()) <= BAR, found
+
+
+def test_element_data_agree(runs):
+    one, two = runs(strict(Composite(control=Control(10, 50.0)).model(), FLOORS[100.0]))
+    for name in one.elements.columns:
+        size = np.abs(one.elements[name]).max()
+        assert np.abs(one.elements[name] - two.elements[name]).max() <= 1e-6 * size, name
+
+
+def test_the_log_is_read_like_febios(runs):
+    one, two = runs(Diffusion(control=Control(20, 50.0)).model())
+    assert (one.report.normal, one.report.steps) == (two.report.normal, two.report.steps)
+    assert abs(one.report.iterations - two.report.iterations) <= 2
+
+
+def test_a_model_that_cannot_be_read_says_why_and_ends_with_1(tmp_path: Path):
+    try:
+        command = STANDALONE.command(tmp_path / "bad.feb", False)
+    except EngineNotFoundError as error:
+        pytest.skip(str(error))
+    text = Diffusion(control=Control(2, 50.0)).model().text()
+    (tmp_path / "bad.feb").write_text(text.replace("<E>10</E>", "<E>ten</E>"))
+    finished = engine.execute(command, tmp_path, check=False)
+    assert not finished.report.normal
+    assert any("line" in said and "<E>" in said for said in finished.report.errors)
