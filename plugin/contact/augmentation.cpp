@@ -55,20 +55,17 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
   GapSums traction;
   std::vector<GapSums> flux(static_cast<std::size_t>(effects.scalar_fields()));
   const Penalties& base = pass.penalty();
-  pass.for_each_contact(primary, secondary, 1.0, [&](const PointContact& contact) {
-    const Index facet = contact.pair->primary_facet;
-    const double area = contact.loads.weight * contact.kinematics.area;
+  const NodalLoads loads = pass.nodal_loads(primary, secondary);
+  for (Index node = 0; node < loads.area.size(); ++node) {
+    if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
     // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
-    const double gap = contact.loads.traction.value < 0 ? contact.kinematics.gap : 0.0;
-    traction.add(area, base.stiffness[facet], gap, contact.loads.traction.value, std::sqrt(area));
-    const PairVector h = contact.kinematics.jump_weights();
-    for (std::size_t k = 0; k < contact.fields.size(); ++k) {
-      const auto column = contact.values.col(static_cast<Index>(k));
-      const int field = contact.fields[k];
-      flux[static_cast<std::size_t>(field)].add(area, base.conductance(field, facet), h.dot(column),
-                                                contact.loads.flux[static_cast<Index>(k)].value, column.cwiseAbs().maxCoeff());
+    const double gap = loads.traction[node] < 0 ? loads.gap[node] : 0.0;
+    traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
+    for (int k = 0; k < effects.scalar_fields(); ++k) {
+      flux[static_cast<std::size_t>(k)].add(loads.flux_area(k, node), base.conductance(k, node), loads.jump(k, node),
+                                            loads.flux(k, node), primary.scalar(node, k));
     }
-  });
+  }
   GapReport report{traction.field_gap(), {}};
   for (const GapSums& sums : flux) report.flux.push_back(sums.field_gap());
   return report;
@@ -82,18 +79,10 @@ bool meets(const GapReport& report, const Tolerances& tolerances, const Effects&
   return met;
 }
 
-void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary, const Effects& effects) {
-  Multipliers next = pass.multipliers;
-  next.traction.setZero();
-  next.flux.setZero(effects.scalar_fields(), pass.points());
-  pass.for_each_contact(primary, secondary, 1.0, [&](const PointContact& contact) {
-    const Index point = contact.pair->point;
-    next.traction[point] = contact.loads.traction.value;
-    for (std::size_t k = 0; k < contact.fields.size(); ++k) {
-      next.flux(contact.fields[k], point) = contact.loads.flux[static_cast<Index>(k)].value;
-    }
-  });
-  pass.multipliers = next;
+void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary) {
+  const NodalLoads loads = pass.nodal_loads(primary, secondary);
+  pass.multipliers.traction = loads.traction;
+  pass.multipliers.flux = loads.flux;
 }
 
 void grow_penalties(ContactPass& pass, const GapReport& report, const Tolerances& tolerances, const Effects& effects) {

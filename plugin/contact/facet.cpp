@@ -139,6 +139,20 @@ ShapeFunctions shape_functions(FacetType type, const Vector2d& xi) {
   throw std::logic_error("unknown facet type");
 }
 
+FacetVector multiplier_shape(FacetType type, const FacetVector& shape) {
+  if (type != FacetType::tri6 && type != FacetType::quad8) return shape;
+  constexpr double alpha = 0.2;
+  const Index corners = is_triangle(type) ? 3 : 4;
+  FacetVector psi = shape;
+  for (Index mid = 0; mid < corners; ++mid) {
+    // Mid-edge node `mid` lies between corner `mid` and the next.
+    psi[mid] += alpha * shape[corners + mid];
+    psi[(mid + 1) % corners] += alpha * shape[corners + mid];
+    psi[corners + mid] *= 1 - 2 * alpha;
+  }
+  return psi;
+}
+
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions) {
   const int n = node_count(facet.type);
   FacetCoordinates coordinates(3, n);

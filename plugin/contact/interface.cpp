@@ -63,6 +63,24 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   }
 }
 
+bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
+  bool changed = false;
+  for (const Pass& pass : passes_) {
+    const bool pass_changed = pass.integral->begin_iteration(fields[pass.side], fields[other(pass.side)]);
+    changed = changed || pass_changed;
+  }
+  return changed;
+}
+
+void ContactInterface::end_iterations() {
+  for (const Pass& pass : passes_) pass.integral->end_iterations();
+}
+
+bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
+  return std::all_of(passes_.begin(), passes_.end(),
+                     [&](const Pass& pass) { return pass.integral->is_solution(fields[pass.side], fields[other(pass.side)]); });
+}
+
 Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) const {
   const std::vector<Facet>& facets = mesh_[Side::secondary].facets;
   const Matrix3Xd& x2 = position[Side::secondary];
@@ -80,20 +98,21 @@ Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) 
 void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
   for (const Pass& pass : passes_) {
     pass.integral->residual(fields[pass.side], fields[other(pass.side)], dt,
-                            [&](const FacetPair& facets, const VectorXd& values) { add({pass.side, facets}, values); });
+                            [&](const Patch& patch, const VectorXd& values) { add({pass.side, patch}, values); });
   }
 }
 
 void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
   for (const Pass& pass : passes_) {
     pass.integral->tangent(fields[pass.side], fields[other(pass.side)], dt,
-                           [&](const FacetPair& facets, const MatrixXd& values) { add({pass.side, facets}, values); });
+                           [&](const Patch& patch, const MatrixXd& values) { add({pass.side, patch}, values); });
   }
 }
 
-void ContactInterface::for_each_facet_pair(const std::function<void(const Location&)>& use) const {
+void ContactInterface::for_each_coupling(const std::function<void(const Location&)>& use) const {
   for (const Pass& pass : passes_) {
-    pass.integral->for_each_facet_pair([&](const FacetPair& facets) { use({pass.side, facets}); });
+    pass.integral->for_each_coupling(position_[pass.side], position_[other(pass.side)],
+                                     [&](const Patch& patch) { use({pass.side, patch}); });
   }
 }
 
@@ -112,39 +131,36 @@ void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
     const SurfaceFields& primary = fields[pass.side];
     const SurfaceFields& secondary = fields[other(pass.side)];
     const GapReport report = measure_gaps(*pass.integral, primary, secondary, effects_);
-    mixture_contact::augment(*pass.integral, primary, secondary, effects_);
+    mixture_contact::augment(*pass.integral, primary, secondary);
     grow_penalties(*pass.integral, report, settings_.tolerances, effects_);
   }
 }
 
 PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
-  PerSide<VectorXd> coverage{{VectorXd::Zero(mesh_[Side::primary].nodes), VectorXd::Zero(mesh_[Side::secondary].nodes)}};
-  for (const Pass& pass : passes_) {
-    coverage[pass.side] = pass.integral->coverage(position_[pass.side], position_[other(pass.side)]);
-  }
-  if (passes_.size() == 1) {
-    coverage[Side::secondary] = projected_coverage(Side::secondary, coverage[Side::primary]);
-  }
   PerSide<std::vector<bool>> in_contact;
-  for (const Side side : both_sides) {
-    for (const double share : coverage[side]) in_contact[side].push_back(share >= covered);
+  for (const Pass& pass : passes_) {
+    in_contact[pass.side] = pass.integral->nodes_in_contact(position_[pass.side], position_[other(pass.side)]);
   }
+  if (passes_.size() == 1) in_contact[Side::secondary] = facing_contact(Side::secondary, in_contact[Side::primary]);
   return in_contact;
 }
 
-VectorXd ContactInterface::projected_coverage(Side side, const VectorXd& other_coverage) const {
+std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<bool>& other_in_contact) const {
   const std::vector<Facet>& facets = mesh_[other(side)].facets;
   const FacetTree tree(facets, position_[other(side)], box_margin);
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
-  VectorXd coverage = VectorXd::Zero(mesh_[side].nodes);
-  for (Index node = 0; node < coverage.size(); ++node) {
+  const VectorXd other_share = VectorXd::NullaryExpr(
+      static_cast<Index>(other_in_contact.size()), [&](Index node) { return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0; });
+  std::vector<bool> in_contact(static_cast<std::size_t>(mesh_[side].nodes), false);
+  for (Index node = 0; node < mesh_[side].nodes; ++node) {
     const Ray ray{position_[side].col(node), normals.col(node), search_radius(position_), settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
     if (!hit) continue;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
-    coverage[node] = shape_functions(facet.type, hit->eta).value.dot(facet_values(facet, other_coverage));
+    const FacetVector shape = multiplier_shape(facet.type, shape_functions(facet.type, hit->eta).value);
+    in_contact[static_cast<std::size_t>(node)] = shape.dot(facet_values(facet, other_share)) >= covered;
   }
-  return coverage;
+  return in_contact;
 }
 
 Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {

@@ -38,18 +38,17 @@ struct NodalOutput {
   VectorXd coverage;  ///< area in contact that belongs to the node [mm^2]
 };
 
-/// A node of a surface is in contact, and so not at ambient conditions, where a facet around it is covered at least to this share
-/// (see ContactPass::coverage). The node of a fully covered facet has 1; one that only the far points of its facets reach has about
-/// 0.2 to 0.35. Exactly one half is common (a facet cut through the middle), so the bound is not put there.
-inline constexpr double covered = 0.4;
+/// A node of the surface that is not integrated over counts as in contact where the contact of the nodes facing it, interpolated,
+/// reaches this share.
+inline constexpr double covered = 0.5 - 1e-9;
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers.
 class ContactInterface {
  public:
-  /// One facet pair's contribution: the sides of its two facets, their nodes and fields, and the values.
+  /// Where a local residual or tangent belongs.
   struct Location {
-    Side first;             ///< the side of `facets.primary`, the surface integrated over
-    const FacetPair& facets;
+    Side first;          ///< the side of `patch.primary`, the surface integrated over
+    const Patch& patch;  ///< nodes and fields
   };
   using AddResidual = std::function<void(const Location&, const VectorXd&)>;
   using AddTangent = std::function<void(const Location&, const MatrixXd&)>;
@@ -64,12 +63,21 @@ class ContactInterface {
   /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
   void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
 
+  /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called for its positions.
+  /// Returns whether the loads at this state differ from those before the call, so that a residual is to be evaluated again.
+  bool begin_iteration(const PerSide<SurfaceFields>& fields);
+  /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
+  void end_iterations();
+  /// Whether a state found in iterations is a solution of the true laws.
+  bool is_solution(const PerSide<SurfaceFields>& fields) const;
+
   /// Positions of the primary nodes with those that overlap the secondary surface moved onto it along their normals.
   Matrix3Xd without_overlap(const PerSide<Matrix3Xd>& position) const;
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const;
-  void for_each_facet_pair(const std::function<void(const Location&)>& use) const;
+  /// The patches that tangent() would fill with the present status.
+  void for_each_coupling(const std::function<void(const Location&)>& use) const;
 
   /// Gaps at the current state, and whether they meet the tolerances; the worst of both passes.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
@@ -92,7 +100,7 @@ class ContactInterface {
   const SurfaceMesh& mesh(Side side) const { return mesh_[side]; }
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
-  /// Multipliers of a pass: all the state there is, to be stored and restored by the host.
+  /// Multipliers of a pass: all the state there is between time steps, to be stored and restored by the host.
   Multipliers& multipliers(std::size_t index) { return passes_[index].integral->multipliers; }
 
  private:
@@ -102,7 +110,7 @@ class ContactInterface {
   };
 
   double search_radius(const PerSide<Matrix3Xd>& position) const;
-  VectorXd projected_coverage(Side side, const VectorXd& other_coverage) const;
+  std::vector<bool> facing_contact(Side side, const std::vector<bool>& other_in_contact) const;
 
   PerSide<SurfaceMesh> mesh_;
   Effects effects_;

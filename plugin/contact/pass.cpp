@@ -1,6 +1,7 @@
 #include "pass.h"
 
 #include "quadrature.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,20 @@ constexpr double box_margin = 0.1;
 /// Surfaces closer than this part of their size touch to rounding.
 constexpr double touch_fraction = 1e-10;
 constexpr int nothing_seen = -1;
-constexpr double least_share = 1e-6;
+/// Loads below this part of the largest one do not decide about contact: rounding, and what Newton leaves.
+constexpr double status_tolerance = 1e-6;
+/// Loads that differ by less than this part of the largest one are the same; and are near enough for a solution.
+constexpr double load_rounding = 1e-9;
+constexpr double load_tolerance = 1e-2;
+
+/// Whether two arrays of loads differ by more than a part of their largest entry; rows (fields) on their own.
+bool differs(const MatrixXd& one, const MatrixXd& other, double part) {
+  for (Index row = 0; row < one.rows(); ++row) {
+    const double size = std::max(one.row(row).cwiseAbs().maxCoeff(), other.row(row).cwiseAbs().maxCoeff());
+    if (!((one.row(row) - other.row(row)).cwiseAbs().maxCoeff() <= part * size)) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -22,7 +36,7 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       secondary_(secondary),
       effects_(effects),
       settings_(settings),
-      penalties_(penalties(primary, secondary, effects, settings)) {
+      penalties_(at_nodes(penalties(primary, secondary, effects, settings), primary)) {
   for (std::size_t f = 0; f < primary.facets.size(); ++f) {
     const FacetType type = primary.facets[f].type;
     const int order = settings.integration_order > 0 ? settings.integration_order : default_quadrature_order(type);
@@ -30,12 +44,14 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       points_.push_back({static_cast<int>(f), q.weight, shape_functions(type, q.xi)});
     }
   }
-  multipliers.traction.setZero(points());
-  multipliers.flux.setZero(effects.scalar_fields(), points());
+  multipliers.traction.setZero(primary.nodes);
+  multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_growth.setOnes(effects.scalar_fields());
 }
 
-void ContactPass::update_penalties() { penalties_ = penalties(primary_, secondary_, effects_, settings_); }
+void ContactPass::update_penalties() {
+  penalties_ = at_nodes(penalties(primary_, secondary_, effects_, settings_), primary_);
+}
 
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   pairs_.clear();
@@ -68,16 +84,37 @@ Ray ContactPass::ray(std::size_t point, const Matrix3Xd& x1, double radius) cons
   return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), radius, settings_.search_tolerance};
 }
 
-PointKinematics ContactPass::kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  const Facet& one = primary_.facets[static_cast<std::size_t>(pair.primary_facet)];
-  const Facet& two = secondary_.facets[static_cast<std::size_t>(pair.secondary_facet)];
-  return point_kinematics(points_[static_cast<std::size_t>(pair.point)].shape, facet_coordinates(one, x1),
-                          shape_functions(two.type, pair.eta), facet_coordinates(two, x2));
+const Facet& ContactPass::primary_facet(const PointPair& pair) const {
+  return primary_.facets[static_cast<std::size_t>(pair.primary_facet)];
 }
 
-LawValue ContactPass::traction(const PointPair& pair, double gap) const {
-  const double penalty = multipliers.traction_growth * penalties_.traction[pair.primary_facet];
-  return normal_traction(multipliers.traction[pair.point], penalty, gap, touch_);
+const Facet& ContactPass::secondary_facet(const PointPair& pair) const {
+  return secondary_.facets[static_cast<std::size_t>(pair.secondary_facet)];
+}
+
+const ShapeFunctions& ContactPass::primary_shape(const PointPair& pair) const {
+  return points_[static_cast<std::size_t>(pair.point)].shape;
+}
+
+double ContactPass::weight(const PointPair& pair) const { return points_[static_cast<std::size_t>(pair.point)].weight; }
+
+FacetVector ContactPass::multiplier_shape(const PointPair& pair) const {
+  return mixture_contact::multiplier_shape(primary_facet(pair).type, primary_shape(pair).value);
+}
+
+PointKinematics ContactPass::kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  const Facet& two = secondary_facet(pair);
+  return point_kinematics(primary_shape(pair), facet_coordinates(primary_facet(pair), x1), shape_functions(two.type, pair.eta),
+                          facet_coordinates(two, x2));
+}
+
+PairVector ContactPass::pair_values(const PointPair& pair, int field, const SurfaceFields& primary,
+                                    const SurfaceFields& secondary) const {
+  const FacetVector one = facet_values(primary_facet(pair), primary.scalar.col(field));
+  const FacetVector two = facet_values(secondary_facet(pair), secondary.scalar.col(field));
+  PairVector values(one.size() + two.size());
+  values << one, two;
+  return values;
 }
 
 std::vector<int> ContactPass::exchanged_fields(const PointPair& pair) const {
@@ -90,66 +127,224 @@ std::vector<int> ContactPass::exchanged_fields(const PointPair& pair) const {
   return fields;
 }
 
-PointContact ContactPass::contact(const PointPair& pair, const PointKinematics& point, const LawValue& traction,
-                                  const SurfaceFields& primary, const SurfaceFields& secondary, double dt) const {
+// ------------------------------------------------------------------------------------------------------- laws at the nodes
+
+void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
+  loads.area.setZero(primary_.nodes);
+  loads.gap.setZero(primary_.nodes);
+  for (const PointPair& pair : pairs_) {
+    const PointKinematics point = kinematics(pair, x1, x2);
+    const FacetVector share = weight(pair) * point.area * multiplier_shape(pair);
+    const Facet& facet = primary_facet(pair);
+    for (Index a = 0; a < share.size(); ++a) {
+      const int node = facet.nodes[static_cast<std::size_t>(a)];
+      loads.area[node] += share[a];
+      loads.gap[node] += share[a] * point.gap;
+    }
+  }
+  loads.gap = (loads.area.array() > 0).select(loads.gap.array() / loads.area.array(), 0.0);
+}
+
+void ContactPass::average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const {
+  loads.flux_area.setZero(effects_.scalar_fields(), primary_.nodes);
+  loads.jump.setZero(effects_.scalar_fields(), primary_.nodes);
+  for (const PointPair& pair : pairs_) {
+    if (effects_.scalar_fields() == 0 || !carries_load(pair, loads.in_contact)) continue;
+    const PointKinematics point = kinematics(pair, primary.position, secondary.position);
+    const FacetVector share = weight(pair) * point.area * multiplier_shape(pair);
+    const PairVector h = point.jump_weights();
+    const Facet& facet = primary_facet(pair);
+    for (const int field : exchanged_fields(pair)) {
+      const double jump = h.dot(pair_values(pair, field, primary, secondary));
+      for (Index a = 0; a < share.size(); ++a) {
+        const int node = facet.nodes[static_cast<std::size_t>(a)];
+        loads.flux_area(field, node) += share[a];
+        loads.jump(field, node) += share[a] * jump;
+      }
+    }
+  }
+  loads.jump = (loads.flux_area.array() > 0).select(loads.jump.array() / loads.flux_area.array(), 0.0);
+}
+
+NodalLoads ContactPass::averages(const SurfaceFields& primary, const SurfaceFields& secondary,
+                                 std::vector<bool> in_contact) const {
+  NodalLoads loads;
+  loads.in_contact = std::move(in_contact);
+  average_gaps(primary.position, secondary.position, loads);
+  average_jumps(primary, secondary, loads);
+  return loads;
+}
+
+void ContactPass::apply_laws(NodalLoads& loads) const {
+  loads.traction.setZero(primary_.nodes);
+  loads.flux.setZero(effects_.scalar_fields(), primary_.nodes);
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
+    loads.traction[node] = multipliers.traction[node] + traction_penalty(node) * loads.gap[node];
+    for (int field = 0; field < effects_.scalar_fields(); ++field) {
+      if (!(loads.flux_area(field, node) > 0)) continue;
+      loads.flux(field, node) =
+          normal_flux(multipliers.flux(field, node), flux_penalty(field, node), loads.jump(field, node)).value;
+    }
+  }
+}
+
+NodalLoads ContactPass::nodal_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  if (held_) return predicted_loads(primary, secondary);
+  NodalLoads loads = averages(primary, secondary, natural_status(primary.position, secondary.position));
+  apply_laws(loads);
+  loads.traction = loads.traction.cwiseMin(0.0);
+  return loads;
+}
+
+std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  NodalLoads loads;
+  average_gaps(x1, x2, loads);
+  std::vector<bool> status;
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    const LawValue law = normal_traction(multipliers.traction[node], traction_penalty(node), loads.gap[node], touch_);
+    status.push_back(loads.area[node] > 0 && law.derivative > 0);
+  }
+  return status;
+}
+
+std::vector<bool> ContactPass::nodes_in_contact(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  return held_ ? held_->loads.in_contact : natural_status(x1, x2);
+}
+
+// ---------------------------------------------------------------------------------------------------- Newton iterations
+
+NodalLoads ContactPass::predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  NodalLoads loads = held_->loads;
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    const NodeLinearisation& linear = held_->nodes[static_cast<std::size_t>(node)];
+    if (linear.unknowns.size() == 0) continue;
+    const VectorXd change = patch_unknowns(linear.patch, primary, secondary) - linear.unknowns;
+    loads.gap[node] += linear.gap_variation.dot(change);
+    for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
+      loads.jump(linear.patch.fields[k], node) += linear.jump_variation[k].dot(change);
+    }
+  }
+  apply_laws(loads);
+  return loads;
+}
+
+std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  if (!held_) return natural_status(primary.position, secondary.position);
+  const NodalLoads predicted = predicted_loads(primary, secondary);
+  NodalLoads now;
+  average_gaps(primary.position, secondary.position, now);
+  const double negligible = status_tolerance * predicted.traction.cwiseAbs().maxCoeff();
+  std::vector<bool> status;
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    const bool was = predicted.in_contact[static_cast<std::size_t>(node)];
+    const double overlap_load = multipliers.traction[node] + traction_penalty(node) * (now.gap[node] - touch_);
+    const bool stays = predicted.traction[node] <= negligible;
+    status.push_back(now.area[node] > 0 && (was ? stays : overlap_load < -negligible));
+  }
+  return status;
+}
+
+bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
+  const NodalLoads before = nodal_loads(primary, secondary);
+  const bool predicted = held_.has_value();
+  Held next;
+  next.loads = averages(primary, secondary, next_status(primary, secondary));
+  apply_laws(next.loads);
+  const auto around = pairs_around_nodes(next.loads.in_contact);
+  for (std::size_t node = 0; node < around.size(); ++node) {
+    next.nodes.push_back(around[node].empty() ? NodeLinearisation{}
+                                              : linearise(static_cast<Index>(node), around[node], next.loads, primary, secondary));
+  }
+  next.geometric_traction = predicted ? before.traction : next.loads.traction;
+  next.geometric_flux = predicted ? before.flux : next.loads.flux;
+  const bool changed = before.in_contact != next.loads.in_contact || differs(before.traction.transpose(), next.loads.traction.transpose(), load_rounding) ||
+                       differs(before.flux, next.loads.flux, load_rounding);
+  held_ = std::move(next);
+  return changed;
+}
+
+bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  if (!held_) return true;
+  if (next_status(primary, secondary) != held_->loads.in_contact) return false;
+  const NodalLoads predicted = predicted_loads(primary, secondary);
+  NodalLoads now = averages(primary, secondary, held_->loads.in_contact);
+  apply_laws(now);
+  return !differs(predicted.traction.transpose(), now.traction.transpose(), load_tolerance) && !differs(predicted.flux, now.flux, load_tolerance);
+}
+
+// ------------------------------------------------------------------------------------------------- loads at the points
+
+bool ContactPass::carries_load(const PointPair& pair, const std::vector<bool>& in_contact) const {
+  const Facet& facet = primary_facet(pair);
+  return std::any_of(facet.nodes.begin(), facet.nodes.begin() + node_count(facet.type),
+                     [&](int node) { return in_contact[static_cast<std::size_t>(node)]; });
+}
+
+PointContact ContactPass::contact(const PointPair& pair, const NodalLoads& loads, const SurfaceFields& primary,
+                                  const SurfaceFields& secondary, double dt) const {
   PointContact contact;
   contact.pair = &pair;
-  contact.kinematics = point;
+  contact.kinematics = kinematics(pair, primary.position, secondary.position);
+  contact.multiplier_shape = multiplier_shape(pair);
   contact.fields = exchanged_fields(pair);
   const auto fields = static_cast<Index>(contact.fields.size());
-  contact.values.resize(point.nodes(), fields);
-  contact.loads.traction = traction;
-  contact.loads.weight = points_[static_cast<std::size_t>(pair.point)].weight;
+  contact.values.resize(contact.kinematics.nodes(), fields);
+  contact.loads.traction = {contact.multiplier_shape.dot(facet_values(primary_facet(pair), loads.traction)), 0.0};
+  contact.loads.weight = weight(pair);
   contact.loads.time_increment = dt;
   contact.loads.flux.resize(fields);
-  const PairVector h = point.jump_weights();
   for (Index k = 0; k < fields; ++k) {
     const int field = contact.fields[static_cast<std::size_t>(k)];
-    contact.values.col(k) << facet_values(primary_.facets[static_cast<std::size_t>(pair.primary_facet)], primary.scalar.col(field)),
-        facet_values(secondary_.facets[static_cast<std::size_t>(pair.secondary_facet)], secondary.scalar.col(field));
-    const double penalty = multipliers.flux_growth[field] * penalties_.flux(field, pair.primary_facet);
-    contact.loads.flux[k] = normal_flux(multipliers.flux(field, pair.point), penalty, h.dot(contact.values.col(k)));
+    contact.values.col(k) = pair_values(pair, field, primary, secondary);
+    const VectorXd nodal = loads.flux.row(field).transpose();
+    contact.loads.flux[k] = {contact.multiplier_shape.dot(facet_values(primary_facet(pair), nodal)), 0.0};
   }
   return contact;
 }
 
 void ContactPass::for_each_contact(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                                    const std::function<void(const PointContact&)>& use) const {
+  for_each_loaded_point(nodal_loads(primary, secondary), primary, secondary, dt, use);
+}
+
+void ContactPass::for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
+                                        double dt, const std::function<void(const PointContact&)>& use) const {
   for (const PointPair& pair : pairs_) {
-    const PointKinematics point = kinematics(pair, primary.position, secondary.position);
-    const LawValue load = traction(pair, point.gap);
-    if (load.derivative > 0) use(contact(pair, point, load, primary, secondary, dt));
+    if (carries_load(pair, loads.in_contact)) use(contact(pair, loads, primary, secondary, dt));
   }
 }
 
-FacetPair ContactPass::facet_pair(const PointPair& pair, const std::vector<int>& fields) const {
-  const Facet& one = primary_.facets[static_cast<std::size_t>(pair.primary_facet)];
-  const Facet& two = secondary_.facets[static_cast<std::size_t>(pair.secondary_facet)];
-  return {one, two, fields, LocalLayout(node_count(one.type), node_count(two.type), static_cast<Index>(fields.size()))};
+Patch ContactPass::facet_patch(const PointPair& pair) const {
+  const auto nodes = [](const Facet& facet) {
+    return std::vector<int>(facet.nodes.begin(), facet.nodes.begin() + node_count(facet.type));
+  };
+  return {nodes(primary_facet(pair)), nodes(secondary_facet(pair)), exchanged_fields(pair)};
 }
 
 template <class Local, class Evaluate, class Add>
-void ContactPass::gather_by_facet_pair(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-                                       const Evaluate& evaluate, const Add& add) const {
+void ContactPass::gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
+                                       double dt, const Evaluate& evaluate, const Add& add) const {
   // Points come facet by facet; those of one primary facet that see the same secondary facet are added up first.
   struct Sum {
     PointPair pair;
-    std::vector<int> fields;
+    Patch patch;
     Local local;
   };
   std::vector<Sum> sums;
   const auto flush = [&] {
-    for (const Sum& sum : sums) add(facet_pair(sum.pair, sum.fields), sum.local);
+    for (const Sum& sum : sums) add(sum.patch, sum.local);
     sums.clear();
   };
-  for_each_contact(primary, secondary, dt, [&](const PointContact& contact) {
+  for_each_loaded_point(loads, primary, secondary, dt, [&](const PointContact& contact) {
     if (!sums.empty() && sums.front().pair.primary_facet != contact.pair->primary_facet) flush();
-    const Local local = evaluate(contact, facet_pair(*contact.pair, contact.fields).layout);
+    Patch patch = facet_patch(*contact.pair);
+    const Local local = evaluate(contact, patch.layout());
     const auto same = std::find_if(sums.begin(), sums.end(), [&](const Sum& sum) {
       return sum.pair.secondary_facet == contact.pair->secondary_facet;
     });
     if (same == sums.end()) {
-      sums.push_back({*contact.pair, contact.fields, local});
+      sums.push_back({*contact.pair, std::move(patch), local});
     } else {
       same->local += local;
     }
@@ -158,57 +353,167 @@ void ContactPass::gather_by_facet_pair(const SurfaceFields& primary, const Surfa
 }
 
 void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-                           const std::function<void(const FacetPair&, const VectorXd&)>& add) const {
+                           const std::function<void(const Patch&, const VectorXd&)>& add) const {
   const auto evaluate = [](const PointContact& contact, const LocalLayout& layout) {
     return point_residual(contact.kinematics, contact.loads, layout);
   };
-  gather_by_facet_pair<VectorXd>(primary, secondary, dt, evaluate, add);
+  gather_by_facet_pair<VectorXd>(nodal_loads(primary, secondary), primary, secondary, dt, evaluate, add);
 }
+
+// --------------------------------------------------------------------------------------------------------------- tangent
 
 void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-                          const std::function<void(const FacetPair&, const MatrixXd&)>& add) const {
-  const auto evaluate = [this](const PointContact& contact, const LocalLayout& layout) {
-    const MatrixXd full = point_tangent(contact.kinematics, contact.loads, contact.values, layout);
-    return settings_.symmetric ? symmetric_part(full, layout) : full;
+                          const std::function<void(const Patch&, const MatrixXd&)>& add) const {
+  const auto geometric = [](const PointContact& contact, const LocalLayout& layout) {
+    return point_tangent(contact.kinematics, contact.loads, contact.values, layout);
   };
-  gather_by_facet_pair<MatrixXd>(primary, secondary, dt, evaluate, add);
+  const auto add_full_or_symmetric = [&](const Patch& patch, const MatrixXd& values) {
+    add(patch, settings_.symmetric ? symmetric_part(values, patch.layout()) : values);
+  };
+  NodalLoads loads = nodal_loads(primary, secondary);
+  const auto around = pairs_around_nodes(loads.in_contact);
+  for (std::size_t node = 0; node < around.size(); ++node) {
+    if (around[node].empty()) continue;
+    const auto index = static_cast<Index>(node);
+    const NodeLinearisation linear =
+        held_ ? held_->nodes[node] : linearise(index, around[node], loads, primary, secondary);
+    add_full_or_symmetric(linear.patch, law_tangent(index, linear, loads, dt));
+  }
+  if (held_) {
+    loads.traction = held_->geometric_traction;
+    loads.flux = held_->geometric_flux;
+  }
+  gather_by_facet_pair<MatrixXd>(loads, primary, secondary, dt, geometric, add_full_or_symmetric);
 }
 
-void ContactPass::for_each_facet_pair(const std::function<void(const FacetPair&)>& use) const {
-  std::vector<int> seen;
-  int facet = -1;
-  for (const PointPair& pair : pairs_) {
-    if (pair.primary_facet != facet) seen.clear();
-    facet = pair.primary_facet;
-    if (std::find(seen.begin(), seen.end(), pair.secondary_facet) != seen.end()) continue;
-    seen.push_back(pair.secondary_facet);
-    const std::vector<int> fields = exchanged_fields(pair);
-    use(facet_pair(pair, fields));
+void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
+                                    const std::function<void(const Patch&)>& use) const {
+  // A node's patch holds the facet pairs of all points that its loads act at.
+  for (const auto& pairs : pairs_around_nodes(nodes_in_contact(x1, x2))) {
+    if (!pairs.empty()) use(node_patch(pairs));
   }
 }
 
-VectorXd ContactPass::coverage(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  std::vector<bool> in_contact(points_.size(), false);
+std::vector<std::vector<const PointPair*>> ContactPass::pairs_around_nodes(const std::vector<bool>& in_contact) const {
+  std::vector<std::vector<const PointPair*>> around(static_cast<std::size_t>(primary_.nodes));
   for (const PointPair& pair : pairs_) {
-    in_contact[static_cast<std::size_t>(pair.point)] = traction(pair, kinematics(pair, x1, x2).gap).derivative > 0;
-  }
-  VectorXd coverage = VectorXd::Zero(primary_.nodes);
-  for (std::size_t q = 0; q < points_.size();) {
-    const Facet& facet = primary_.facets[static_cast<std::size_t>(points_[q].facet)];
-    FacetVector total = FacetVector::Zero(node_count(facet.type));
-    FacetVector covered = total;
-    for (const int index = points_[q].facet; q < points_.size() && points_[q].facet == index; ++q) {
-      // The least share lets points count where a shape function vanishes at all of them.
-      const FacetVector share = points_[q].weight * points_[q].shape.value.cwiseAbs().cwiseMax(least_share);
-      total += share;
-      if (in_contact[q]) covered += share;
-    }
-    for (Index a = 0; a < total.size(); ++a) {
-      double& node = coverage[facet.nodes[static_cast<std::size_t>(a)]];
-      node = std::max(node, covered[a] / total[a]);
+    const Facet& facet = primary_facet(pair);
+    for (int a = 0; a < node_count(facet.type); ++a) {
+      const auto node = static_cast<std::size_t>(facet.nodes[static_cast<std::size_t>(a)]);
+      if (in_contact[node]) around[node].push_back(&pair);
     }
   }
-  return coverage;
+  return around;
+}
+
+namespace {
+
+/// Adds the entries of `more` that `list` does not have yet.
+void unite(std::vector<int>& list, const std::vector<int>& more) {
+  for (const int entry : more) {
+    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
+  }
+}
+
+Index position_in(const std::vector<int>& list, int entry) { return std::find(list.begin(), list.end(), entry) - list.begin(); }
+
+/// Where the nodes of a pair of facets stand in a larger patch.
+std::vector<Index> places(const Patch& pair, const Patch& patch) {
+  std::vector<Index> places;
+  for (const int node : pair.primary) places.push_back(position_in(patch.primary, node));
+  for (const int node : pair.secondary) {
+    places.push_back(static_cast<Index>(patch.primary.size()) + position_in(patch.secondary, node));
+  }
+  return places;
+}
+
+}  // namespace
+
+Patch ContactPass::node_patch(const std::vector<const PointPair*>& pairs) const {
+  Patch patch;
+  for (const PointPair* pair : pairs) {
+    const Patch facets = facet_patch(*pair);
+    unite(patch.primary, facets.primary);
+    unite(patch.secondary, facets.secondary);
+    unite(patch.fields, facets.fields);
+  }
+  return patch;
+}
+
+VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  const LocalLayout layout = patch.layout();
+  VectorXd unknowns(layout.size());
+  for (Index place = 0; place < layout.nodes(); ++place) {
+    const bool first = place < layout.primary_nodes();
+    const SurfaceFields& surface = first ? primary : secondary;
+    const int node = first ? patch.primary[static_cast<std::size_t>(place)]
+                           : patch.secondary[static_cast<std::size_t>(place - layout.primary_nodes())];
+    unknowns.segment<3>(layout.displacement(place, 0)) = surface.position.col(node);
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      unknowns[layout.scalar(place, k)] = surface.scalar(node, patch.fields[static_cast<std::size_t>(k)]);
+    }
+  }
+  return unknowns;
+}
+
+ContactPass::NodeLinearisation ContactPass::linearise(Index node, const std::vector<const PointPair*>& pairs,
+                                                      const NodalLoads& loads, const SurfaceFields& primary,
+                                                      const SurfaceFields& secondary) const {
+  // g_a = INT psi_a g da / A_a, so dg_a = sum_q w psi_a (|a| dg + (g - g_a) d|a|)/A_a; jumps alike, with their fields' own part.
+  NodeLinearisation linear;
+  linear.patch = node_patch(pairs);
+  linear.unknowns = patch_unknowns(linear.patch, primary, secondary);
+  const LocalLayout layout = linear.patch.layout();
+  const VectorXd zero = VectorXd::Zero(layout.size());
+  linear.gap_variation = linear.traction_work = zero;
+  linear.jump_variation.assign(linear.patch.fields.size(), zero);
+  linear.flux_work = linear.jump_variation;
+  for (const PointPair* pair : pairs) {
+    const PointKinematics point = kinematics(*pair, primary.position, secondary.position);
+    const KinematicVariations vary = kinematic_variations(point);
+    const auto& nodes = primary_facet(*pair).nodes;
+    const auto corner = std::find(nodes.begin(), nodes.end(), static_cast<int>(node)) - nodes.begin();
+    const double share = weight(*pair) * multiplier_shape(*pair)[corner];
+    const PairVector h = point.jump_weights();
+    const Patch facets = facet_patch(*pair);
+    const std::vector<Index> place = places(facets, linear.patch);
+    const auto add_variation = [&](VectorXd& variation, const WeightedVariation& varied, double mean, double area) {
+      for (std::size_t n = 0; n < place.size(); ++n) {
+        const auto local = static_cast<Index>(3 * n);
+        variation.segment<3>(layout.displacement(place[n], 0)) +=
+            (varied.integral.segment<3>(local) - mean * varied.area.segment<3>(local)).transpose() / area;
+      }
+    };
+    add_variation(linear.gap_variation, gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
+    for (std::size_t n = 0; n < place.size(); ++n) {
+      linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share * h[static_cast<Index>(n)] * point.area_vector;
+    }
+    for (const int field : facets.fields) {
+      const auto k = position_in(linear.patch.fields, field);
+      const double area = loads.flux_area(field, node);
+      const PairVector values = pair_values(*pair, field, primary, secondary);
+      VectorXd& variation = linear.jump_variation[static_cast<std::size_t>(k)];
+      VectorXd& work = linear.flux_work[static_cast<std::size_t>(k)];
+      add_variation(variation, jump_variation(point, vary, share, values), loads.jump(field, node), area);
+      for (std::size_t n = 0; n < place.size(); ++n) {
+        const double entry = share * point.area * h[static_cast<Index>(n)];
+        variation[layout.scalar(place[n], k)] += entry / area;
+        work[layout.scalar(place[n], k)] += entry;
+      }
+    }
+  }
+  return linear;
+}
+
+MatrixXd ContactPass::law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const {
+  // The residual holds t_a traction_work + dt phi_a flux_work; the variation of the works is the geometric part.
+  MatrixXd tangent = traction_penalty(node) * linear.traction_work * linear.gap_variation.transpose();
+  for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
+    const int field = linear.patch.fields[k];
+    if (!(loads.flux_area(field, node) > 0)) continue;
+    tangent += dt * flux_penalty(field, node) * linear.flux_work[k] * linear.jump_variation[k].transpose();
+  }
+  return tangent;
 }
 
 }  // namespace mixture_contact

@@ -2,20 +2,37 @@
 #pragma once
 
 #include "penalty.h"
+#include "patch.h"
 #include "point_integral.h"
 #include "search.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace mixture_contact {
 
-/// Multipliers of the integration points: the state that only an augmentation changes.
+/// Multipliers of the nodes of the primary surface: the state that only an augmentation changes.
 struct Multipliers {
-  VectorXd traction;    ///< lambda_n per point [MPa]
-  MatrixXd flux;        ///< lambda per (field, point)
+  VectorXd traction;           ///< lambda_n per node [MPa]
+  MatrixXd flux;               ///< lambda per (field, node)
   double traction_growth = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_growth;        ///< the same per field
+};
+
+/// What the laws (2.7)-(2.9) say at the nodes of the primary surface, from averages around each node:
+/// g_a = INT psi_a g da / INT psi_a da, jumps alike. Traction and fluxes between nodes are interpolated with psi_a.
+///
+/// Laws at nodes instead of integration points: as many conditions as the surface has nodes can be met at once. Conditions at
+/// more points than that fight each other where meshes do not match, and some of them open and close in turn.
+struct NodalLoads {
+  VectorXd area;       ///< INT psi_a da over points that see the other surface [mm^2]
+  VectorXd gap;        ///< g_a [mm]
+  VectorXd traction;   ///< t_a [MPa]; 0 out of contact
+  std::vector<bool> in_contact;
+  MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]
+  MatrixXd jump;       ///< (fields, nodes)
+  MatrixXd flux;       ///< (fields, nodes); 0 out of contact
 };
 
 /// An integration point of the primary surface that sees a facet of the secondary surface.
@@ -26,21 +43,14 @@ struct PointPair {
   Vector2d eta{0, 0};        ///< projected point on the secondary facet
 };
 
-/// Everything at one integration point in contact.
+/// Everything at one integration point that carries load.
 struct PointContact {
   const PointPair* pair = nullptr;
   PointKinematics kinematics;
-  std::vector<int> fields;  ///< exchanged scalar fields here, as indices into Effects' order
-  PairFields values;        ///< their nodal values
-  PointLoads loads;
-};
-
-/// A pair of facets with the contributions of all their common points to a residual or a tangent.
-struct FacetPair {
-  const Facet& primary;
-  const Facet& secondary;
-  const std::vector<int>& fields;  ///< local field k is fields[k] in Effects' order
-  LocalLayout layout;
+  FacetVector multiplier_shape;  ///< psi_a
+  std::vector<int> fields;       ///< exchanged scalar fields here, as indices into Effects' order
+  PairFields values;             ///< their nodal values
+  PointLoads loads;              ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
 };
 
 /// The integral over one surface. Evaluations are const; only project() replaces the pairs, only augment (through
@@ -56,30 +66,50 @@ class ContactPass {
   /// its facet comes back with it: the result depends on that search and the positions alone.
   void project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2);
 
-  /// Calls `use` for every point that is in contact, in a fixed order.
+  /// Begins a Newton iteration at a state: decides which nodes are in contact, and holds that and the linearisation of their gaps and
+  /// jumps until the next call. Within the iteration and its line search loads are then linear in the unknowns and no status changes.
+  ///
+  /// Status: a node in contact stays so while its load, as the last iteration predicts it, is compressive; a node out of contact enters
+  /// where it overlaps (primal-dual active sets, Hintermueller, Ito and Kunisch 2002). Linearised gaps: the load predicted by the
+  /// linear solve is not multiplied by the second-order error of the gap times a large penalty, which would make it useless as a
+  /// measure of contact and as a geometric stiffness (mixed integration points, Magisano, Leonetti and Garcea 2017).
+  ///
+  /// Returns whether the loads at this state differ from those before the call.
+  bool begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
+
+  /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
+  void end_iterations() { held_.reset(); }
+
+  /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps counts only then.
+  bool is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const;
+
+  /// Calls `use` for every point that carries load, in a fixed order.
   void for_each_contact(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                         const std::function<void(const PointContact&)>& use) const;
 
-  /// Residual of (2.5) per pair of facets in contact.
+  /// What the laws say at the nodes.
+  NodalLoads nodal_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const;
+
+  /// Residual of (2.5), in one part per pair of facets that carries load.
   void residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-                const std::function<void(const FacetPair&, const VectorXd&)>& add) const;
+                const std::function<void(const Patch&, const VectorXd&)>& add) const;
 
-  /// Tangent (2.6) per pair of facets in contact.
+  /// Tangent (2.6): the geometric part per pair of facets that carries load, and per node in contact the part of its laws, which
+  /// couples all nodes that its averages are taken over.
   void tangent(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-               const std::function<void(const FacetPair&, const MatrixXd&)>& add) const;
+               const std::function<void(const Patch&, const MatrixXd&)>& add) const;
 
-  /// All pairs of facets that see each other, in contact or not: what a matrix profile has to hold.
-  void for_each_facet_pair(const std::function<void(const FacetPair&)>& use) const;
+  /// The patches that tangent() would fill: what a matrix profile has to hold.
+  void for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2, const std::function<void(const Patch&)>& use) const;
 
-  /// How far the area next to each primary node is in contact, 0 to 1, in the configuration of the last project(): of the facets
-  /// around the node the one with the largest share of its points in contact, each point weighted by its nearness to the node (its
-  /// shape function). This depends neither on how many facets meet at the node nor on their sizes.
-  VectorXd coverage(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// Which primary nodes are in contact.
+  std::vector<bool> nodes_in_contact(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
 
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 
   const std::vector<PointPair>& pairs() const { return pairs_; }
+  /// Penalties of the primary nodes.
   const Penalties& penalty() const { return penalties_; }
   Index points() const { return static_cast<Index>(points_.size()); }
 
@@ -92,17 +122,59 @@ class ContactPass {
     ShapeFunctions shape;
   };
 
+  /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
+  struct NodeLinearisation {
+    Patch patch;
+    VectorXd unknowns;                     ///< of the patch, where the linearisation was taken
+    VectorXd gap_variation;                ///< dg_a
+    VectorXd traction_work;                ///< sum_q w psi_a h a
+    std::vector<VectorXd> jump_variation;  ///< per field of the patch
+    std::vector<VectorXd> flux_work;       ///< sum_q w psi_a |a| h, per field of the patch
+  };
+
+  /// What holds during a Newton iteration.
+  struct Held {
+    NodalLoads loads;                          ///< at the beginning of the iteration
+    std::vector<NodeLinearisation> nodes;      ///< empty for nodes out of contact
+    VectorXd geometric_traction;               ///< predicted t_a, for the geometric part of the tangent
+    MatrixXd geometric_flux;
+  };
+
   Ray ray(std::size_t point, const Matrix3Xd& x1, double radius) const;
+  const Facet& primary_facet(const PointPair& pair) const;
+  const Facet& secondary_facet(const PointPair& pair) const;
+  const ShapeFunctions& primary_shape(const PointPair& pair) const;
+  double weight(const PointPair& pair) const;
+  FacetVector multiplier_shape(const PointPair& pair) const;
   PointKinematics kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
-  LawValue traction(const PointPair& pair, double gap) const;
+  PairVector pair_values(const PointPair& pair, int field, const SurfaceFields& primary, const SurfaceFields& secondary) const;
   std::vector<int> exchanged_fields(const PointPair& pair) const;
-  PointContact contact(const PointPair& pair, const PointKinematics& point, const LawValue& traction,
-                       const SurfaceFields& primary, const SurfaceFields& secondary, double dt) const;
-  FacetPair facet_pair(const PointPair& pair, const std::vector<int>& fields) const;
+  Patch facet_patch(const PointPair& pair) const;
+
+  void average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const;
+  void average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const;
+  double traction_penalty(Index node) const { return multipliers.traction_growth * penalties_.traction[node]; }
+  double flux_penalty(int field, Index node) const { return multipliers.flux_growth[field] * penalties_.flux(field, node); }
+  NodalLoads averages(const SurfaceFields& primary, const SurfaceFields& secondary, std::vector<bool> in_contact) const;
+  NodalLoads predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  void apply_laws(NodalLoads& loads) const;
+  std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  std::vector<bool> next_status(const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  PointContact contact(const PointPair& pair, const NodalLoads& loads, const SurfaceFields& primary,
+                       const SurfaceFields& secondary, double dt) const;
+  bool carries_load(const PointPair& pair, const std::vector<bool>& in_contact) const;
+  std::vector<std::vector<const PointPair*>> pairs_around_nodes(const std::vector<bool>& in_contact) const;
+  Patch node_patch(const std::vector<const PointPair*>& pairs) const;
+  NodeLinearisation linearise(Index node, const std::vector<const PointPair*>& pairs, const NodalLoads& loads,
+                              const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
+  void for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
+                             const std::function<void(const PointContact&)>& use) const;
 
   template <class Local, class Evaluate, class Add>
-  void gather_by_facet_pair(const SurfaceFields& primary, const SurfaceFields& secondary, double dt, const Evaluate& evaluate,
-                            const Add& add) const;
+  void gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
+                            const Evaluate& evaluate, const Add& add) const;
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
@@ -112,6 +184,7 @@ class ContactPass {
   std::vector<IntegrationPoint> points_;
   std::vector<PointPair> pairs_;
   std::vector<int> seen_;  ///< per point: the secondary facet that the last project() found, or -1
+  std::optional<Held> held_;
   double touch_ = 0;  ///< distance at which surfaces touch to rounding [mm]
 };
 

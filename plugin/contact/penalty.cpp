@@ -1,5 +1,6 @@
 #include "penalty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,33 @@ Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, co
     }
   }
   return result;
+}
+
+Penalties at_nodes(const Penalties& facets, const SurfaceMesh& primary) {
+  const Index fields = facets.flux.rows();
+  Penalties nodes{VectorXd::Zero(primary.nodes), MatrixXd::Zero(fields, primary.nodes), VectorXd::Zero(primary.nodes),
+                  MatrixXd::Zero(fields, primary.nodes)};
+  VectorXd count = VectorXd::Zero(primary.nodes);
+  for (std::size_t f = 0; f < primary.facets.size(); ++f) {
+    const Facet& facet = primary.facets[f];
+    const auto index = static_cast<Index>(f);
+    for (int a = 0; a < node_count(facet.type); ++a) {
+      const int node = facet.nodes[static_cast<std::size_t>(a)];
+      count[node] += 1;
+      nodes.traction[node] += facets.traction[index];
+      nodes.stiffness[node] += facets.stiffness[index];
+      nodes.flux.col(node) += facets.flux.col(index);
+      nodes.conductance.col(node) += facets.conductance.col(index);
+    }
+  }
+  for (Index node = 0; node < primary.nodes; ++node) {
+    const double share = 1 / std::max(1.0, count[node]);
+    nodes.traction[node] *= share;
+    nodes.stiffness[node] *= share;
+    nodes.flux.col(node) *= share;
+    nodes.conductance.col(node) *= share;
+  }
+  return nodes;
 }
 
 }  // namespace mixture_contact

@@ -76,6 +76,17 @@ MatrixXd point_tangent(const PointKinematics& point, const PointLoads& loads, co
   return tangent;
 }
 
+WeightedVariation gap_variation(const PointKinematics& point, const KinematicVariations& vary, double weight) {
+  return {weight * (point.area * vary.gap + point.gap * vary.area), weight * vary.area};
+}
+
+WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, double weight,
+                                 const PairVector& values) {
+  const Eigen::RowVector2d slope = values.tail(point.secondary_shape.size()).transpose() * point.secondary_gradient;
+  const double jump = point.jump_weights().dot(values);
+  return {weight * (jump * vary.area - point.area * (slope * vary.eta)), weight * vary.area};
+}
+
 MatrixXd symmetric_part(const MatrixXd& tangent, const LocalLayout& layout) {
   MatrixXd symmetric = 0.5 * (tangent + tangent.transpose());
   for (Index node = 0; node < layout.nodes(); ++node) {

@@ -28,6 +28,17 @@ VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, c
 MatrixXd point_tangent(const PointKinematics& point, const PointLoads& loads, const PairFields& fields,
                        const LocalLayout& layout);
 
+/// First variation of the contributions w |a| g to an average of the gap and w |a| to its area, with the positions of the pair.
+struct WeightedVariation {
+  PairVariation<1> integral;  ///< d(w |a| value), three columns per node
+  PairVariation<1> area;      ///< d(w |a|)
+};
+WeightedVariation gap_variation(const PointKinematics& point, const KinematicVariations& vary, double weight);
+
+/// The same for the jump of a field with the given nodal values; its variation with those values is w |a| h.
+WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, double weight,
+                                 const PairVector& values);
+
 /// A symmetric approximation of point_tangent for symmetric solvers: the symmetric part of the displacement block, the field
 /// blocks as they are, no coupling between them.
 MatrixXd symmetric_part(const MatrixXd& tangent, const LocalLayout& layout);

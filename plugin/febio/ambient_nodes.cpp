@@ -27,13 +27,13 @@ bool AmbientNodes::hold(FENode& node, int dof, double value) {
   return changed;
 }
 
-bool AmbientNodes::release(FENode& node, int dof, const std::vector<double>& increment) {
+bool AmbientNodes::release(FENode& node, int dof) {
   int& id = node.m_ID[static_cast<std::size_t>(dof)];
   if (id >= 0) return false;
   id = prescribed(id);
   if (FENewtonSolver* newton = solver()) {
     const auto n = static_cast<std::size_t>(id);
-    newton->m_Ut[n] = node.get(dof) - newton->m_Ui[n] - (n < increment.size() ? increment[n] : 0.0);
+    newton->m_Ut[n] = node.get(dof) - newton->m_Ui[n];
   }
   released_.emplace_back(&node, dof);
   return true;

@@ -24,9 +24,9 @@ class AmbientNodes {
   bool hold(FENode& node, int dof, double value);
 
   /// Makes a degree of freedom free again, with the value it has now: without this, FEBio would set it to what its solution vector
-  /// last knew, which is its value before it became ambient. `increment` is the solver's current trial increment.
+  /// last knew, which is its value before it became ambient. Not to be called while a trial increment is evaluated.
   /// Returns whether anything changed.
-  bool release(FENode& node, int dof, const std::vector<double>& increment);
+  bool release(FENode& node, int dof);
 
   /// Brings the solution vector in step with the nodal values at the start of a step, where an attempt that was cut back may have
   /// left it changed.

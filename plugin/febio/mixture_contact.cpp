@@ -16,11 +16,12 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 using namespace mixture_contact;
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
-  ADD_PARAMETER(m_laugon, "laugon")->setLongName("Enforcement method")->setEnums("PENALTY\0AUGLAG\0");
+  ADD_PARAMETER(parameters_.laugon, "laugon")->setLongName("Enforcement method")->setEnums("PENALTY\0AUGLAG\0");
   ADD_PARAMETER(parameters_.tolerance, "tolerance");
   ADD_PARAMETER(parameters_.traction_tolerance, "traction_tolerance", parameters_.traction_tolerance_given);
   ADD_PARAMETER(parameters_.solvent_tolerance, "solvent_tolerance", parameters_.solvent_tolerance_given);
@@ -59,6 +60,8 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
 END_FECORE_CLASS()
 
 FEMixtureContact::FEMixtureContact(FEModel* fem) : FEContactInterface(fem), primary_(fem, *this), secondary_(fem, *this), ambient_(*fem) {
+  // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
+  m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
   primary_.SetSibling(&secondary_);
   secondary_.SetSibling(&primary_);
@@ -80,9 +83,15 @@ bool FEMixtureContact::Init() {
   if (parameters_.flip_primary) primary_.Invert();
   if (parameters_.flip_secondary) secondary_.Invert();
   if (!check_surfaces() || !read_materials() || !check_ambient()) return false;
-  if (!output_registered_) fem.AddCallback(on_step_solved, CB_TIMESTEP_SOLVED, this);
-  output_registered_ = true;
+  add_callbacks();
   return true;
+}
+
+void FEMixtureContact::add_callbacks() {
+  if (has_callbacks_) return;
+  GetFEModel()->AddCallback(on_step_solved, CB_TIMESTEP_SOLVED, this);
+  GetFEModel()->AddCallback(on_matrix_reformed, CB_MATRIX_REFORM, this);
+  has_callbacks_ = true;
 }
 
 bool FEMixtureContact::check_parameters() {
@@ -159,8 +168,7 @@ bool FEMixtureContact::read_materials() {
 }
 
 void FEMixtureContact::build_core(PerSide<SurfaceMesh> meshes) {
-  const bool augmented = m_laugon == FECore::AUGLAG_METHOD;
-  core_ = std::make_unique<ContactInterface>(std::move(meshes), effects_, core_settings(parameters_, augmented));
+  core_ = std::make_unique<ContactInterface>(std::move(meshes), effects_, core_settings(parameters_));
 }
 
 void FEMixtureContact::decide_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
@@ -346,24 +354,53 @@ void FEMixtureContact::relocate_nodes() {
 
 void FEMixtureContact::Update() {
   project();
-  // Outside of a trial, that is at the start of a step and after an augmentation, the status of nodes is decided here. The bodies
-  // have been evaluated already in this pass: ask for it again if an ambient value changed.
-  if (in_trial_) {
-    in_trial_ = false;
+  if (std::exchange(in_trial_, false)) {
+    // Contact changes where a matrix is formed: where it must change, quasi-Newton methods have to form one.
+    if (newton_solver() != nullptr && !core_->is_solution(fields())) newton_solver()->QNForceReform(true);
     return;
   }
-  decided_iteration_ = -1;
-  if (apply_ambient({})) GetFEModel()->SetMeshUpdateFlag(true);
+  // The start of a step, or an augmentation. FEBio has evaluated the bodies already in this pass: ask for it again if an ambient
+  // value changed.
+  if (!std::exchange(keep_prediction_, false)) core_->end_iterations();
+  if (begin_iteration()) GetFEModel()->SetMeshUpdateFlag(true);
 }
 
-void FEMixtureContact::Update(const std::vector<double>& /*total*/, const std::vector<double>& increment) {
-  // Positions are new, pressures and concentrations and the bodies come next: ambient values set here reach them in time.
+void FEMixtureContact::Update(const std::vector<double>& /*total*/, const std::vector<double>& /*increment*/) {
+  // A trial: status and linearised gaps are those that the iteration began with.
   project();
   in_trial_ = true;
-  // Further trials of a line search keep the status of the first one, so that they evaluate one and the same function.
-  const int iteration = GetFEModel()->GetCurrentStep()->GetFESolver()->m_niter;
-  if (iteration != decided_iteration_) apply_ambient(increment);
-  decided_iteration_ = iteration;
+}
+
+FENewtonSolver* FEMixtureContact::newton_solver() {
+  return dynamic_cast<FENewtonSolver*>(GetFEModel()->GetCurrentStep()->GetFESolver());
+}
+
+bool FEMixtureContact::begin_iteration() {
+  loads_changed_ = core_->begin_iteration(fields());
+  // Ambient conditions depend on all contacts: the last one applies them.
+  const std::vector<FEMixtureContact*> contacts = active_contacts();
+  if (contacts.empty() || contacts.back() != this) return false;
+  const bool ambient_changed = apply_ambient(contacts);
+  return ambient_changed ||
+         std::any_of(contacts.begin(), contacts.end(), [](const FEMixtureContact* contact) { return contact->loads_changed_; });
+}
+
+void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
+  // A matrix is about to be formed for the next iteration, at an accepted state. FEBio has evaluated the residual of that state
+  // already, with the loads that were held then; it is to be evaluated again when the matrix is done.
+  if (begin_iteration()) {
+    for (FEMixtureContact* contact : active_contacts()) contact->in_trial_ = true;
+    newton_solver()->UpdateModel();
+    residual_outdated_ = true;
+  }
+  add_to_profile(matrix);
+}
+
+bool FEMixtureContact::on_matrix_reformed(FEModel* /*fem*/, unsigned int /*when*/, void* contact) {
+  auto* self = static_cast<FEMixtureContact*>(contact);
+  FENewtonSolver* solver = self->newton_solver();
+  if (self->IsActive() && solver != nullptr && std::exchange(self->residual_outdated_, false)) solver->Residual(solver->m_R0);
+  return true;
 }
 
 // --------------------------------------------------------------------------------------------------- ambient conditions
@@ -387,10 +424,9 @@ double FEMixtureContact::ambient_value(int dof) const {
   return 0;
 }
 
-bool FEMixtureContact::apply_ambient(const std::vector<double>& increment) {
-  // A node is at ambient only where no contact has it: the last contact to be updated decides for all.
-  const std::vector<FEMixtureContact*> contacts = active_contacts();
-  if (contacts.empty() || contacts.back() != this || pressure_dof_ < 0) return false;
+bool FEMixtureContact::apply_ambient(const std::vector<FEMixtureContact*>& contacts) {
+  // A node is at ambient only where no contact has it.
+  if (pressure_dof_ < 0) return false;
   struct NodeStatus {
     bool in_contact;
     FEMixtureContact* ambient;
@@ -409,7 +445,7 @@ bool FEMixtureContact::apply_ambient(const std::vector<double>& increment) {
   bool changed = false;
   const auto apply = [&](FENode& node, const NodeStatus& status, int dof) {
     if (!AmbientNodes::is_free(node, dof)) return;
-    const bool switched = status.in_contact ? ambient_.release(node, dof, increment)
+    const bool switched = status.in_contact ? ambient_.release(node, dof)
                                             : ambient_.hold(node, dof, status.ambient->ambient_value(dof));
     changed = changed || switched;
   };
@@ -424,16 +460,13 @@ bool FEMixtureContact::apply_ambient(const std::vector<double>& increment) {
 
 std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at) {
   std::vector<int> nodes;
-  const auto append = [&](FEMixtureSurface& s, const Facet& facet) {
-    for (int a = 0; a < node_count(facet.type); ++a) nodes.push_back(s.NodeIndex(facet.nodes[static_cast<std::size_t>(a)]));
-  };
-  append(surface(at.first), at.facets.primary);
-  append(surface(other(at.first)), at.facets.secondary);
+  for (const int node : at.patch.primary) nodes.push_back(surface(at.first).NodeIndex(node));
+  for (const int node : at.patch.secondary) nodes.push_back(surface(other(at.first)).NodeIndex(node));
   return nodes;
 }
 
 std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& at, const std::vector<int>& nodes) {
-  const LocalLayout& layout = at.facets.layout;
+  const LocalLayout layout = at.patch.layout();
   FEMesh& mesh = GetFEModel()->GetMesh();
   const std::array<int, 3> displacement{GetFEModel()->GetDOFIndex("x"), GetFEModel()->GetDOFIndex("y"), GetFEModel()->GetDOFIndex("z")};
   std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
@@ -443,18 +476,18 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
       ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(displacement[i])];
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      const int dof = field_dof(at.facets.fields[static_cast<std::size_t>(k)]);
+      const int dof = field_dof(at.patch.fields[static_cast<std::size_t>(k)]);
       ids[static_cast<std::size_t>(layout.scalar(node, k))] = id[static_cast<std::size_t>(dof)];
     }
   }
   return ids;
 }
 
-void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
+void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
   // Rigid nodes bring the equations of their body's rotations in as well.
   FEModel& fem = *GetFEModel();
   const std::array<int, 3> rotation{fem.GetDOFIndex("Ru"), fem.GetDOFIndex("Rv"), fem.GetDOFIndex("Rw")};
-  core_->for_each_facet_pair([&](const ContactInterface::Location& at) {
+  core_->for_each_coupling([&](const ContactInterface::Location& at) {
     const std::vector<int> nodes = node_ids(at);
     std::vector<int> ids = equations(at, nodes);
     for (const int node : nodes) {
@@ -494,7 +527,12 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 // --------------------------------------------------------------------------------------------------------- augmentation
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
-  if (m_laugon != FECore::AUGLAG_METHOD) return true;
+  // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
+  if (!core_->is_solution(fields())) {
+    keep_prediction_ = true;
+    return false;
+  }
+  if (core_->settings().enforcement == Enforcement::penalty) return true;
   const Settings& settings = core_->settings();
   const PerSide<SurfaceFields> current = fields();
   const GapReport report = core_->gaps(current);
@@ -593,9 +631,9 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     if (!ar.IsSaving()) build_core(std::move(meshes));
   }
   for (std::size_t pass = 0; pass < core_->passes(); ++pass) archive_multipliers(ar, core_->multipliers(pass));
-  if (!ar.IsSaving()) in_trial_ = false;  // a trial that was cut back is over
-  if (!ar.IsSaving() && !ar.IsShallow() && !output_registered_) {
-    GetFEModel()->AddCallback(on_step_solved, CB_TIMESTEP_SOLVED, this);
-    output_registered_ = true;
-  }
+  if (ar.IsSaving()) return;
+  core_->end_iterations();
+  in_trial_ = keep_prediction_ = false;  // a trial that was cut back is over
+  residual_outdated_ = false;
+  add_callbacks();
 }

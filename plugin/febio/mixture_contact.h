@@ -63,7 +63,7 @@ class FEMixtureContact : public FEContactInterface {
   void relocate_nodes();
 
   // Status: which points are in contact, which nodes at ambient conditions
-  bool decide_status();
+  bool begin_iteration();
   FENewtonSolver* newton_solver();
   static bool on_matrix_reformed(FEModel* fem, unsigned int when, void* contact);
 
@@ -93,8 +93,9 @@ class FEMixtureContact : public FEContactInterface {
   int concentrations_ = 0;       ///< number of solutes in the model
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way
-  bool status_changed_ = false;     ///< in the last decision
-  bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with a status that has changed since
+  bool keep_prediction_ = false;    ///< the next iteration goes on from what the last one predicts
+  bool loads_changed_ = false;      ///< at the beginning of this iteration
+  bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;
 
   DECLARE_FECORE_CLASS()

@@ -13,7 +13,8 @@ void log_summary(Log& log, int steps, const Effort& total, bool done, double sec
   log.print("\n\n N O N L I N E A R   I T E R A T I O N   I N F O R M A T I O N\n\n");
   log.print("\tNumber of time steps completed .................... : %d\n\n", steps);
   log.print("\tTotal number of equilibrium iterations ............ : %d\n\n", total.iterations);
-  log.print("\tAverage number of equilibrium iterations .......... : %g\n\n", steps > 0 ? 1.0 * total.iterations / steps : 0.0);
+  log.print("\tAverage number of equilibrium iterations .......... : %g\n\n",
+            steps > 0 ? 1.0 * total.iterations / steps : 0.0);
   log.print("\tTotal number of right hand evaluations ............ : %d\n\n", total.residuals);
   log.print("\tTotal number of stiffness reformations ............ : %d\n\n", total.reformations);
   log.print("\n Elapsed time : %.2f s\n\n", seconds);
@@ -24,7 +25,12 @@ void log_summary(Log& log, int steps, const Effort& total, bool done, double sec
 class Steps {
  public:
   Steps(const Model& model, Log& log)
-      : model_(model), log_(log), problem_(model), newton_(problem_, log), output_(problem_, log), stepper_(model, log) {}
+      : model_(model),
+        log_(log),
+        problem_(model),
+        newton_(problem_, log),
+        output_(problem_, log),
+        stepper_(model, log) {}
 
   bool run() {
     for (Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());

@@ -23,7 +23,8 @@ auto with_fields(int fields, const Use& use) {
 /// Derivative of the point forces with the point fields, entry (4 * column + row) of either.
 template <int Fields>
 Eigen::Matrix<double, 4 * Fields, 4 * Fields> point_tangent(const Material& material, double gas_energy, double dt,
-                                                           const PointHistory& last, const PointFields<double, Fields>& q) {
+                                                            const PointHistory& last,
+                                                            const PointFields<double, Fields>& q) {
   using Derivatives = Eigen::Matrix<double, 4 * Fields, 1>;
   using Dual = Eigen::AutoDiffScalar<Derivatives>;
   PointFields<Dual, Fields> dual;
@@ -59,7 +60,9 @@ Bodies::Bodies(const Model& model) : model_(model), gas_energy_(model.gas_consta
   }
 }
 
-const Material& Bodies::material(std::size_t e) const { return model_.materials[static_cast<std::size_t>(element(e).material)]; }
+const Material& Bodies::material(std::size_t e) const {
+  return model_.materials[static_cast<std::size_t>(element(e).material)];
+}
 
 MatrixXd Bodies::nodal_fields(std::size_t e, const MatrixXd& values) const {
   const std::vector<int>& nodes = element(e).nodes;
@@ -95,11 +98,11 @@ MatrixXd Bodies::tangent(std::size_t e, const MatrixXd& values, double dt) const
       const PointFields<double, fields> q = point.shape * nodal;
       const auto slope = point_tangent<fields>(material(e), gas_energy_, dt, point.last, q);
       for (int g = 0; g < fields; ++g) {
-        const Eigen::Matrix<double, 4 * fields, Eigen::Dynamic> half =
-            slope.template middleCols<4>(4 * g) * (point.shape * point.volume);
+        const Eigen::Matrix<double, 4 * fields, Eigen::Dynamic> half = slope.template middleCols<4>(4 * g) *
+                                                                       (point.shape * point.volume);
         for (int f = 0; f < fields; ++f) {
-          sum.block(f * nodes, g * nodes, nodes, nodes).noalias() +=
-              point.shape.transpose() * half.template middleRows<4>(4 * f);
+          sum.block(f * nodes, g * nodes, nodes, nodes).noalias() += point.shape.transpose() *
+                                                                     half.template middleRows<4>(4 * f);
         }
       }
     }

@@ -7,7 +7,8 @@
 
 namespace standalone {
 
-/// The elements of a model with what is integrated over them. Evaluations are const; only accept_step() changes the history.
+/// The elements of a model with what is integrated over them. Evaluations are const; only accept_step() changes the
+/// history.
 ///
 /// Local vectors of an element are field by field: entry field * nodes + node, fields in the order of Material::dof.
 class Bodies {
@@ -22,7 +23,8 @@ class Bodies {
   /// Throws StepFailure where an element is inverted.
   VectorXd residual(std::size_t e, const MatrixXd& values, double dt) const;
 
-  /// Exact derivative of residual() with the element's nodal values, by automatic differentiation of the law at each point.
+  /// Exact derivative of residual() with the element's nodal values, by automatic differentiation of the law at each
+  /// point.
   MatrixXd tangent(std::size_t e, const MatrixXd& values, double dt) const;
 
   /// Keeps J and the contents at these nodal values as what the next time step starts from.
@@ -30,11 +32,11 @@ class Bodies {
 
   /// Averages over an element's integration points, for output.
   struct Average {
-    Vector3d solvent_flux{0, 0, 0};   ///< [mm/s]
+    Vector3d solvent_flux{0, 0, 0};      ///< [mm/s]
     Matrix3d stress = Matrix3d::Zero();  ///< Cauchy stress [MPa]
-    Matrix3Xd solute_flux;            ///< one column per solute of the material [nmol/(mm^2 s)]
-    VectorXd concentration;           ///< actual concentration kappa~ c~ [mM]
-    double pressure = 0;              ///< actual pressure [MPa]
+    Matrix3Xd solute_flux;               ///< one column per solute of the material [nmol/(mm^2 s)]
+    VectorXd concentration;              ///< actual concentration kappa~ c~ [mM]
+    double pressure = 0;                 ///< actual pressure [MPa]
   };
   Average average(std::size_t e, const MatrixXd& values) const;
 

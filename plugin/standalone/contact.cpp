@@ -27,7 +27,8 @@ Facet inverted(const Facet& facet) {
 Vector3d area_vector(const Facet& facet, const Matrix3Xd& position) {
   Vector3d sum(0, 0, 0);
   const auto x = mixture_contact::facet_coordinates(facet, position);
-  for (const auto& point : mixture_contact::quadrature(facet.type, mixture_contact::default_quadrature_order(facet.type))) {
+  for (const auto& point :
+       mixture_contact::quadrature(facet.type, mixture_contact::default_quadrature_order(facet.type))) {
     const Eigen::Matrix<double, 3, 2> tangents = x * mixture_contact::shape_functions(facet.type, point.xi).gradient;
     sum += point.weight * tangents.col(0).cross(tangents.col(1));
   }
@@ -46,7 +47,8 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
     std::set<int> nodes;
     for (SurfaceFacet& facet : facets_[side]) {
       if (flip) facet.facet = inverted(facet.facet);
-      nodes.insert(facet.facet.nodes.begin(), facet.facet.nodes.begin() + mixture_contact::node_count(facet.facet.type));
+      nodes.insert(facet.facet.nodes.begin(),
+                   facet.facet.nodes.begin() + mixture_contact::node_count(facet.facet.type));
       const Material& material = bodies.material(static_cast<std::size_t>(facet.element));
       permeable[side] = permeable[side] || material.porous;
       for (const Solute& solute : material.solutes) solutes[side].insert(solute.index);
@@ -58,12 +60,13 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
                         solutes[Side::secondary].end(), std::back_inserter(effects_.solutes));
   const MatrixXd start = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
   core_ = std::make_unique<mixture_contact::ContactInterface>(
-      PerSide<mixture_contact::SurfaceMesh>{{surface_mesh(Side::primary, start), surface_mesh(Side::secondary, start)}}, effects_,
-      core_settings(definition.parameters));
+      PerSide<mixture_contact::SurfaceMesh>{{surface_mesh(Side::primary, start), surface_mesh(Side::secondary, start)}},
+      effects_, core_settings(definition.parameters));
   if (!core_->pass(0).penalty().traction.allFinite()) {
-    throw InputError(model.file + ": contact \"" + definition.name +
-                     "\": both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave "
-                     "<auto_penalty> at 0");
+    throw InputError(
+        model.file + ": contact \"" + definition.name +
+        "\": both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave "
+        "<auto_penalty> at 0");
   }
 }
 
@@ -180,10 +183,11 @@ Contact::Dofs Contact::dofs(const mixture_contact::ContactInterface::Location& a
 }
 
 void Contact::add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const {
-  core_->residual(fields(values), dt, [&](const mixture_contact::ContactInterface::Location& at, const VectorXd& local) {
-    Index entry = 0;
-    for (const auto& [dof, node] : dofs(at)) forces(dof, node) += local[entry++];
-  });
+  core_->residual(fields(values), dt,
+                  [&](const mixture_contact::ContactInterface::Location& at, const VectorXd& local) {
+                    Index entry = 0;
+                    for (const auto& [dof, node] : dofs(at)) forces(dof, node) += local[entry++];
+                  });
 }
 
 void Contact::for_each_tangent(const MatrixXd& values, double dt,

@@ -1,4 +1,5 @@
-/// A contact interface of a model: gathers positions and fields for the contact core, and hands its residual and tangent on.
+/// A contact interface of a model: gathers positions and fields for the contact core, and hands its residual and
+/// tangent on.
 #pragma once
 
 #include "bodies.h"
@@ -6,7 +7,8 @@
 
 namespace standalone {
 
-/// One contact. Its state, beside the core's multipliers and status, are the current nodal values that the caller passes.
+/// One contact. Its state, beside the core's multipliers and status, are the current nodal values that the caller
+/// passes.
 class Contact {
  public:
   using Side = mixture_contact::Side;
@@ -22,7 +24,8 @@ class Contact {
   /// A line that says which effects the contact exchanges.
   std::string effects_line() const;
 
-  /// Stiffness and conductance behind each facet, for the automatic penalties; the convective part follows the current flow.
+  /// Stiffness and conductance behind each facet, for the automatic penalties; the convective part follows the current
+  /// flow.
   void update_properties(const MatrixXd& values);
   /// Finds out which facets face each other; `keep_facets`: no new search.
   void project(const MatrixXd& values, bool keep_facets);
@@ -36,7 +39,8 @@ class Contact {
   void add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const;
   /// Calls add(degrees of freedom as (dof, node), tangent) for each pair of facets in contact, eq (2.6).
   using Dofs = std::vector<std::pair<int, int>>;
-  void for_each_tangent(const MatrixXd& values, double dt, const std::function<void(const Dofs&, const MatrixXd&)>& add) const;
+  void for_each_tangent(const MatrixXd& values, double dt,
+                        const std::function<void(const Dofs&, const MatrixXd&)>& add) const;
 
   /// State to be kept for a time step that is tried again.
   struct Saved {

@@ -12,8 +12,9 @@ void check_rigid(const Model& model, const Eigen::MatrixXi& number) {
     const Material& material = model.materials[static_cast<std::size_t>(element.material)];
     for (const int node : element.nodes) {
       if (!material.rigid || (number.col(node).head<3>().array() == Equations::prescribed).all()) continue;
-      throw InputError(model.file + ": the rigid body \"" + material.name +
-                       "\" is free to move; all its translations must be given in <Rigid>, free rigid bodies are not supported");
+      throw InputError(
+          model.file + ": the rigid body \"" + material.name +
+          "\" is free to move; all its translations must be given in <Rigid>, free rigid bodies are not supported");
     }
   }
 }

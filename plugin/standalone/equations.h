@@ -8,7 +8,8 @@ namespace standalone {
 /// Equation numbers of the degrees of freedom that exist and are not prescribed.
 class Equations {
  public:
-  /// Throws InputError where a rigid body is not held, or nothing is free. Conditions where no element has the field are void.
+  /// Throws InputError where a rigid body is not held, or nothing is free. Conditions where no element has the field
+  /// are void.
   explicit Equations(const Model& model);
 
   int count() const { return static_cast<int>(dof_.size()); }

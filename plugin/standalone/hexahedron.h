@@ -8,9 +8,11 @@
 namespace standalone {
 
 /// Faces of a hexahedron as local corner indices, counter-clockwise seen from outside.
-inline constexpr int hexahedron_faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+inline constexpr int hexahedron_faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                               {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-/// Shape functions N_a at xi in [-1, 1]^3 and their derivatives: row 0 the value, rows 1 to 3 dN_a/dxi; shape (4, nodes).
+/// Shape functions N_a at xi in [-1, 1]^3 and their derivatives: row 0 the value, rows 1 to 3 dN_a/dxi; shape (4,
+/// nodes).
 Eigen::Matrix4Xd hexahedron_shape(int nodes, const Eigen::Vector3d& xi);
 
 /// A point of a quadrature rule on [-1, 1]^3; the weights add up to 8.

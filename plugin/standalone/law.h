@@ -1,7 +1,7 @@
 /// The mixture at a point: stress, fluxes and contents from deformation, pressure and concentrations. Pure functions.
 ///
-/// Everything refers to the reference configuration, so that the gradients of the shape functions never change: the integrals
-/// are those of (2.1)-(2.3) over the current configuration, pulled back.
+/// Everything refers to the reference configuration, so that the gradients of the shape functions never change: the
+/// integrals are those of (2.1)-(2.3) over the current configuration, pulled back.
 #pragma once
 
 #include "error.h"
@@ -13,7 +13,8 @@
 
 namespace standalone {
 
-/// Fields at a point, one column each in the order u1 u2 u3 p~ c~...: row 0 the value, rows 1 to 3 the reference gradient.
+/// Fields at a point, one column each in the order u1 u2 u3 p~ c~...: row 0 the value, rows 1 to 3 the reference
+/// gradient.
 template <class T, int Fields>
 using PointFields = Eigen::Matrix<T, 4, Fields>;
 
@@ -31,13 +32,13 @@ template <class T, int Fields>
 struct PointState {
   static constexpr int columns = Fields > 4 ? Fields - 4 : 1;  ///< per solute; there are no matrices without columns
 
-  Eigen::Matrix<T, 3, 3> deformation;            ///< F
-  Eigen::Matrix<T, 3, 3> cofactor;               ///< J F^-T
-  T volume_ratio{};                              ///< J
-  Eigen::Matrix<T, 3, 3> stress;                 ///< first Piola-Kirchhoff stress of the mixture [MPa]
-  Eigen::Matrix<T, 3, 1> solvent_flux;           ///< w in the current configuration [mm/s]
-  Eigen::Matrix<T, 3, columns> solute_flux;      ///< j per solute in the current configuration [nmol/(mm^2 s)]
-  Eigen::Matrix<T, columns, 1> content;          ///< J phi_w kappa~ c~ per solute [nmol/mm^3]
+  Eigen::Matrix<T, 3, 3> deformation;        ///< F
+  Eigen::Matrix<T, 3, 3> cofactor;           ///< J F^-T
+  T volume_ratio{};                          ///< J
+  Eigen::Matrix<T, 3, 3> stress;             ///< first Piola-Kirchhoff stress of the mixture [MPa]
+  Eigen::Matrix<T, 3, 1> solvent_flux;       ///< w in the current configuration [mm/s]
+  Eigen::Matrix<T, 3, columns> solute_flux;  ///< j per solute in the current configuration [nmol/(mm^2 s)]
+  Eigen::Matrix<T, columns, 1> content;      ///< J phi_w kappa~ c~ per solute [nmol/mm^3]
 };
 
 /// Kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. Throws StepFailure where J <= 0.
@@ -95,7 +96,8 @@ void flow(const Material& material, double gas_energy, const PointFields<T, Fiel
   }
 }
 
-/// What the fields of a point do work on: row 0 with the virtual value, rows 1 to 3 with its reference gradient, per column
+/// What the fields of a point do work on: row 0 with the virtual value, rows 1 to 3 with its reference gradient, per
+/// column
 ///
 ///   u (2.1)  [0; P_i]    p~ (2.2)  [J_0 - J; dt W]    c~ (2.3)  [m_0 - m; dt J_k]
 ///

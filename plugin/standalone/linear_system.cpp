@@ -7,8 +7,9 @@
 namespace standalone {
 namespace {
 
-/// A diagonal entry serves as pivot unless it is this much smaller than the largest of its column. The matrix is close to a
-/// symmetric quasi-definite one, whose factors exist in any order (Vanderbei 1995), so the order that keeps them sparse wins.
+/// A diagonal entry serves as pivot unless it is this much smaller than the largest of its column. The matrix is close
+/// to a symmetric quasi-definite one, whose factors exist in any order (Vanderbei 1995), so the order that keeps them
+/// sparse wins.
 constexpr double pivot_threshold = 1e-3;
 
 Index place(const LinearSystem::Matrix& matrix, int row, int column) {
@@ -42,7 +43,8 @@ LinearSystem::LinearSystem(int equations, std::vector<std::vector<int>> element_
   bodies_.setFromTriplets(entries.begin(), entries.end());
   for (const auto& numbers : element_equations_) {
     std::vector<Index> places;
-    for_each_entry(numbers, [&](int row, int column, bool free) { places.push_back(free ? place(bodies_, row, column) : -1); });
+    for_each_entry(numbers,
+                   [&](int row, int column, bool free) { places.push_back(free ? place(bodies_, row, column) : -1); });
     places_.push_back(std::move(places));
   }
   factors_.isSymmetric(true);
@@ -87,7 +89,8 @@ void LinearSystem::factorise(const std::vector<bool>& held) {
     analysed_ = std::move(now);
   }
   factors_.factorize(matrix_);
-  if (factors_.info() != Eigen::Success) throw StepFailure("the tangent matrix is singular: " + factors_.lastErrorMessage());
+  if (factors_.info() != Eigen::Success)
+    throw StepFailure("the tangent matrix is singular: " + factors_.lastErrorMessage());
 }
 
 VectorXd LinearSystem::solve(const VectorXd& right_hand_side) const {

@@ -39,14 +39,20 @@ int run_model(const std::string& path, bool check_only) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  options::options_description shown("Usage: mixture-contact [options] model.feb\n\nRuns a model (a subset of FEBio XML 4.0) and writes "
-                                     "log and data beside it.\n\nOptions");
-  shown.add_options()("help,h", "show this text")("check", "read the model and say what is wrong with it, without running it");
+  options::options_description shown(
+      "Usage: mixture-contact [options] model.feb\n\nRuns a model (a subset of FEBio XML 4.0) and writes "
+      "log and data beside it.\n\nOptions");
+  shown.add_options()("help,h", "show this text")("check",
+                                                  "read the model and say what is wrong with it, without running it");
   options::options_description all;
   all.add(shown).add_options()("model", options::value<std::string>());
   options::variables_map given;
   try {
-    options::store(options::command_line_parser(argc, argv).options(all).positional(options::positional_options_description().add("model", 1)).run(), given);
+    options::store(options::command_line_parser(argc, argv)
+                       .options(all)
+                       .positional(options::positional_options_description().add("model", 1))
+                       .run(),
+                   given);
   } catch (const options::error& error) {
     std::cerr << "mixture-contact: " << error.what() << '\n';
     return 1;

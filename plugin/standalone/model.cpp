@@ -5,7 +5,8 @@
 namespace standalone {
 
 double LoadCurve::at(double time) const {
-  const auto after = std::upper_bound(points.begin(), points.end(), time, [](double t, const auto& p) { return t < p[0]; });
+  const auto after = std::upper_bound(points.begin(), points.end(), time,
+                                      [](double t, const auto& p) { return t < p[0]; });
   if (after == points.begin()) return points.front()[1];
   if (after == points.end()) return points.back()[1];
   const auto& [t0, f0] = *(after - 1);

@@ -141,7 +141,7 @@ struct ContactDefinition {
   std::string name;
   std::array<std::string, 2> surfaces;  ///< primary, secondary
   ContactParameters parameters;
-  Parameter ambient_pressure;                   ///< p* [MPa]
+  Parameter ambient_pressure;                      ///< p* [MPa]
   std::map<int, Parameter> ambient_concentration;  ///< solute -> c* [mM]
 };
 

@@ -7,8 +7,8 @@ namespace {
 
 constexpr double vanishing_energy = 1e-17;
 
-/// Where the energy, known to fall from `first` at 0 to `last` at s, vanishes if it is a parabola that starts with slope -first:
-/// the line search of Bonet and Wood (1997), Nonlinear Continuum Mechanics for Finite Element Analysis.
+/// Where the energy, known to fall from `first` at 0 to `last` at s, vanishes if it is a parabola that starts with
+/// slope -first: the line search of Bonet and Wood (1997), Nonlinear Continuum Mechanics for Finite Element Analysis.
 double next_step(double first, double last, double s) {
   const double ratio = first / last;
   const double a = 1 + ratio * (s - 1);
@@ -68,7 +68,8 @@ double Newton::line_search(const VectorXd& change) {
       best = step;
       least = std::abs(energy);
     }
-    if (std::abs(energy) < vanishing_energy || std::abs(energy) <= control_.search_tolerance * std::abs(first)) return step;
+    if (std::abs(energy) < vanishing_energy || std::abs(energy) <= control_.search_tolerance * std::abs(first))
+      return step;
     step = next_step(first, energy, step);
     if (++search == control_.max_searches) {
       evaluate(best * change);

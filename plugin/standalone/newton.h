@@ -15,8 +15,8 @@ struct Effort {
   void operator+=(const Effort& other);
 };
 
-/// Full Newton: the matrix is formed anew in each iteration, contact status changes between iterations only, and what converged
-/// counts as a solution only if the status agrees with it and the augmentations are done.
+/// Full Newton: the matrix is formed anew in each iteration, contact status changes between iterations only, and what
+/// converged counts as a solution only if the status agrees with it and the augmentations are done.
 class Newton {
  public:
   Newton(Problem& problem, Log& log);
@@ -37,7 +37,8 @@ class Newton {
   void restart_norms_if_diverging(const VectorXd& change, double step);
   bool augment();
   bool augment(Contact& contact);
-  void log_norms(double time, double step, double residual, double energy, const VectorXd& fields, const VectorXd& allowed) const;
+  void log_norms(double time, double step, double residual, double energy, const VectorXd& fields,
+                 const VectorXd& allowed) const;
 
   Problem& problem_;
   Log& log_;

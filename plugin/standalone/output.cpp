@@ -28,9 +28,12 @@ double Output::node_value(const NodeColumn& column, int node) const {
   }
 }
 
-double Output::element_value(const ElementColumn& column, const Bodies::Average& average, const Material& material) const {
+double Output::element_value(const ElementColumn& column, const Bodies::Average& average,
+                             const Material& material) const {
   Index local = 0;
-  while (local < average.concentration.size() && material.solutes[static_cast<std::size_t>(local)].index != column.solute) ++local;
+  while (local < average.concentration.size() &&
+         material.solutes[static_cast<std::size_t>(local)].index != column.solute)
+    ++local;
   const bool has_solute = local < average.concentration.size();
   switch (column.kind) {
     case ElementColumn::Kind::pressure:
@@ -61,9 +64,10 @@ void Output::write_row(std::size_t table, int item, const std::vector<double>& v
 void Output::write_data(std::size_t table, int step, double time) {
   const DataFile& data = problem_.model().data[table];
   const int solutes = problem_.model().solutes;
-  log_.print("\nData Record #%zu\n%s\nStep = %d\nTime = %.9g\nData = %s\nFile = %s\n", table + 1, std::string(75, '=').c_str(), step,
-             time, data.names.c_str(), data.file.c_str());
-  streams_[table] << "*Step  = " << step << "\n*Time  = " << std::setprecision(9) << time << "\n*Data  = " << data.names << '\n'
+  log_.print("\nData Record #%zu\n%s\nStep = %d\nTime = %.9g\nData = %s\nFile = %s\n", table + 1,
+             std::string(75, '=').c_str(), step, time, data.names.c_str(), data.file.c_str());
+  streams_[table] << "*Step  = " << step << "\n*Time  = " << std::setprecision(9) << time << "\n*Data  = " << data.names
+                  << '\n'
                   << std::setprecision(12);
   std::vector<double> row(data.columns.size());
   if (data.elements) {

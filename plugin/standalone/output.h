@@ -27,7 +27,7 @@ class Output {
 
   const Problem& problem_;
   Log& log_;
-  std::vector<std::ofstream> streams_;            ///< one per data file of the model
+  std::vector<std::ofstream> streams_;                  ///< one per data file of the model
   std::vector<std::pair<double, std::string>> states_;  ///< time [s] and .vtu file of each state written
 };
 

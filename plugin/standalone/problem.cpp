@@ -63,7 +63,8 @@ void Problem::accept_step() {
   bodies_.accept_step(state_.values);
 }
 
-// ---------------------------------------------------------------------------------------------------------------- status
+// ----------------------------------------------------------------------------------------------------------------
+// status
 
 bool Problem::decide_status() {
   bool changed = false;
@@ -127,7 +128,8 @@ bool Problem::set_ambient(int equation, bool in_contact, double value) {
   return changed;
 }
 
-// ----------------------------------------------------------------------------------------------------------- evaluations
+// -----------------------------------------------------------------------------------------------------------
+// evaluations
 
 void Problem::set_trial(const VectorXd& trial, int iteration) {
   const VectorXd solution = state_.total + state_.increment + trial;
@@ -170,7 +172,8 @@ VectorXd Problem::residual() {
   }
   reactions_.setZero();
   for (const Condition& condition : model_.prescribed) {
-    for (const int node : condition.nodes) reactions_(condition.dof, node) = condition.reaction ? forces(condition.dof, node) : 0;
+    for (const int node : condition.nodes)
+      reactions_(condition.dof, node) = condition.reaction ? forces(condition.dof, node) : 0;
   }
   return free;
 }

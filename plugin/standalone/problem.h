@@ -9,9 +9,9 @@ namespace standalone {
 
 /// Bodies, contacts and conditions with the current nodal values.
 ///
-/// The vectors over the equations follow FEBio: `total` of the accepted steps, the `increment` of the current step, and a trial
-/// on top of both. Nodal values are their sum, except that a solver may set negative concentrations to zero, and that ambient
-/// nodes have their bath's value.
+/// The vectors over the equations follow FEBio: `total` of the accepted steps, the `increment` of the current step, and
+/// a trial on top of both. Nodal values are their sum, except that a solver may set negative concentrations to zero,
+/// and that ambient nodes have their bath's value.
 class Problem {
  public:
   explicit Problem(const Model& model);
@@ -33,20 +33,22 @@ class Problem {
   /// Keeps the current state as what the next step starts from.
   void accept_step();
 
-  /// Decides which points and nodes are in contact at the current state, and switches the others' nodes to ambient values.
-  /// Between decisions the status is held. Returns whether anything changed.
+  /// Decides which points and nodes are in contact at the current state, and switches the others' nodes to ambient
+  /// values. Between decisions the status is held. Returns whether anything changed.
   bool decide_status();
   bool status_holds();
 
-  /// Sets the nodal values to total + increment + trial and prescribed values. `keep_facets`: contact keeps to known facets.
+  /// Sets the nodal values to total + increment + trial and prescribed values. `keep_facets`: contact keeps to known
+  /// facets.
   void set_trial(const VectorXd& trial, int iteration);
   /// Adds an accepted trial to the step's increment.
   void accept_trial(const VectorXd& trial) { state_.increment += trial; }
 
-  /// Forces on the free equations; zero in equilibrium. Throws StepFailure where an element is inverted or a force not finite.
+  /// Forces on the free equations; zero in equilibrium. Throws StepFailure where an element is inverted or a force not
+  /// finite.
   VectorXd residual();
-  /// Assembles the tangent, -d residual/d values. Returns the forces that prescribed increments which are not yet in the nodal
-  /// values will bring.
+  /// Assembles the tangent, -d residual/d values. Returns the forces that prescribed increments which are not yet in
+  /// the nodal values will bring.
   VectorXd assemble(LinearSystem& system);
 
   /// Everything that changes in a time step, to try one again.
@@ -70,8 +72,8 @@ class Problem {
   std::vector<Contact> contacts_;
   std::vector<MatrixXd> unit_forces_;  ///< per load
   State state_;
-  MatrixXd target_;     ///< prescribed values of the current step
-  MatrixXd pending_;    ///< prescribed increments that are not yet in the nodal values
+  MatrixXd target_;   ///< prescribed values of the current step
+  MatrixXd pending_;  ///< prescribed increments that are not yet in the nodal values
   MatrixXd reactions_;
   double time_ = 0, dt_ = 0;
 };

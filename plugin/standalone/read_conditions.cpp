@@ -52,14 +52,16 @@ Condition read_prescribed(const Tag& tag, const std::vector<int>& nodes, const M
   tag.allow_children({"dof", "value", "relative"});
   if (type == "prescribed displacement") return {displacement_dof(tag.child("dof")), nodes, value};
   if (type == "prescribed concentration") return {solute_dof(tag.child("dof"), model), nodes, value};
-  tag.fail("the type \"" + type + "\" is not supported; allowed: zero or prescribed displacement, fluid pressure, concentration");
+  tag.fail("the type \"" + type +
+           "\" is not supported; allowed: zero or prescribed displacement, fluid pressure, concentration");
 }
 
 std::vector<int> rigid_nodes(const Tag& tag, const Model& model) {
   std::vector<int> nodes;
   for (const Element& element : model.mesh.elements) {
     const Material& material = model.materials[static_cast<std::size_t>(element.material)];
-    if (material.rigid && material.name == tag.text()) nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
+    if (material.rigid && material.name == tag.text())
+      nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
   }
   if (nodes.empty()) tag.fail("there is no rigid body \"" + tag.text() + "\" with elements");
   std::sort(nodes.begin(), nodes.end());
@@ -91,7 +93,8 @@ void read_rigid(const Tag& section, Model& model) {
     if (type == "rigid_displacement") {
       tag.allow_children({"rb", "dof", "value", "relative"});
       require_absolute(tag);
-      model.prescribed.push_back({displacement_dof(tag.child("dof")), nodes, read_parameter(tag.child("value"), model)});
+      model.prescribed.push_back(
+          {displacement_dof(tag.child("dof")), nodes, read_parameter(tag.child("value"), model)});
     } else if (type == "rigid_fixed") {
       tag.allow_children({"rb", "Rx_dof", "Ry_dof", "Rz_dof", "Ru_dof", "Rv_dof", "Rw_dof"});
       for (int i = 0; i < 3; ++i) {
@@ -99,7 +102,8 @@ void read_rigid(const Tag& section, Model& model) {
         if (translation && translation->flag()) model.prescribed.push_back({i, nodes, {}});
       }
       for (const char* name : {"Ru_dof", "Rv_dof", "Rw_dof"}) {
-        if (!tag.child(name).flag()) tag.child(name).fail("rigid bodies that turn are not supported: all rotations must be fixed");
+        if (!tag.child(name).flag())
+          tag.child(name).fail("rigid bodies that turn are not supported: all rotations must be fixed");
       }
     } else {
       tag.fail("the type \"" + type + "\" is not supported; allowed: \"rigid_fixed\", \"rigid_displacement\"");
@@ -139,7 +143,8 @@ void read_loads(const Tag& section, Model& model) {
     } else {
       tag.allow_children({"pressure", "linear", "symmetric_stiffness"});
     }
-    if (!tag.child("linear").flag()) tag.child("linear").fail("only loads in the reference configuration (1) are supported");
+    if (!tag.child("linear").flag())
+      tag.child("linear").fail("only loads in the reference configuration (1) are supported");
     const Parameter value = read_parameter(tag.child(fluid ? "flux" : "pressure"), model);
     model.loads.push_back({fluid, named(tag, "surface", model.mesh.surfaces), value});
   }

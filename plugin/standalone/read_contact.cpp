@@ -62,7 +62,8 @@ void read_slot(const Tag& tag, const Slot& slot) {
 }
 
 void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefinition& contact) {
-  if (!tag.find_attribute("sol") && model.solutes != 1) tag.fail("the attribute sol must say which of the solutes this is for");
+  if (!tag.find_attribute("sol") && model.solutes != 1)
+    tag.fail("the attribute sol must say which of the solutes this is for");
   const int solute = tag.find_attribute("sol") ? tag.integer_attribute("sol") : 1;
   if (solute > model.solutes) tag.fail("solute " + std::to_string(solute) + " does not exist");
   if (!contact.ambient_concentration.emplace(solute - 1, read_parameter(tag, model)).second) tag.fail("given twice");
@@ -92,7 +93,8 @@ void check_surfaces(const Tag& tag, const Model& model, const ContactDefinition&
     for (const SurfaceFacet& facet : model.mesh.surfaces.at(name)) {
       std::vector<int> nodes(facet.facet.nodes.begin(), facet.facet.nodes.begin() + 4);
       std::sort(nodes.begin(), nodes.end());
-      if (!faces.emplace(facet.element, nodes).second) tag.fail("the surfaces share facets; a surface cannot be in contact with itself");
+      if (!faces.emplace(facet.element, nodes).second)
+        tag.fail("the surfaces share facets; a surface cannot be in contact with itself");
     }
   }
 }

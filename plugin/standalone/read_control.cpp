@@ -22,8 +22,7 @@ double positive(const Tag& tag) {
 
 void read_stepper(const Tag& section, Model& model) {
   section.allow_attributes({"type"});
-  section.allow_children(
-      {"max_retries", "opt_iter", "dtmin", "dtmax", "aggressiveness", "cutback", "dtforce"});
+  section.allow_children({"max_retries", "opt_iter", "dtmin", "dtmax", "aggressiveness", "cutback", "dtforce"});
   if (section.attribute("type") != "default") section.fail("only the type \"default\" is supported");
   StepControl stepper;
   if (const auto tag = section.find("max_retries")) stepper.max_retries = tag->integer(0, 1000);
@@ -43,9 +42,10 @@ void read_stepper(const Tag& section, Model& model) {
 void read_solver(const Tag& section, Model& model) {
   Control& control = model.control;
   section.allow_attributes({"type"});
-  section.allow_children({"symmetric_stiffness", "max_refs", "dtol", "etol", "rtol", "ptol", "ctol", "lstol", "lsmin", "lsiter",
-                          "min_residual", "qn_method"});
-  if (section.attribute("type") != control.module) section.fail("the type must be that of the module, \"" + control.module + "\"");
+  section.allow_children({"symmetric_stiffness", "max_refs", "dtol", "etol", "rtol", "ptol", "ctol", "lstol", "lsmin",
+                          "lsiter", "min_residual", "qn_method"});
+  if (section.attribute("type") != control.module)
+    section.fail("the type must be that of the module, \"" + control.module + "\"");
   if (const auto tag = section.find("symmetric_stiffness")) {
     if (tag->text() != "non-symmetric" && tag->text() != "0") tag->fail("only \"non-symmetric\" is supported");
   }
@@ -80,10 +80,12 @@ void read_control(const Tag& section, Model& model) {
   }
   control.steps = section.child("time_steps").integer(1, most);
   control.step_size = positive(section.child("step_size"));
-  if (!std::isfinite(control.end())) section.fail("the end of the analysis, time_steps x step_size, is not a finite number");
+  if (!std::isfinite(control.end()))
+    section.fail("the end of the analysis, time_steps x step_size, is not a finite number");
   if (const auto tag = section.find("plot_level")) {
     control.plot = tag->text() != "PLOT_NEVER";
-    if (control.plot && tag->text() != "PLOT_MAJOR_ITRS") tag->fail("only \"PLOT_MAJOR_ITRS\" and \"PLOT_NEVER\" are supported");
+    if (control.plot && tag->text() != "PLOT_MAJOR_ITRS")
+      tag->fail("only \"PLOT_MAJOR_ITRS\" and \"PLOT_NEVER\" are supported");
   }
   if (const auto tag = section.find("time_stepper")) read_stepper(*tag, model);
   if (const auto tag = section.find("solver")) read_solver(*tag, model);
@@ -121,7 +123,8 @@ void read_load_data(const Tag& section, Model& model) {
     points.allow_children({"pt"});
     for (const Tag& point : points.children()) {
       const std::vector<double> pair = point.numbers(2);
-      if (!curve.points.empty() && pair[0] <= curve.points.back()[0]) point.fail("the times of a load curve must ascend");
+      if (!curve.points.empty() && pair[0] <= curve.points.back()[0])
+        point.fail("the times of a load curve must ascend");
       curve.points.push_back({pair[0], pair[1]});
     }
     if (curve.points.empty()) points.fail("a load curve needs a point");

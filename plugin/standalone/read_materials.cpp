@@ -37,7 +37,8 @@ Solute read_solute(const Tag& tag, const Model& model) {
   Solute solute;
   solute.index = tag.integer_attribute("sol") - 1;
   if (solute.index >= model.solutes) {
-    tag.fail("solute " + std::to_string(solute.index + 1) + " does not exist; <Globals> has " + std::to_string(model.solutes));
+    tag.fail("solute " + std::to_string(solute.index + 1) + " does not exist; <Globals> has " +
+             std::to_string(model.solutes));
   }
   const Tag diffusivity = constant(tag, "diffusivity", "diff-const-iso", {"free_diff", "diff"});
   solute.free_diffusivity = positive(diffusivity.child("free_diff"));
@@ -52,7 +53,8 @@ void read_mixture(const Tag& tag, const Model& model, Material& material) {
   if (solute) {
     tag.allow_children({"phi0", "fluid_density", "solid", "permeability", "osmotic_coefficient", "solute"});
     if (model.control.module != "solute") tag.fail("this material needs the module \"solute\"");
-    if (!(model.gas_constant > 0 && model.temperature > 0)) tag.fail("positive constants R and T are missing in <Globals>");
+    if (!(model.gas_constant > 0 && model.temperature > 0))
+      tag.fail("positive constants R and T are missing in <Globals>");
   } else {
     tag.allow_children({"phi0", "fluid_density", "solid", "permeability"});
   }
@@ -79,7 +81,8 @@ Material read_material(const Tag& tag, const Model& model) {
   } else if (type == "biphasic" || type == "biphasic-solute") {
     read_mixture(tag, model, material);
   } else {
-    tag.fail("the type \"" + type + "\" is not supported; allowed: \"neo-Hookean\", \"rigid body\", \"biphasic\", \"biphasic-solute\"");
+    tag.fail("the type \"" + type +
+             "\" is not supported; allowed: \"neo-Hookean\", \"rigid body\", \"biphasic\", \"biphasic-solute\"");
   }
   return material;
 }

@@ -28,7 +28,8 @@ void read_nodes(const Tag& section, std::vector<Vector3d>& positions, Ids& ids) 
   section.allow_children({"node"});
   for (const Tag& tag : section.children()) {
     const std::vector<double> x = tag.numbers(3);
-    if (!ids.emplace(tag.integer_attribute("id"), static_cast<int>(positions.size())).second) tag.fail("this id is used twice");
+    if (!ids.emplace(tag.integer_attribute("id"), static_cast<int>(positions.size())).second)
+      tag.fail("this id is used twice");
     positions.emplace_back(x[0], x[1], x[2]);
   }
 }
@@ -48,7 +49,8 @@ std::vector<int> read_elements(const Tag& section, const Ids& nodes, Mesh& mesh,
   section.allow_attributes({"type", "name"});
   section.allow_children({"elem"});
   const std::string type = section.attribute("type");
-  if (type != "hex8" && type != "hex20") section.fail("the type \"" + type + "\" is not supported; allowed: \"hex8\", \"hex20\"");
+  if (type != "hex8" && type != "hex20")
+    section.fail("the type \"" + type + "\" is not supported; allowed: \"hex8\", \"hex20\"");
   const std::size_t count = type == "hex8" ? 8 : 20;
   std::vector<int> part;
   for (const Tag& tag : section.children()) {
@@ -77,7 +79,8 @@ std::map<std::array<int, 4>, int> element_faces(const Mesh& mesh) {
   return faces;
 }
 
-std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const std::map<std::array<int, 4>, int>& faces) {
+std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids,
+                                       const std::map<std::array<int, 4>, int>& faces) {
   section.allow_attributes({"name"});
   section.allow_children({"quad4", "quad8"});
   std::vector<SurfaceFacet> surface;
@@ -86,7 +89,8 @@ std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const
     SurfaceFacet facet;
     facet.facet.type = tag.name() == "quad4" ? mixture_contact::FacetType::quad4 : mixture_contact::FacetType::quad8;
     const auto count = static_cast<std::size_t>(mixture_contact::node_count(facet.facet.type));
-    if (nodes.size() != count) tag.fail("expected " + std::to_string(count) + " nodes, found " + std::to_string(nodes.size()));
+    if (nodes.size() != count)
+      tag.fail("expected " + std::to_string(count) + " nodes, found " + std::to_string(nodes.size()));
     std::copy(nodes.begin(), nodes.end(), facet.facet.nodes.begin());
     std::array<int, 4> corners{};
     std::copy_n(nodes.begin(), 4, corners.begin());

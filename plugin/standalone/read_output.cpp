@@ -9,7 +9,8 @@ void read_output(const Tag& section, Model& model) {
   section.allow_children({"logfile", "plotfile"});
   if (const auto plot = section.find("plotfile"); plot && model.control.plot) {
     plot->allow_attributes({"type"});
-    model.notices.emplace_back("the plot file is written for ParaView (.pvd), with displacement, pressure and concentrations.");
+    model.notices.emplace_back(
+        "the plot file is written for ParaView (.pvd), with displacement, pressure and concentrations.");
   } else {
     model.control.plot = false;
   }
@@ -28,7 +29,8 @@ void read_output(const Tag& section, Model& model) {
     for (std::string name; std::getline(names, name, ';');) file.columns.push_back(name);
     if (file.columns.empty()) tag.fail("the attribute data names no column");
     for (const std::string& name : file.columns) {
-      const bool known = file.elements ? element_column(name, model.solutes).has_value() : node_column(name, model.solutes).has_value();
+      const bool known = file.elements ? element_column(name, model.solutes).has_value()
+                                       : node_column(name, model.solutes).has_value();
       if (!known) tag.fail("the data \"" + name + "\" are not supported");
     }
     model.data.push_back(std::move(file));

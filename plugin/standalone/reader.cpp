@@ -21,7 +21,8 @@ void read_module(const Tag& module, Model& model) {
 /// Every porous material has the solutes' nodal values that it needs, and every element a material.
 void check(const Model& model, const Tag& root) {
   for (const Element& element : model.mesh.elements) {
-    if (element.material < 0) root.fail("element " + std::to_string(element.id) + " has no material: a SolidDomain is missing");
+    if (element.material < 0)
+      root.fail("element " + std::to_string(element.id) + " has no material: a SolidDomain is missing");
   }
 }
 
@@ -32,8 +33,8 @@ Model read_model(const std::string& path) {
   const Tag root = file.root();
   if (root.name() != "febio_spec") root.fail("this is no FEBio model; the first tag must be <febio_spec>");
   if (root.attribute("version") != "4.0") root.fail("only version \"4.0\" is supported");
-  root.allow_children({"Module", "Control", "Globals", "Material", "Mesh", "MeshDomains", "Boundary", "Rigid", "Initial", "Loads",
-                       "Contact", "LoadData", "Output"});
+  root.allow_children({"Module", "Control", "Globals", "Material", "Mesh", "MeshDomains", "Boundary", "Rigid",
+                       "Initial", "Loads", "Contact", "LoadData", "Output"});
   Model model;
   model.file = path;
   read_module(root.child("Module"), model);

@@ -14,8 +14,8 @@ double TimeStepper::grown(double time, int iterations) const {
   constexpr double largest_growth = 0.2;
   constexpr double largest_factor = 5;
   const StepControl& rules = *model_.control.stepper;
-  const double largest =
-      rules.must_points < 0 ? rules.largest : model_.curves[static_cast<std::size_t>(rules.must_points)].at(time);
+  const double largest = rules.must_points < 0 ? rules.largest
+                                               : model_.curves[static_cast<std::size_t>(rules.must_points)].at(time);
   if (rules.force) return largest;
   double dt = std::max(wanted_, rules.least);
   const double scale = iterations > 0 ? std::sqrt(static_cast<double>(rules.optimal_iterations) / iterations) : 1.0;

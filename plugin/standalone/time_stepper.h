@@ -6,8 +6,8 @@
 
 namespace standalone {
 
-/// FEBio's rules: the increment follows the number of iterations that the last step took, stays below the largest one, and is cut
-/// so that no must point is passed.
+/// FEBio's rules: the increment follows the number of iterations that the last step took, stays below the largest one,
+/// and is cut so that no must point is passed.
 class TimeStepper {
  public:
   TimeStepper(const Model& model, Log& log);
@@ -26,8 +26,8 @@ class TimeStepper {
   const Model& model_;
   Log& log_;
   double increment_;
-  double wanted_;              ///< without the cut for a must point
-  double reduction_ = 0;       ///< what each retry takes off
+  double wanted_;         ///< without the cut for a must point
+  double reduction_ = 0;  ///< what each retry takes off
   int retries_ = 0;
   std::size_t next_must_ = 0;  ///< index of the next must point
   bool at_must_point_ = false;

@@ -29,7 +29,8 @@ void write_file(const std::string& path, const char* type, const std::function<v
   xml.CloseElement();
 }
 
-void array(XMLPrinter& xml, const char* name, const char* type, Index components, const std::function<void(std::ostream&)>& values) {
+void array(XMLPrinter& xml, const char* name, const char* type, Index components,
+           const std::function<void(std::ostream&)>& values) {
   std::ostringstream text;
   text.precision(12);
   values(text);
@@ -60,7 +61,8 @@ void cells(XMLPrinter& xml, const Mesh& mesh) {
     for (const Element& element : mesh.elements) out << (end += element.nodes.size()) << ' ';
   });
   array(xml, "types", "UInt8", 1, [&](std::ostream& out) {
-    for (const Element& element : mesh.elements) out << (element.nodes.size() == 8 ? vtk_hexahedron : vtk_quadratic_hexahedron) << ' ';
+    for (const Element& element : mesh.elements)
+      out << (element.nodes.size() == 8 ? vtk_hexahedron : vtk_quadratic_hexahedron) << ' ';
   });
   xml.CloseElement();
 }

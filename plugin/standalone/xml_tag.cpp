@@ -62,7 +62,8 @@ std::string Tag::attribute(const char* name) const {
 
 void Tag::allow_attributes(std::initializer_list<const char*> names) const {
   for (const auto* a = element_->FirstAttribute(); a != nullptr; a = a->Next()) {
-    if (!contains(names, a->Name())) fail("the attribute \"" + std::string(a->Name()) + "\" is not supported; allowed: " + listed(names));
+    if (!contains(names, a->Name()))
+      fail("the attribute \"" + std::string(a->Name()) + "\" is not supported; allowed: " + listed(names));
   }
 }
 
@@ -74,7 +75,8 @@ void Tag::allow_children(std::initializer_list<const char*> names) const {
 
 std::vector<Tag> Tag::children() const {
   std::vector<Tag> list;
-  for (const auto* e = element_->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) list.emplace_back(*e, *file_);
+  for (const auto* e = element_->FirstChildElement(); e != nullptr; e = e->NextSiblingElement())
+    list.emplace_back(*e, *file_);
   return list;
 }
 
@@ -112,7 +114,8 @@ double Tag::to_number(const std::string& word) const {
 int Tag::to_integer(const std::string& word, int least, int most) const {
   int value = 0;
   if (!parse(word, value) || value < least || value > most) {
-    fail("\"" + word.substr(0, 40) + "\" is not an integer from " + std::to_string(least) + " to " + std::to_string(most));
+    fail("\"" + word.substr(0, 40) + "\" is not an integer from " + std::to_string(least) + " to " +
+         std::to_string(most));
   }
   return value;
 }
@@ -125,7 +128,8 @@ bool Tag::flag() const { return integer(0, 1) == 1; }
 
 std::vector<double> Tag::numbers(std::size_t count) const {
   const std::vector<std::string> list = words(text());
-  if (list.size() != count) fail("expected " + std::to_string(count) + " numbers, found " + std::to_string(list.size()));
+  if (list.size() != count)
+    fail("expected " + std::to_string(count) + " numbers, found " + std::to_string(list.size()));
   std::vector<double> values;
   for (const std::string& word : list) values.push_back(to_number(word));
   return values;
@@ -147,7 +151,8 @@ XmlFile::XmlFile(const std::string& path) : path_(path) {
   if (error) throw InputError("the model file " + path + " cannot be read: " + error.message());
   if (size > largest_file) throw InputError("the model file " + path + " is larger than 1 GiB");
   if (document_.LoadFile(path.c_str()) == tinyxml2::XML_SUCCESS && document_.RootElement() != nullptr) return;
-  throw InputError(path + ", line " + std::to_string(document_.ErrorLineNum()) + ": no valid XML (" + document_.ErrorName() + ")");
+  throw InputError(path + ", line " + std::to_string(document_.ErrorLineNum()) + ": no valid XML (" +
+                   document_.ErrorName() + ")");
 }
 
 Tag XmlFile::root() const { return {*document_.RootElement(), path_}; }

@@ -1,4 +1,5 @@
-/// Tags of an XML file, read strictly: whatever is missing, malformed or unknown is an InputError that names tag and line.
+/// Tags of an XML file, read strictly: whatever is missing, malformed or unknown is an InputError that names tag and
+/// line.
 #pragma once
 
 #include <tinyxml2.h>

@@ -166,17 +166,17 @@ struct GlobalLayout {
 
   /// Global entries of a local vector, in its order.
   std::vector<Index> entries(const ContactInterface::Location& location) const {
-    const LocalLayout& local = location.facets.layout;
+    const LocalLayout local = location.patch.layout();
     std::vector<Index> result(static_cast<std::size_t>(local.size()));
     for (Index a = 0; a < local.nodes(); ++a) {
       const bool first = a < local.primary_nodes();
       const Side side = first ? location.first : other(location.first);
-      const Facet& facet = first ? location.facets.primary : location.facets.secondary;
-      const int node = facet.nodes[static_cast<std::size_t>(first ? a : a - local.primary_nodes())];
+      const std::vector<int>& patch = first ? location.patch.primary : location.patch.secondary;
+      const int node = patch[static_cast<std::size_t>(first ? a : a - local.primary_nodes())];
       for (Index i = 0; i < 3; ++i) result[static_cast<std::size_t>(local.displacement(a, i))] = entry(side, node, i);
       for (Index k = 0; k < local.scalar_fields(); ++k) {
         result[static_cast<std::size_t>(local.scalar(a, k))] = entry(
-            side, node, 3 + location.facets.fields[static_cast<std::size_t>(k)]);
+            side, node, 3 + location.patch.fields[static_cast<std::size_t>(k)]);
       }
     }
     return result;
