@@ -22,7 +22,8 @@ inline Material gel(int fields) {
   return material;
 }
 
-/// Corners of a box of unit cross-section from z = 0 to `height`, `count` elements high; node 4 k + c is corner c at level k.
+/// Corners of a box of unit cross-section from z = 0 to `height`, `count` elements high; node 4 k + c is corner c at
+/// level k.
 inline Model column(int fields, int count, double height) {
   Model model;
   model.control.module = "solute";

@@ -16,7 +16,8 @@ Model twisted(int fields, int nodes, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (double& x : model.mesh.nodes.reshaped()) x += 0.1 * unit(random);
   if (nodes == 8) return model;
-  constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
   model.mesh.nodes.conservativeResize(3, 20);
   for (int k = 0; k < 12; ++k) {
     model.mesh.nodes.col(8 + k) = (model.mesh.nodes.col(edges[k][0]) + model.mesh.nodes.col(edges[k][1])) / 2;
@@ -26,7 +27,8 @@ Model twisted(int fields, int nodes, std::mt19937& random) {
   return model;
 }
 
-/// Largest difference between the tangent and central differences of the residual, over the largest entry of its column.
+/// Largest difference between the tangent and central differences of the residual, over the largest entry of its
+/// column.
 double tangent_error(const Model& model, const Bodies& bodies, const MatrixXd& values) {
   const MatrixXd tangent = bodies.tangent(0, values, dt);
   const int nodes = static_cast<int>(model.mesh.nodes.cols());
@@ -39,7 +41,8 @@ double tangent_error(const Model& model, const Bodies& bodies, const MatrixXd& v
     up(dof, column % nodes) += h;
     down(dof, column % nodes) -= h;
     const VectorXd slope = (bodies.residual(0, up, dt) - bodies.residual(0, down, dt)) / (2 * h);
-    worst = std::max(worst, (slope - tangent.col(column)).lpNorm<Eigen::Infinity>() / tangent.col(column).lpNorm<Eigen::Infinity>());
+    worst = std::max(
+        worst, (slope - tangent.col(column)).lpNorm<Eigen::Infinity>() / tangent.col(column).lpNorm<Eigen::Infinity>());
   }
   return worst;
 }
@@ -84,7 +87,8 @@ BOOST_AUTO_TEST_CASE(patch_test_linear_fields_are_in_equilibrium) {
   }
   BOOST_TEST(forces.rowwise().sum().norm() < 1e-15 + 1e-13 * forces.norm());  // nothing comes from nowhere
   BOOST_TEST(std::abs(forces(3, 13)) < 1e-14 * forces.row(3).norm());
-  // p varies, so that only the solid's part of the stress is constant: its force is the gradient of p over the node's volume.
+  // p varies, so that only the solid's part of the stress is constant: its force is the gradient of p over the node's
+  // volume.
   values.row(3).setConstant(0.7);
   forces.setZero();
   for (std::size_t e = 0; e < bodies.elements(); ++e) {

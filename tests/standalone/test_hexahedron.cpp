@@ -35,7 +35,8 @@ BOOST_AUTO_TEST_CASE(each_shape_function_is_one_at_its_node_and_zero_at_the_othe
   for (const int nodes : node_counts) {
     for (int a = 0; a < nodes; ++a) {
       const Eigen::Matrix4Xd shape = hexahedron_shape(nodes, node_position(nodes, a));
-      for (int b = 0; b < nodes; ++b) BOOST_TEST(shape(0, b) == (a == b ? 1.0 : 0.0), boost::test_tools::tolerance(1e-14));
+      for (int b = 0; b < nodes; ++b)
+        BOOST_TEST(shape(0, b) == (a == b ? 1.0 : 0.0), boost::test_tools::tolerance(1e-14));
     }
   }
 }
@@ -63,8 +64,9 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_shape_functions) {
     const Eigen::Matrix4Xd shape = hexahedron_shape(nodes, xi);
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
-      const Eigen::RowVectorXd slope =
-          (hexahedron_shape(nodes, xi + step).row(0) - hexahedron_shape(nodes, xi - step).row(0)) / (2 * h);
+      const Eigen::RowVectorXd slope = (hexahedron_shape(nodes, xi + step).row(0) -
+                                        hexahedron_shape(nodes, xi - step).row(0)) /
+                                       (2 * h);
       BOOST_TEST((slope - shape.row(1 + i)).norm() < 1e-9);
     }
   }
@@ -77,7 +79,8 @@ BOOST_AUTO_TEST_CASE(rules_are_exact_to_their_degree) {
     BOOST_TEST(rule.size() == (nodes == 8 ? 8U : 27U));
     for (int power = 0; power <= degree; ++power) {
       double sum = 0;
-      for (const HexahedronPoint& point : rule) sum += point.weight * std::pow(point.xi[0], power) * std::pow(point.xi[2], power);
+      for (const HexahedronPoint& point : rule)
+        sum += point.weight * std::pow(point.xi[0], power) * std::pow(point.xi[2], power);
       const double line = power % 2 == 0 ? 2.0 / (power + 1) : 0.0;
       BOOST_TEST(std::abs(sum - 2 * line * line) < 1e-13);
     }

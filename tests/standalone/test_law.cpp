@@ -74,16 +74,19 @@ BOOST_AUTO_TEST_CASE(without_deformation_flow_follows_darcy_and_fick) {
   flow<double, 5>(material, gas_energy, q, state);
   const double hindrance = solute.diffusivity / solute.free_diffusivity;
   const double friction = gas_energy * solute.solubility * 2.0 * (1 - hindrance) / (0.8 * solute.free_diffusivity);
-  BOOST_TEST(state.solvent_flux[0] == -0.5 / (1 / material.permeability + friction), boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(state.solvent_flux[0] == -0.5 / (1 / material.permeability + friction),
+             boost::test_tools::tolerance(1e-13));
   BOOST_TEST(state.solute_flux(0, 0) == solute.solubility * hindrance * 2.0 * state.solvent_flux[0],
              boost::test_tools::tolerance(1e-13));
-  BOOST_TEST(state.stress(0, 0) == -gas_energy * material.osmotic * solute.solubility * 2.0, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(state.stress(0, 0) == -gas_energy * material.osmotic * solute.solubility * 2.0,
+             boost::test_tools::tolerance(1e-13));
   BOOST_TEST(state.content[0] == 0.8 * solute.solubility * 2.0, boost::test_tools::tolerance(1e-13));
   q(1, 3) = -gas_energy * solute.solubility * hindrance;  // keeps the solvent at rest while the solute spreads
   q(1, 4) = 1.0;
   flow<double, 5>(material, gas_energy, q, state);
   BOOST_TEST(std::abs(state.solvent_flux[0]) < 1e-18);
-  BOOST_TEST(state.solute_flux(0, 0) == -0.8 * solute.solubility * solute.diffusivity, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(state.solute_flux(0, 0) == -0.8 * solute.solubility * solute.diffusivity,
+             boost::test_tools::tolerance(1e-13));
 }
 
 BOOST_AUTO_TEST_CASE(an_inverted_point_fails_the_step) {

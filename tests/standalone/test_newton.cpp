@@ -30,7 +30,8 @@ double consolidation(double tau) {
 /// c/c* at height z of a layer of height 1 that is sealed at z = 1, in a bath at z = 0, at tau = d t/h^2.
 double diffusion(double z, double tau) {
   double sum = 0;
-  for (int n = 0; n < terms; ++n) sum += std::sin((n + 0.5) * M_PI * z) / (n + 0.5) * std::exp(-std::pow((n + 0.5) * M_PI, 2) * tau);
+  for (int n = 0; n < terms; ++n)
+    sum += std::sin((n + 0.5) * M_PI * z) / (n + 0.5) * std::exp(-std::pow((n + 0.5) * M_PI, 2) * tau);
   return 1 - 2 / M_PI * sum;
 }
 
@@ -92,7 +93,8 @@ BOOST_AUTO_TEST_CASE(newton_converges_quadratically) {
   Newton newton(problem, quiet);
   newton.solve_step(1, 1);
   BOOST_TEST(newton.effort().iterations <= 6);
-  for (int k = 0; k <= 4; ++k) BOOST_TEST(problem.values()(2, 4 * k) == -0.3 * k / 4, boost::test_tools::tolerance(1e-12));
+  for (int k = 0; k <= 4; ++k)
+    BOOST_TEST(problem.values()(2, 4 * k) == -0.3 * k / 4, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(a_step_that_inverts_elements_fails_and_leaves_the_state_to_be_restored) {

@@ -24,7 +24,8 @@ std::string model_text() {
 
 /// Reads a model from a text, through a file.
 Model read_text(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / ("mixture-contact-test-" + std::to_string(::getpid()) + ".feb");
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("mixture-contact-test-" + std::to_string(::getpid()) + ".feb");
   std::ofstream(path) << text;
   struct Remove {
     std::filesystem::path path;
@@ -42,13 +43,14 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 /// Number of the line of the model that holds a text.
 int line_of(const std::string& what) {
   const std::string text = model_text();
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(what)), '\n'));
+  return 1 +
+         static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(what)), '\n'));
 }
 
 struct Mistake {
-  std::string what, by;      ///< the mistake
-  std::string tag;           ///< that the message must name
-  std::string said;          ///< what else it must say
+  std::string what, by;  ///< the mistake
+  std::string tag;       ///< that the message must name
+  std::string said;      ///< what else it must say
 };
 
 const std::vector<Mistake> mistakes{
@@ -99,8 +101,9 @@ const std::vector<Mistake> mistakes{
 };
 
 /// What a random change of the text brings in.
-const std::vector<std::string> scraps{"",   "0",    "-1",  "1e308",  "-1e308", "nan",  "999999999999", "2147483647", "<", ">", "\"", "&", "/>",
-                                      "--", "\xff", ",,",  "<a>",    "</a>",   "lc",   "1e-320",       "]]>",        "<!--", "=", ";"};
+const std::vector<std::string> scraps{
+    "",   "0",  "-1",   "1e308", "-1e308", "nan",  "999999999999", "2147483647", "<",   ">",    "\"", "&",
+    "/>", "--", "\xff", ",,",    "<a>",    "</a>", "lc",           "1e-320",     "]]>", "<!--", "=",  ";"};
 
 /// The text with up to four random changes: characters, words, whole lines or scraps.
 std::string mutated(std::string text, std::mt19937& random) {
@@ -162,7 +165,8 @@ BOOST_AUTO_TEST_CASE(the_model_is_read_as_it_stands) {
   BOOST_TEST(model.prescribed.size() == 6U);
   BOOST_TEST(model.curves[0].at(2.5) == 0.25);
   BOOST_TEST(model.contacts[0].parameters.penalty == 100);
-  BOOST_TEST(model.contacts[0].ambient_concentration.at(0).at(5, model.curves) == 0.05, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(model.contacts[0].ambient_concentration.at(0).at(5, model.curves) == 0.05,
+             boost::test_tools::tolerance(1e-15));
   BOOST_TEST(model.data.size() == 2U);
 }
 
