@@ -166,16 +166,17 @@ Contact::PerSide<mixture_contact::SurfaceFields> Contact::fields(const MatrixXd&
 }
 
 Contact::Dofs Contact::dofs(const mixture_contact::ContactInterface::Location& at) const {
-  const mixture_contact::LocalLayout& layout = at.facets.layout;
+  const mixture_contact::Patch& patch = at.patch;
+  const mixture_contact::LocalLayout layout = patch.layout();
   Dofs all(static_cast<std::size_t>(layout.size()));
   for (Index a = 0; a < layout.nodes(); ++a) {
     const bool first = a < layout.primary_nodes();
-    const Facet& facet = first ? at.facets.primary : at.facets.secondary;
     const auto local = static_cast<std::size_t>(first ? a : a - layout.primary_nodes());
-    const int node = nodes_[first ? at.first : other(at.first)][static_cast<std::size_t>(facet.nodes[local])];
+    const int index = first ? patch.primary[local] : patch.secondary[local];
+    const int node = nodes_[first ? at.first : other(at.first)][static_cast<std::size_t>(index)];
     for (int i = 0; i < 3; ++i) all[static_cast<std::size_t>(layout.displacement(a, i))] = {i, node};
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      const int dof = field_dof(at.facets.fields[static_cast<std::size_t>(k)]);
+      const int dof = field_dof(patch.fields[static_cast<std::size_t>(k)]);
       all[static_cast<std::size_t>(layout.scalar(a, k))] = {dof, node};
     }
   }
@@ -199,16 +200,13 @@ void Contact::for_each_tangent(const MatrixXd& values, double dt,
 
 Contact::Saved Contact::save() {
   Saved saved;
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass) {
-    saved.multipliers.push_back(core_->multipliers(pass));
-  }
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) saved.push_back(core_->multipliers(pass));
   return saved;
 }
 
 void Contact::restore(const Saved& saved) {
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass) {
-    core_->multipliers(pass) = saved.multipliers[pass];
-  }
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) core_->multipliers(pass) = saved[pass];
+  core_->end_iterations();
 }
 
 }  // namespace standalone

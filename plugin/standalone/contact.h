@@ -29,10 +29,9 @@ class Contact {
   void update_properties(const MatrixXd& values);
   /// Finds out which facets face each other; `keep_facets`: no new search.
   void project(const MatrixXd& values, bool keep_facets);
-  /// Holds the status of every point at what the law says now; returns whether any changed.
-  bool hold_status() { return false; }
-  /// Whether the held status is the one that the law gives now.
-  bool status_holds() const { return true; }
+  /// The core's calls of the same names, at these nodal values.
+  bool begin_iteration(const MatrixXd& values) { return core_->begin_iteration(fields(values)); }
+  bool is_solution(const MatrixXd& values) const { return core_->is_solution(fields(values)); }
   PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const;
 
   /// Adds the virtual work (2.5) to nodal forces of shape (dofs, nodes).
@@ -42,10 +41,8 @@ class Contact {
   void for_each_tangent(const MatrixXd& values, double dt,
                         const std::function<void(const Dofs&, const MatrixXd&)>& add) const;
 
-  /// State to be kept for a time step that is tried again.
-  struct Saved {
-    std::vector<mixture_contact::Multipliers> multipliers;
-  };
+  /// Multipliers of each pass: what is to be kept for a time step that is tried again.
+  using Saved = std::vector<mixture_contact::Multipliers>;
   Saved save();
   void restore(const Saved& saved);
 

@@ -131,7 +131,7 @@ void Newton::log_norms(double time, double step, double residual, double energy,
 
 bool Newton::augment(Contact& contact) {
   mixture_contact::ContactInterface& core = contact.core();
-  if (!contact.status_holds()) return false;
+  if (!contact.is_solution(problem_.values())) return false;
   const mixture_contact::Settings& settings = core.settings();
   if (settings.enforcement == mixture_contact::Enforcement::penalty) return true;
   const auto fields = contact.fields(problem_.values());
@@ -146,6 +146,7 @@ bool Newton::augment(Contact& contact) {
     return true;
   }
   core.augment(fields);
+  core.end_iterations();
   return false;
 }
 
@@ -183,7 +184,7 @@ void Newton::solve_step(double time, double dt) {
     done = balanced && augment();
     if (done) continue;
     if (!balanced) restart_norms_if_diverging(change, step);
-    if (problem_.decide_status() || balanced) {
+    if (problem_.begin_iteration() || balanced) {
       start_ = problem_.residual();
       ++effort_.residuals;
     } else {

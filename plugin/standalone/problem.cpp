@@ -51,7 +51,8 @@ void Problem::start_step(double time, double dt) {
       pending_(condition.dof, node) = value - state_.values(condition.dof, node);
     }
   }
-  decide_status();
+  for (Contact& contact : contacts_) contact.core().end_iterations();
+  begin_iteration();
   for (Contact& contact : contacts_) {
     if (contact.definition().parameters.update_penalty) contact.update_properties(state_.values);
   }
@@ -64,19 +65,15 @@ void Problem::accept_step() {
 }
 
 // ----------------------------------------------------------------------------------------------------------------
-// status
+// contact status
 
-bool Problem::decide_status() {
+bool Problem::begin_iteration() {
   bool changed = false;
   for (Contact& contact : contacts_) {
-    const bool contact_changed = contact.hold_status();
+    const bool contact_changed = contact.begin_iteration(state_.values);
     changed = changed || contact_changed;
   }
   return switch_ambient() || changed;
-}
-
-bool Problem::status_holds() {
-  return std::all_of(contacts_.begin(), contacts_.end(), [](Contact& contact) { return contact.status_holds(); });
 }
 
 double Problem::ambient_value(const ContactDefinition& contact, int dof) const {

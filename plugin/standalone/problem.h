@@ -33,10 +33,9 @@ class Problem {
   /// Keeps the current state as what the next step starts from.
   void accept_step();
 
-  /// Decides which points and nodes are in contact at the current state, and switches the others' nodes to ambient
-  /// values. Between decisions the status is held. Returns whether anything changed.
-  bool decide_status();
-  bool status_holds();
+  /// Begins a Newton iteration at the current state: decides what is in contact, holds that, and switches the nodes
+  /// that are not to ambient values. Returns whether the residual has changed.
+  bool begin_iteration();
 
   /// Sets the nodal values to total + increment + trial and prescribed values. `keep_facets`: contact keeps to known
   /// facets.

@@ -53,19 +53,19 @@ Model consolidation_model(int elements, double load) {
 
 BOOST_AUTO_TEST_CASE(a_loaded_layer_consolidates_as_mow_and_others_1980_say) {
   const double load = 1e-5;  // so small that strains are
-  const int elements = 40;
+  const int elements = 20;
   const Model model = consolidation_model(elements, load);
   const double modulus = model.materials[0].modulus;
   const double tau = 0.2;
   const double end = tau / (modulus * model.materials[0].permeability);
-  const MatrixXd values = solve(model, end, 200);
-  BOOST_TEST(values(2, 4 * elements) == -load / modulus * consolidation(tau), boost::test_tools::tolerance(4e-3));
+  const MatrixXd values = solve(model, end, 100);
+  BOOST_TEST(values(2, 4 * elements) == -load / modulus * consolidation(tau), boost::test_tools::tolerance(1e-2));
   const double drained = solve(model, 1e4 * end, 5)(2, 4 * elements);
   BOOST_TEST(drained == -load / modulus, boost::test_tools::tolerance(2 * load / modulus));
 }
 
 BOOST_AUTO_TEST_CASE(a_solute_diffuses_as_ficks_law_says) {
-  const int elements = 40;
+  const int elements = 20;
   Model model = column(5, elements, 1);
   confine(model);
   hold(model, 2, level(elements), 0);
@@ -75,9 +75,9 @@ BOOST_AUTO_TEST_CASE(a_solute_diffuses_as_ficks_law_says) {
   hold(model, concentration_dof(0), level(0), 1);
   const double tau = 0.15;
   const double end = tau / model.materials[0].solutes[0].diffusivity;
-  const MatrixXd values = solve(model, end, 400);
+  const MatrixXd values = solve(model, end, 100);
   for (int k = 0; k <= elements; k += 5) {
-    BOOST_TEST(std::abs(values(4, 4 * k) - diffusion(1.0 * k / elements, tau)) < 2e-3);
+    BOOST_TEST(std::abs(values(4, 4 * k) - diffusion(1.0 * k / elements, tau)) < 3e-3);
   }
 }
 

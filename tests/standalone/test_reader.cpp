@@ -108,7 +108,7 @@ const std::vector<std::string> scraps{
 /// The text with up to four random changes: characters, words, whole lines or scraps.
 std::string mutated(std::string text, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
-  for (std::size_t change = 0; change <= below(4); ++change) {
+  for (std::size_t changes = 1 + below(4); changes > 0 && !text.empty(); --changes) {
     const std::size_t at = below(text.size());
     switch (below(5)) {
       case 0:
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_model_is_read_or_refused_but_never_crashes) {
   std::mt19937 random(20261121);
   const std::string text = model_text();
   int accepted = 0;
-  constexpr int trials = 10000;
+  constexpr int trials = 5000;
   for (int trial = 0; trial < trials; ++trial) {
     try {
       const Model model = read_text(mutated(text, random));
