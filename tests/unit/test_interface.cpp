@@ -338,7 +338,21 @@ BOOST_AUTO_TEST_CASE(all_nodes_of_the_smaller_surface_are_in_contact_and_no_dist
   }
 }
 
-BOOST_AUTO_TEST_CASE(nodes_of_sealed_or_graded_facets_are_in_contact_where_a_facet_around_them_is) {
+BOOST_AUTO_TEST_CASE(nodes_are_in_contact_up_to_the_rim_of_the_contact_zone) {
+  for (const FacetType type : all_facets) {
+    PerSide<Grid> grids = facing_grids(type, FacetType::quad4, 0.05);
+    grids[Side::secondary].high[0] = 0.5;  // one of two columns of cells
+    const Scene half(grids, effects_of(false, 0));
+    const std::vector<bool> touched = touched_nodes(half, Side::primary);
+    for (std::size_t node = 0; node < touched.size(); ++node) {
+      BOOST_TEST(touched[node] == (half.fields[Side::primary].position(0, static_cast<Index>(node)) < 0.51));
+    }
+    grids[Side::secondary].z = 0.1;
+    for (const bool open : touched_nodes(Scene(grids, effects_of(false, 0)), Side::primary)) BOOST_TEST(!open);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_of_graded_facets_are_in_contact_where_a_facet_around_them_is) {
   // A narrow facet in contact next to a wide one that is not: the nodes between them are in contact.
   PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 1);
   grids[Side::secondary].high[0] = 0.5;

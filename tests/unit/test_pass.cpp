@@ -21,12 +21,12 @@ ContactPass pass_of(const Scene& scene, double radius = 1) {
 }
 
 void residual_of(const ContactPass& pass, const Scene& scene,
-                 const std::function<void(const FacetPair&, const VectorXd&)>& use) {
+                 const std::function<void(const Patch&, const VectorXd&)>& use) {
   pass.residual(scene.fields[Side::primary], scene.fields[Side::secondary], dt, use);
 }
 
 void tangent_of(const ContactPass& pass, const Scene& scene,
-                const std::function<void(const FacetPair&, const MatrixXd&)>& use) {
+                const std::function<void(const Patch&, const MatrixXd&)>& use) {
   pass.tangent(scene.fields[Side::primary], scene.fields[Side::secondary], dt, use);
 }
 
@@ -56,13 +56,30 @@ std::vector<int> fields_in(FieldMask mask, int fields) {
 }
 
 /// Sum of a facet pair's residual over the primary nodes: force, then the flow of each local field times dt.
-VectorXd primary_sum(const FacetPair& pair, const VectorXd& residual) {
-  VectorXd sum = VectorXd::Zero(pair.layout.per_node());
-  for (Index a = 0; a < pair.layout.primary_nodes(); ++a) {
-    for (Index i = 0; i < 3; ++i) sum[i] += residual[pair.layout.displacement(a, i)];
-    for (Index k = 0; k < pair.layout.scalar_fields(); ++k) sum[3 + k] += residual[pair.layout.scalar(a, k)];
+VectorXd primary_sum(const Patch& patch, const VectorXd& residual) {
+  VectorXd sum = VectorXd::Zero(patch.layout().per_node());
+  for (Index a = 0; a < patch.layout().primary_nodes(); ++a) {
+    for (Index i = 0; i < 3; ++i) sum[i] += residual[patch.layout().displacement(a, i)];
+    for (Index k = 0; k < patch.layout().scalar_fields(); ++k) sum[3 + k] += residual[patch.layout().scalar(a, k)];
   }
   return sum;
+}
+
+/// Adds all pairs of nodes of a patch; secondary nodes are counted from -1 downwards.
+void add_couplings(std::set<std::pair<int, int>>& couplings, const Patch& patch) {
+  std::vector<int> nodes = patch.primary;
+  for (const int node : patch.secondary) nodes.push_back(-1 - node);
+  for (const int one : nodes) {
+    for (const int two : nodes) couplings.insert({one, two});
+  }
+}
+
+/// The fields that pass through the facet with the given nodes.
+FieldMask mask_of_facet(const SurfaceMesh& mesh, const std::vector<int>& nodes) {
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+    if (std::equal(nodes.begin(), nodes.end(), mesh.facets[f].nodes.begin())) return mesh.permeable[f];
+  }
+  throw std::logic_error("no such facet");
 }
 
 }  // namespace
@@ -99,8 +116,7 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_give_their_exact_force_and_flows
     for (const FacetType two : all_facets) {
       const Scene scene = overlapping_squares(one, two);
       VectorXd sum = VectorXd::Zero(6);
-      residual_of(pass_of(scene), scene,
-                  [&](const FacetPair& pair, const VectorXd& r) { sum += primary_sum(pair, r); });
+      residual_of(pass_of(scene), scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
       // Area 1; t_n = -4/16 along +z; w = 2 (1/2 - 1/4); j = 8 (1 - 1/2) and 8 (0 - 2).
       VectorXd expected(6);
       expected << 0, 0, -0.25, dt * 0.5, dt * 4, dt * -16;
@@ -109,26 +125,27 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_give_their_exact_force_and_flows
   }
 }
 
-BOOST_AUTO_TEST_CASE(each_pair_of_facets_is_handed_out_once_and_is_in_the_profile) {
+BOOST_AUTO_TEST_CASE(residuals_come_once_per_pair_of_facets_and_tangents_within_the_profile) {
   std::mt19937 random(1);
   Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.05, 3, 4), effects_of(true, 1));
   scene.disturb(0.03, random);
   const ContactPass pass = pass_of(scene);
-  using Key = std::pair<const Facet*, const Facet*>;
-  std::set<Key> profile;
-  pass.for_each_facet_pair(
-      [&](const FacetPair& pair) { BOOST_TEST(profile.insert({&pair.primary, &pair.secondary}).second); });
-  std::set<Key> loaded;
-  residual_of(pass, scene, [&](const FacetPair& pair, const VectorXd& residual) {
-    BOOST_TEST(loaded.insert({&pair.primary, &pair.secondary}).second);
-    BOOST_TEST(residual.size() == pair.layout.size());
+  std::set<std::pair<std::vector<int>, std::vector<int>>> loaded;
+  residual_of(pass, scene, [&](const Patch& patch, const VectorXd& residual) {
+    BOOST_TEST(loaded.insert({patch.primary, patch.secondary}).second);
+    BOOST_TEST(residual.size() == patch.layout().size());
   });
-  std::set<Key> stiff;
-  tangent_of(pass, scene,
-             [&](const FacetPair& pair, const MatrixXd&) { stiff.insert({&pair.primary, &pair.secondary}); });
-  BOOST_TEST((loaded == stiff));
   BOOST_TEST(loaded.size() > 9U);
-  BOOST_TEST(std::includes(profile.begin(), profile.end(), loaded.begin(), loaded.end()));
+  std::set<std::pair<int, int>> profile;
+  std::set<std::pair<int, int>> filled;
+  pass.for_each_coupling(scene.fields[Side::primary].position, scene.fields[Side::secondary].position,
+                         [&](const Patch& patch) { add_couplings(profile, patch); });
+  tangent_of(pass, scene, [&](const Patch& patch, const MatrixXd& tangent) {
+    BOOST_TEST(tangent.rows() == patch.layout().size());
+    add_couplings(filled, patch);
+  });
+  BOOST_TEST(!filled.empty());
+  BOOST_TEST(std::includes(profile.begin(), profile.end(), filled.begin(), filled.end()));
 }
 
 BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
@@ -143,22 +160,25 @@ BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
       for (FieldMask& mask : scene.mesh[side].permeable) mask = random() % (FieldMask{1} << unsigned{fields});
     }
     const ContactPass pass = pass_of(scene);
-    const auto mask_of = [&](const FacetPair& pair) {
-      const auto one = static_cast<std::size_t>(&pair.primary - scene.mesh[Side::primary].facets.data());
-      const auto two = static_cast<std::size_t>(&pair.secondary - scene.mesh[Side::secondary].facets.data());
-      return scene.mesh[Side::primary].permeable[one] & scene.mesh[Side::secondary].permeable[two];
+    const auto expected = [&](const Patch& patch) {
+      const FieldMask both = mask_of_facet(scene.mesh[Side::primary], patch.primary) &
+                             mask_of_facet(scene.mesh[Side::secondary], patch.secondary);
+      return fields_in(both, count);
     };
     int handed_out = 0;
-    residual_of(pass, scene, [&](const FacetPair& pair, const VectorXd& residual) {
+    std::set<int> known;
+    residual_of(pass, scene, [&](const Patch& patch, const VectorXd& residual) {
       ++handed_out;
-      BOOST_TEST((pair.fields == fields_in(mask_of(pair), count)));
-      BOOST_TEST(residual.size() == pair.layout.nodes() * (3 + static_cast<Index>(pair.fields.size())));
+      BOOST_TEST((patch.fields == expected(patch)));
+      known.insert(patch.fields.begin(), patch.fields.end());
+      BOOST_TEST(residual.size() == patch.layout().nodes() * (3 + static_cast<Index>(patch.fields.size())));
     });
-    tangent_of(pass, scene, [&](const FacetPair& pair, const MatrixXd& tangent) {
-      BOOST_TEST(tangent.rows() == pair.layout.nodes() * (3 + static_cast<Index>(pair.fields.size())));
+    // A tangent of a node's laws couples all facets around the node, and so all fields that any of their pairs
+    // exchanges.
+    tangent_of(pass, scene, [&](const Patch& patch, const MatrixXd& tangent) {
+      for (const int field : patch.fields) BOOST_TEST(known.count(field) == 1U);
+      BOOST_TEST(tangent.rows() == patch.layout().size());
     });
-    pass.for_each_facet_pair(
-        [&](const FacetPair& pair) { BOOST_TEST((pair.fields == fields_in(mask_of(pair), count))); });
     BOOST_TEST(handed_out > 0);
   }
 }
@@ -177,15 +197,16 @@ BOOST_AUTO_TEST_CASE(the_flow_of_a_field_does_not_depend_on_its_place_or_on_the_
     }
   }
   std::vector<VectorXd> whole;
-  residual_of(pass_of(scene), scene, [&](const FacetPair&, const VectorXd& residual) { whole.push_back(residual); });
+  residual_of(pass_of(scene), scene, [&](const Patch&, const VectorXd& residual) { whole.push_back(residual); });
   std::size_t next = 0;
-  residual_of(pass_of(part), part, [&](const FacetPair& pair, const VectorXd& residual) {
+  residual_of(pass_of(part), part, [&](const Patch& patch, const VectorXd& residual) {
     BOOST_REQUIRE(next < whole.size());
-    const LocalLayout layout(pair.layout.primary_nodes(), pair.layout.nodes() - pair.layout.primary_nodes(), fields);
+    const LocalLayout layout(patch.layout().primary_nodes(), patch.layout().nodes() - patch.layout().primary_nodes(),
+                             fields);
     for (Index node = 0; node < layout.nodes(); ++node) {
       for (Index k = 0; k < 3; ++k) {
         const Index same = layout.scalar(node, chosen[static_cast<std::size_t>(k)]);
-        BOOST_TEST(residual[pair.layout.scalar(node, k)] == whole[next][same]);
+        BOOST_TEST(residual[patch.layout().scalar(node, k)] == whole[next][same]);
       }
     }
     ++next;
@@ -193,12 +214,30 @@ BOOST_AUTO_TEST_CASE(the_flow_of_a_field_does_not_depend_on_its_place_or_on_the_
   BOOST_TEST(next == whole.size());
 }
 
+BOOST_AUTO_TEST_CASE(a_field_keeps_its_own_values_penalty_and_multiplier_where_others_are_missing) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625), effects_of(true, 3));
+  scene.settings.solvent = scene.settings.solute = {true, 2};
+  const Vector2d jumps(0.5, -4);
+  scene.set_field(1, 0.75, 0.25);
+  scene.set_field(3, 1, 5);
+  for (const Side side : both_sides) {
+    for (Index k = 0; k < 4; ++k) scene.mesh[side].conductance.row(k).setConstant(1 << k);
+  }
+  for (FieldMask& mask : scene.mesh[Side::secondary].permeable) mask = only(1) | only(3);
+  ContactPass pass = pass_of(scene);
+  for (Index k = 0; k < 4; ++k) pass.multipliers.flux.row(k).setConstant(100 * static_cast<double>(k + 1));
+  VectorXd sum = VectorXd::Zero(5);
+  residual_of(pass, scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
+  const Vector2d expected = dt * (Vector2d(200, 400) + 2 * Vector2d(2, 8).cwiseProduct(jumps));
+  BOOST_TEST((sum.tail<2>() - expected).norm() <= rounding * expected.norm());
+}
+
 BOOST_AUTO_TEST_CASE(as_many_fields_as_a_mask_holds_are_exchanged) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 1, 1), effects_of(true, max_scalar_fields - 1),
               explicit_settings(1, 2, 3));
   for (Index k = 0; k < max_scalar_fields; ++k) scene.set_field(k, static_cast<double>(k), 0);
-  residual_of(pass_of(scene), scene, [](const FacetPair& pair, const VectorXd& residual) {
-    const VectorXd sum = primary_sum(pair, residual);
+  residual_of(pass_of(scene), scene, [](const Patch& patch, const VectorXd& residual) {
+    const VectorXd sum = primary_sum(patch, residual);
     for (Index k = 0; k < max_scalar_fields; ++k) {
       const double flow = dt * (k == 0 ? 2.0 : 3.0) * static_cast<double>(k);
       BOOST_TEST(std::abs(sum[3 + k] - flow) <= rounding * (1 + flow));
@@ -212,7 +251,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_in_contact_and_those_apart_are_not)
     const ContactPass pass = pass_of(scene);
     BOOST_TEST(static_cast<Index>(pass.pairs().size()) == pass.points());
     BOOST_TEST(contacts(pass, scene) == (gap < 1e-10 ? pass.points() : 0));
-    residual_of(pass, scene, [](const FacetPair&, const VectorXd& residual) { BOOST_TEST(residual.norm() == 0.0); });
+    residual_of(pass, scene, [](const Patch&, const VectorXd& residual) { BOOST_TEST(residual.norm() == 0.0); });
   }
 }
 
@@ -229,26 +268,6 @@ BOOST_AUTO_TEST_CASE(points_beside_the_other_surface_are_not_in_contact) {
   BOOST_TEST(pass_of(scene).pairs().size() == 8U);
 }
 
-BOOST_AUTO_TEST_CASE(coverage_is_the_share_of_the_area_around_a_node_in_contact) {
-  for (const FacetType type : all_facets) {
-    PerSide<Grid> grids = facing_grids(type, FacetType::quad4, 0.05);
-    const Scene full(grids, effects_of(false, 0));
-    const PerSide<Matrix3Xd> x = full.position();
-    BOOST_TEST((pass_of(full).coverage(x[Side::primary], x[Side::secondary]).array() - 1).abs().maxCoeff() <= rounding);
-    grids[Side::secondary].high[0] = 0.5;  // one of two columns of cells
-    const Scene half(grids, effects_of(false, 0));
-    const VectorXd coverage = pass_of(half).coverage(x[Side::primary], half.fields[Side::secondary].position);
-    for (Index node = 0; node < coverage.size(); ++node) {
-      const double place = x[Side::primary](0, node);
-      if (place < 0.49) BOOST_TEST(std::abs(coverage[node] - 1) <= rounding);
-      if (place > 0.51) BOOST_TEST(coverage[node] == 0.0);
-    }
-    grids[Side::secondary].z = 0.1;
-    const Scene apart(grids, effects_of(false, 0));
-    BOOST_TEST(pass_of(apart).coverage(x[Side::primary], apart.fields[Side::secondary].position).norm() == 0.0);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
   std::mt19937 random(4);
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad8, 0.05), effects_of(true, 1));
@@ -256,7 +275,7 @@ BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
   for (const bool symmetric : {true, false}) {
     scene.settings.symmetric = symmetric;
     int handed_out = 0;
-    tangent_of(pass_of(scene), scene, [&](const FacetPair&, const MatrixXd& tangent) {
+    tangent_of(pass_of(scene), scene, [&](const Patch&, const MatrixXd& tangent) {
       ++handed_out;
       BOOST_TEST((tangent == tangent.transpose()) == symmetric);
     });
@@ -270,7 +289,7 @@ BOOST_AUTO_TEST_CASE(growth_multiplies_the_penalties) {
   pass.multipliers.traction_growth = 2;
   pass.multipliers.flux_growth << 4, 8, 16;
   VectorXd sum = VectorXd::Zero(6);
-  residual_of(pass, scene, [&](const FacetPair& pair, const VectorXd& r) { sum += primary_sum(pair, r); });
+  residual_of(pass, scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
   VectorXd expected(6);
   expected << 0, 0, -0.25 * 2, dt * 0.5 * 4, dt * 4 * 8, dt * -16 * 16;
   BOOST_TEST((sum - expected).norm() <= rounding * expected.norm());
@@ -281,8 +300,8 @@ BOOST_AUTO_TEST_CASE(a_zero_penalty_carries_nothing) {
   scene.settings = explicit_settings(0, 0, 0);
   BOOST_TEST(contacts(pass_of(scene), scene) == 0);
   scene.settings = explicit_settings(1, 0, 0);
-  residual_of(pass_of(scene), scene, [](const FacetPair& pair, const VectorXd& residual) {
-    BOOST_TEST(primary_sum(pair, residual).tail(3).norm() == 0.0);
+  residual_of(pass_of(scene), scene, [](const Patch& patch, const VectorXd& residual) {
+    BOOST_TEST(primary_sum(patch, residual).tail(3).norm() == 0.0);
     BOOST_TEST(residual.norm() > 0.0);
   });
 }
