@@ -139,7 +139,7 @@ void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
 PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
   PerSide<std::vector<bool>> in_contact;
   for (const Pass& pass : passes_) {
-    in_contact[pass.side] = pass.integral->nodes_in_contact(position_[pass.side], position_[other(pass.side)]);
+    in_contact[pass.side] = pass.integral->sealed_nodes(position_[pass.side], position_[other(pass.side)]);
   }
   if (passes_.size() == 1) in_contact[Side::secondary] = facing_contact(Side::secondary, in_contact[Side::primary]);
   return in_contact;

@@ -86,7 +86,7 @@ class ContactInterface {
   /// One augmentation: multipliers take the current loads, and slow fields a larger penalty.
   void augment(const PerSide<SurfaceFields>& fields);
 
-  /// Which nodes of each surface are in contact in the current configuration.
+  /// Which nodes of each surface are in contact and sealed by it; the others see the bath.
   PerSide<std::vector<bool>> nodes_in_contact() const;
 
   Balance balance(const PerSide<SurfaceFields>& fields) const;

@@ -19,6 +19,9 @@ constexpr double status_tolerance = 1e-6;
 constexpr double load_rounding = 1e-9;
 constexpr double load_tolerance = 1e-2;
 
+/// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
+constexpr int most_changes = 3;
+
 /// Whether two arrays of loads differ by more than a part of their largest entry; rows (fields) on their own.
 bool differs(const MatrixXd& one, const MatrixXd& other, double part) {
   for (Index row = 0; row < one.rows(); ++row) {
@@ -167,9 +170,10 @@ void ContactPass::average_jumps(const SurfaceFields& primary, const SurfaceField
 }
 
 NodalLoads ContactPass::averages(const SurfaceFields& primary, const SurfaceFields& secondary,
-                                 std::vector<bool> in_contact) const {
+                                 std::vector<bool> in_contact, std::vector<bool> sealed) const {
   NodalLoads loads;
   loads.in_contact = std::move(in_contact);
+  loads.sealed = std::move(sealed);
   average_gaps(primary.position, secondary.position, loads);
   average_jumps(primary, secondary, loads);
   return loads;
@@ -182,7 +186,7 @@ void ContactPass::apply_laws(NodalLoads& loads) const {
     if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
     loads.traction[node] = multipliers.traction[node] + traction_penalty(node) * loads.gap[node];
     for (int field = 0; field < effects_.scalar_fields(); ++field) {
-      if (!(loads.flux_area(field, node) > 0)) continue;
+      if (!loads.sealed[static_cast<std::size_t>(node)] || !(loads.flux_area(field, node) > 0)) continue;
       loads.flux(field, node) =
           normal_flux(multipliers.flux(field, node), flux_penalty(field, node), loads.jump(field, node)).value;
     }
@@ -191,7 +195,8 @@ void ContactPass::apply_laws(NodalLoads& loads) const {
 
 NodalLoads ContactPass::nodal_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const {
   if (held_) return predicted_loads(primary, secondary);
-  NodalLoads loads = averages(primary, secondary, natural_status(primary.position, secondary.position));
+  const std::vector<bool> status = natural_status(primary.position, secondary.position);
+  NodalLoads loads = averages(primary, secondary, status, status);
   apply_laws(loads);
   loads.traction = loads.traction.cwiseMin(0.0);
   return loads;
@@ -208,8 +213,8 @@ std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3
   return status;
 }
 
-std::vector<bool> ContactPass::nodes_in_contact(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  return held_ ? held_->loads.in_contact : natural_status(x1, x2);
+std::vector<bool> ContactPass::sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  return held_ ? held_->loads.sealed : natural_status(x1, x2);
 }
 
 // ---------------------------------------------------------------------------------------------------- Newton iterations
@@ -249,7 +254,14 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   const NodalLoads before = nodal_loads(primary, secondary);
   const bool predicted = held_.has_value();
   Held next;
-  next.loads = averages(primary, secondary, next_status(primary, secondary));
+  const std::vector<bool> status = next_status(primary, secondary);
+  next.changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
+  std::vector<bool> sealed = status;
+  for (std::size_t node = 0; node < status.size(); ++node) {
+    if (predicted && status[node] != before.in_contact[node]) ++next.changes[node];
+    if (next.changes[node] > most_changes) sealed[node] = false;
+  }
+  next.loads = averages(primary, secondary, status, sealed);
   apply_laws(next.loads);
   const auto around = pairs_around_nodes(next.loads.in_contact);
   for (std::size_t node = 0; node < around.size(); ++node) {
@@ -258,7 +270,8 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   }
   next.geometric_traction = predicted ? before.traction : next.loads.traction;
   next.geometric_flux = predicted ? before.flux : next.loads.flux;
-  const bool changed = before.in_contact != next.loads.in_contact || differs(before.traction.transpose(), next.loads.traction.transpose(), load_rounding) ||
+  const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
+                       differs(before.traction.transpose(), next.loads.traction.transpose(), load_rounding) ||
                        differs(before.flux, next.loads.flux, load_rounding);
   held_ = std::move(next);
   return changed;
@@ -268,7 +281,7 @@ bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields&
   if (!held_) return true;
   if (next_status(primary, secondary) != held_->loads.in_contact) return false;
   const NodalLoads predicted = predicted_loads(primary, secondary);
-  NodalLoads now = averages(primary, secondary, held_->loads.in_contact);
+  NodalLoads now = averages(primary, secondary, held_->loads.in_contact, held_->loads.sealed);
   apply_laws(now);
   return !differs(predicted.traction.transpose(), now.traction.transpose(), load_tolerance) && !differs(predicted.flux, now.flux, load_tolerance);
 }
@@ -389,7 +402,7 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
 void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
                                     const std::function<void(const Patch&)>& use) const {
   // A node's patch holds the facet pairs of all points that its loads act at.
-  for (const auto& pairs : pairs_around_nodes(nodes_in_contact(x1, x2))) {
+  for (const auto& pairs : pairs_around_nodes(held_ ? held_->loads.in_contact : natural_status(x1, x2))) {
     if (!pairs.empty()) use(node_patch(pairs));
   }
 }
@@ -510,7 +523,7 @@ MatrixXd ContactPass::law_tangent(Index node, const NodeLinearisation& linear, c
   MatrixXd tangent = traction_penalty(node) * linear.traction_work * linear.gap_variation.transpose();
   for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
     const int field = linear.patch.fields[k];
-    if (!(loads.flux_area(field, node) > 0)) continue;
+    if (!loads.sealed[static_cast<std::size_t>(node)] || !(loads.flux_area(field, node) > 0)) continue;
     tangent += dt * flux_penalty(field, node) * linear.flux_work[k] * linear.jump_variation[k].transpose();
   }
   return tangent;

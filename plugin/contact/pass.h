@@ -30,6 +30,7 @@ struct NodalLoads {
   VectorXd gap;        ///< g_a [mm]
   VectorXd traction;   ///< t_a [MPa]; 0 out of contact
   std::vector<bool> in_contact;
+  std::vector<bool> sealed;  ///< in contact, and so exchanging fluxes with the other side instead of with the bath
   MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]
   MatrixXd jump;       ///< (fields, nodes)
   MatrixXd flux;       ///< (fields, nodes); 0 out of contact
@@ -74,6 +75,9 @@ class ContactPass {
   /// linear solve is not multiplied by the second-order error of the gap times a large penalty, which would make it useless as a
   /// measure of contact and as a geometric stiffness (mixed integration points, Magisano, Leonetti and Garcea 2017).
   ///
+  /// A node whose status keeps changing is at the edge of contact: sealed it opens, at the bath's pressure it closes. There traction
+  /// and pressure both tend to those of the bath, so it is in contact but not sealed from then on.
+  ///
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
 
@@ -102,8 +106,8 @@ class ContactPass {
   /// The patches that tangent() would fill: what a matrix profile has to hold.
   void for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2, const std::function<void(const Patch&)>& use) const;
 
-  /// Which primary nodes are in contact.
-  std::vector<bool> nodes_in_contact(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// Which primary nodes are in contact and sealed by it; the others see the bath.
+  std::vector<bool> sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
 
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
@@ -138,6 +142,7 @@ class ContactPass {
     std::vector<NodeLinearisation> nodes;      ///< empty for nodes out of contact
     VectorXd geometric_traction;               ///< predicted t_a, for the geometric part of the tangent
     MatrixXd geometric_flux;
+    std::vector<int> changes;                  ///< of each node's status since the iterations began
   };
 
   Ray ray(std::size_t point, const Matrix3Xd& x1, double radius) const;
@@ -155,7 +160,8 @@ class ContactPass {
   void average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const;
   double traction_penalty(Index node) const { return multipliers.traction_growth * penalties_.traction[node]; }
   double flux_penalty(int field, Index node) const { return multipliers.flux_growth[field] * penalties_.flux(field, node); }
-  NodalLoads averages(const SurfaceFields& primary, const SurfaceFields& secondary, std::vector<bool> in_contact) const;
+  NodalLoads averages(const SurfaceFields& primary, const SurfaceFields& secondary, std::vector<bool> in_contact,
+                      std::vector<bool> sealed) const;
   NodalLoads predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const;
   void apply_laws(NodalLoads& loads) const;
   std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;

@@ -19,7 +19,7 @@ bool AmbientNodes::is_free(const FENode& node, int dof) {
   return dof >= 0 && node.get_bc(dof) == DOF_OPEN && node.m_ID[static_cast<std::size_t>(dof)] != -1;
 }
 
-bool AmbientNodes::hold(FENode& node, int dof, double value) {
+bool AmbientNodes::hold_at(FENode& node, int dof, double value) {
   int& id = node.m_ID[static_cast<std::size_t>(dof)];
   const bool changed = id >= 0 || node.get(dof) != value;
   if (id >= 0) id = prescribed(id);
@@ -27,14 +27,18 @@ bool AmbientNodes::hold(FENode& node, int dof, double value) {
   return changed;
 }
 
-bool AmbientNodes::release(FENode& node, int dof) {
+bool AmbientNodes::release_with_value(FENewtonSolver& newton, FENode& node, int dof) {
   int& id = node.m_ID[static_cast<std::size_t>(dof)];
   if (id >= 0) return false;
   id = prescribed(id);
-  if (FENewtonSolver* newton = solver()) {
-    const auto n = static_cast<std::size_t>(id);
-    newton->m_Ut[n] = node.get(dof) - newton->m_Ui[n];
-  }
+  const auto n = static_cast<std::size_t>(id);
+  newton.m_Ut[n] = node.get(dof) - newton.m_Ui[n];
+  return true;
+}
+
+bool AmbientNodes::release(FENode& node, int dof) {
+  FENewtonSolver* newton = solver();
+  if (newton == nullptr || !release_with_value(*newton, node, dof)) return false;
   released_.emplace_back(&node, dof);
   return true;
 }

@@ -20,8 +20,12 @@ class AmbientNodes {
   /// Whether ambient conditions may act on a degree of freedom: it exists and no boundary condition holds it.
   static bool is_free(const FENode& node, int dof);
 
-  /// Holds a degree of freedom at its ambient value. Returns whether anything changed.
-  bool hold(FENode& node, int dof, double value);
+  /// Makes a held degree of freedom free, with the value it has now, in the node and in the solver's solution vector. Returns whether
+  /// it was held.
+  static bool release_with_value(FENewtonSolver& solver, FENode& node, int dof);
+
+  /// Holds a degree of freedom at a value. Returns whether anything changed.
+  static bool hold_at(FENode& node, int dof, double value);
 
   /// Makes a degree of freedom free again, with the value it has now: without this, FEBio would set it to what its solution vector
   /// last knew, which is its value before it became ambient. Not to be called while a trial increment is evaluated.

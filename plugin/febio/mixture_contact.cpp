@@ -59,7 +59,7 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
       ->SetDefaultType("mixture_ambient_concentration");
 END_FECORE_CLASS()
 
-FEMixtureContact::FEMixtureContact(FEModel* fem) : FEContactInterface(fem), primary_(fem, *this), secondary_(fem, *this), ambient_(*fem) {
+FEMixtureContact::FEMixtureContact(FEModel* fem) : FEContactInterface(fem), primary_(fem, *this), secondary_(fem, *this), ambient_(*fem), clamped_(*fem) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
@@ -361,14 +361,18 @@ void FEMixtureContact::Update() {
   }
   // The start of a step, or an augmentation. FEBio has evaluated the bodies already in this pass: ask for it again if an ambient
   // value changed.
-  if (!std::exchange(keep_prediction_, false)) core_->end_iterations();
+  if (!std::exchange(keep_prediction_, false)) {
+    core_->end_iterations();
+    clamped_.release();
+    tried_ = false;
+  }
   if (begin_iteration()) GetFEModel()->SetMeshUpdateFlag(true);
 }
 
 void FEMixtureContact::Update(const std::vector<double>& /*total*/, const std::vector<double>& /*increment*/) {
   // A trial: status and linearised gaps are those that the iteration began with.
   project();
-  in_trial_ = true;
+  in_trial_ = tried_ = true;
 }
 
 FENewtonSolver* FEMixtureContact::newton_solver() {
@@ -381,7 +385,8 @@ bool FEMixtureContact::begin_iteration() {
   const std::vector<FEMixtureContact*> contacts = active_contacts();
   if (contacts.empty() || contacts.back() != this) return false;
   const bool ambient_changed = apply_ambient(contacts);
-  return ambient_changed ||
+  const bool clamp_changed = tried_ && clamped_.update();
+  return ambient_changed || clamp_changed ||
          std::any_of(contacts.begin(), contacts.end(), [](const FEMixtureContact* contact) { return contact->loads_changed_; });
 }
 
@@ -445,8 +450,12 @@ bool FEMixtureContact::apply_ambient(const std::vector<FEMixtureContact*>& conta
   bool changed = false;
   const auto apply = [&](FENode& node, const NodeStatus& status, int dof) {
     if (!AmbientNodes::is_free(node, dof)) return;
+    if (clamped_.holds(node, dof)) {
+      if (status.in_contact) return;
+      clamped_.forget(node, dof);
+    }
     const bool switched = status.in_contact ? ambient_.release(node, dof)
-                                            : ambient_.hold(node, dof, status.ambient->ambient_value(dof));
+                                            : AmbientNodes::hold_at(node, dof, status.ambient->ambient_value(dof));
     changed = changed || switched;
   };
   for (auto& [node, status] : nodes) {
@@ -528,7 +537,7 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
-  if (!core_->is_solution(fields())) {
+  if (!core_->is_solution(fields()) || !clamped_.settled()) {
     keep_prediction_ = true;
     return false;
   }

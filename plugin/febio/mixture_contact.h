@@ -3,6 +3,7 @@
 
 #include "ambient_concentration.h"
 #include "ambient_nodes.h"
+#include "clamped_concentrations.h"
 #include "contact/interface.h"
 #include "host/contact_parameters.h"
 #include "mixture_surface.h"
@@ -85,6 +86,7 @@ class FEMixtureContact : public FEContactInterface {
   FEMixtureSurface primary_;
   FEMixtureSurface secondary_;
   AmbientNodes ambient_;
+  ClampedConcentrations clamped_;
 
   mixture_contact::Effects effects_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
@@ -93,6 +95,7 @@ class FEMixtureContact : public FEContactInterface {
   int concentrations_ = 0;       ///< number of solutes in the model
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way
+  bool tried_ = false;              ///< a trial has been evaluated since the iterations began
   bool keep_prediction_ = false;    ///< the next iteration goes on from what the last one predicts
   bool loads_changed_ = false;      ///< at the beginning of this iteration
   bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since

@@ -1,0 +1,48 @@
+/// Concentrations that FEBio's solver clamps to zero.
+///
+/// FEBio's solver for the solute module always, and that for the multiphasic module by option, sets negative concentrations to zero
+/// after each iteration. Fronts thinner than an element (d dt << h^2) undershoot, so this happens at every early step. Newton's
+/// method is not told: it computes the same negative change for ever, the line search shrinks, and the step fails. Here the clamp is
+/// made an inequality that Newton can solve: a concentration that would become negative is held at zero, as a prescribed value, until
+/// its balance wants it to be positive (a primal-dual active set). The state reached is the one that the clamp means.
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+class FEModel;
+class FENode;
+
+class ClampedConcentrations {
+ public:
+  explicit ClampedConcentrations(FEModel& fem) : fem_(fem) {}
+
+  /// At an accepted state within the iterations of a step: holds concentrations that have become negative in the solver's solution
+  /// vector, and frees held ones whose balance wants them positive. Returns whether anything changed.
+  bool update();
+
+  /// Whether update() would change nothing.
+  bool settled() const;
+
+  /// Frees all held concentrations, at the start of a step.
+  void release();
+
+  /// Whether it holds this degree of freedom.
+  bool holds(const FENode& node, int dof) const;
+
+  /// Leaves a held degree of freedom to somebody else.
+  void forget(const FENode& node, int dof);
+
+  /// Number of concentrations held.
+  int count() const { return static_cast<int>(held_.size()); }
+
+ private:
+  using Place = std::pair<FENode*, int>;  ///< node, degree of freedom
+  std::vector<Place> negative() const;
+  std::vector<Place> rising() const;
+
+  std::vector<Place> held_;
+  std::set<Place> freed_;  ///< in this step
+  FEModel& fem_;
+};
