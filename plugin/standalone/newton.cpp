@@ -1,5 +1,6 @@
 #include "newton.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace standalone {
@@ -131,7 +132,6 @@ void Newton::log_norms(double time, double step, double residual, double energy,
 
 bool Newton::augment(Contact& contact) {
   mixture_contact::ContactInterface& core = contact.core();
-  if (!contact.is_solution(problem_.values())) return false;
   const mixture_contact::Settings& settings = core.settings();
   if (settings.enforcement == mixture_contact::Enforcement::penalty) return true;
   const auto fields = contact.fields(problem_.values());
@@ -151,10 +151,14 @@ bool Newton::augment(Contact& contact) {
 }
 
 bool Newton::augment() {
-  if (problem_.contacts().empty()) return true;
+  const auto is_solution = [&](const Contact& contact) { return contact.is_solution(problem_.values()); };
+  std::vector<Contact>& contacts = problem_.contacts();
+  // What converged with contact and clamps held is a solution only if these agree with it; if not, iterations go on.
+  if (!problem_.clamps_settled() || !std::all_of(contacts.begin(), contacts.end(), is_solution)) return false;
+  if (contacts.empty()) return true;
   log_.print("\n........................ augmentation # %d\n", augmentations_ + 1);
   bool done = true;
-  for (Contact& contact : problem_.contacts()) done = augment(contact) && done;
+  for (Contact& contact : contacts) done = augment(contact) && done;
   ++augmentations_;
   allowed_reformations_ = control_.max_reformations;
   return done;
@@ -184,7 +188,7 @@ void Newton::solve_step(double time, double dt) {
     done = balanced && augment();
     if (done) continue;
     if (!balanced) restart_norms_if_diverging(change, step);
-    if (problem_.begin_iteration() || balanced) {
+    if (problem_.begin_iteration(effort_.iterations) || balanced) {
       start_ = problem_.residual();
       ++effort_.residuals;
     } else {

@@ -24,7 +24,7 @@ double Output::node_value(const NodeColumn& column, int node) const {
     case NodeColumn::Kind::value:
       return problem_.values()(column.dof, node);
     default:
-      return problem_.reactions()(column.dof, node);
+      return problem_.reaction(column.dof, node);
   }
 }
 

@@ -18,11 +18,15 @@ Problem::Problem(const Model& model) : model_(model), equations_(model), bodies_
     for (const int node : condition.nodes) state_.values(condition.dof, node) = condition.value.value;
   }
   target_ = state_.values;
-  pending_ = reactions_ = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
+  pending_ = forces_ = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
   state_.total.resize(equations_.count());
   for (int i = 0; i < equations_.count(); ++i) state_.total[i] = state_.values(equations_.dof(i), equations_.node(i));
   state_.increment = VectorXd::Zero(equations_.count());
-  state_.ambient.assign(static_cast<std::size_t>(equations_.count()), false);
+  state_.hold.assign(static_cast<std::size_t>(equations_.count()), Hold::none);
+  reported_.setConstant(model.dofs(), model.mesh.nodes.cols(), false);
+  for (const Condition& condition : model.prescribed) {
+    for (const int node : condition.nodes) reported_(condition.dof, node) = condition.reaction;
+  }
   bodies_.accept_step(state_.values);
   for (Contact& contact : contacts_) {
     contact.update_properties(state_.values);
@@ -52,7 +56,8 @@ void Problem::start_step(double time, double dt) {
     }
   }
   for (Contact& contact : contacts_) contact.core().end_iterations();
-  begin_iteration();
+  release_clamps();
+  begin_iteration(0);
   for (Contact& contact : contacts_) {
     if (contact.definition().parameters.update_penalty) contact.update_properties(state_.values);
   }
@@ -67,13 +72,67 @@ void Problem::accept_step() {
 // ----------------------------------------------------------------------------------------------------------------
 // contact status
 
-bool Problem::begin_iteration() {
+bool Problem::begin_iteration(int iteration) {
   bool changed = false;
   for (Contact& contact : contacts_) {
     const bool contact_changed = contact.begin_iteration(state_.values);
     changed = changed || contact_changed;
   }
-  return switch_ambient() || changed;
+  const bool ambient_changed = switch_ambient();
+  const bool clamps_changed = iteration > 0 && clamp_concentrations();
+  return changed || ambient_changed || clamps_changed;
+}
+
+std::vector<bool> Problem::held() const {
+  std::vector<bool> all;
+  for (const Hold hold : state_.hold) all.push_back(hold != Hold::none);
+  return all;
+}
+
+void Problem::release(int equation) {
+  state_.hold[static_cast<std::size_t>(equation)] = Hold::none;
+  state_.total[equation] = value(equation) - state_.increment[equation];
+}
+
+bool Problem::negative(int equation) const {
+  return model_.control.clamp && equations_.dof(equation) > pressure_dof &&
+         state_.hold[static_cast<std::size_t>(equation)] == Hold::none &&
+         state_.total[equation] + state_.increment[equation] < 0;
+}
+
+bool Problem::wants_to_rise(int equation) const {
+  // The force on a concentration is what leaves the node less what it stores: negative where solute comes in.
+  return state_.hold[static_cast<std::size_t>(equation)] == Hold::clamp &&
+         forces_(equations_.dof(equation), equations_.node(equation)) < 0;
+}
+
+bool Problem::clamp_concentrations() {
+  bool changed = false;
+  for (int i = 0; i < equations_.count(); ++i) {
+    if (wants_to_rise(i)) {
+      release(i);
+    } else if (negative(i)) {
+      state_.hold[static_cast<std::size_t>(i)] = Hold::clamp;
+      value(i) = 0;
+    } else {
+      continue;
+    }
+    changed = true;
+  }
+  return changed;
+}
+
+bool Problem::clamps_settled() const {
+  for (int i = 0; i < equations_.count(); ++i) {
+    if (wants_to_rise(i) || negative(i)) return false;
+  }
+  return true;
+}
+
+void Problem::release_clamps() {
+  for (int i = 0; i < equations_.count(); ++i) {
+    if (state_.hold[static_cast<std::size_t>(i)] == Hold::clamp) release(i);
+  }
 }
 
 double Problem::ambient_value(const ContactDefinition& contact, int dof) const {
@@ -110,18 +169,16 @@ bool Problem::switch_ambient() {
   return changed;
 }
 
-bool Problem::set_ambient(int equation, bool in_contact, double value) {
-  const auto i = static_cast<std::size_t>(equation);
-  double& current = state_.values(equations_.dof(equation), equations_.node(equation));
-  const bool was_ambient = state_.ambient[i];
-  state_.ambient[i] = !in_contact;
+bool Problem::set_ambient(int equation, bool in_contact, double bath) {
+  Hold& hold = state_.hold[static_cast<std::size_t>(equation)];
+  const bool was_ambient = hold == Hold::ambient;
   if (in_contact) {
-    // A released node goes on from the value that it has.
-    if (was_ambient) state_.total[equation] = current - state_.increment[equation];
+    if (was_ambient) release(equation);
     return was_ambient;
   }
-  const bool changed = !was_ambient || current != value;
-  current = value;
+  const bool changed = !was_ambient || value(equation) != bath;
+  hold = Hold::ambient;
+  value(equation) = bath;
   return changed;
 }
 
@@ -131,7 +188,7 @@ bool Problem::set_ambient(int equation, bool in_contact, double value) {
 void Problem::set_trial(const VectorXd& trial, int iteration) {
   const VectorXd solution = state_.total + state_.increment + trial;
   for (int i = 0; i < equations_.count(); ++i) {
-    if (state_.ambient[static_cast<std::size_t>(i)]) continue;
+    if (state_.hold[static_cast<std::size_t>(i)] != Hold::none) continue;
     const int dof = equations_.dof(i);
     const bool clamped = model_.control.clamp && dof > pressure_dof && solution[i] < 0;
     state_.values(dof, equations_.node(i)) = clamped ? 0.0 : solution[i];
@@ -147,7 +204,8 @@ void Problem::set_trial(const VectorXd& trial, int iteration) {
 }
 
 VectorXd Problem::residual() {
-  MatrixXd forces = MatrixXd::Zero(model_.dofs(), model_.mesh.nodes.cols());
+  MatrixXd& forces = forces_;
+  forces.setZero();
   for (std::size_t e = 0; e < bodies_.elements(); ++e) {
     const Material& material = bodies_.material(e);
     if (material.rigid) continue;
@@ -165,12 +223,7 @@ VectorXd Problem::residual() {
   if (!forces.allFinite()) throw StepFailure("a residual is not a finite number");
   VectorXd free = VectorXd::Zero(equations_.count());
   for (int i = 0; i < equations_.count(); ++i) {
-    if (!state_.ambient[static_cast<std::size_t>(i)]) free[i] = forces(equations_.dof(i), equations_.node(i));
-  }
-  reactions_.setZero();
-  for (const Condition& condition : model_.prescribed) {
-    for (const int node : condition.nodes)
-      reactions_(condition.dof, node) = condition.reaction ? forces(condition.dof, node) : 0;
+    if (state_.hold[static_cast<std::size_t>(i)] == Hold::none) free[i] = forces(equations_.dof(i), equations_.node(i));
   }
   return free;
 }
@@ -180,7 +233,8 @@ VectorXd Problem::assemble(LinearSystem& system) {
   const auto correct = [&](const std::vector<int>& numbers, const VectorXd& force) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const int row = numbers[i];
-      if (row >= 0 && !state_.ambient[static_cast<std::size_t>(row)]) correction[row] -= force[static_cast<Index>(i)];
+      if (row >= 0 && state_.hold[static_cast<std::size_t>(row)] == Hold::none)
+        correction[row] -= force[static_cast<Index>(i)];
     }
   };
   const bool pending = (pending_.array() != 0).any();

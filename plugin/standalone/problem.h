@@ -22,10 +22,10 @@ class Problem {
   std::vector<Contact>& contacts() { return contacts_; }
   /// Current u [mm], p~ [MPa] and c~ [mM], shape (dofs, nodes).
   const MatrixXd& values() const { return state_.values; }
-  /// Forces that the last residual() left on prescribed degrees of freedom, shape (dofs, nodes): the reactions.
-  const MatrixXd& reactions() const { return reactions_; }
-  /// Whether an equation is at its ambient value now.
-  const std::vector<bool>& held() const { return state_.ambient; }
+  /// Force that the last residual() left on a prescribed degree of freedom.
+  double reaction(int dof, int node) const { return reported_(dof, node) ? forces_(dof, node) : 0.0; }
+  /// Which equations are held at a value now.
+  std::vector<bool> held() const;
   LinearSystem linear_system() const;
 
   /// Starts a time step that ends at `time` [s].
@@ -33,9 +33,13 @@ class Problem {
   /// Keeps the current state as what the next step starts from.
   void accept_step();
 
-  /// Begins a Newton iteration at the current state: decides what is in contact, holds that, and switches the nodes
-  /// that are not to ambient values. Returns whether the residual has changed.
-  bool begin_iteration();
+  /// Begins a Newton iteration at the current state: decides what is in contact, holds that, switches the nodes that
+  /// are not to ambient values and, after the first iteration, concentrations that want to be negative to zero. Returns
+  /// whether the residual has changed.
+  bool begin_iteration(int iteration);
+  /// Whether no concentration that is held at zero wants to rise, and no other is negative.
+  bool clamps_settled() const;
+  void release_clamps();
 
   /// Sets the nodal values to total + increment + trial and prescribed values. `keep_facets`: contact keeps to known
   /// facets.
@@ -50,11 +54,17 @@ class Problem {
   /// the nodal values will bring.
   VectorXd assemble(LinearSystem& system);
 
+  /// What holds an equation at a value: nothing, the bath at a node that is not in contact, or the bound c >= 0. A
+  /// solver that only sets negative concentrations to zero makes Newton compute the same negative change for ever; held
+  /// as prescribed values until their balance drives them up, they are an inequality that it can solve (a primal-dual
+  /// active set).
+  enum class Hold : unsigned char { none, ambient, clamp };
+
   /// Everything that changes in a time step, to try one again.
   struct State {
     MatrixXd values;
     VectorXd total, increment;
-    std::vector<bool> ambient;
+    std::vector<Hold> hold;
     std::vector<Contact::Saved> contacts;
   };
   State save();
@@ -64,6 +74,12 @@ class Problem {
   double ambient_value(const ContactDefinition& contact, int dof) const;
   bool switch_ambient();
   bool set_ambient(int equation, bool in_contact, double value);
+  bool clamp_concentrations();
+  bool negative(int equation) const;
+  bool wants_to_rise(int equation) const;
+  double& value(int equation) { return state_.values(equations_.dof(equation), equations_.node(equation)); }
+  /// Frees an equation, which goes on from the value that it has.
+  void release(int equation);
 
   const Model& model_;
   Equations equations_;
@@ -73,7 +89,8 @@ class Problem {
   State state_;
   MatrixXd target_;   ///< prescribed values of the current step
   MatrixXd pending_;  ///< prescribed increments that are not yet in the nodal values
-  MatrixXd reactions_;
+  MatrixXd forces_;   ///< at the last residual(), on all degrees of freedom
+  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> reported_;  ///< whether a reaction is output
   double time_ = 0, dt_ = 0;
 };
 

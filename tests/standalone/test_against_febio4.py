@@ -22,7 +22,7 @@ from harness.runner import Outcome, Runner
 
 BAR = 1e-7
 """Largest difference of a nodal variable, relative to its largest value."""
-FLOORS = {1.0: 1e-26, 10.0: 1e-22, 100.0: 1e-19}
+FLOORS = {1.0: 1e-26, 10.0: 1e-22, 100.0: 1e-18}
 """Squared residual at which rounding is all that is left, for each Young's modulus (MPa)."""
 
 
@@ -76,7 +76,7 @@ def test_convection_agrees_at_every_node_and_time(runs, peclet):
 
 @pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG"])
 def test_unlike_materials_agree(runs, laugon):
-    # A tolerance that the default penalties miss clearly: at 1e-3 rounding would decide whether there is an augmentation.
+    # Tighter than what the default penalties leave: at 1e-3 rounding would decide whether there is an augmentation.
     model = Composite(settings=ContactSettings(laugon=laugon, tolerance=1e-4), control=Control(10, 50.0)).model()
     found = differences(*runs(strict(model, FLOORS[100.0])))
     assert max(found.values()) <= BAR, found
