@@ -69,10 +69,25 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
     const bool pass_changed = pass.integral->begin_iteration(fields[pass.side], fields[other(pass.side)]);
     changed = changed || pass_changed;
   }
+  hold_facing_contact();
   return changed;
 }
 
+void ContactInterface::hold_facing_contact() {
+  if (passes_.size() != 1) return;
+  std::vector<bool> next = facing_contact(Side::secondary, passes_[0].integral->sealed_nodes(position_[Side::primary], position_[Side::secondary]));
+  const bool first = !held_facing_;
+  if (first) facing_changes_.assign(next.size(), 0);
+  for (std::size_t node = 0; node < next.size(); ++node) {
+    if (!first && next[node] != (*held_facing_)[node]) ++facing_changes_[node];
+    // At the edge of contact, as ContactPass::begin_iteration has it.
+    if (facing_changes_[node] > most_status_changes) next[node] = false;
+  }
+  held_facing_ = std::move(next);
+}
+
 void ContactInterface::end_iterations() {
+  held_facing_.reset();
   for (const Pass& pass : passes_) pass.integral->end_iterations();
 }
 
@@ -141,7 +156,11 @@ PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
   for (const Pass& pass : passes_) {
     in_contact[pass.side] = pass.integral->sealed_nodes(position_[pass.side], position_[other(pass.side)]);
   }
-  if (passes_.size() == 1) in_contact[Side::secondary] = facing_contact(Side::secondary, in_contact[Side::primary]);
+  if (held_facing_) {
+    in_contact[Side::secondary] = *held_facing_;
+  } else if (passes_.size() == 1) {
+    in_contact[Side::secondary] = facing_contact(Side::secondary, in_contact[Side::primary]);
+  }
   return in_contact;
 }
 

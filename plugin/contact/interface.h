@@ -6,6 +6,8 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace mixture_contact {
 
@@ -110,6 +112,7 @@ class ContactInterface {
   };
 
   double search_radius(const PerSide<Matrix3Xd>& position) const;
+  void hold_facing_contact();
   std::vector<bool> facing_contact(Side side, const std::vector<bool>& other_in_contact) const;
 
   PerSide<SurfaceMesh> mesh_;
@@ -117,6 +120,8 @@ class ContactInterface {
   Settings settings_;
   std::vector<Pass> passes_;
   PerSide<Matrix3Xd> position_;
+  std::optional<std::vector<bool>> held_facing_;  ///< secondary nodes in contact, while iterations are under way and there is one pass
+  std::vector<int> facing_changes_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
 };
 

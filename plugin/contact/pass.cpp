@@ -19,9 +19,6 @@ constexpr double status_tolerance = 1e-6;
 constexpr double load_rounding = 1e-9;
 constexpr double load_tolerance = 1e-2;
 
-/// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
-constexpr int most_changes = 3;
-
 /// Whether two arrays of loads differ by more than a part of their largest entry; rows (fields) on their own.
 bool differs(const MatrixXd& one, const MatrixXd& other, double part) {
   for (Index row = 0; row < one.rows(); ++row) {
@@ -259,7 +256,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   std::vector<bool> sealed = status;
   for (std::size_t node = 0; node < status.size(); ++node) {
     if (predicted && status[node] != before.in_contact[node]) ++next.changes[node];
-    if (next.changes[node] > most_changes) sealed[node] = false;
+    if (next.changes[node] > most_status_changes) sealed[node] = false;
   }
   next.loads = averages(primary, secondary, status, sealed);
   apply_laws(next.loads);

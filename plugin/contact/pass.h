@@ -12,6 +12,9 @@
 
 namespace mixture_contact {
 
+/// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
+inline constexpr int most_status_changes = 3;
+
 /// Multipliers of the nodes of the primary surface: the state that only an augmentation changes.
 struct Multipliers {
   VectorXd traction;           ///< lambda_n per node [MPa]
