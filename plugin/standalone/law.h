@@ -66,7 +66,7 @@ PointState<T, Fields> deform(const Material& material, const PointFields<T, Fiel
 template <class T, int Fields>
 void flow(const Material& material, double gas_energy, const PointFields<T, Fields>& q, PointState<T, Fields>& s) {
   const auto gradient = [&](int field) {
-    Eigen::Matrix<T, 3, 1> spatial = s.cofactor * q.template block<3, 1>(1, field);
+    const Eigen::Matrix<T, 3, 1> spatial = s.cofactor * q.template block<3, 1>(1, field);
     return Eigen::Matrix<T, 3, 1>(spatial / s.volume_ratio);
   };
   T porosity = T(1) - T(material.solid_fraction) / s.volume_ratio;
@@ -78,7 +78,7 @@ void flow(const Material& material, double gas_energy, const PointFields<T, Fiel
     const Solute& solute = material.solutes[static_cast<std::size_t>(k)];
     const double hindrance = solute.diffusivity / solute.free_diffusivity;
     const double energy = gas_energy * solute.solubility;
-    const T c = q(0, 4 + k);
+    const T& c = q(0, 4 + k);
     pressure += c * T(energy * material.osmotic);
     if (hindrance < 1) resistance += c * T(energy * (1 - hindrance) / solute.free_diffusivity) / porosity;
     drive += gradient(4 + k) * T(energy * hindrance);
@@ -88,7 +88,7 @@ void flow(const Material& material, double gas_energy, const PointFields<T, Fiel
   s.solvent_flux = -drive / resistance;
   for (int k = 0; k < solutes_of(Fields); ++k) {
     const Solute& solute = material.solutes[static_cast<std::size_t>(k)];
-    const T c = q(0, 4 + k);
+    const T& c = q(0, 4 + k);
     const Eigen::Matrix<T, 3, 1> carried = s.solvent_flux * (c * T(1 / solute.free_diffusivity));
     const Eigen::Matrix<T, 3, 1> spread = gradient(4 + k) * porosity;
     s.solute_flux.col(k) = (carried - spread) * T(solute.solubility * solute.diffusivity);

@@ -83,6 +83,7 @@ void LinearSystem::factorise(const std::vector<bool>& held) {
       if (fixed) entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
     }
   }
+  if (!matrix_.coeffs().allFinite()) throw StepFailure("the tangent is not finite: an element has lost its pores");
   std::vector<int> now = pattern(matrix_);
   if (now != analysed_) {
     factors_.analyzePattern(matrix_);

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 
 /// Rows of nodal values: displacements u [mm], effective fluid pressure p~ [MPa], effective concentrations c~ [mM].
 inline constexpr int pressure_dof = 3;
-inline constexpr int concentration_dof(int solute) { return 4 + solute; }
+constexpr int concentration_dof(int solute) { return 4 + solute; }
 
 /// A function of time: points joined by lines, or steps up to the next point; constant beyond both ends.
 struct LoadCurve {

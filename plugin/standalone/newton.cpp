@@ -154,7 +154,11 @@ bool Newton::augment() {
   const auto is_solution = [&](const Contact& contact) { return contact.is_solution(problem_.values()); };
   std::vector<Contact>& contacts = problem_.contacts();
   // What converged with contact and clamps held is a solution only if these agree with it; if not, iterations go on.
-  if (!problem_.clamps_settled() || !std::all_of(contacts.begin(), contacts.end(), is_solution)) return false;
+  const bool settled = problem_.clamps_settled();
+  const bool contact_holds = std::all_of(contacts.begin(), contacts.end(), is_solution);
+  if (!settled) log_.print(" Concentrations held at zero have to change.\n");
+  if (!contact_holds) log_.print(" Contact has to change.\n");
+  if (!settled || !contact_holds) return false;
   if (contacts.empty()) return true;
   log_.print("\n........................ augmentation # %d\n", augmentations_ + 1);
   bool done = true;

@@ -95,9 +95,11 @@ void Problem::release(int equation) {
 }
 
 bool Problem::negative(int equation) const {
-  return model_.control.clamp && equations_.dof(equation) > pressure_dof &&
-         state_.hold[static_cast<std::size_t>(equation)] == Hold::none &&
-         state_.total[equation] + state_.increment[equation] < 0;
+  if (!model_.control.clamp || equations_.dof(equation) <= pressure_dof) return false;
+  if (state_.hold[static_cast<std::size_t>(equation)] != Hold::none) return false;
+  constexpr double rounding = 1e-12;  // of the largest concentration: less than that counts as zero
+  const double largest = state_.values.row(equations_.dof(equation)).lpNorm<Eigen::Infinity>();
+  return state_.total[equation] + state_.increment[equation] < -rounding * largest;
 }
 
 bool Problem::wants_to_rise(int equation) const {
@@ -149,7 +151,7 @@ bool Problem::switch_ambient() {
   };
   std::map<int, NodeStatus> nodes;
   for (Contact& contact : contacts_) {
-    const auto in_contact = contact.core().nodes_in_contact();
+    const auto in_contact = contact.core().sealed_nodes();
     for (const auto side : both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
         NodeStatus& status = nodes.insert({contact.nodes(side)[i], {false, &contact.definition()}}).first->second;

@@ -73,7 +73,7 @@ class Problem {
  private:
   double ambient_value(const ContactDefinition& contact, int dof) const;
   bool switch_ambient();
-  bool set_ambient(int equation, bool in_contact, double value);
+  bool set_ambient(int equation, bool in_contact, double bath);
   bool clamp_concentrations();
   bool negative(int equation) const;
   bool wants_to_rise(int equation) const;
