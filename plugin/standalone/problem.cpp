@@ -151,7 +151,7 @@ bool Problem::switch_ambient() {
   };
   std::map<int, NodeStatus> nodes;
   for (Contact& contact : contacts_) {
-    const auto in_contact = contact.core().sealed_nodes();
+    const auto in_contact = contact.core().nodes_in_contact();
     for (const auto side : both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
         NodeStatus& status = nodes.insert({contact.nodes(side)[i], {false, &contact.definition()}}).first->second;
