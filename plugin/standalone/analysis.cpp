@@ -33,7 +33,7 @@ class Steps {
         stepper_(model, log) {}
 
   bool run() {
-    for (Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
+    for (const Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
     output_.write(0, 0);
     const double end = model_.control.end();
     const double near = end * 1e-7;

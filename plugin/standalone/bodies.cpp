@@ -118,8 +118,7 @@ void Bodies::accept_step(const MatrixXd& values) {
       constexpr int fields = decltype(count)::value;
       for (Point& point : elements_[e]) {
         const PointFields<double, fields> q = point.shape * nodal;
-        auto state = deform<double, fields>(material(e), q);
-        if constexpr (fields > 3) flow<double, fields>(material(e), gas_energy_, q, state);
+        const auto state = point_state<double, fields>(material(e), gas_energy_, q);
         point.last = {state.volume_ratio, state.content};
       }
     });
@@ -137,9 +136,8 @@ Bodies::Average Bodies::average(std::size_t e, const MatrixXd& values) const {
     const double share = 1.0 / static_cast<double>(elements_[e].size());
     for (const Point& point : elements_[e]) {
       const PointFields<double, fields> q = point.shape * nodal;
-      auto state = deform<double, fields>(m, q);
+      const auto state = point_state<double, fields>(m, gas_energy_, q);
       if constexpr (fields > 3) {
-        flow<double, fields>(m, gas_energy_, q, state);
         mean.solvent_flux += share * state.solvent_flux;
         mean.pressure += share * q(0, pressure_dof);
         for (int k = 0; k < solutes; ++k) {

@@ -96,6 +96,14 @@ void flow(const Material& material, double gas_energy, const PointFields<T, Fiel
   }
 }
 
+/// The whole state at a point.
+template <class T, int Fields>
+PointState<T, Fields> point_state(const Material& material, double gas_energy, const PointFields<T, Fields>& q) {
+  PointState<T, Fields> s = deform<T, Fields>(material, q);
+  if constexpr (Fields > 3) flow<T, Fields>(material, gas_energy, q, s);
+  return s;
+}
+
 /// What the fields of a point do work on: row 0 with the virtual value, rows 1 to 3 with its reference gradient, per
 /// column
 ///
@@ -105,10 +113,9 @@ void flow(const Material& material, double gas_energy, const PointFields<T, Fiel
 template <class T, int Fields>
 PointFields<T, Fields> point_forces(const Material& material, double gas_energy, double dt, const PointHistory& last,
                                     const PointFields<T, Fields>& q) {
-  auto s = deform<T, Fields>(material, q);
+  const auto s = point_state<T, Fields>(material, gas_energy, q);
   PointFields<T, Fields> forces = PointFields<T, Fields>::Zero();
   if constexpr (Fields > 3) {
-    flow<T, Fields>(material, gas_energy, q, s);
     forces(0, pressure_dof) = T(last.volume_ratio) - s.volume_ratio;
     forces.template block<3, 1>(1, pressure_dof) = s.cofactor.transpose() * s.solvent_flux * T(dt);
     for (int k = 0; k < solutes_of(Fields); ++k) {

@@ -29,6 +29,7 @@ std::vector<int> pattern(const LinearSystem::Matrix& matrix) {
 LinearSystem::LinearSystem(int equations, std::vector<std::vector<int>> element_equations)
     : element_equations_(std::move(element_equations)), bodies_(equations, equations) {
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(equations));
   for (int i = 0; i < equations; ++i) entries.emplace_back(i, i, 0.0);
   const auto for_each_entry = [&](const std::vector<int>& numbers, const auto& use) {
     for (const int column : numbers) {

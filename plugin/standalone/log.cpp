@@ -29,7 +29,7 @@ void Log::write(const std::string& text) {
   if (file_.is_open()) file_ << text;
 }
 
-void Log::print(const char* format, ...) {
+void Log::print(const char* format, ...) {  // NOLINT(modernize-avoid-variadic-functions): checked by the compiler
   std::va_list arguments;
   va_start(arguments, format);
   std::va_list again;

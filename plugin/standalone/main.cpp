@@ -36,9 +36,7 @@ int run_model(const std::string& path, bool check_only) {
   return 1;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_command_line(int argc, const char* const* argv) {
   options::options_description shown(
       "Usage: mixture-contact [options] model.feb\n\nRuns a model (a subset of FEBio XML 4.0) and writes "
       "log and data beside it.\n\nOptions");
@@ -62,4 +60,14 @@ int main(int argc, char** argv) {
     return given.count("help") > 0 ? 0 : 1;
   }
   return run_model(given["model"].as<std::string>(), given.count("check") > 0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_command_line(argc, argv);
+  } catch (...) {
+    return 1;
+  }
 }

@@ -6,6 +6,29 @@
 #include <iomanip>
 
 namespace standalone {
+namespace {
+
+double element_value(const ElementColumn& column, const Bodies::Average& average, const Material& material) {
+  Index local = 0;
+  while (local < average.concentration.size() &&
+         material.solutes[static_cast<std::size_t>(local)].index != column.solute)
+    ++local;
+  const bool has_solute = local < average.concentration.size();
+  switch (column.kind) {
+    case ElementColumn::Kind::pressure:
+      return average.pressure;
+    case ElementColumn::Kind::solvent_flux:
+      return average.solvent_flux[column.axis];
+    case ElementColumn::Kind::concentration:
+      return has_solute ? average.concentration[local] : 0.0;
+    case ElementColumn::Kind::solute_flux:
+      return has_solute ? average.solute_flux(column.axis, local) : 0.0;
+    default:
+      return average.stress(column.axis, column.axis);
+  }
+}
+
+}  // namespace
 
 Output::Output(const Problem& problem, Log& log) : problem_(problem), log_(log) {
   const std::filesystem::path folder = std::filesystem::path(problem.model().file).parent_path();
@@ -25,27 +48,6 @@ double Output::node_value(const NodeColumn& column, int node) const {
       return problem_.values()(column.dof, node);
     default:
       return problem_.reaction(column.dof, node);
-  }
-}
-
-double Output::element_value(const ElementColumn& column, const Bodies::Average& average,
-                             const Material& material) const {
-  Index local = 0;
-  while (local < average.concentration.size() &&
-         material.solutes[static_cast<std::size_t>(local)].index != column.solute)
-    ++local;
-  const bool has_solute = local < average.concentration.size();
-  switch (column.kind) {
-    case ElementColumn::Kind::pressure:
-      return average.pressure;
-    case ElementColumn::Kind::solvent_flux:
-      return average.solvent_flux[column.axis];
-    case ElementColumn::Kind::concentration:
-      return has_solute ? average.concentration[local] : 0.0;
-    case ElementColumn::Kind::solute_flux:
-      return has_solute ? average.solute_flux(column.axis, local) : 0.0;
-    default:
-      return average.stress(column.axis, column.axis);
   }
 }
 
@@ -74,13 +76,15 @@ void Output::write_data(std::size_t table, int step, double time) {
     for (std::size_t e = 0; e < problem_.bodies().elements(); ++e) {
       const Bodies::Average average = problem_.bodies().average(e, problem_.values());
       for (std::size_t k = 0; k < row.size(); ++k) {
-        row[k] = element_value(*element_column(data.columns[k], solutes), average, problem_.bodies().material(e));
+        row[k] = element_value(element_column(data.columns[k], solutes).value(), average,
+                               problem_.bodies().material(e));
       }
       write_row(table, static_cast<int>(e) + 1, row);
     }
   } else {
     std::vector<NodeColumn> columns;
-    for (const std::string& name : data.columns) columns.push_back(*node_column(name, solutes));
+    columns.reserve(row.size());
+    for (const std::string& name : data.columns) columns.push_back(node_column(name, solutes).value());
     for (int node = 0; node < problem_.values().cols(); ++node) {
       for (std::size_t k = 0; k < row.size(); ++k) row[k] = node_value(columns[k], node);
       write_row(table, node + 1, row);

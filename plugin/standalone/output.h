@@ -20,7 +20,6 @@ class Output {
 
  private:
   double node_value(const NodeColumn& column, int node) const;
-  double element_value(const ElementColumn& column, const Bodies::Average& average, const Material& material) const;
   void write_data(std::size_t table, int step, double time);
   void write_row(std::size_t table, int item, const std::vector<double>& values);
   void write_vtk(int step, double time);

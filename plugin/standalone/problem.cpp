@@ -85,6 +85,7 @@ bool Problem::begin_iteration(int iteration) {
 
 std::vector<bool> Problem::held() const {
   std::vector<bool> all;
+  all.reserve(state_.hold.size());
   for (const Hold hold : state_.hold) all.push_back(hold != Hold::none);
   return all;
 }
@@ -217,7 +218,7 @@ VectorXd Problem::residual() {
       for (const int node : bodies_.element(e).nodes) forces(material.dof(f), node) -= local[entry++];
     }
   }
-  for (Contact& contact : contacts_) contact.add_residual(state_.values, dt_, forces);
+  for (const Contact& contact : contacts_) contact.add_residual(state_.values, dt_, forces);
   for (std::size_t k = 0; k < unit_forces_.size(); ++k) {
     const SurfaceLoad& load = model_.loads[k];
     forces += load.value.at(time_, model_.curves) * (load.fluid ? dt_ : 1.0) * unit_forces_[k];
@@ -254,7 +255,7 @@ VectorXd Problem::assemble(LinearSystem& system) {
     }
     correct(equations_.of_element(bodies_.element(e), material), tangent * given);
   }
-  for (Contact& contact : contacts_) {
+  for (const Contact& contact : contacts_) {
     contact.for_each_tangent(state_.values, dt_, [&](const Contact::Dofs& dofs, const MatrixXd& tangent) {
       std::vector<int> numbers;
       VectorXd given(tangent.cols());

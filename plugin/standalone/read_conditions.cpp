@@ -106,7 +106,7 @@ void read_rigid(const Tag& section, Model& model) {
           tag.child(name).fail("rigid bodies that turn are not supported: all rotations must be fixed");
       }
     } else {
-      tag.fail("the type \"" + type + "\" is not supported; allowed: \"rigid_fixed\", \"rigid_displacement\"");
+      tag.fail("the type \"" + type + R"(" is not supported; allowed: "rigid_fixed", "rigid_displacement")");
     }
   }
 }
@@ -123,7 +123,7 @@ void read_initial(const Tag& section, Model& model) {
     } else if (tag.attribute("type") == "initial concentration") {
       model.initial.push_back({solute_dof(tag.child("dof"), model), nodes, value});
     } else {
-      tag.fail("the type is not supported; allowed: \"initial fluid pressure\", \"initial concentration\"");
+      tag.fail(R"(the type is not supported; allowed: "initial fluid pressure", "initial concentration")");
     }
   }
 }
@@ -134,7 +134,7 @@ void read_loads(const Tag& section, Model& model) {
     tag.allow_attributes({"name", "type", "surface"});
     const std::string type = tag.attribute("type");
     if (type != "pressure" && type != "fluidflux") {
-      tag.fail("the type \"" + type + "\" is not supported; allowed: \"pressure\", \"fluidflux\"");
+      tag.fail("the type \"" + type + R"(" is not supported; allowed: "pressure", "fluidflux")");
     }
     const bool fluid = type == "fluidflux";
     if (fluid) {

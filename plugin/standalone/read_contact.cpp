@@ -75,7 +75,7 @@ void read_parameter_of(const Tag& tag, const Model& model, ContactDefinition& co
   if (name == "laugon") {
     const bool augmented = tag.text() == "AUGLAG" || tag.text() == "1";
     contact.parameters.laugon = augmented ? 1 : 0;
-    if (!augmented && tag.text() != "PENALTY" && tag.text() != "0") tag.fail("allowed: \"PENALTY\", \"AUGLAG\"");
+    if (!augmented && tag.text() != "PENALTY" && tag.text() != "0") tag.fail(R"(allowed: "PENALTY", "AUGLAG")");
   } else if (name == "ambient_pressure") {
     contact.ambient_pressure = read_parameter(tag, model);
   } else if (name == "ambient_concentration") {
@@ -106,7 +106,7 @@ void read_contacts(const Tag& section, Model& model) {
   for (const Tag& tag : section.children()) {
     tag.allow_attributes({"name", "type", "surface_pair"});
     if (tag.attribute("type") != "sliding-mixture") {
-      tag.fail("the type \"" + tag.attribute("type") + "\" is not supported; allowed: \"sliding-mixture\"");
+      tag.fail("the type \"" + tag.attribute("type") + R"(" is not supported; allowed: "sliding-mixture")");
     }
     ContactDefinition contact;
     contact.surfaces = named(tag, "surface_pair", model.mesh.pairs);

@@ -33,6 +33,7 @@ const T& named(const Tag& tag, const char* attribute, const std::map<std::string
   const auto entry = known.find(name);
   if (entry != known.end()) return entry->second;
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const auto& pair : known) names.push_back(pair.first);
   tag.fail(std::string(attribute) + " \"" + name + "\" does not exist; there is " + listed(names));
 }
