@@ -13,6 +13,9 @@ constexpr double box_margin = 0.1;
 /// Surfaces closer than this part of their size touch to rounding.
 constexpr double touch_fraction = 1e-10;
 constexpr int nothing_seen = -1;
+/// Of quadratic facets psi_a changes sign. An average over points that see the other surface only where it does would divide by next to
+/// nothing: its area must be this part of that of |psi_a|.
+constexpr double least_area = 0.1;
 /// Loads below this part of the largest one do not decide about contact: rounding, and what Newton leaves.
 constexpr double status_tolerance = 1e-6;
 /// Loads that differ by less than this part of the largest one are the same; and are near enough for a solution.
@@ -131,6 +134,7 @@ std::vector<int> ContactPass::exchanged_fields(const PointPair& pair) const {
 
 void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
   loads.area.setZero(primary_.nodes);
+  loads.absolute_area.setZero(primary_.nodes);
   loads.gap.setZero(primary_.nodes);
   for (const PointPair& pair : pairs_) {
     const PointKinematics point = kinematics(pair, x1, x2);
@@ -139,6 +143,7 @@ void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLo
     for (Index a = 0; a < share.size(); ++a) {
       const int node = facet.nodes[static_cast<std::size_t>(a)];
       loads.area[node] += share[a];
+      loads.absolute_area[node] += std::abs(share[a]);
       loads.gap[node] += share[a] * point.gap;
     }
   }
@@ -199,13 +204,15 @@ NodalLoads ContactPass::nodal_loads(const SurfaceFields& primary, const SurfaceF
   return loads;
 }
 
+bool ContactPass::seen(const NodalLoads& loads, Index node) const { return loads.area[node] > least_area * loads.absolute_area[node]; }
+
 std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   NodalLoads loads;
   average_gaps(x1, x2, loads);
   std::vector<bool> status;
   for (Index node = 0; node < primary_.nodes; ++node) {
     const LawValue law = normal_traction(multipliers.traction[node], traction_penalty(node), loads.gap[node], touch_);
-    status.push_back(loads.area[node] > 0 && law.derivative > 0);
+    status.push_back(seen(loads, node) && law.derivative > 0);
   }
   return status;
 }
@@ -242,7 +249,7 @@ std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const S
     const bool was = predicted.in_contact[static_cast<std::size_t>(node)];
     const double overlap_load = multipliers.traction[node] + traction_penalty(node) * (now.gap[node] - touch_);
     const bool stays = predicted.traction[node] <= negligible;
-    status.push_back(now.area[node] > 0 && (was ? stays : overlap_load < -negligible));
+    status.push_back(seen(now, node) && (was ? stays : overlap_load < -negligible));
   }
   return status;
 }

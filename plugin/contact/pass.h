@@ -30,6 +30,7 @@ struct Multipliers {
 /// more points than that fight each other where meshes do not match, and some of them open and close in turn.
 struct NodalLoads {
   VectorXd area;       ///< INT psi_a da over points that see the other surface [mm^2]
+  VectorXd absolute_area;  ///< INT |psi_a| da over the same points
   VectorXd gap;        ///< g_a [mm]
   VectorXd traction;   ///< t_a [MPa]; 0 out of contact
   std::vector<bool> in_contact;
@@ -167,6 +168,7 @@ class ContactPass {
                       std::vector<bool> sealed) const;
   NodalLoads predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const;
   void apply_laws(NodalLoads& loads) const;
+  bool seen(const NodalLoads& loads, Index node) const;
   std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   std::vector<bool> next_status(const SurfaceFields& primary, const SurfaceFields& secondary) const;
   PointContact contact(const PointPair& pair, const NodalLoads& loads, const SurfaceFields& primary,

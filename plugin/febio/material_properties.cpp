@@ -11,6 +11,7 @@
 #include <FECore/FEMaterial.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
+#include <FECore/FESolidElement.h>
 
 #include <cmath>
 #include <limits>
@@ -31,6 +32,13 @@ std::unique_ptr<FEMaterialPoint> reference_copy(FEMaterialPoint& original) {
     elastic->m_s.zero();
   }
   return copy;
+}
+
+/// Mean of the reference positions of an element's nodes.
+vec3d centre(FEModel& fem, const FEElement& element) {
+  vec3d sum(0, 0, 0);
+  for (const int node : element.m_node) sum += fem.GetMesh().Node(node).m_r0;
+  return sum / element.Nodes();
 }
 
 /// Young's modulus along n of an elasticity tensor: the inverse of the normal component of its compliance.
@@ -93,6 +101,11 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   surface.CoBaseVectors0(facet, 0, tangents);
   vec3d n = tangents[0] ^ tangents[1];
   n.unit();
+  if (dynamic_cast<FESolidElement*>(element) && n * (centre(fem, facet) - centre(fem, *element)) < 0) {
+    problem = "the facet on element " + std::to_string(element->GetID()) +
+              " is inverted: its nodes must run counter-clockwise seen from outside the body";
+    return std::nullopt;
+  }
 
   FacetMaterial result;
   if (dynamic_cast<FERigidMaterial*>(material)) {

@@ -156,6 +156,11 @@ bool FEMixtureContact::read_materials() {
     }
   }
   decide_effects(materials);
+  if (effects_.scalar_fields() > max_scalar_fields) {
+    feLogError("sliding-mixture \"%s\": the surfaces share %d fields; at most %d are supported.", GetName().c_str(),
+               effects_.scalar_fields(), max_scalar_fields);
+    return false;
+  }
   log_effects(materials);
   build_core({{surface_mesh(Side::primary, materials[Side::primary]), surface_mesh(Side::secondary, materials[Side::secondary])}});
   const VectorXd& penalty = core_->pass(0).penalty().traction;
@@ -628,7 +633,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   secondary_.Serialize(ar);
   if (!ar.IsShallow()) {
     ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_;
-    ar & effects_.traction & effects_.solvent & effects_.solutes;
+    ar & effects_.solvent & effects_.solutes;
     ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given & parameters_.solute_tolerance_given;
     ar & parameters_.penalty_given & parameters_.pressure_penalty_given & parameters_.concentration_penalty_given;
     ar & parameters_.search_radius_given;
