@@ -64,7 +64,7 @@ int run_command_line(int argc, const char* const* argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) {  // NOLINT(misc-const-correctness): the signature of main
   try {
     return run_command_line(argc, argv);
   } catch (...) {

@@ -84,7 +84,9 @@ void Output::write_data(std::size_t table, int step, double time) {
   } else {
     std::vector<NodeColumn> columns;
     columns.reserve(row.size());
-    for (const std::string& name : data.columns) columns.push_back(node_column(name, solutes).value());
+    for (const std::string& name : data.columns) {
+      if (const auto column = node_column(name, solutes)) columns.push_back(*column);
+    }
     for (int node = 0; node < problem_.values().cols(); ++node) {
       for (std::size_t k = 0; k < row.size(); ++k) row[k] = node_value(columns[k], node);
       write_row(table, node + 1, row);

@@ -85,7 +85,7 @@ void read_control(const Tag& section, Model& model) {
   if (const auto tag = section.find("plot_level")) {
     control.plot = tag->text() != "PLOT_NEVER";
     if (control.plot && tag->text() != "PLOT_MAJOR_ITRS")
-      tag->fail("only \"PLOT_MAJOR_ITRS\" and \"PLOT_NEVER\" are supported");
+      tag->fail(R"(only "PLOT_MAJOR_ITRS" and "PLOT_NEVER" are supported)");
   }
   if (const auto tag = section.find("time_stepper")) read_stepper(*tag, model);
   if (const auto tag = section.find("solver")) read_solver(*tag, model);
@@ -114,7 +114,7 @@ void read_load_data(const Tag& section, Model& model) {
     LoadCurve curve;
     if (const auto way = tag.find("interpolate")) {
       curve.steps = way->text() == "STEP";
-      if (!curve.steps && way->text() != "LINEAR") way->fail("only \"LINEAR\" and \"STEP\" are supported");
+      if (!curve.steps && way->text() != "LINEAR") way->fail(R"(only "LINEAR" and "STEP" are supported)");
     }
     if (const auto beyond = tag.find("extend")) {
       if (beyond->text() != "CONSTANT") beyond->fail("only \"CONSTANT\" is supported");

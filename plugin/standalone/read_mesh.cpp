@@ -50,7 +50,7 @@ std::vector<int> read_elements(const Tag& section, const Ids& nodes, Mesh& mesh,
   section.allow_children({"elem"});
   const std::string type = section.attribute("type");
   if (type != "hex8" && type != "hex20")
-    section.fail("the type \"" + type + "\" is not supported; allowed: \"hex8\", \"hex20\"");
+    section.fail(R"(the type ")" + type + R"(" is not supported; allowed: "hex8", "hex20")");
   const std::size_t count = type == "hex8" ? 8 : 20;
   std::vector<int> part;
   for (const Tag& tag : section.children()) {

@@ -13,7 +13,7 @@ void read_module(const Tag& module, Model& model) {
   module.allow_children({"units"});
   model.control.module = module.attribute("type");
   if (model.control.module != "biphasic" && model.control.module != "solute") {
-    module.fail("the module \"" + model.control.module + "\" is not supported; allowed: \"biphasic\", \"solute\"");
+    module.fail(R"(the module ")" + model.control.module + R"(" is not supported; allowed: "biphasic", "solute")");
   }
   model.control.clamp = model.control.module == "solute";
 }

@@ -6,8 +6,8 @@
 
 namespace standalone {
 
-void read_control(const Tag& control, Model& model);
-void read_globals(const Tag& globals, Model& model);
+void read_control(const Tag& section, Model& model);
+void read_globals(const Tag& section, Model& model);
 void read_materials(const Tag& section, Model& model);
 void read_mesh(const Tag& section, Model& model);
 void read_mesh_domains(const Tag& section, Model& model);
