@@ -57,7 +57,7 @@ def indentation(
         problem = replace(problem, settings=configuration.settings(), primary=configuration.primary)
     outcome = Runner(folder / "runs", timeout=None)(problem.model(), check=False)
     curves = indentation_results.curves(outcome)
-    console.print(_summary(outcome, curves))
+    console.print(_summary(outcome, curves), markup=False)
     if not problem.grid.solid:
         written = indentation_figures.draw(outcome, curves, folder)
         console.print("Written: " + ", ".join(str(path) for path in written))

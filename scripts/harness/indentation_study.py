@@ -17,7 +17,7 @@ TIMEOUT = 180.0
 
 
 class Configuration(str, Enum):
-    """What is changed in a run: the automatic penalties, two passes, the primary surface, AUGLAG with tolerance 0.05."""
+    """What is changed in a run: the automatic penalties, two passes, the primary surface, AUGLAG (tolerance 0.05)."""
 
     PENALTY_1 = "penalty-1"
     TWO_PASS = "two-pass"
