@@ -13,9 +13,9 @@ constexpr double growth_step = 10;
 
 /// Sums over the contact area from which a FieldGap is formed.
 struct GapSums {
-  double gap = 0;      ///< INT (eps0 gap)^2 da
-  double load = 0;     ///< INT load^2 da
-  double size = 0;     ///< INT (eps0 field)^2 da
+  double gap = 0;   ///< INT (eps0 gap)^2 da
+  double load = 0;  ///< INT load^2 da
+  double size = 0;  ///< INT (eps0 field)^2 da
   double largest = 0;
 
   void add(double area, double base, double jump, double value, double field) {
@@ -40,8 +40,8 @@ bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
          (tolerance.largest <= 0 || gap.largest <= tolerance.largest);
 }
 
-/// The factor on a field's penalties after a growth step, at most what brings the smallest penalty to `accurate` times the
-/// largest base. Facets without a penalty (sealed ones) have no say.
+/// The factor on a field's penalties after a growth step, at most what brings the smallest penalty to `accurate` times
+/// the largest base. Facets without a penalty (sealed ones) have no say.
 double grown(double growth, const VectorXd& penalties, const VectorXd& bases, double accurate) {
   const double none = std::numeric_limits<double>::infinity();
   const double penalty = (penalties.array() > 0).select(penalties, none).minCoeff();

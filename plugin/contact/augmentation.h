@@ -25,8 +25,9 @@ inline double larger(double one, double other) { return one > other || std::isna
 
 /// Gaps and jumps of the nodes in contact at the current state.
 ///
-/// The relative measure is free of units: rms(eps0 gap)/rms(load), with eps0 the stiffness or conductance of the adjoining elements.
-/// Where no load flows, the jump is compared with the field's own size instead, so 0/0 never arises.
+/// The relative measure is free of units: rms(eps0 gap)/rms(load), with eps0 the stiffness or conductance of the
+/// adjoining elements. Where no load flows, the jump is compared with the field's own size instead, so 0/0 never
+/// arises.
 GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary,
                        const Effects& effects);
 
@@ -36,8 +37,9 @@ bool meets(const GapReport& report, const Tolerances& tolerances, const Effects&
 /// The update lambda <- current t_n, w_n, j_n; nodes out of contact get zero.
 void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary);
 
-/// Tenfold penalties for the fields that miss the relative tolerance, up to the accurate automatic penalties: plain Uzawa converges
-/// by a factor of k/(k + eps) an update, k the bodies' own conductance, and so crawls where eps is small.
+/// Tenfold penalties for the fields that miss the relative tolerance, up to the accurate automatic penalties: plain
+/// Uzawa converges by a factor of k/(k + eps) an update, k the bodies' own conductance, and so crawls where eps is
+/// small.
 void grow_penalties(ContactPass& pass, const GapReport& report, const Tolerances& tolerances, const Effects& effects);
 
 }  // namespace mixture_contact

@@ -13,7 +13,8 @@ inline constexpr int max_scalar_fields = 64;
 inline bool contains(FieldMask mask, int field) { return (mask >> static_cast<unsigned>(field)) & 1U; }
 inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(field); }
 
-/// What is exchanged between two surfaces besides traction. Scalar fields are counted solvent first (if exchanged), then solutes.
+/// What is exchanged between two surfaces besides traction. Scalar fields are counted solvent first (if exchanged),
+/// then solutes.
 struct Effects {
   bool solvent = false;      ///< both surfaces are permeable to the solvent
   std::vector<int> solutes;  ///< host's ids of the solutes that both surfaces share, ascending

@@ -92,11 +92,16 @@ ShapeFunctions quad8(const Vector2d& xi) {
 
 int node_count(FacetType type) {
   switch (type) {
-    case FacetType::tri3: return 3;
-    case FacetType::tri6: return 6;
-    case FacetType::quad4: return 4;
-    case FacetType::quad8: return 8;
-    case FacetType::quad9: return 9;
+    case FacetType::tri3:
+      return 3;
+    case FacetType::tri6:
+      return 6;
+    case FacetType::quad4:
+      return 4;
+    case FacetType::quad8:
+      return 8;
+    case FacetType::quad9:
+      return 9;
   }
   throw std::logic_error("unknown facet type");
 }
@@ -130,11 +135,16 @@ double distance_outside(FacetType type, const Vector2d& xi) {
 
 ShapeFunctions shape_functions(FacetType type, const Vector2d& xi) {
   switch (type) {
-    case FacetType::tri3: return tri3(xi);
-    case FacetType::tri6: return tri6(xi);
-    case FacetType::quad4: return quad4(xi);
-    case FacetType::quad8: return quad8(xi);
-    case FacetType::quad9: return quad9(xi);
+    case FacetType::tri3:
+      return tri3(xi);
+    case FacetType::tri6:
+      return tri6(xi);
+    case FacetType::quad4:
+      return quad4(xi);
+    case FacetType::quad8:
+      return quad8(xi);
+    case FacetType::quad9:
+      return quad9(xi);
   }
   throw std::logic_error("unknown facet type");
 }

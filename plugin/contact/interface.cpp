@@ -16,7 +16,8 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   for (const Facet& facet : mesh.facets) {
     const FacetCoordinates x = facet_coordinates(facet, position);
     for (int a = 0; a < node_count(facet.type); ++a) {
-      const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, parametric_node(facet.type, a)).gradient;
+      const Eigen::Matrix<double, 3, 2> tangents = x *
+                                                   shape_functions(facet.type, parametric_node(facet.type, a)).gradient;
       normals.col(facet.nodes[static_cast<std::size_t>(a)]) += tangents.col(0).cross(tangents.col(1));
     }
   }
@@ -75,7 +76,8 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
 
 void ContactInterface::hold_facing_contact() {
   if (passes_.size() != 1) return;
-  std::vector<bool> next = facing_contact(Side::secondary, passes_[0].integral->sealed_nodes(position_[Side::primary], position_[Side::secondary]));
+  std::vector<bool> next = facing_contact(
+      Side::secondary, passes_[0].integral->sealed_nodes(position_[Side::primary], position_[Side::secondary]));
   const bool first = !held_facing_;
   if (first) facing_changes_.assign(next.size(), 0);
   for (std::size_t node = 0; node < next.size(); ++node) {
@@ -92,8 +94,9 @@ void ContactInterface::end_iterations() {
 }
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
-  return std::all_of(passes_.begin(), passes_.end(),
-                     [&](const Pass& pass) { return pass.integral->is_solution(fields[pass.side], fields[other(pass.side)]); });
+  return std::all_of(passes_.begin(), passes_.end(), [&](const Pass& pass) {
+    return pass.integral->is_solution(fields[pass.side], fields[other(pass.side)]);
+  });
 }
 
 Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) const {
@@ -168,8 +171,9 @@ std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<
   const std::vector<Facet>& facets = mesh_[other(side)].facets;
   const FacetTree tree(facets, position_[other(side)], box_margin);
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
-  const VectorXd other_share = VectorXd::NullaryExpr(
-      static_cast<Index>(other_in_contact.size()), [&](Index node) { return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0; });
+  const VectorXd other_share = VectorXd::NullaryExpr(static_cast<Index>(other_in_contact.size()), [&](Index node) {
+    return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
+  });
   std::vector<bool> in_contact(static_cast<std::size_t>(mesh_[side].nodes), false);
   for (Index node = 0; node < mesh_[side].nodes; ++node) {
     const Ray ray{position_[side].col(node), normals.col(node), search_radius(position_), settings_.search_tolerance};
@@ -193,7 +197,8 @@ Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
       balance.force += sign * weight * contact.loads.traction.value * contact.kinematics.area_vector;
       balance.area += share * weight * contact.kinematics.area;
       for (std::size_t k = 0; k < contact.fields.size(); ++k) {
-        balance.flow[contact.fields[k]] += sign * weight * contact.kinematics.area * contact.loads.flux[static_cast<Index>(k)].value;
+        balance.flow[contact.fields[k]] += sign * weight * contact.kinematics.area *
+                                           contact.loads.flux[static_cast<Index>(k)].value;
       }
     });
   }
@@ -203,8 +208,8 @@ Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
 NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceFields>& fields) const {
   const Index nodes = mesh_[side].nodes;
   const Index scalars = effects_.scalar_fields();
-  NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes), MatrixXd::Zero(scalars, nodes),
-                  VectorXd::Zero(nodes)};
+  NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
+                  MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes)};
   VectorXd& weight = out.coverage;  // the sum of weights of all passes until the end
   for (const Pass& pass : passes_) {
     const bool integrated = pass.side == side;

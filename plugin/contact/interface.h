@@ -40,8 +40,8 @@ struct NodalOutput {
   VectorXd coverage;  ///< area in contact that belongs to the node [mm^2]
 };
 
-/// A node of the surface that is not integrated over counts as in contact where the contact of the nodes facing it, interpolated,
-/// reaches this share.
+/// A node of the surface that is not integrated over counts as in contact where the contact of the nodes facing it,
+/// interpolated, reaches this share.
 inline constexpr double covered = 0.5 - 1e-9;
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers.
@@ -65,8 +65,9 @@ class ContactInterface {
   /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
   void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
 
-  /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called for its positions.
-  /// Returns whether the loads at this state differ from those before the call, so that a residual is to be evaluated again.
+  /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called for its
+  /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
+  /// evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations();
@@ -120,7 +121,8 @@ class ContactInterface {
   Settings settings_;
   std::vector<Pass> passes_;
   PerSide<Matrix3Xd> position_;
-  std::optional<std::vector<bool>> held_facing_;  ///< secondary nodes in contact, while iterations are under way and there is one pass
+  std::optional<std::vector<bool>>
+      held_facing_;  ///< secondary nodes in contact, while iterations are under way and there is one pass
   std::vector<int> facing_changes_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
 };

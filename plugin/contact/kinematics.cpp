@@ -21,8 +21,8 @@ PairVector PointKinematics::jump_weights() const {
   return weights;
 }
 
-PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1, const ShapeFunctions& secondary,
-                                 const FacetCoordinates& x2) {
+PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1,
+                                 const ShapeFunctions& secondary, const FacetCoordinates& x2) {
   PointKinematics point;
   point.primary_shape = primary.value;
   point.primary_gradient = primary.gradient;
@@ -55,8 +55,8 @@ KinematicVariations kinematic_variations(const PointKinematics& point) {
   for (Index node = 0; node < primary_nodes; ++node) {
     const auto gradient = point.primary_gradient.row(node);
     slip.middleCols<3>(3 * node) -= point.gap * gradient.transpose() * n.transpose();
-    variations.area_vector.middleCols<3>(3 * node) =
-        gradient[1] * skew(point.primary_tangents.col(0)) - gradient[0] * skew(point.primary_tangents.col(1));
+    variations.area_vector.middleCols<3>(3 * node) = gradient[1] * skew(point.primary_tangents.col(0)) -
+                                                     gradient[0] * skew(point.primary_tangents.col(1));
   }
   const Eigen::Matrix2d metric = point.primary_tangents.transpose() * point.secondary_tangents;
   variations.eta = metric.inverse() * slip;

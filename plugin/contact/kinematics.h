@@ -7,13 +7,13 @@ namespace mixture_contact {
 
 /// A point of the primary facet and its projection on the secondary facet.
 ///
-/// The area vector a = x1,1 x x1,2 carries both the normal n1 = a/|a| and the area element da1 = |a| dxi. The projected point
-/// satisfies x2(eta) - x1 = g n1 with the gap g.
+/// The area vector a = x1,1 x x1,2 carries both the normal n1 = a/|a| and the area element da1 = |a| dxi. The projected
+/// point satisfies x2(eta) - x1 = g n1 with the gap g.
 struct PointKinematics {
-  FacetVector primary_shape;         ///< N1_a(xi)
-  FacetGradient primary_gradient;    ///< N1_a,alpha(xi)
-  FacetVector secondary_shape;       ///< N2_b(eta)
-  FacetGradient secondary_gradient;  ///< N2_b,beta(eta)
+  FacetVector primary_shape;                       ///< N1_a(xi)
+  FacetGradient primary_gradient;                  ///< N1_a,alpha(xi)
+  FacetVector secondary_shape;                     ///< N2_b(eta)
+  FacetGradient secondary_gradient;                ///< N2_b,beta(eta)
   Eigen::Matrix<double, 3, 2> primary_tangents;    ///< x1,alpha
   Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< x2,beta
   Vector3d area_vector;                            ///< a
@@ -29,8 +29,8 @@ struct PointKinematics {
 };
 
 /// Kinematics from the shape functions at xi and eta and the nodal coordinates of both facets.
-PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1, const ShapeFunctions& secondary,
-                                 const FacetCoordinates& x2);
+PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1,
+                                 const ShapeFunctions& secondary, const FacetCoordinates& x2);
 
 /// First variations of a point's kinematics with the nodal positions of both facets (three columns per node).
 struct KinematicVariations {

@@ -13,16 +13,16 @@ struct LawValue {
 
 /// Normal traction t_n = min(0, lambda_n + eps_n g), eq (2.7). g < 0 where the bodies overlap, t_n < 0 is compression.
 ///
-/// lambda in MPa, eps in N/mm^3, gap in mm. Within `touch` [mm] of the kink the derivative is that of contact, so that surfaces
-/// which touch to rounding feel each other; the value is exact everywhere.
+/// lambda in MPa, eps in N/mm^3, gap in mm. Within `touch` [mm] of the kink the derivative is that of contact, so that
+/// surfaces which touch to rounding feel each other; the value is exact everywhere.
 inline LawValue normal_traction(double lambda, double penalty, double gap, double touch) {
   const double trial = lambda + penalty * gap;
   if (trial > penalty * touch) return {0.0, 0.0};
   return {std::min(0.0, trial), penalty};
 }
 
-/// Normal flux w_n = lambda_p + eps_p (p1 - p2), eq (2.8), or j_n = lambda_k + eps_k (c1_k - c2_k), eq (2.9), positive from
-/// the primary to the secondary body.
+/// Normal flux w_n = lambda_p + eps_p (p1 - p2), eq (2.8), or j_n = lambda_k + eps_k (c1_k - c2_k), eq (2.9), positive
+/// from the primary to the secondary body.
 ///
 /// Solvent: lambda in mm/s, eps in mm^3/(N s), jump in MPa. Solute: lambda in nmol/(mm^2 s), eps in mm/s, jump in mM.
 inline LawValue normal_flux(double lambda, double penalty, double jump) { return {lambda + penalty * jump, penalty}; }

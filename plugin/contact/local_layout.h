@@ -5,8 +5,8 @@
 
 namespace mixture_contact {
 
-/// Layout of the unknowns of a pair of facets: node by node (primary nodes first), each with its three displacements, if any,
-/// and then its exchanged scalar fields. No other place in the code knows the order.
+/// Layout of the unknowns of a pair of facets: node by node (primary nodes first), each with its three displacements,
+/// if any, and then its exchanged scalar fields. No other place in the code knows the order.
 class LocalLayout {
  public:
   LocalLayout(Index primary_nodes, Index secondary_nodes, Index scalar_fields)

@@ -13,8 +13,8 @@ constexpr double box_margin = 0.1;
 /// Surfaces closer than this part of their size touch to rounding.
 constexpr double touch_fraction = 1e-10;
 constexpr int nothing_seen = -1;
-/// Of quadratic facets psi_a changes sign. An average over points that see the other surface only where it does would divide by next to
-/// nothing: its area must be this part of that of |psi_a|.
+/// Of quadratic facets psi_a changes sign. An average over points that see the other surface only where it does would
+/// divide by next to nothing: its area must be this part of that of |psi_a|.
 constexpr double least_area = 0.1;
 /// Loads below this part of the largest one do not decide about contact: rounding, and what Newton leaves.
 constexpr double status_tolerance = 1e-6;
@@ -107,8 +107,8 @@ FacetVector ContactPass::multiplier_shape(const PointPair& pair) const {
 
 PointKinematics ContactPass::kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   const Facet& two = secondary_facet(pair);
-  return point_kinematics(primary_shape(pair), facet_coordinates(primary_facet(pair), x1), shape_functions(two.type, pair.eta),
-                          facet_coordinates(two, x2));
+  return point_kinematics(primary_shape(pair), facet_coordinates(primary_facet(pair), x1),
+                          shape_functions(two.type, pair.eta), facet_coordinates(two, x2));
 }
 
 PairVector ContactPass::pair_values(const PointPair& pair, int field, const SurfaceFields& primary,
@@ -130,7 +130,8 @@ std::vector<int> ContactPass::exchanged_fields(const PointPair& pair) const {
   return fields;
 }
 
-// ------------------------------------------------------------------------------------------------------- laws at the nodes
+// ------------------------------------------------------------------------------------------------------- laws at the
+// nodes
 
 void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
   loads.area.setZero(primary_.nodes);
@@ -189,8 +190,9 @@ void ContactPass::apply_laws(NodalLoads& loads) const {
     loads.traction[node] = multipliers.traction[node] + traction_penalty(node) * loads.gap[node];
     for (int field = 0; field < effects_.scalar_fields(); ++field) {
       if (!loads.sealed[static_cast<std::size_t>(node)] || !(loads.flux_area(field, node) > 0)) continue;
-      loads.flux(field, node) =
-          normal_flux(multipliers.flux(field, node), flux_penalty(field, node), loads.jump(field, node)).value;
+      loads.flux(
+          field,
+          node) = normal_flux(multipliers.flux(field, node), flux_penalty(field, node), loads.jump(field, node)).value;
     }
   }
 }
@@ -204,7 +206,9 @@ NodalLoads ContactPass::nodal_loads(const SurfaceFields& primary, const SurfaceF
   return loads;
 }
 
-bool ContactPass::seen(const NodalLoads& loads, Index node) const { return loads.area[node] > least_area * loads.absolute_area[node]; }
+bool ContactPass::seen(const NodalLoads& loads, Index node) const {
+  return loads.area[node] > least_area * loads.absolute_area[node];
+}
 
 std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   NodalLoads loads;
@@ -221,7 +225,8 @@ std::vector<bool> ContactPass::sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd
   return held_ ? held_->loads.sealed : natural_status(x1, x2);
 }
 
-// ---------------------------------------------------------------------------------------------------- Newton iterations
+// ---------------------------------------------------------------------------------------------------- Newton
+// iterations
 
 NodalLoads ContactPass::predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const {
   NodalLoads loads = held_->loads;
@@ -269,8 +274,9 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   apply_laws(next.loads);
   const auto around = pairs_around_nodes(next.loads.in_contact);
   for (std::size_t node = 0; node < around.size(); ++node) {
-    next.nodes.push_back(around[node].empty() ? NodeLinearisation{}
-                                              : linearise(static_cast<Index>(node), around[node], next.loads, primary, secondary));
+    next.nodes.push_back(around[node].empty()
+                             ? NodeLinearisation{}
+                             : linearise(static_cast<Index>(node), around[node], next.loads, primary, secondary));
   }
   next.geometric_traction = predicted ? before.traction : next.loads.traction;
   next.geometric_flux = predicted ? before.flux : next.loads.flux;
@@ -287,7 +293,8 @@ bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields&
   const NodalLoads predicted = predicted_loads(primary, secondary);
   NodalLoads now = averages(primary, secondary, held_->loads.in_contact, held_->loads.sealed);
   apply_laws(now);
-  return !differs(predicted.traction.transpose(), now.traction.transpose(), load_tolerance) && !differs(predicted.flux, now.flux, load_tolerance);
+  return !differs(predicted.traction.transpose(), now.traction.transpose(), load_tolerance) &&
+         !differs(predicted.flux, now.flux, load_tolerance);
 }
 
 // ------------------------------------------------------------------------------------------------- loads at the points
@@ -325,8 +332,9 @@ void ContactPass::for_each_contact(const SurfaceFields& primary, const SurfaceFi
   for_each_loaded_point(nodal_loads(primary, secondary), primary, secondary, dt, use);
 }
 
-void ContactPass::for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
-                                        double dt, const std::function<void(const PointContact&)>& use) const {
+void ContactPass::for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary,
+                                        const SurfaceFields& secondary, double dt,
+                                        const std::function<void(const PointContact&)>& use) const {
   for (const PointPair& pair : pairs_) {
     if (carries_load(pair, loads.in_contact)) use(contact(pair, loads, primary, secondary, dt));
   }
@@ -340,8 +348,9 @@ Patch ContactPass::facet_patch(const PointPair& pair) const {
 }
 
 template <class Local, class Evaluate, class Add>
-void ContactPass::gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
-                                       double dt, const Evaluate& evaluate, const Add& add) const {
+void ContactPass::gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary,
+                                       const SurfaceFields& secondary, double dt, const Evaluate& evaluate,
+                                       const Add& add) const {
   // Points come facet by facet; those of one primary facet that see the same secondary facet are added up first.
   struct Sum {
     PointPair pair;
@@ -377,7 +386,8 @@ void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& se
   gather_by_facet_pair<VectorXd>(nodal_loads(primary, secondary), primary, secondary, dt, evaluate, add);
 }
 
-// --------------------------------------------------------------------------------------------------------------- tangent
+// ---------------------------------------------------------------------------------------------------------------
+// tangent
 
 void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                           const std::function<void(const Patch&, const MatrixXd&)>& add) const {
@@ -392,8 +402,8 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
   for (std::size_t node = 0; node < around.size(); ++node) {
     if (around[node].empty()) continue;
     const auto index = static_cast<Index>(node);
-    const NodeLinearisation linear =
-        held_ ? held_->nodes[node] : linearise(index, around[node], loads, primary, secondary);
+    const NodeLinearisation linear = held_ ? held_->nodes[node]
+                                           : linearise(index, around[node], loads, primary, secondary);
     add_full_or_symmetric(linear.patch, law_tangent(index, linear, loads, dt));
   }
   if (held_) {
@@ -432,7 +442,9 @@ void unite(std::vector<int>& list, const std::vector<int>& more) {
   }
 }
 
-Index position_in(const std::vector<int>& list, int entry) { return std::find(list.begin(), list.end(), entry) - list.begin(); }
+Index position_in(const std::vector<int>& list, int entry) {
+  return std::find(list.begin(), list.end(), entry) - list.begin();
+}
 
 /// Where the nodes of a pair of facets stand in a larger patch.
 std::vector<Index> places(const Patch& pair, const Patch& patch) {
@@ -457,7 +469,8 @@ Patch ContactPass::node_patch(const std::vector<const PointPair*>& pairs) const 
   return patch;
 }
 
-VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) const {
+VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& primary,
+                                     const SurfaceFields& secondary) const {
   const LocalLayout layout = patch.layout();
   VectorXd unknowns(layout.size());
   for (Index place = 0; place < layout.nodes(); ++place) {
@@ -476,7 +489,8 @@ VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& pr
 ContactPass::NodeLinearisation ContactPass::linearise(Index node, const std::vector<const PointPair*>& pairs,
                                                       const NodalLoads& loads, const SurfaceFields& primary,
                                                       const SurfaceFields& secondary) const {
-  // g_a = INT psi_a g da / A_a, so dg_a = sum_q w psi_a (|a| dg + (g - g_a) d|a|)/A_a; jumps alike, with their fields' own part.
+  // g_a = INT psi_a g da / A_a, so dg_a = sum_q w psi_a (|a| dg + (g - g_a) d|a|)/A_a; jumps alike, with their fields'
+  // own part.
   NodeLinearisation linear;
   linear.patch = node_patch(pairs);
   linear.unknowns = patch_unknowns(linear.patch, primary, secondary);
@@ -497,13 +511,15 @@ ContactPass::NodeLinearisation ContactPass::linearise(Index node, const std::vec
     const auto add_variation = [&](VectorXd& variation, const WeightedVariation& varied, double mean, double area) {
       for (std::size_t n = 0; n < place.size(); ++n) {
         const auto local = static_cast<Index>(3 * n);
-        variation.segment<3>(layout.displacement(place[n], 0)) +=
-            (varied.integral.segment<3>(local) - mean * varied.area.segment<3>(local)).transpose() / area;
+        variation.segment<3>(layout.displacement(
+            place[n], 0)) += (varied.integral.segment<3>(local) - mean * varied.area.segment<3>(local)).transpose() /
+                             area;
       }
     };
     add_variation(linear.gap_variation, gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
     for (std::size_t n = 0; n < place.size(); ++n) {
-      linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share * h[static_cast<Index>(n)] * point.area_vector;
+      linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share * h[static_cast<Index>(n)] *
+                                                                           point.area_vector;
     }
     for (const int field : facets.fields) {
       const auto k = position_in(linear.patch.fields, field);
@@ -522,7 +538,8 @@ ContactPass::NodeLinearisation ContactPass::linearise(Index node, const std::vec
   return linear;
 }
 
-MatrixXd ContactPass::law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const {
+MatrixXd ContactPass::law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                  double dt) const {
   // The residual holds t_a traction_work + dt phi_a flux_work; the variation of the works is the geometric part.
   MatrixXd tangent = traction_penalty(node) * linear.traction_work * linear.gap_variation.transpose();
   for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {

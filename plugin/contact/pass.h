@@ -1,8 +1,8 @@
 /// One pass of a contact: the integral (2.5) over one surface against the other.
 #pragma once
 
-#include "penalty.h"
 #include "patch.h"
+#include "penalty.h"
 #include "point_integral.h"
 #include "search.h"
 
@@ -26,26 +26,27 @@ struct Multipliers {
 /// What the laws (2.7)-(2.9) say at the nodes of the primary surface, from averages around each node:
 /// g_a = INT psi_a g da / INT psi_a da, jumps alike. Traction and fluxes between nodes are interpolated with psi_a.
 ///
-/// Laws at nodes instead of integration points: as many conditions as the surface has nodes can be met at once. Conditions at
-/// more points than that fight each other where meshes do not match, and some of them open and close in turn.
+/// Laws at nodes instead of integration points: as many conditions as the surface has nodes can be met at once.
+/// Conditions at more points than that fight each other where meshes do not match, and some of them open and close in
+/// turn.
 struct NodalLoads {
-  VectorXd area;       ///< INT psi_a da over points that see the other surface [mm^2]
+  VectorXd area;           ///< INT psi_a da over points that see the other surface [mm^2]
   VectorXd absolute_area;  ///< INT |psi_a| da over the same points
-  VectorXd gap;        ///< g_a [mm]
-  VectorXd traction;   ///< t_a [MPa]; 0 out of contact
+  VectorXd gap;            ///< g_a [mm]
+  VectorXd traction;       ///< t_a [MPa]; 0 out of contact
   std::vector<bool> in_contact;
   std::vector<bool> sealed;  ///< in contact, and so exchanging fluxes with the other side instead of with the bath
-  MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]
-  MatrixXd jump;       ///< (fields, nodes)
-  MatrixXd flux;       ///< (fields, nodes); 0 out of contact
+  MatrixXd flux_area;        ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]
+  MatrixXd jump;             ///< (fields, nodes)
+  MatrixXd flux;             ///< (fields, nodes); 0 out of contact
 };
 
 /// An integration point of the primary surface that sees a facet of the secondary surface.
 struct PointPair {
-  int point = 0;             ///< index of the integration point
+  int point = 0;  ///< index of the integration point
   int primary_facet = 0;
   int secondary_facet = 0;
-  Vector2d eta{0, 0};        ///< projected point on the secondary facet
+  Vector2d eta{0, 0};  ///< projected point on the secondary facet
 };
 
 /// Everything at one integration point that carries load.
@@ -55,32 +56,36 @@ struct PointContact {
   FacetVector multiplier_shape;  ///< psi_a
   std::vector<int> fields;       ///< exchanged scalar fields here, as indices into Effects' order
   PairFields values;             ///< their nodal values
-  PointLoads loads;              ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
+  PointLoads loads;  ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
 };
 
 /// The integral over one surface. Evaluations are const; only project() replaces the pairs, only augment (through
 /// `multipliers`) the state.
 class ContactPass {
  public:
-  ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings);
+  ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
+              const Settings& settings);
 
-  /// Projects every integration point onto the secondary surface: of the facets that face it within `radius`, the nearest.
+  /// Projects every integration point onto the secondary surface: of the facets that face it within `radius`, the
+  /// nearest.
   void project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius);
 
-  /// Projects the points that saw a facet in the last project() onto that same facet again, without a search. A point that leaves
-  /// its facet comes back with it: the result depends on that search and the positions alone.
+  /// Projects the points that saw a facet in the last project() onto that same facet again, without a search. A point
+  /// that leaves its facet comes back with it: the result depends on that search and the positions alone.
   void project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2);
 
-  /// Begins a Newton iteration at a state: decides which nodes are in contact, and holds that and the linearisation of their gaps and
-  /// jumps until the next call. Within the iteration and its line search loads are then linear in the unknowns and no status changes.
+  /// Begins a Newton iteration at a state: decides which nodes are in contact, and holds that and the linearisation of
+  /// their gaps and jumps until the next call. Within the iteration and its line search loads are then linear in the
+  /// unknowns and no status changes.
   ///
-  /// Status: a node in contact stays so while its load, as the last iteration predicts it, is compressive; a node out of contact enters
-  /// where it overlaps (primal-dual active sets, Hintermueller, Ito and Kunisch 2002). Linearised gaps: the load predicted by the
-  /// linear solve is not multiplied by the second-order error of the gap times a large penalty, which would make it useless as a
-  /// measure of contact and as a geometric stiffness (mixed integration points, Magisano, Leonetti and Garcea 2017).
+  /// Status: a node in contact stays so while its load, as the last iteration predicts it, is compressive; a node out
+  /// of contact enters where it overlaps (primal-dual active sets, Hintermueller, Ito and Kunisch 2002). Linearised
+  /// gaps: the load predicted by the linear solve is not multiplied by the second-order error of the gap times a large
+  /// penalty, which would make it useless as a measure of contact and as a geometric stiffness (mixed integration
+  /// points, Magisano, Leonetti and Garcea 2017).
   ///
-  /// A node whose status keeps changing is at the edge of contact: sealed it opens, at the bath's pressure it closes. There traction
-  /// and pressure both tend to those of the bath, so it is in contact but not sealed from then on.
+  /// A node whose status keeps changing is at the edge of contact: sealed it opens, at the bath's pressure it closes.
+  /// There traction and pressure both tend to those of the bath, so it is in contact but not sealed from then on.
   ///
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
@@ -88,7 +93,8 @@ class ContactPass {
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { held_.reset(); }
 
-  /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps counts only then.
+  /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps
+  /// counts only then.
   bool is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const;
 
   /// Calls `use` for every point that carries load, in a fixed order.
@@ -102,8 +108,8 @@ class ContactPass {
   void residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                 const std::function<void(const Patch&, const VectorXd&)>& add) const;
 
-  /// Tangent (2.6): the geometric part per pair of facets that carries load, and per node in contact the part of its laws, which
-  /// couples all nodes that its averages are taken over.
+  /// Tangent (2.6): the geometric part per pair of facets that carries load, and per node in contact the part of its
+  /// laws, which couples all nodes that its averages are taken over.
   void tangent(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                const std::function<void(const Patch&, const MatrixXd&)>& add) const;
 
@@ -142,11 +148,11 @@ class ContactPass {
 
   /// What holds during a Newton iteration.
   struct Held {
-    NodalLoads loads;                          ///< at the beginning of the iteration
-    std::vector<NodeLinearisation> nodes;      ///< empty for nodes out of contact
-    VectorXd geometric_traction;               ///< predicted t_a, for the geometric part of the tangent
+    NodalLoads loads;                      ///< at the beginning of the iteration
+    std::vector<NodeLinearisation> nodes;  ///< empty for nodes out of contact
+    VectorXd geometric_traction;           ///< predicted t_a, for the geometric part of the tangent
     MatrixXd geometric_flux;
-    std::vector<int> changes;                  ///< of each node's status since the iterations began
+    std::vector<int> changes;  ///< of each node's status since the iterations began
   };
 
   Ray ray(std::size_t point, const Matrix3Xd& x1, double radius) const;
@@ -156,14 +162,17 @@ class ContactPass {
   double weight(const PointPair& pair) const;
   FacetVector multiplier_shape(const PointPair& pair) const;
   PointKinematics kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
-  PairVector pair_values(const PointPair& pair, int field, const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  PairVector pair_values(const PointPair& pair, int field, const SurfaceFields& primary,
+                         const SurfaceFields& secondary) const;
   std::vector<int> exchanged_fields(const PointPair& pair) const;
   Patch facet_patch(const PointPair& pair) const;
 
   void average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const;
   void average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const;
   double traction_penalty(Index node) const { return multipliers.traction_growth * penalties_.traction[node]; }
-  double flux_penalty(int field, Index node) const { return multipliers.flux_growth[field] * penalties_.flux(field, node); }
+  double flux_penalty(int field, Index node) const {
+    return multipliers.flux_growth[field] * penalties_.flux(field, node);
+  }
   NodalLoads averages(const SurfaceFields& primary, const SurfaceFields& secondary, std::vector<bool> in_contact,
                       std::vector<bool> sealed) const;
   NodalLoads predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const;
@@ -180,12 +189,12 @@ class ContactPass {
                               const SurfaceFields& primary, const SurfaceFields& secondary) const;
   VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) const;
   MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
-  void for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-                             const std::function<void(const PointContact&)>& use) const;
+  void for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
+                             double dt, const std::function<void(const PointContact&)>& use) const;
 
   template <class Local, class Evaluate, class Add>
-  void gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-                            const Evaluate& evaluate, const Add& add) const;
+  void gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
+                            double dt, const Evaluate& evaluate, const Add& add) const;
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;

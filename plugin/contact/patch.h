@@ -7,15 +7,16 @@
 
 namespace mixture_contact {
 
-/// Nodes of both surfaces, by their indices within the surface the pass integrates over (primary) and the other (secondary), and
-/// the exchanged fields, as indices into Effects' order, with the layout of local vectors over them.
+/// Nodes of both surfaces, by their indices within the surface the pass integrates over (primary) and the other
+/// (secondary), and the exchanged fields, as indices into Effects' order, with the layout of local vectors over them.
 struct Patch {
   std::vector<int> primary;
   std::vector<int> secondary;
   std::vector<int> fields;
 
   LocalLayout layout() const {
-    return {static_cast<Index>(primary.size()), static_cast<Index>(secondary.size()), static_cast<Index>(fields.size())};
+    return {static_cast<Index>(primary.size()), static_cast<Index>(secondary.size()),
+            static_cast<Index>(fields.size())};
   }
 };
 

@@ -30,7 +30,8 @@ double in_series(double one, double other) {
   return resistance > 0 ? 1 / resistance : std::numeric_limits<double>::infinity();
 }
 
-Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings) {
+Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
+                    const Settings& settings) {
   const auto facets = static_cast<Index>(primary.facets.size());
   const Index fields = effects.scalar_fields();
   Penalties result{VectorXd(facets), MatrixXd(fields, facets), VectorXd(facets), MatrixXd(fields, facets)};

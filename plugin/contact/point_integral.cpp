@@ -18,10 +18,11 @@ void add_field_row(MatrixXd& tangent, const LocalLayout& layout, Index node, Ind
 }
 
 /// Derivative of the secondary nodes' weights -N2_b(eta) with the nodal positions; rows of primary nodes are zero.
-Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> weight_variation(const PointKinematics& point,
-                                                                                       const KinematicVariations& vary) {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>::Zero(point.nodes(), 3 * point.nodes());
+Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> weight_variation(
+    const PointKinematics& point, const KinematicVariations& vary) {
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
+      rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>::Zero(point.nodes(),
+                                                                                          3 * point.nodes());
   rows.bottomRows(point.secondary_shape.size()) = -point.secondary_gradient * vary.eta;
   return rows;
 }
@@ -51,8 +52,8 @@ MatrixXd point_tangent(const PointKinematics& point, const PointLoads& loads, co
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
 
   // d[w t_n h_a a] = w [ h_a (t_n' a dg + t_n da) + t_n a dh_a ]
-  const PairVariation<3> dtraction =
-      loads.weight * (loads.traction.derivative * point.area_vector * vary.gap + loads.traction.value * vary.area_vector);
+  const PairVariation<3> dtraction = loads.weight * (loads.traction.derivative * point.area_vector * vary.gap +
+                                                     loads.traction.value * vary.area_vector);
   const Vector3d traction = loads.weight * loads.traction.value * point.area_vector;
   for (Index node = 0; node < layout.nodes(); ++node) {
     add_displacement_row(tangent, layout, node, h[node] * dtraction + traction * dh.row(node));
@@ -64,12 +65,13 @@ MatrixXd point_tangent(const PointKinematics& point, const PointLoads& loads, co
     const LawValue& flux = loads.flux[k];
     if (flux.value == 0.0 && flux.derivative == 0.0) continue;
     const Eigen::RowVector2d slope = fields.col(k).tail(n2).transpose() * point.secondary_gradient;
-    const PairVariation<1> dflux =
-        weight * (flux.value * vary.area - point.area * flux.derivative * (slope * vary.eta));
+    const PairVariation<1> dflux = weight *
+                                   (flux.value * vary.area - point.area * flux.derivative * (slope * vary.eta));
     for (Index node = 0; node < layout.nodes(); ++node) {
       add_field_row(tangent, layout, node, k, h[node] * dflux + weight * point.area * flux.value * dh.row(node));
       for (Index column = 0; column < layout.nodes(); ++column) {
-        tangent(layout.scalar(node, k), layout.scalar(column, k)) = weight * point.area * flux.derivative * h[node] * h[column];
+        tangent(layout.scalar(node, k), layout.scalar(column, k)) = weight * point.area * flux.derivative * h[node] *
+                                                                    h[column];
       }
     }
   }

@@ -12,10 +12,11 @@ using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_
 
 /// What acts at an integration point.
 struct PointLoads {
-  LawValue traction;                    ///< t_n [MPa] and dt_n/dg
-  Eigen::Array<LawValue, Eigen::Dynamic, 1> flux;  ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
-  double weight;                        ///< quadrature weight: da1 = weight * |a|
-  double time_increment;                ///< fluxes are integrated over the time step: their rows carry dt [s]
+  LawValue traction;  ///< t_n [MPa] and dt_n/dg
+  Eigen::Array<LawValue, Eigen::Dynamic, 1>
+      flux;               ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
+  double weight;          ///< quadrature weight: da1 = weight * |a|
+  double time_increment;  ///< fluxes are integrated over the time step: their rows carry dt [s]
 };
 
 /// Contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape (layout.size()).
@@ -23,12 +24,13 @@ struct PointLoads {
 /// Displacement rows: w t_n h_a a  [N]; row of field k: w dt |a| q_k h_a  [mm^3 or nmol], with h = (N1, -N2).
 VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout);
 
-/// Exact derivative of point_residual with the nodal positions and fields, shape (layout.size(), layout.size()), eq (2.6):
-/// every block, including the changes of da1, of n1, of the projected position and of the fields sampled there.
+/// Exact derivative of point_residual with the nodal positions and fields, shape (layout.size(), layout.size()), eq
+/// (2.6): every block, including the changes of da1, of n1, of the projected position and of the fields sampled there.
 MatrixXd point_tangent(const PointKinematics& point, const PointLoads& loads, const PairFields& fields,
                        const LocalLayout& layout);
 
-/// First variation of the contributions w |a| g to an average of the gap and w |a| to its area, with the positions of the pair.
+/// First variation of the contributions w |a| g to an average of the gap and w |a| to its area, with the positions of
+/// the pair.
 struct WeightedVariation {
   PairVariation<1> integral;  ///< d(w |a| value), three columns per node
   PairVariation<1> area;      ///< d(w |a|)
@@ -39,8 +41,8 @@ WeightedVariation gap_variation(const PointKinematics& point, const KinematicVar
 WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, double weight,
                                  const PairVector& values);
 
-/// A symmetric approximation of point_tangent for symmetric solvers: the symmetric part of the displacement block, the field
-/// blocks as they are, no coupling between them.
+/// A symmetric approximation of point_tangent for symmetric solvers: the symmetric part of the displacement block, the
+/// field blocks as they are, no coupling between them.
 MatrixXd symmetric_part(const MatrixXd& tangent, const LocalLayout& layout);
 
 }  // namespace mixture_contact

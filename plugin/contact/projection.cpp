@@ -11,10 +11,10 @@ namespace {
 
 /// Newton from one start; empty where it does not converge.
 ///
-/// Convergence is quadratic, so the step that falls below sqrt(epsilon) of the facet's size leaves an error of epsilon: one more
-/// step is taken and accepted.
-std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction,
-                             const Vector2d& start) {
+/// Convergence is quadratic, so the step that falls below sqrt(epsilon) of the facet's size leaves an error of epsilon:
+/// one more step is taken and accepted.
+std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
+                             const Vector3d& direction, const Vector2d& start) {
   constexpr int max_steps = 25;
   const double accept = std::sqrt(std::numeric_limits<double>::epsilon());
   Vector3d unknown(start[0], start[1], 0);
@@ -33,8 +33,9 @@ std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Ve
   return std::nullopt;
 }
 
-/// Whether the facet's normals at all nodes are on one side of a direction. A line along it then meets the facet at most once: to
-/// meet it twice it has to enter and to leave. (Exact for quad4, whose normal is linear between its corners.)
+/// Whether the facet's normals at all nodes are on one side of a direction. A line along it then meets the facet at
+/// most once: to meet it twice it has to enter and to leave. (Exact for quad4, whose normal is linear between its
+/// corners.)
 bool faces_one_way(FacetType type, const FacetCoordinates& x, const Vector3d& direction) {
   bool towards = false;
   bool away = false;
@@ -49,12 +50,13 @@ bool faces_one_way(FacetType type, const FacetCoordinates& x, const Vector3d& di
 
 }  // namespace
 
-std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction,
-                                double tolerance) {
+std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
+                                const Vector3d& direction, double tolerance) {
   std::optional<RayHit> best;
   const auto converges_from = [&](const Vector2d& start) {
     const std::optional<RayHit> hit = newton(type, x, origin, direction, start);
-    if (hit && distance_outside(type, hit->eta) <= tolerance && (!best || std::abs(hit->gap) < std::abs(best->gap))) best = hit;
+    if (hit && distance_outside(type, hit->eta) <= tolerance && (!best || std::abs(hit->gap) < std::abs(best->gap)))
+      best = hit;
     return hit.has_value();
   };
   const bool converged = converges_from(parametric_centre(type));

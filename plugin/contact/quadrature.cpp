@@ -56,8 +56,8 @@ std::vector<QuadraturePoint> triangle_rule(int order) {
 }  // namespace
 
 Eigen::MatrixX2d gauss_legendre(int points) {
-  // Eigenvalues of the symmetric Jacobi matrix of the Legendre recurrence are the abscissae; the squared first components
-  // of the eigenvectors times the length 2 of the interval are the weights.
+  // Eigenvalues of the symmetric Jacobi matrix of the Legendre recurrence are the abscissae; the squared first
+  // components of the eigenvectors times the length 2 of the interval are the weights.
   MatrixXd jacobi = MatrixXd::Zero(points, points);
   for (int k = 1; k < points; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = k / std::sqrt(4.0 * k * k - 1.0);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(jacobi);

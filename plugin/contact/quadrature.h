@@ -20,9 +20,9 @@ Eigen::MatrixX2d gauss_legendre(int points);
 /// Quadrature rule of a facet.
 ///
 /// Quadrilaterals: order x order tensor Gauss rule, exact to degree 2 order - 1 in each coordinate. Triangles: the
-/// symmetric rules with 1 (degree 1), 3 (degree 2) and 7 points (degree 5, Radon 1948) for order 1, 2, 3, and the conical
-/// product of Gauss rules, exact to total degree 2 order - 2, beyond.
-/// Throws std::invalid_argument unless 1 <= order <= max_quadrature_order.
+/// symmetric rules with 1 (degree 1), 3 (degree 2) and 7 points (degree 5, Radon 1948) for order 1, 2, 3, and the
+/// conical product of Gauss rules, exact to total degree 2 order - 2, beyond. Throws std::invalid_argument unless 1 <=
+/// order <= max_quadrature_order.
 std::vector<QuadraturePoint> quadrature(FacetType type, int order);
 
 inline constexpr int max_quadrature_order = 10;

@@ -14,7 +14,8 @@ struct SegmentCollector {
   Vector3d half;  ///< half the segment as a vector
   std::vector<int> found;
 
-  /// Separating axes of a box and a segment: the box's axes and their cross products with the segment (Gottschalk et al. 1996).
+  /// Separating axes of a box and a segment: the box's axes and their cross products with the segment (Gottschalk et
+  /// al. 1996).
   bool intersectVolume(const Box& box) const {
     const Vector3d extent = 0.5 * box.sizes();
     const Vector3d offset = middle - box.center();
@@ -64,8 +65,8 @@ std::vector<int> FacetTree::candidates(const Vector3d& origin, const Vector3d& d
   return std::move(collector.found);
 }
 
-std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets, const Matrix3Xd& positions,
-                                         const Ray& ray) {
+std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
+                                         const Matrix3Xd& positions, const Ray& ray) {
   std::optional<SurfaceHit> best;
   for (const int candidate : tree.candidates(ray.origin, ray.direction, ray.reach)) {
     const Facet& facet = facets[static_cast<std::size_t>(candidate)];

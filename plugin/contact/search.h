@@ -15,10 +15,12 @@ namespace mixture_contact {
 /// A bounding-volume tree (Eigen's KdBVH) over the facets of a surface in one configuration.
 class FacetTree {
  public:
-  /// Boxes around the facets' nodes, enlarged by `margin` times their diagonal (curved facets bulge out of their nodes' box).
+  /// Boxes around the facets' nodes, enlarged by `margin` times their diagonal (curved facets bulge out of their nodes'
+  /// box).
   FacetTree(const std::vector<Facet>& facets, const Matrix3Xd& positions, double margin);
 
-  /// Indices, ascending, of the facets whose box meets the segment from origin - reach * direction to origin + reach * direction.
+  /// Indices, ascending, of the facets whose box meets the segment from origin - reach * direction to origin + reach *
+  /// direction.
   std::vector<int> candidates(const Vector3d& origin, const Vector3d& direction, double reach) const;
 
  private:
@@ -42,7 +44,7 @@ struct SurfaceHit {
 
 /// The nearest hit of a ray on the facets of a tree whose outward normals oppose its direction; empty if there is none.
 /// The choice depends on the configuration alone, never on earlier calls; equal distances go to the lowest facet index.
-std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets, const Matrix3Xd& positions,
-                                         const Ray& ray);
+std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
+                                         const Matrix3Xd& positions, const Ray& ray);
 
 }  // namespace mixture_contact

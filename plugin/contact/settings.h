@@ -6,7 +6,8 @@ namespace mixture_contact {
 /// How the interface conditions are enforced.
 enum class Enforcement {
   penalty,              ///< multipliers stay zero; gaps and jumps are flux / penalty
-  augmented_lagrangian  ///< multipliers take up the loads of converged solutions until gaps and jumps meet the tolerances
+  augmented_lagrangian  ///< multipliers take up the loads of converged solutions until gaps and jumps meet the
+                        ///< tolerances
 };
 
 /// Penalty of one kind of field.
@@ -15,8 +16,9 @@ struct PenaltyRule {
   double value = 1.0;
 };
 
-/// Default multiples of the local stiffness and conductance. A jump is about 1/factor of the drop across the adjoining elements.
-/// Fluxes are linear in the jump, so only rounding limits their factor; the traction has a kink that a large factor sharpens.
+/// Default multiples of the local stiffness and conductance. A jump is about 1/factor of the drop across the adjoining
+/// elements. Fluxes are linear in the jump, so only rounding limits their factor; the traction has a kink that a large
+/// factor sharpens.
 inline constexpr double default_traction_factor = 1e3;
 inline constexpr double default_flux_factor = 1e5;
 
@@ -41,11 +43,13 @@ struct Settings {
   Tolerances tolerances;
   int min_augmentations = 0;
   int max_augmentations = 10;
-  bool two_pass = false;          ///< integrate over both surfaces instead of the primary alone
-  bool symmetric = false;         ///< hand out the symmetric part of the tangent
-  int integration_order = 0;      ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones
-  double search_radius = 0;       ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces' size
-  double search_tolerance = 0.01; ///< how far outside a facet, in parametric coordinates, a projection is still accepted [-]
+  bool two_pass = false;      ///< integrate over both surfaces instead of the primary alone
+  bool symmetric = false;     ///< hand out the symmetric part of the tangent
+  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones
+  double search_radius = 0;  ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces'
+                             ///< size
+  double search_tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still
+                                   ///< accepted [-]
 };
 
 }  // namespace mixture_contact

@@ -13,8 +13,8 @@ struct SurfaceMesh {
   int nodes = 0;
   std::vector<Facet> facets;
   std::vector<FieldMask> permeable;  ///< per facet: the exchanged scalar fields that the material behind it knows
-  VectorXd stiffness;                ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
-  MatrixXd conductance;              ///< (scalar fields, facets): conductance over thickness; 0 where sealed
+  VectorXd stiffness;    ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
+  MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where sealed
 };
 
 /// The current state of a surface: one column or row per node.

@@ -27,7 +27,7 @@ using FacetCoordinates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_face
 using PairVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
 /// Variation of a quantity with R components with the nodal positions of a pair, shape (R, 3 (n1 + n2)).
 template <int R>
-using PairVariation =
-    Eigen::Matrix<double, R, Eigen::Dynamic, (R == 1 ? Eigen::RowMajor : 0), R, max_pair_displacements>;
+using PairVariation = Eigen::Matrix<double, R, Eigen::Dynamic, (R == 1 ? Eigen::RowMajor : 0), R,
+                                    max_pair_displacements>;
 
 }  // namespace mixture_contact

@@ -6,7 +6,8 @@
 class FEModel;
 
 /// Read as <ambient_concentration>c</ambient_concentration> where there is one solute, and as
-/// <ambient_concentration sol="id">c</ambient_concentration> per solute. The value follows its load curve (attribute lc).
+/// <ambient_concentration sol="id">c</ambient_concentration> per solute. The value follows its load curve (attribute
+/// lc).
 class FEMixtureAmbientConcentration : public FECoreClass {
  public:
   explicit FEMixtureAmbientConcentration(FEModel* fem) : FECoreClass(fem) {}

@@ -21,5 +21,6 @@ void archive(DumpStream& ar, Eigen::Matrix<double, Rows, Columns, Options, MaxRo
   std::vector<double> entries(matrix.data(), matrix.data() + matrix.size());
   ar & rows & columns & entries;
   if (ar.IsSaving()) return;
-  matrix = Eigen::Map<const Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>>(entries.data(), rows, columns);
+  matrix = Eigen::Map<const Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>>(entries.data(), rows,
+                                                                                                columns);
 }

@@ -47,15 +47,17 @@ std::vector<ClampedConcentrations::Place> ClampedConcentrations::negative() cons
       const int id = mesh.Node(i).m_ID[static_cast<std::size_t>(dof)];
       if (id < 0) continue;
       const auto n = static_cast<std::size_t>(id);
-      if (solver.newton->m_Ut[n] + solver.newton->m_Ui[n] < -negligible * largest) places.emplace_back(&mesh.Node(i), dof);
+      if (solver.newton->m_Ut[n] + solver.newton->m_Ui[n] < -negligible * largest)
+        places.emplace_back(&mesh.Node(i), dof);
     }
   }
   return places;
 }
 
 std::vector<ClampedConcentrations::Place> ClampedConcentrations::rising() const {
-  // FEBio's reaction is minus the residual of the node's balance, and in FEBio's sign the residual of a solute falls where solute comes
-  // in: a positive reaction drives the concentration up. Each is freed once a step at the most, so that none comes and goes for ever.
+  // FEBio's reaction is minus the residual of the node's balance, and in FEBio's sign the residual of a solute falls
+  // where solute comes in: a positive reaction drives the concentration up. Each is freed once a step at the most, so
+  // that none comes and goes for ever.
   std::vector<Place> places;
   const ClampingSolver solver = clamping_solver(fem_);
   const auto reaction = [&](const Place& place) {
@@ -64,9 +66,8 @@ std::vector<ClampedConcentrations::Place> ClampedConcentrations::rising() const 
   };
   double largest = 0;
   for (const Place& place : held_) largest = std::max(largest, std::abs(reaction(place)));
-  std::copy_if(held_.begin(), held_.end(), std::back_inserter(places), [&](const Place& place) {
-    return reaction(place) > negligible * largest && freed_.count(place) == 0;
-  });
+  std::copy_if(held_.begin(), held_.end(), std::back_inserter(places),
+               [&](const Place& place) { return reaction(place) > negligible * largest && freed_.count(place) == 0; });
   return places;
 }
 
@@ -88,7 +89,8 @@ bool ClampedConcentrations::update() {
 }
 
 bool ClampedConcentrations::holds(const FENode& node, int dof) const {
-  return std::any_of(held_.begin(), held_.end(), [&](const Place& place) { return place.first == &node && place.second == dof; });
+  return std::any_of(held_.begin(), held_.end(),
+                     [&](const Place& place) { return place.first == &node && place.second == dof; });
 }
 
 void ClampedConcentrations::forget(const FENode& node, int dof) {

@@ -1,10 +1,11 @@
 /// Concentrations that FEBio's solver clamps to zero.
 ///
-/// FEBio's solver for the solute module always, and that for the multiphasic module by option, sets negative concentrations to zero
-/// after each iteration. Fronts thinner than an element (d dt << h^2) undershoot, so this happens at every early step. Newton's
-/// method is not told: it computes the same negative change for ever, the line search shrinks, and the step fails. Here the clamp is
-/// made an inequality that Newton can solve: a concentration that would become negative is held at zero, as a prescribed value, until
-/// its balance wants it to be positive (a primal-dual active set). The state reached is the one that the clamp means.
+/// FEBio's solver for the solute module always, and that for the multiphasic module by option, sets negative
+/// concentrations to zero after each iteration. Fronts thinner than an element (d dt << h^2) undershoot, so this
+/// happens at every early step. Newton's method is not told: it computes the same negative change for ever, the line
+/// search shrinks, and the step fails. Here the clamp is made an inequality that Newton can solve: a concentration that
+/// would become negative is held at zero, as a prescribed value, until its balance wants it to be positive (a
+/// primal-dual active set). The state reached is the one that the clamp means.
 #pragma once
 
 #include <set>
@@ -18,8 +19,8 @@ class ClampedConcentrations {
  public:
   explicit ClampedConcentrations(FEModel& fem) : fem_(fem) {}
 
-  /// At an accepted state within the iterations of a step: holds concentrations that have become negative in the solver's solution
-  /// vector, and frees held ones whose balance wants them positive. Returns whether anything changed.
+  /// At an accepted state within the iterations of a step: holds concentrations that have become negative in the
+  /// solver's solution vector, and frees held ones whose balance wants them positive. Returns whether anything changed.
   bool update();
 
   /// Whether update() would change nothing.

@@ -73,8 +73,8 @@ double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n
 }
 
 /// Solute conductance, diffusive and convective: phi_w kappa~ d + kappa~ (d/d0) |w_n| h, over the thickness h.
-double solute_conductance(FEMaterial& material, FESolute& solute, FEMaterialPoint& point, const vec3d& n, double convection,
-                          double thickness) {
+double solute_conductance(FEMaterial& material, FESolute& solute, FEMaterialPoint& point, const vec3d& n,
+                          double convection, double thickness) {
   const double diffusivity = n * (solute.m_pDiff->Diffusivity(point) * n);
   const double solubility = solute.m_pSolub->Solubility(point);
   const double free = solute.m_pDiff->Free_Diffusivity(point);
@@ -84,7 +84,8 @@ double solute_conductance(FEMaterial& material, FESolute& solute, FEMaterialPoin
 
 }  // namespace
 
-std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet, std::string& problem) {
+std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet,
+                                            std::string& problem) {
   FEElement* element = facet.m_elem[0].pe;
   if (element == nullptr) {
     problem = "a facet of the surface is not a face of any element";
@@ -94,7 +95,8 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   const double volume = fem.GetMesh().ElementVolume(*element);
   const double thickness = std::abs(volume) / surface.FaceArea(facet);
   if (!(thickness > 0) || volume < 0) {
-    problem = "element " + std::to_string(element->GetID()) + " behind a facet has no positive volume (inverted or degenerate)";
+    problem = "element " + std::to_string(element->GetID()) +
+              " behind a facet has no positive volume (inverted or degenerate)";
     return std::nullopt;
   }
   vec3d tangents[2];
@@ -116,8 +118,9 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(original);
   result.stiffness = stiffness_of(*material, *point, n) / thickness;
   if (!(result.stiffness > 0)) {
-    problem = "material \"" + material->GetName() + "\" (" + std::string(material->GetTypeStr()) +
-              ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
+    problem =
+        "material \"" + material->GetName() + "\" (" + std::string(material->GetTypeStr()) +
+        ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
     return std::nullopt;
   }
   if (FEHydraulicPermeability* permeability = permeability_of(*material)) {
@@ -129,7 +132,8 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
     const double convection = flow ? std::abs(flow->m_w * n) : 0.0;
     for (int k = 0; k < mixture->Solutes(); ++k) {
       FESolute& solute = *mixture->GetSolute(k);
-      result.solutes[solute.GetSoluteID() - 1] = solute_conductance(*material, solute, *point, n, convection, thickness);
+      result.solutes[solute.GetSoluteID() - 1] = solute_conductance(*material, solute, *point, n, convection,
+                                                                    thickness);
     }
   }
   return result;

@@ -11,12 +11,15 @@ class FEModel;
 
 /// Properties of the element behind a facet, per area and over the element's thickness in the reference configuration.
 struct FacetMaterial {
-  double stiffness = 0;           ///< normal stiffness over thickness [N/mm^3]; infinite if rigid
-  bool permeable = false;         ///< whether the solvent can pass
-  double permeability = 0;        ///< hydraulic permeability over thickness [mm^3/(N s)]
-  std::map<int, double> solutes;  ///< solute index -> porosity x solubility x diffusivity over thickness, plus convection [mm/s]
+  double stiffness = 0;     ///< normal stiffness over thickness [N/mm^3]; infinite if rigid
+  bool permeable = false;   ///< whether the solvent can pass
+  double permeability = 0;  ///< hydraulic permeability over thickness [mm^3/(N s)]
+  std::map<int, double>
+      solutes;  ///< solute index -> porosity x solubility x diffusivity over thickness, plus convection [mm/s]
 };
 
-/// Reads the material behind a facet; a sentence on what is wrong in `problem` and empty where the material is not one that
-/// contact can act on. Works on a copy of the material point, so the element's deformation and stress stay as they are.
-std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet, std::string& problem);
+/// Reads the material behind a facet; a sentence on what is wrong in `problem` and empty where the material is not one
+/// that contact can act on. Works on a copy of the material point, so the element's deformation and stress stay as they
+/// are.
+std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet,
+                                            std::string& problem);

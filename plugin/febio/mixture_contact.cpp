@@ -59,7 +59,8 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
       ->SetDefaultType("mixture_ambient_concentration");
 END_FECORE_CLASS()
 
-FEMixtureContact::FEMixtureContact(FEModel* fem) : FEContactInterface(fem), primary_(fem, *this), secondary_(fem, *this), ambient_(*fem), clamped_(*fem) {
+FEMixtureContact::FEMixtureContact(FEModel* fem)
+    : FEContactInterface(fem), primary_(fem, *this), secondary_(fem, *this), ambient_(*fem), clamped_(*fem) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
@@ -96,8 +97,10 @@ void FEMixtureContact::add_callbacks() {
 
 bool FEMixtureContact::check_parameters() {
   const std::vector<std::string> wrong = complaints(parameters_);
-  for (const std::string& sentence : wrong) feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
-  for (const std::string& sentence : notices(parameters_)) feLog("sliding-mixture \"%s\": %s\n", GetName().c_str(), sentence.c_str());
+  for (const std::string& sentence : wrong)
+    feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
+  for (const std::string& sentence : notices(parameters_))
+    feLog("sliding-mixture \"%s\": %s\n", GetName().c_str(), sentence.c_str());
   return wrong.empty();
 }
 
@@ -113,9 +116,14 @@ std::set<std::vector<int>> facet_nodes(FESurface& surface) {
   return facets;
 }
 
-bool is_triangular(const FESurfaceElement& element) { return element.Shape() == ET_TRI3 || element.Shape() == ET_TRI6 || element.Shape() == ET_TRI7 || element.Shape() == ET_TRI10; }
+bool is_triangular(const FESurfaceElement& element) {
+  return element.Shape() == ET_TRI3 || element.Shape() == ET_TRI6 || element.Shape() == ET_TRI7 ||
+         element.Shape() == ET_TRI10;
+}
 
-std::optional<FacetType> type_of(const FESurfaceElement& element) { return facet_type(is_triangular(element), element.Nodes()); }
+std::optional<FacetType> type_of(const FESurfaceElement& element) {
+  return facet_type(is_triangular(element), element.Nodes());
+}
 
 }  // namespace
 
@@ -124,9 +132,10 @@ bool FEMixtureContact::check_surfaces() {
     FEMixtureSurface& s = surface(side);
     for (int i = 0; i < s.Elements(); ++i) {
       if (type_of(s.Element(i))) continue;
-      feLogError("sliding-mixture \"%s\": surface \"%s\" has a facet with %d nodes, which is not supported. Allowed are facets with 3 or "
-                 "6 (triangles) and 4, 8 or 9 nodes (quadrilaterals).",
-                 GetName().c_str(), s.GetName().c_str(), s.Element(i).Nodes());
+      feLogError(
+          "sliding-mixture \"%s\": surface \"%s\" has a facet with %d nodes, which is not supported. Allowed are facets with 3 or "
+          "6 (triangles) and 4, 8 or 9 nodes (quadrilaterals).",
+          GetName().c_str(), s.GetName().c_str(), s.Element(i).Nodes());
       return false;
     }
   }
@@ -134,9 +143,10 @@ bool FEMixtureContact::check_surfaces() {
   const auto two = facet_nodes(secondary_);
   const bool shared = std::any_of(one.begin(), one.end(), [&](const auto& facet) { return two.count(facet) > 0; });
   if (shared) {
-    feLogError("sliding-mixture \"%s\": the surfaces \"%s\" and \"%s\" share facets. A surface cannot be in contact with itself; the "
-               "primary and secondary surface of the surface pair must be different.",
-               GetName().c_str(), primary_.GetName().c_str(), secondary_.GetName().c_str());
+    feLogError(
+        "sliding-mixture \"%s\": the surfaces \"%s\" and \"%s\" share facets. A surface cannot be in contact with itself; the "
+        "primary and secondary surface of the surface pair must be different.",
+        GetName().c_str(), primary_.GetName().c_str(), secondary_.GetName().c_str());
   }
   return !shared;
 }
@@ -149,7 +159,8 @@ bool FEMixtureContact::read_materials() {
       std::string problem;
       const auto material = facet_material(*GetFEModel(), s, s.Element(i), problem);
       if (!material) {
-        feLogError("sliding-mixture \"%s\": surface \"%s\": %s.", GetName().c_str(), s.GetName().c_str(), problem.c_str());
+        feLogError("sliding-mixture \"%s\": surface \"%s\": %s.", GetName().c_str(), s.GetName().c_str(),
+                   problem.c_str());
         return false;
       }
       materials[side].push_back(*material);
@@ -162,12 +173,14 @@ bool FEMixtureContact::read_materials() {
     return false;
   }
   log_effects(materials);
-  build_core({{surface_mesh(Side::primary, materials[Side::primary]), surface_mesh(Side::secondary, materials[Side::secondary])}});
+  build_core({{surface_mesh(Side::primary, materials[Side::primary]),
+               surface_mesh(Side::secondary, materials[Side::secondary])}});
   const VectorXd& penalty = core_->pass(0).penalty().traction;
   if (!penalty.allFinite()) {
-    feLogError("sliding-mixture \"%s\": both surfaces are rigid, so there is no stiffness to choose a penalty from. Set <penalty> "
-               "to a value [force/length^3] and <auto_penalty> to 0.",
-               GetName().c_str());
+    feLogError(
+        "sliding-mixture \"%s\": both surfaces are rigid, so there is no stiffness to choose a penalty from. Set <penalty> "
+        "to a value [force/length^3] and <auto_penalty> to 0.",
+        GetName().c_str());
   }
   return penalty.allFinite();
 }
@@ -250,7 +263,8 @@ bool FEMixtureContact::update_properties() {
 
 void FEMixtureContact::log_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
   const auto permeable = [&](Side side) {
-    return std::any_of(materials[side].begin(), materials[side].end(), [](const FacetMaterial& m) { return m.permeable; });
+    return std::any_of(materials[side].begin(), materials[side].end(),
+                       [](const FacetMaterial& m) { return m.permeable; });
   };
   std::string line = "traction";
   std::string absent;
@@ -283,14 +297,16 @@ void FEMixtureContact::log_effects(const PerSide<std::vector<FacetMaterial>>& ma
 bool FEMixtureContact::check_ambient() {
   for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
     if (ambient->solute < 0 || ambient->solute > concentrations_) {
-      feLogError("sliding-mixture \"%s\": <ambient_concentration sol=\"%d\"> names a solute that the model does not have. It has %d.",
-                 GetName().c_str(), ambient->solute, concentrations_);
+      feLogError(
+          "sliding-mixture \"%s\": <ambient_concentration sol=\"%d\"> names a solute that the model does not have. It has %d.",
+          GetName().c_str(), ambient->solute, concentrations_);
       return false;
     }
     if (ambient->solute == 0 && concentrations_ != 1) {
-      feLogError("sliding-mixture \"%s\": <ambient_concentration> needs the attribute sol=\"...\" to say which of the model's %d solutes "
-                 "it is for.",
-                 GetName().c_str(), concentrations_);
+      feLogError(
+          "sliding-mixture \"%s\": <ambient_concentration> needs the attribute sol=\"...\" to say which of the model's %d solutes "
+          "it is for.",
+          GetName().c_str(), concentrations_);
       return false;
     }
   }
@@ -309,7 +325,8 @@ void FEMixtureContact::PrepStep() {
   if (parameters_.update_penalty) update_properties();
 }
 
-// --------------------------------------------------------------------------------------------------- state of the model
+// --------------------------------------------------------------------------------------------------- state of the
+// model
 
 int FEMixtureContact::field_dof(int field) const {
   if (effects_.solvent && field == 0) return pressure_dof_;
@@ -364,8 +381,8 @@ void FEMixtureContact::Update() {
     if (newton_solver() != nullptr && !core_->is_solution(fields())) newton_solver()->QNForceReform(true);
     return;
   }
-  // The start of a step, or an augmentation. FEBio has evaluated the bodies already in this pass: ask for it again if an ambient
-  // value changed.
+  // The start of a step, or an augmentation. FEBio has evaluated the bodies already in this pass: ask for it again if
+  // an ambient value changed.
   if (!std::exchange(keep_prediction_, false)) {
     core_->end_iterations();
     clamped_.release();
@@ -392,12 +409,13 @@ bool FEMixtureContact::begin_iteration() {
   const bool ambient_changed = apply_ambient(contacts);
   const bool clamp_changed = tried_ && clamped_.update();
   return ambient_changed || clamp_changed ||
-         std::any_of(contacts.begin(), contacts.end(), [](const FEMixtureContact* contact) { return contact->loads_changed_; });
+         std::any_of(contacts.begin(), contacts.end(),
+                     [](const FEMixtureContact* contact) { return contact->loads_changed_; });
 }
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
-  // A matrix is about to be formed for the next iteration, at an accepted state. FEBio has evaluated the residual of that state
-  // already, with the loads that were held then; it is to be evaluated again when the matrix is done.
+  // A matrix is about to be formed for the next iteration, at an accepted state. FEBio has evaluated the residual of
+  // that state already, with the loads that were held then; it is to be evaluated again when the matrix is done.
   if (begin_iteration()) {
     for (FEMixtureContact* contact : active_contacts()) contact->in_trial_ = true;
     newton_solver()->UpdateModel();
@@ -409,11 +427,13 @@ void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
 bool FEMixtureContact::on_matrix_reformed(FEModel* /*fem*/, unsigned int /*when*/, void* contact) {
   auto* self = static_cast<FEMixtureContact*>(contact);
   FENewtonSolver* solver = self->newton_solver();
-  if (self->IsActive() && solver != nullptr && std::exchange(self->residual_outdated_, false)) solver->Residual(solver->m_R0);
+  if (self->IsActive() && solver != nullptr && std::exchange(self->residual_outdated_, false))
+    solver->Residual(solver->m_R0);
   return true;
 }
 
-// --------------------------------------------------------------------------------------------------- ambient conditions
+// --------------------------------------------------------------------------------------------------- ambient
+// conditions
 
 std::vector<FEMixtureContact*> FEMixtureContact::active_contacts() {
   std::vector<FEMixtureContact*> contacts;
@@ -470,7 +490,8 @@ bool FEMixtureContact::apply_ambient(const std::vector<FEMixtureContact*>& conta
   return changed;
 }
 
-// ------------------------------------------------------------------------------------------------------- local to global
+// ------------------------------------------------------------------------------------------------------- local to
+// global
 
 std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at) {
   std::vector<int> nodes;
@@ -482,12 +503,14 @@ std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at
 std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& at, const std::vector<int>& nodes) {
   const LocalLayout layout = at.patch.layout();
   FEMesh& mesh = GetFEModel()->GetMesh();
-  const std::array<int, 3> displacement{GetFEModel()->GetDOFIndex("x"), GetFEModel()->GetDOFIndex("y"), GetFEModel()->GetDOFIndex("z")};
+  const std::array<int, 3> displacement{GetFEModel()->GetDOFIndex("x"), GetFEModel()->GetDOFIndex("y"),
+                                        GetFEModel()->GetDOFIndex("z")};
   std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
   for (Index node = 0; node < layout.nodes(); ++node) {
     const std::vector<int>& id = mesh.Node(nodes[static_cast<std::size_t>(node)]).m_ID;
     for (std::size_t i = 0; i < 3; ++i) {
-      ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(displacement[i])];
+      ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(
+          displacement[i])];
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
       const int dof = field_dof(at.patch.fields[static_cast<std::size_t>(k)]);
@@ -538,7 +561,8 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
   });
 }
 
-// --------------------------------------------------------------------------------------------------------- augmentation
+// ---------------------------------------------------------------------------------------------------------
+// augmentation
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
@@ -554,8 +578,8 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   const bool met = core_->converged(report);
   if (met && augmentation >= settings.min_augmentations) return true;
   if (augmentation >= settings.max_augmentations) {
-    feLogWarning("sliding-mixture \"%s\": %d augmentations (maxaug) were not enough to meet the tolerances.", GetName().c_str(),
-                 augmentation);
+    feLogWarning("sliding-mixture \"%s\": %d augmentations (maxaug) were not enough to meet the tolerances.",
+                 GetName().c_str(), augmentation);
     return true;
   }
   core_->augment(current);
@@ -565,19 +589,24 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
 void FEMixtureContact::log_gaps(int augmentation, const GapReport& report) {
   const Tolerances& tolerances = core_->settings().tolerances;
   const auto row = [&](const std::string& name, const FieldGap& gap, const Tolerances::Field& tolerance) {
-    feLog("    %-16s %12.4le (%9.2le)  %12.4le (%9.2le)\n", name.c_str(), gap.relative, tolerance.relative, gap.largest, tolerance.largest);
+    feLog("    %-16s %12.4le (%9.2le)  %12.4le (%9.2le)\n", name.c_str(), gap.relative, tolerance.relative, gap.largest,
+          tolerance.largest);
   };
-  feLog(" sliding-mixture \"%s\", augmentation %d: gaps, with the tolerances (0: none)\n", GetName().c_str(), augmentation);
+  feLog(" sliding-mixture \"%s\", augmentation %d: gaps, with the tolerances (0: none)\n", GetName().c_str(),
+        augmentation);
   feLog("                         RELATIVE                  LARGEST\n");
   row("gap", report.traction, tolerances.traction);
   for (std::size_t k = 0; k < report.flux.size(); ++k) {
     const bool solvent = effects_.solvent && k == 0;
-    const std::string name = solvent ? "pressure jump" : "jump of c" + std::to_string(field_dof(static_cast<int>(k)) - concentration_dof_ + 1);
+    const std::string name = solvent ? "pressure jump"
+                                     : "jump of c" +
+                                           std::to_string(field_dof(static_cast<int>(k)) - concentration_dof_ + 1);
     row(name, report.flux[k], solvent ? tolerances.solvent : tolerances.solute);
   }
 }
 
-// ---------------------------------------------------------------------------------------------------- output and restart
+// ---------------------------------------------------------------------------------------------------- output and
+// restart
 
 void FEMixtureContact::store_output() {
   const PerSide<SurfaceFields> current = fields();
@@ -612,7 +641,8 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
     int low = static_cast<int>(static_cast<std::uint32_t>(mask));
     int high = static_cast<int>(static_cast<std::uint32_t>(mask >> 32U));
     ar & low & high;
-    mask = static_cast<FieldMask>(static_cast<std::uint32_t>(low)) | static_cast<FieldMask>(static_cast<std::uint32_t>(high)) << 32U;
+    mask = static_cast<FieldMask>(static_cast<std::uint32_t>(low)) |
+           static_cast<FieldMask>(static_cast<std::uint32_t>(high)) << 32U;
   }
   archive(ar, mesh.stiffness);
   archive(ar, mesh.conductance);
@@ -634,7 +664,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   if (!ar.IsShallow()) {
     ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_;
     ar & effects_.solvent & effects_.solutes;
-    ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given & parameters_.solute_tolerance_given;
+    ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given &
+        parameters_.solute_tolerance_given;
     ar & parameters_.penalty_given & parameters_.pressure_penalty_given & parameters_.concentration_penalty_given;
     ar & parameters_.search_radius_given;
     PerSide<SurfaceMesh> meshes;

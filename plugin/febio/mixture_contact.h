@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-/// Gathers positions, fields and equation numbers for the core, and hands its residual and tangent to FEBio. No mechanics here.
+/// Gathers positions, fields and equation numbers for the core, and hands its residual and tangent to FEBio. No
+/// mechanics here.
 class FEMixtureContact : public FEContactInterface {
  public:
   explicit FEMixtureContact(FEModel* fem);
@@ -91,8 +92,8 @@ class FEMixtureContact : public FEContactInterface {
   mixture_contact::Effects effects_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
   int pressure_dof_ = -1;
-  int concentration_dof_ = -1;   ///< of solute 0; the others follow
-  int concentrations_ = 0;       ///< number of solutes in the model
+  int concentration_dof_ = -1;  ///< of solute 0; the others follow
+  int concentrations_ = 0;      ///< number of solutes in the model
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way
   bool tried_ = false;              ///< a trial has been evaluated since the iterations began

@@ -17,7 +17,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// One FEBiphasicContactPoint per integration point of FEBio's rule; it carries output only.
   FEMaterialPoint* CreateMaterialPoint() override { return new FEBiphasicContactPoint; }
 
-  /// Takes the values at the nodes and the totals of this surface for output, and hands them on to FEBio's material points.
+  /// Takes the values at the nodes and the totals of this surface for output, and hands them on to FEBio's material
+  /// points.
   void store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total);
 
   const mixture_contact::NodalOutput& nodal_output() const { return nodal_; }

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int logged_solutes = 8;
 
-/// The exchanged field of a surface's contact that is the solvent (solute = -1) or a solute; -1 where it is not exchanged.
+/// The exchanged field of a surface's contact that is the solvent (solute = -1) or a solute; -1 where it is not
+/// exchanged.
 int exchanged_field(const FEMixtureSurface& surface, int solute) {
   const auto& effects = surface.contact().effects();
   if (solute < 0) return effects.solvent ? 0 : -1;
@@ -64,7 +65,8 @@ void name_solutes(FEPlotData& data, FEModel& fem) {
   data.SetArrayNames(names);
 }
 
-// ------------------------------------------------------------------------------------------------------------ plot file
+// ------------------------------------------------------------------------------------------------------------ plot
+// file
 
 template <Quantity quantity>
 class FEPlotSolvent : public FEPlotSurfaceData {
@@ -126,7 +128,8 @@ class FEPlotSoluteFlow : public FEPlotSurfaceData {
   }
 };
 
-// ------------------------------------------------------------------------------------------------------------- log file
+// ------------------------------------------------------------------------------------------------------------- log
+// file
 
 /// A number per surface. A surface that no sliding-mixture contact has is said to be so, once.
 class FELogMixtureSurface : public FELogSurfaceData {
@@ -135,7 +138,9 @@ class FELogMixtureSurface : public FELogSurfaceData {
   double value(FESurface& surface) override {
     const FEMixtureSurface* own = contact_surface(*GetFEModel(), surface);
     if (own != nullptr) return value_of(*own);
-    if (!warned_) feLogWarning("Log data \"%s\": \"%s\" is no surface of a sliding-mixture contact.", GetTypeStr(), surface.GetName().c_str());
+    if (!warned_)
+      feLogWarning("Log data \"%s\": \"%s\" is no surface of a sliding-mixture contact.", GetTypeStr(),
+                   surface.GetName().c_str());
     warned_ = true;
     return 0;
   }
@@ -168,12 +173,14 @@ class FELogFacet : public FELogFaceData {
     const FEMixtureSurface* own = surface ? contact_surface(*GetFEModel(), *surface) : nullptr;
     if (own == nullptr) return 0;
     double sum = 0;
-    for (int a = 0; a < element.Nodes(); ++a) sum += nodal_value(*own, quantity, solute, element.m_lnode[static_cast<std::size_t>(a)]);
+    for (int a = 0; a < element.Nodes(); ++a)
+      sum += nodal_value(*own, quantity, solute, element.m_lnode[static_cast<std::size_t>(a)]);
     return sum / element.Nodes();
   }
 };
 
-// --------------------------------------------------------------------------------------------------------- registration
+// ---------------------------------------------------------------------------------------------------------
+// registration
 
 /// Registers a class under a name. FEBio keeps the pointers, so factory and name live as long as the process.
 template <class T>

@@ -23,5 +23,4 @@ void PluginInitialize(FECoreKernel& kernel) {
   REGISTER_FECORE_CLASS(FEMixtureAmbientConcentration, "mixture_ambient_concentration");
   register_output_variables();
 }
-
 }
