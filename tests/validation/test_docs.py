@@ -1,0 +1,120 @@
+"""The documentation and the code say the same: parameters, output variables, links. Needs neither FEBio nor a build."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+PAGES = sorted([ROOT / "README.md", ROOT / "CHANGELOG.md", *DOCS.glob("*.md")])
+GUIDE = (DOCS / "user-guide.md").read_text(encoding="utf-8")
+CONTACT = (ROOT / "plugin" / "febio" / "mixture_contact.cpp").read_text(encoding="utf-8")
+OUTPUT = (ROOT / "plugin" / "febio" / "output_variables.cpp").read_text(encoding="utf-8")
+
+CODE = re.compile(r"^```.*?^```|^ {4,}\S.*?$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+
+
+def section(page: str, title: str) -> str:
+    """The text below a heading, up to the next one of any level."""
+    found = re.search(rf"^#+ {re.escape(title)}\n(.*?)(?=^#|\Z)", page, re.MULTILINE | re.DOTALL)
+    assert found, f"no heading '{title}'"
+    return found.group(1)
+
+
+def first_column(text: str) -> list[str]:
+    """First cells of all table rows that begin with a code word."""
+    return re.findall(r"^\| (`.+?) \|", text, re.MULTILINE)
+
+
+def names(cell: str) -> list[str]:
+    """Names in a cell; "`x 1` to `x 8`" stands for all eight."""
+    found: list[str] = re.findall(r"`([^`]+)`", cell)
+    if " to " not in cell:
+        return found
+    stem, first = found[0].rsplit(" ", 1)
+    last = found[1].removeprefix(stem)
+    return [f"{stem} {number}" for number in range(int(first), int(last) + 1)]
+
+
+def listed(text: str) -> list[str]:
+    return [name for cell in first_column(text) for name in names(cell)]
+
+
+def offered(classes: str) -> list[str]:
+    """Names that output_variables.cpp registers for classes whose name starts so, solutes counted."""
+    plain = re.findall(rf'^  offer<{classes}\w*(?:<[^;]*?>)?>\("([^"]+)"\)', OUTPUT, re.MULTILINE)
+    per_solute = re.findall(rf'\(offer<{classes}\w*<[^;]*?>>\(named\("([^"]+)", solutes\)', OUTPUT)
+    solutes = re.search(r"logged_solutes = (\d+)", OUTPUT)
+    assert solutes
+    return plain + [f"{name} {number}" for name in per_solute for number in range(1, int(solutes.group(1)) + 1)]
+
+
+def anchors(page: Path) -> set[str]:
+    """Anchors of the headings, as GitHub makes them."""
+    titles = re.findall(r"^#+ (.+)$", CODE.sub("", page.read_text(encoding="utf-8")), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in titles}
+
+
+def links() -> list[tuple[Path, str]]:
+    found = []
+    for page in PAGES:
+        text = CODE.sub("", page.read_text(encoding="utf-8"))
+        found += [(page, target) for target in LINK.findall(text) if not re.match(r"[a-z]+:", target)]
+    return found
+
+
+def test_the_parameter_table_is_complete():
+    registered = re.findall(r'ADD_(?:PARAMETER|PROPERTY)\([^"]*?"(\w+)"', CONTACT)
+    assert len(registered) == len(re.findall(r"ADD_(?:PARAMETER|PROPERTY)\(", CONTACT)) > 30
+    documented = listed(section(GUIDE, "Parameters"))
+    assert sorted(documented) == sorted(registered)
+
+
+@pytest.mark.parametrize(
+    ("classes", "title", "part"),
+    [
+        ("FEPlot", "Plot file", slice(0, None)),
+        ("FELog(?:ContactForce|Flow)", "Log file", slice(0, 1)),
+        ("FELogFacet", "Log file", slice(1, 2)),
+    ],
+    ids=["plot", "surface_data", "face_data"],
+)
+def test_the_output_tables_are_complete(classes, title, part):
+    tables = re.split(r"(?=^`face_data`)", section(GUIDE, title), flags=re.MULTILINE)
+    documented = listed("".join(tables[part]))
+    assert len(documented) >= 5
+    assert sorted(documented) == sorted(offered(classes))
+
+
+def test_no_output_variable_is_overlooked():
+    total = len(re.findall(r"offer<FE", OUTPUT))
+    plain = len(re.findall(r'offer<FE[^;]*?>\("', OUTPUT))
+    per_solute = len(re.findall(r'offer<FE[^;]*?>\(named\("', OUTPUT))
+    assert total == plain + per_solute
+
+
+def test_migration_covers_every_parameter():
+    page = (DOCS / "migration.md").read_text(encoding="utf-8")
+    new = set(names(re.search(r"^New: (.+)$", page, re.MULTILINE).group(1)))  # type: ignore[union-attr]
+    covered = set(listed(section(page, "Parameter by parameter"))) - {"penalty_sf", "max_penalty_sf"}
+    assert covered | new == set(listed(section(GUIDE, "Parameters")))
+    assert not covered & new
+
+
+@pytest.mark.parametrize(("page", "target"), links(), ids=lambda value: getattr(value, "name", value))
+def test_relative_links_lead_somewhere(page, target):
+    path, _, anchor = target.partition("#")
+    goal = (page.parent / path).resolve() if path else page
+    assert goal.exists()
+    if anchor:
+        assert anchor in anchors(goal)
+
+
+def test_every_page_is_on_the_map():
+    index = (DOCS / "index.md").read_text(encoding="utf-8")
+    for page in DOCS.glob("*.md"):
+        assert page.name == "index.md" or f"]({page.name})" in index
