@@ -13,6 +13,8 @@ constexpr double box_margin = 0.1;
 /// Surfaces closer than this part of their size touch to rounding.
 constexpr double touch_fraction = 1e-10;
 constexpr int nothing_seen = -1;
+/// Rounding of averaged gaps and jumps, over the size of the surface or the field.
+constexpr double rounding_fraction = 1e-13;
 /// Of quadratic facets psi_a changes sign. An average over points that see the other surface only where it does would
 /// divide by next to nothing: its area must be this part of that of |psi_a|.
 constexpr double least_area = 0.1;
@@ -22,11 +24,12 @@ constexpr double status_tolerance = 1e-6;
 constexpr double load_rounding = 1e-9;
 constexpr double load_tolerance = 1e-2;
 
-/// Whether two arrays of loads differ by more than a part of their largest entry; rows (fields) on their own.
-bool differs(const MatrixXd& one, const MatrixXd& other, double part) {
-  for (Index row = 0; row < one.rows(); ++row) {
-    const double size = std::max(one.row(row).cwiseAbs().maxCoeff(), other.row(row).cwiseAbs().maxCoeff());
-    if (!((one.row(row) - other.row(row)).cwiseAbs().maxCoeff() <= part * size)) return true;
+/// Whether two arrays of loads (fields, nodes) differ by more than a part of a field's largest entry, and by more than
+/// `rounding` of the field.
+bool differs(const MatrixXd& one, const MatrixXd& other, double part, const VectorXd& rounding) {
+  for (Index field = 0; field < one.rows(); ++field) {
+    const double size = std::max(one.row(field).cwiseAbs().maxCoeff(), other.row(field).cwiseAbs().maxCoeff());
+    if (!((one.row(field) - other.row(field)).cwiseAbs().maxCoeff() <= part * size + rounding[field])) return true;
   }
   return false;
 }
@@ -281,8 +284,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   next.geometric_traction = predicted ? before.traction : next.loads.traction;
   next.geometric_flux = predicted ? before.flux : next.loads.flux;
   const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
-                       differs(before.traction.transpose(), next.loads.traction.transpose(), load_rounding) ||
-                       differs(before.flux, next.loads.flux, load_rounding);
+                       loads_differ(before, next.loads, load_rounding, primary, secondary);
   held_ = std::move(next);
   return changed;
 }
@@ -293,8 +295,23 @@ bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields&
   const NodalLoads predicted = predicted_loads(primary, secondary);
   NodalLoads now = averages(primary, secondary, held_->loads.in_contact, held_->loads.sealed);
   apply_laws(now);
-  return !differs(predicted.traction.transpose(), now.traction.transpose(), load_tolerance) &&
-         !differs(predicted.flux, now.flux, load_tolerance);
+  return !loads_differ(predicted, now, load_tolerance, primary, secondary);
+}
+
+bool ContactPass::loads_differ(const NodalLoads& one, const NodalLoads& other, double part,
+                               const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  // A large penalty turns the rounding of gaps and jumps into loads.
+  const VectorXd traction_rounding = VectorXd::Constant(
+      1, multipliers.traction_growth * penalties_.traction.maxCoeff() * rounding_fraction / touch_fraction * touch_);
+  VectorXd flux_rounding(effects_.scalar_fields());
+  for (int field = 0; field < effects_.scalar_fields(); ++field) {
+    const double size = std::max(primary.scalar.col(field).cwiseAbs().maxCoeff(),
+                                 secondary.scalar.col(field).cwiseAbs().maxCoeff());
+    flux_rounding[field] = rounding_fraction * size * multipliers.flux_growth[field] *
+                           penalties_.flux.row(field).maxCoeff();
+  }
+  return differs(one.traction.transpose(), other.traction.transpose(), part, traction_rounding) ||
+         differs(one.flux, other.flux, part, flux_rounding);
 }
 
 // ------------------------------------------------------------------------------------------------- loads at the points

@@ -178,6 +178,8 @@ class ContactPass {
   NodalLoads predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const;
   void apply_laws(NodalLoads& loads) const;
   bool seen(const NodalLoads& loads, Index node) const;
+  bool loads_differ(const NodalLoads& one, const NodalLoads& other, double part, const SurfaceFields& primary,
+                    const SurfaceFields& secondary) const;
   std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   std::vector<bool> next_status(const SurfaceFields& primary, const SurfaceFields& secondary) const;
   PointContact contact(const PointPair& pair, const NodalLoads& loads, const SurfaceFields& primary,

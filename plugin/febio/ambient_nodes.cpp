@@ -31,8 +31,7 @@ bool AmbientNodes::release_with_value(FENewtonSolver& newton, FENode& node, int 
   int& id = node.m_ID[static_cast<std::size_t>(dof)];
   if (id >= 0) return false;
   id = prescribed(id);
-  const auto n = static_cast<std::size_t>(id);
-  newton.m_Ut[n] = node.get(dof) - newton.m_Ui[n];
+  synchronise(newton, node, dof);
   return true;
 }
 
@@ -43,13 +42,17 @@ bool AmbientNodes::release(FENode& node, int dof) {
   return true;
 }
 
+void AmbientNodes::synchronise(FENewtonSolver& newton, const FENode& node, int dof) {
+  const int id = node.m_ID[static_cast<std::size_t>(dof)];
+  if (id < 0) return;
+  const auto n = static_cast<std::size_t>(id);
+  newton.m_Ut[n] = node.get(dof) - newton.m_Ui[n];
+}
+
 void AmbientNodes::synchronise() {
   FENewtonSolver* newton = solver();
   for (const auto& [node, dof] : released_) {
-    const int id = node->m_ID[static_cast<std::size_t>(dof)];
-    if (newton == nullptr || id < 0) continue;
-    const auto n = static_cast<std::size_t>(id);
-    newton->m_Ut[n] = node->get(dof) - newton->m_Ui[n];
+    if (newton != nullptr) synchronise(*newton, *node, dof);
   }
   released_.clear();
 }

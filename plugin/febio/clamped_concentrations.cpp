@@ -101,8 +101,10 @@ void ClampedConcentrations::forget(const FENode& node, int dof) {
 
 void ClampedConcentrations::release() {
   const ClampingSolver solver = clamping_solver(fem_);
-  for (const auto& [node, dof] : held_) {
-    if (solver.newton != nullptr) AmbientNodes::release_with_value(*solver.newton, *node, dof);
+  if (solver.newton != nullptr) {
+    for (const auto& [node, dof] : held_) AmbientNodes::release_with_value(*solver.newton, *node, dof);
+    // Those freed in an attempt that was cut back have the value of the step's start again.
+    for (const auto& [node, dof] : freed_) AmbientNodes::synchronise(*solver.newton, *node, dof);
   }
   held_.clear();
   freed_.clear();

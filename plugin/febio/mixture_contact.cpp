@@ -5,6 +5,7 @@
 
 #include <FECore/DumpStream.h>
 #include <FECore/FEAnalysis.h>
+#include <FECore/FEException.h>
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>
 #include <FECore/FELinearSystem.h>
@@ -321,6 +322,7 @@ void FEMixtureContact::Activate() {
 }
 
 void FEMixtureContact::PrepStep() {
+  disputes_ = 0;
   ambient_.synchronise();
   if (parameters_.update_penalty) update_properties();
 }
@@ -427,8 +429,9 @@ void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
 bool FEMixtureContact::on_matrix_reformed(FEModel* /*fem*/, unsigned int /*when*/, void* contact) {
   auto* self = static_cast<FEMixtureContact*>(contact);
   FENewtonSolver* solver = self->newton_solver();
-  if (self->IsActive() && solver != nullptr && std::exchange(self->residual_outdated_, false))
-    solver->Residual(solver->m_R0);
+  if (!self->IsActive() || solver == nullptr || !std::exchange(self->residual_outdated_, false)) return true;
+  solver->Residual(solver->m_R0);
+  solver->m_R0 += solver->m_Fd;  // what prescribed increments add, at the start of a step
   return true;
 }
 
@@ -567,6 +570,8 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
   if (!core_->is_solution(fields()) || !clamped_.settled()) {
+    // FEBio counts reformations anew after this: the limit on them is to hold all the same.
+    if (++disputes_ > newton_solver()->m_maxref) throw MaxStiffnessReformations();
     keep_prediction_ = true;
     return false;
   }

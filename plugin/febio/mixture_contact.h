@@ -99,6 +99,7 @@ class FEMixtureContact : public FEContactInterface {
   bool tried_ = false;              ///< a trial has been evaluated since the iterations began
   bool keep_prediction_ = false;    ///< the next iteration goes on from what the last one predicts
   bool loads_changed_ = false;      ///< at the beginning of this iteration
+  int disputes_ = 0;                ///< solutions of FEBio's in this step that were none
   bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;
 
