@@ -58,6 +58,9 @@ class ContactInterface {
   ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings);
   ContactInterface(const ContactInterface&) = delete;
   ContactInterface& operator=(const ContactInterface&) = delete;
+  ContactInterface(ContactInterface&&) = delete;
+  ContactInterface& operator=(ContactInterface&&) = delete;
+  ~ContactInterface() = default;
 
   /// Whether a projection looks for the facet anew or keeps to the one that a point saw last.
   enum class Search { everywhere, same_facets };

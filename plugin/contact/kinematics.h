@@ -18,8 +18,8 @@ struct PointKinematics {
   Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< x2,beta
   Vector3d area_vector;                            ///< a
   Vector3d normal;                                 ///< n1
-  double area;                                     ///< |a|
-  double gap;                                      ///< g = (x2 - x1).n1, negative where the bodies overlap
+  double area = 0;                                 ///< |a|
+  double gap = 0;                                  ///< g = (x2 - x1).n1, negative where the bodies overlap
 
   Index primary_nodes() const { return primary_shape.size(); }
   Index nodes() const { return primary_shape.size() + secondary_shape.size(); }

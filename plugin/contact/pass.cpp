@@ -133,7 +133,7 @@ std::vector<int> ContactPass::exchanged_fields(const PointPair& pair) const {
   return fields;
 }
 
-// ------------------------------------------------------------------------------------------------------- laws at the
+// ------------------------------------------------------------ laws at the
 // nodes
 
 void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
@@ -201,7 +201,7 @@ void ContactPass::apply_laws(NodalLoads& loads) const {
 }
 
 NodalLoads ContactPass::nodal_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const {
-  if (held_) return predicted_loads(primary, secondary);
+  if (held_) return predicted_loads(*held_, primary, secondary);
   const std::vector<bool> status = natural_status(primary.position, secondary.position);
   NodalLoads loads = averages(primary, secondary, status, status);
   apply_laws(loads);
@@ -209,7 +209,7 @@ NodalLoads ContactPass::nodal_loads(const SurfaceFields& primary, const SurfaceF
   return loads;
 }
 
-bool ContactPass::seen(const NodalLoads& loads, Index node) const {
+bool ContactPass::seen(const NodalLoads& loads, Index node) {
   return loads.area[node] > least_area * loads.absolute_area[node];
 }
 
@@ -228,13 +228,13 @@ std::vector<bool> ContactPass::sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd
   return held_ ? held_->loads.sealed : natural_status(x1, x2);
 }
 
-// ---------------------------------------------------------------------------------------------------- Newton
-// iterations
+// ------------------------------------------------------------ Newton iterations
 
-NodalLoads ContactPass::predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const {
-  NodalLoads loads = held_->loads;
+NodalLoads ContactPass::predicted_loads(const Held& held, const SurfaceFields& primary,
+                                        const SurfaceFields& secondary) const {
+  NodalLoads loads = held.loads;
   for (Index node = 0; node < primary_.nodes; ++node) {
-    const NodeLinearisation& linear = held_->nodes[static_cast<std::size_t>(node)];
+    const NodeLinearisation& linear = held.nodes[static_cast<std::size_t>(node)];
     if (linear.unknowns.size() == 0) continue;
     const VectorXd change = patch_unknowns(linear.patch, primary, secondary) - linear.unknowns;
     loads.gap[node] += linear.gap_variation.dot(change);
@@ -248,7 +248,7 @@ NodalLoads ContactPass::predicted_loads(const SurfaceFields& primary, const Surf
 
 std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const SurfaceFields& secondary) const {
   if (!held_) return natural_status(primary.position, secondary.position);
-  const NodalLoads predicted = predicted_loads(primary, secondary);
+  const NodalLoads predicted = predicted_loads(*held_, primary, secondary);
   NodalLoads now;
   average_gaps(primary.position, secondary.position, now);
   const double negligible = status_tolerance * predicted.traction.cwiseAbs().maxCoeff();
@@ -292,7 +292,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
 bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const {
   if (!held_) return true;
   if (next_status(primary, secondary) != held_->loads.in_contact) return false;
-  const NodalLoads predicted = predicted_loads(primary, secondary);
+  const NodalLoads predicted = predicted_loads(*held_, primary, secondary);
   NodalLoads now = averages(primary, secondary, held_->loads.in_contact, held_->loads.sealed);
   apply_laws(now);
   return !loads_differ(predicted, now, load_tolerance, primary, secondary);
@@ -314,7 +314,7 @@ bool ContactPass::loads_differ(const NodalLoads& one, const NodalLoads& other, d
          differs(one.flux, other.flux, part, flux_rounding);
 }
 
-// ------------------------------------------------------------------------------------------------- loads at the points
+// ------------------------------------------------------------ loads at the points
 
 bool ContactPass::carries_load(const PointPair& pair, const std::vector<bool>& in_contact) const {
   const Facet& facet = primary_facet(pair);
@@ -403,8 +403,7 @@ void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& se
   gather_by_facet_pair<VectorXd>(nodal_loads(primary, secondary), primary, secondary, dt, evaluate, add);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// tangent
+// ------------------------------------------------------------ tangent
 
 void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                           const std::function<void(const Patch&, const MatrixXd&)>& add) const {
@@ -466,6 +465,7 @@ Index position_in(const std::vector<int>& list, int entry) {
 /// Where the nodes of a pair of facets stand in a larger patch.
 std::vector<Index> places(const Patch& pair, const Patch& patch) {
   std::vector<Index> places;
+  places.reserve(pair.primary.size() + pair.secondary.size());
   for (const int node : pair.primary) places.push_back(position_in(patch.primary, node));
   for (const int node : pair.secondary) {
     places.push_back(static_cast<Index>(patch.primary.size()) + position_in(patch.secondary, node));
@@ -486,8 +486,7 @@ Patch ContactPass::node_patch(const std::vector<const PointPair*>& pairs) const 
   return patch;
 }
 
-VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& primary,
-                                     const SurfaceFields& secondary) const {
+VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) {
   const LocalLayout layout = patch.layout();
   VectorXd unknowns(layout.size());
   for (Index place = 0; place < layout.nodes(); ++place) {

@@ -131,8 +131,8 @@ class ContactPass {
 
  private:
   struct IntegrationPoint {
-    int facet;
-    double weight;
+    int facet = 0;
+    double weight = 0;
     ShapeFunctions shape;
   };
 
@@ -175,9 +175,9 @@ class ContactPass {
   }
   NodalLoads averages(const SurfaceFields& primary, const SurfaceFields& secondary, std::vector<bool> in_contact,
                       std::vector<bool> sealed) const;
-  NodalLoads predicted_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  NodalLoads predicted_loads(const Held& held, const SurfaceFields& primary, const SurfaceFields& secondary) const;
   void apply_laws(NodalLoads& loads) const;
-  bool seen(const NodalLoads& loads, Index node) const;
+  static bool seen(const NodalLoads& loads, Index node);
   bool loads_differ(const NodalLoads& one, const NodalLoads& other, double part, const SurfaceFields& primary,
                     const SurfaceFields& secondary) const;
   std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
@@ -189,7 +189,7 @@ class ContactPass {
   Patch node_patch(const std::vector<const PointPair*>& pairs) const;
   NodeLinearisation linearise(Index node, const std::vector<const PointPair*>& pairs, const NodalLoads& loads,
                               const SurfaceFields& primary, const SurfaceFields& secondary) const;
-  VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  static VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary);
   MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
   void for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
                              double dt, const std::function<void(const PointContact&)>& use) const;

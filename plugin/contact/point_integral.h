@@ -12,11 +12,11 @@ using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_
 
 /// What acts at an integration point.
 struct PointLoads {
-  LawValue traction;  ///< t_n [MPa] and dt_n/dg
+  LawValue traction{0.0, 0.0};  ///< t_n [MPa] and dt_n/dg
   Eigen::Array<LawValue, Eigen::Dynamic, 1>
-      flux;               ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
-  double weight;          ///< quadrature weight: da1 = weight * |a|
-  double time_increment;  ///< fluxes are integrated over the time step: their rows carry dt [s]
+      flux;                   ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
+  double weight = 0;          ///< quadrature weight: da1 = weight * |a|
+  double time_increment = 0;  ///< fluxes are integrated over the time step: their rows carry dt [s]
 };
 
 /// Contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape (layout.size()).

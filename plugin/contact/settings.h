@@ -26,7 +26,8 @@ inline constexpr double default_flux_factor = 1e5;
 struct Tolerances {
   /// Criteria of one kind of field.
   struct Field {
-    double relative = 1e-3;  ///< rms gap or jump over the drop across the adjoining elements [-]
+    double relative = 2e-3;  ///< rms gap or jump over the drop across the adjoining elements [-]; above
+                             ///< 1/default_traction_factor
     double largest = 0;      ///< largest |g| [mm], |p1 - p2| [MPa] or |c1 - c2| [mM] in contact
   };
   Field traction;

@@ -23,10 +23,10 @@ class AmbientNodes {
 
   /// Makes a held degree of freedom free, with the value it has now, in the node and in the solver's solution vector.
   /// Returns whether it was held.
-  static bool release_with_value(FENewtonSolver& solver, FENode& node, int dof);
+  static bool release_with_value(FENewtonSolver& newton, FENode& node, int dof);
 
   /// Brings the solver's solution vector in step with the nodal value of a free degree of freedom.
-  static void synchronise(FENewtonSolver& solver, const FENode& node, int dof);
+  static void synchronise(FENewtonSolver& newton, const FENode& node, int dof);
 
   /// Holds a degree of freedom at a value. Returns whether anything changed.
   static bool hold_at(FENode& node, int dof, double value);

@@ -60,6 +60,7 @@ std::vector<ClampedConcentrations::Place> ClampedConcentrations::rising() const 
   // that none comes and goes for ever.
   std::vector<Place> places;
   const ClampingSolver solver = clamping_solver(fem_);
+  if (solver.reaction == nullptr) return places;
   const auto reaction = [&](const Place& place) {
     const int id = place.first->m_ID[static_cast<std::size_t>(place.second)];
     return id < 0 ? (*solver.reaction)[static_cast<std::size_t>(-id - 2)] : 0.0;
@@ -74,10 +75,12 @@ std::vector<ClampedConcentrations::Place> ClampedConcentrations::rising() const 
 bool ClampedConcentrations::settled() const { return negative().empty() && rising().empty(); }
 
 bool ClampedConcentrations::update() {
+  const ClampingSolver solver = clamping_solver(fem_);
+  if (solver.newton == nullptr) return false;
   const std::vector<Place> to_free = rising();
   const std::vector<Place> to_hold = negative();
   for (const Place& place : to_free) {
-    AmbientNodes::release_with_value(*clamping_solver(fem_).newton, *place.first, place.second);
+    AmbientNodes::release_with_value(*solver.newton, *place.first, place.second);
     forget(*place.first, place.second);
     freed_.insert(place);
   }
@@ -105,6 +108,19 @@ void ClampedConcentrations::release() {
     for (const auto& [node, dof] : held_) AmbientNodes::release_with_value(*solver.newton, *node, dof);
     // Those freed in an attempt that was cut back have the value of the step's start again.
     for (const auto& [node, dof] : freed_) AmbientNodes::synchronise(*solver.newton, *node, dof);
+  }
+  held_.clear();
+  freed_.clear();
+}
+
+void ClampedConcentrations::end_step() {
+  const ClampingSolver solver = clamping_solver(fem_);
+  for (const auto& [node, dof] : held_) {
+    int& id = node->m_ID[static_cast<std::size_t>(dof)];
+    if (solver.newton == nullptr || id >= 0) continue;
+    id = -id - 2;
+    // FEBio has added the step's increments to its solution vector already.
+    solver.newton->m_Ut[static_cast<std::size_t>(id)] = node->get(dof);
   }
   held_.clear();
   freed_.clear();

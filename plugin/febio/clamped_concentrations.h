@@ -29,6 +29,10 @@ class ClampedConcentrations {
   /// Frees all held concentrations, at the start of a step.
   void release();
 
+  /// Frees all held concentrations at the end of a step, with the value 0 that they have: between steps, and in restart
+  /// files, nothing is held.
+  void end_step();
+
   /// Whether it holds this degree of freedom.
   bool holds(const FENode& node, int dof) const;
 

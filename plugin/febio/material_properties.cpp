@@ -73,7 +73,7 @@ double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n
 }
 
 /// Solute conductance, diffusive and convective: phi_w kappa~ d + kappa~ (d/d0) |w_n| h, over the thickness h.
-double solute_conductance(FEMaterial& material, FESolute& solute, FEMaterialPoint& point, const vec3d& n,
+double solute_conductance(FEMaterial& material, const FESolute& solute, FEMaterialPoint& point, const vec3d& n,
                           double convection, double thickness) {
   const double diffusivity = n * (solute.m_pDiff->Diffusivity(point) * n);
   const double solubility = solute.m_pSolub->Solubility(point);

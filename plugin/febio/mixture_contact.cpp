@@ -71,7 +71,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
   secondary_.SetContactInterface(this);
 }
 
-// ---------------------------------------------------------------------------------------------------------- setting up
+// ------------------------------------------------------------ setting up
 
 bool FEMixtureContact::Init() {
   FEModel& fem = *GetFEModel();
@@ -217,7 +217,7 @@ SurfaceMesh FEMixtureContact::surface_mesh(Side side, const std::vector<FacetMat
   for (Index f = 0; f < facets; ++f) {
     const FESurfaceElement& element = s.Element(static_cast<int>(f));
     Facet facet;
-    facet.type = *type_of(element);
+    facet.type = type_of(element).value_or(FacetType::quad4);  // check_surfaces() has seen to it that there is a type
     std::copy_n(element.m_lnode.begin(), element.Nodes(), facet.nodes.begin());
     mesh.facets.push_back(facet);
 
@@ -254,7 +254,7 @@ bool FEMixtureContact::update_properties() {
       if (!material) return false;
       materials.push_back(*material);
     }
-    SurfaceMesh mesh = surface_mesh(side, materials);
+    const SurfaceMesh mesh = surface_mesh(side, materials);
     stiffness[side] = mesh.stiffness;
     conductance[side] = mesh.conductance;
   }
@@ -317,8 +317,18 @@ bool FEMixtureContact::check_ambient() {
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
   update_properties();
+  warn_of_symmetric_matrix();
   if (parameters_.node_reloc && !relocated_) relocate_nodes();
   Update();
+}
+
+void FEMixtureContact::warn_of_symmetric_matrix() {
+  const FENewtonSolver* solver = newton_solver();
+  if (solver == nullptr || solver->m_msymm != REAL_SYMMETRIC) return;
+  feLogWarning(
+      "sliding-mixture \"%s\": the matrix of contact is not symmetric, the solver's is: convergence may be slow or fail. Set "
+      "<symmetric_stiffness>non-symmetric</symmetric_stiffness> in the solver.",
+      GetName().c_str());
 }
 
 void FEMixtureContact::PrepStep() {
@@ -327,7 +337,7 @@ void FEMixtureContact::PrepStep() {
   if (parameters_.update_penalty) update_properties();
 }
 
-// --------------------------------------------------------------------------------------------------- state of the
+// ------------------------------------------------------------ state of the
 // model
 
 int FEMixtureContact::field_dof(int field) const {
@@ -435,8 +445,7 @@ bool FEMixtureContact::on_matrix_reformed(FEModel* /*fem*/, unsigned int /*when*
   return true;
 }
 
-// --------------------------------------------------------------------------------------------------- ambient
-// conditions
+// ------------------------------------------------------------ ambient conditions
 
 std::vector<FEMixtureContact*> FEMixtureContact::active_contacts() {
   std::vector<FEMixtureContact*> contacts;
@@ -493,7 +502,7 @@ bool FEMixtureContact::apply_ambient(const std::vector<FEMixtureContact*>& conta
   return changed;
 }
 
-// ------------------------------------------------------------------------------------------------------- local to
+// ------------------------------------------------------------ local to
 // global
 
 std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at) {
@@ -564,8 +573,7 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
   });
 }
 
-// ---------------------------------------------------------------------------------------------------------
-// augmentation
+// ------------------------------------------------------------ augmentation
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
@@ -610,7 +618,7 @@ void FEMixtureContact::log_gaps(int augmentation, const GapReport& report) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------- output and
+// ------------------------------------------------------------ output and
 // restart
 
 void FEMixtureContact::store_output() {
@@ -624,7 +632,9 @@ void FEMixtureContact::store_output() {
 
 bool FEMixtureContact::on_step_solved(FEModel* /*fem*/, unsigned int /*when*/, void* contact) {
   auto* self = static_cast<FEMixtureContact*>(contact);
-  if (self->IsActive()) self->store_output();
+  if (!self->IsActive()) return true;
+  self->store_output();
+  self->clamped_.end_step();
   return true;
 }
 

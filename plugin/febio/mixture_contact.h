@@ -18,6 +18,8 @@
 /// mechanics here.
 class FEMixtureContact : public FEContactInterface {
  public:
+  using Side = mixture_contact::Side;
+
   explicit FEMixtureContact(FEModel* fem);
 
   bool Init() override;
@@ -37,9 +39,13 @@ class FEMixtureContact : public FEContactInterface {
   bool UseNodalIntegration() override { return false; }
 
   const mixture_contact::Effects& effects() const { return effects_; }
+  /// A facet of one of the two surfaces as the core knows it.
+  const mixture_contact::Facet& core_facet(const FEMixtureSurface& surface, int face) const {
+    const Side side = &surface == &primary_ ? Side::primary : Side::secondary;
+    return core_->mesh(side).facets[static_cast<std::size_t>(face)];
+  }
 
  private:
-  using Side = mixture_contact::Side;
   template <class T>
   using PerSide = mixture_contact::PerSide<T>;
 
@@ -55,6 +61,7 @@ class FEMixtureContact : public FEContactInterface {
   bool update_properties();
   void log_effects(const PerSide<std::vector<FacetMaterial>>& materials);
   void add_callbacks();
+  void warn_of_symmetric_matrix();
   void build_core(PerSide<mixture_contact::SurfaceMesh> meshes);
 
   // State of the model

@@ -1,6 +1,7 @@
 #include "mixture_surface.h"
 
 #include "archive.h"
+#include "mixture_contact.h"
 
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -90,7 +91,7 @@ void FEMixtureSurface::GetNodalVectorGap(int face, vec3d* gap) {
 }
 
 void FEMixtureSurface::GetNodalContactPressure(int face, double* pressure) {
-  FESurfaceElement& element = Element(face);
+  const FESurfaceElement& element = Element(face);
   for (int a = 0; a < element.Nodes(); ++a) {
     const int node = element.m_lnode[static_cast<std::size_t>(a)];
     pressure[a] = node < nodal_.pressure.size() ? nodal_.pressure[node] : 0.0;
@@ -99,9 +100,13 @@ void FEMixtureSurface::GetNodalContactPressure(int face, double* pressure) {
 
 void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
   FESurfaceElement& element = Element(face);
-  double pressure[FEElement::MAX_NODES];
+  double pressure[FEElement::MAX_NODES] = {};
   GetNodalContactPressure(face, pressure);
-  for (int a = 0; a < element.Nodes(); ++a) traction[a] = SurfaceNormal(element, a) * (-pressure[a]);
+  const mixture_contact::FacetType type = contact_.core_facet(*this, face).type;
+  for (int a = 0; a < element.Nodes(); ++a) {
+    const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
+    traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);
+  }
 }
 
 void FEMixtureSurface::Serialize(DumpStream& ar) {

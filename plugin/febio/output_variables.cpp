@@ -59,7 +59,7 @@ FEMixtureSurface* contact_surface(FEModel& fem, FESurface& surface) {
 void name_solutes(FEPlotData& data, FEModel& fem) {
   std::vector<std::string> names;
   for (int i = 0; i < fem.GlobalDataItems(); ++i) {
-    if (auto* solute = dynamic_cast<FESoluteData*>(fem.GetGlobalData(i))) names.push_back(solute->GetName());
+    if (const auto* solute = dynamic_cast<FESoluteData*>(fem.GetGlobalData(i))) names.push_back(solute->GetName());
   }
   data.SetArraySize(static_cast<int>(names.size()));
   data.SetArrayNames(names);

@@ -15,17 +15,18 @@ PenaltyRule penalty_rule(bool given, double value, bool auto_penalty, double def
 
 void require_not_negative(std::vector<std::string>& list, const char* name, double value) {
   if (std::isfinite(value) && value >= 0) return;
-  list.push_back("<" + std::string(name) + "> is " + std::to_string(value) + "; it must be a number that is not negative.");
+  list.emplace_back("<" + std::string(name) + "> is " + std::to_string(value) +
+                    "; it must be a number that is not negative.");
 }
 
 void require_positive(std::vector<std::string>& list, const char* name, bool given, double value) {
   if (!given || (std::isfinite(value) && value > 0)) return;
-  list.push_back("<" + std::string(name) + "> is " + std::to_string(value) +
-                 "; it must be a positive number. Leave it out to have it chosen automatically.");
+  list.emplace_back("<" + std::string(name) + "> is " + std::to_string(value) +
+                    "; it must be a positive number. Leave it out to have it chosen automatically.");
 }
 
 void require_unused(std::vector<std::string>& list, const char* name, bool used, const char* why) {
-  if (used) list.push_back("<" + std::string(name) + "> is set, but " + why + ". Leave it out or set it to 0.");
+  if (used) list.emplace_back("<" + std::string(name) + "> is set, but " + why + ". Leave it out or set it to 0.");
 }
 
 }  // namespace
@@ -45,25 +46,28 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   require_positive(list, "concentration_penalty", p.concentration_penalty_given, p.concentration_penalty);
   require_positive(list, "search_radius", p.search_radius_given, p.search_radius);
   if (p.integration_order < 0 || p.integration_order > mixture_contact::max_quadrature_order) {
-    list.push_back("<integration_order> is " + std::to_string(p.integration_order) + "; it must lie between 1 and " +
-                   std::to_string(mixture_contact::max_quadrature_order) + ", or be 0 for the default.");
+    list.emplace_back("<integration_order> is " + std::to_string(p.integration_order) + "; it must lie between 1 and " +
+                      std::to_string(mixture_contact::max_quadrature_order) + ", or be 0 for the default.");
   }
-  if (p.seg_up < 0) list.push_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
-  if (p.minaug < 0) list.push_back("<minaug> is negative; it must be a number of augmentations.");
-  if (p.maxaug < p.minaug) list.push_back("<maxaug> is less than <minaug>.");
-  if (!std::isfinite(p.ambient_pressure)) list.push_back("<ambient_pressure> is not a finite number.");
+  if (p.seg_up < 0) list.emplace_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
+  if (p.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
+  if (p.maxaug < p.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
+  if (!std::isfinite(p.ambient_pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
   require_unused(list, "fric_coeff", p.fric_coeff != 0, "friction is not part of sliding-mixture");
   require_unused(list, "offset", p.offset != 0, "sliding-mixture brings the surfaces themselves into contact");
   require_unused(list, "tension", p.tension, "sliding-mixture transmits compression only");
-  require_unused(list, "shell_bottom_primary", p.shell_bottom_primary, "sliding-mixture works on the faces of solid elements");
-  require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary, "sliding-mixture works on the faces of solid elements");
+  require_unused(list, "shell_bottom_primary", p.shell_bottom_primary,
+                 "sliding-mixture works on the faces of solid elements");
+  require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary,
+                 "sliding-mixture works on the faces of solid elements");
   return list;
 }
 
 std::vector<std::string> notices(const ContactParameters& p) {
   std::vector<std::string> list;
   if (p.knmult_given) list.emplace_back("<knmult> has no effect: the linearisation is always complete.");
-  if (p.smooth_aug_given && p.smooth_aug) list.emplace_back("<smooth_aug> has no effect: multipliers take the contact's own loads.");
+  if (p.smooth_aug_given && p.smooth_aug)
+    list.emplace_back("<smooth_aug> has no effect: multipliers take the contact's own loads.");
   if (p.smooth_fls_given && p.smooth_fls) list.emplace_back("<smooth_fls> has no effect: there is no friction.");
   if (p.contact_frac_given) list.emplace_back("<contact_frac> has no effect: there is no friction.");
   return list;
@@ -75,7 +79,8 @@ mixture_contact::Settings core_settings(const ContactParameters& p) {
   settings.enforcement = p.laugon == 1 ? Enforcement::augmented_lagrangian : Enforcement::penalty;
   settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, default_traction_factor);
   settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, default_flux_factor);
-  settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty, default_flux_factor);
+  settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty,
+                                 default_flux_factor);
   settings.tolerances.traction = {p.traction_tolerance_given ? p.traction_tolerance : p.tolerance, p.gaptol};
   settings.tolerances.solvent = {p.solvent_tolerance_given ? p.solvent_tolerance : p.tolerance, p.ptol};
   settings.tolerances.solute = {p.solute_tolerance_given ? p.solute_tolerance : p.tolerance, p.ctol};

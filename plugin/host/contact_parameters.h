@@ -1,4 +1,5 @@
-/// The parameters of <contact type="sliding-mixture"> in a model file, and what they mean to the contact core. Shared by the hosts.
+/// The parameters of <contact type="sliding-mixture"> in a model file, and what they mean to the contact core. Shared
+/// by the hosts.
 #pragma once
 
 #include "contact/settings.h"
@@ -9,7 +10,7 @@
 /// Values under FEBio's own names. A `_given` flag tells whether the model sets the parameter.
 struct ContactParameters {
   int laugon = 0;           ///< 0: PENALTY, 1: AUGLAG
-  double tolerance = 1e-3;  ///< relative tolerance of every field [-]
+  double tolerance = 2e-3;  ///< relative tolerance of every field [-]
   double traction_tolerance = 0;
   double solvent_tolerance = 0;
   double solute_tolerance = 0;
@@ -60,7 +61,8 @@ struct ContactParameters {
   bool smooth_fls_given = false;
 };
 
-/// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing is.
+/// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing
+/// is.
 std::vector<std::string> complaints(const ContactParameters& parameters);
 
 /// What a user should know of parameters that have no effect here, one sentence each.

@@ -1,5 +1,7 @@
 #include "sections.h"
 
+#include <cmath>
+
 #include <set>
 
 namespace standalone {
@@ -7,7 +9,7 @@ namespace {
 
 double in_range(const Tag& tag, double least, double below, const char* allowed) {
   const double value = tag.number();
-  if (!(value >= least && value < below)) tag.fail("the value must be " + std::string(allowed));
+  if (!std::isfinite(value) || value < least || value >= below) tag.fail("the value must be " + std::string(allowed));
   return value;
 }
 
@@ -53,7 +55,7 @@ void read_mixture(const Tag& tag, const Model& model, Material& material) {
   if (solute) {
     tag.allow_children({"phi0", "fluid_density", "solid", "permeability", "osmotic_coefficient", "solute"});
     if (model.control.module != "solute") tag.fail("this material needs the module \"solute\"");
-    if (!(model.gas_constant > 0 && model.temperature > 0))
+    if (model.gas_constant <= 0 || model.temperature <= 0)
       tag.fail("positive constants R and T are missing in <Globals>");
   } else {
     tag.allow_children({"phi0", "fluid_density", "solid", "permeability"});
@@ -82,7 +84,7 @@ Material read_material(const Tag& tag, const Model& model) {
     read_mixture(tag, model, material);
   } else {
     tag.fail("the type \"" + type +
-             "\" is not supported; allowed: \"neo-Hookean\", \"rigid body\", \"biphasic\", \"biphasic-solute\"");
+             R"(" is not supported; allowed: "neo-Hookean", "rigid body", "biphasic", "biphasic-solute")");
   }
   return material;
 }

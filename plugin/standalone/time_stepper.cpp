@@ -13,7 +13,8 @@ TimeStepper::TimeStepper(const Model& model, Log& log)
 double TimeStepper::grown(double time, int iterations) const {
   constexpr double largest_growth = 0.2;
   constexpr double largest_factor = 5;
-  const StepControl& rules = *model_.control.stepper;
+  const StepControl& rules = *model_.control
+                                  .stepper;  // NOLINT(bugprone-unchecked-optional-access): asked by next() only
   const double largest = rules.must_points < 0 ? rules.largest
                                                : model_.curves[static_cast<std::size_t>(rules.must_points)].at(time);
   if (rules.force) return largest;
@@ -41,7 +42,7 @@ void TimeStepper::advance(double time, int iterations) {
 
 double TimeStepper::up_to_must_point(double time, double dt) {
   at_must_point_ = false;
-  const int curve = model_.control.stepper->must_points;
+  const int curve = model_.control.stepper->must_points;  // NOLINT(bugprone-unchecked-optional-access)
   if (curve < 0) return dt;
   const auto& points = model_.curves[static_cast<std::size_t>(curve)].points;
   const double near = model_.control.end() * 1e-12;
@@ -55,7 +56,8 @@ double TimeStepper::up_to_must_point(double time, double dt) {
 
 bool TimeStepper::retry() {
   if (!model_.control.stepper) return false;
-  const StepControl& rules = *model_.control.stepper;
+  const StepControl& rules = *model_.control
+                                  .stepper;  // NOLINT(bugprone-unchecked-optional-access): asked by next() only
   if (retries_ >= rules.max_retries) {
     log_.print("Max. nr of retries reached.\n\n");
     return false;
