@@ -76,10 +76,9 @@ void Output::write_data(std::size_t table, int step, double time) {
     for (std::size_t e = 0; e < problem_.bodies().elements(); ++e) {
       const Bodies::Average average = problem_.bodies().average(e, problem_.values());
       for (std::size_t k = 0; k < row.size(); ++k) {
-        row[k] = element_value(element_column(data.columns[k], solutes).value(),
-                               average,  // NOLINT(bugprone-unchecked-optional-access): checked when read
-
-                               problem_.bodies().material(e));
+        // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the columns were checked when they were read
+        const ElementColumn column = element_column(data.columns[k], solutes).value();
+        row[k] = element_value(column, average, problem_.bodies().material(e));
       }
       write_row(table, static_cast<int>(e) + 1, row);
     }

@@ -13,8 +13,8 @@ TimeStepper::TimeStepper(const Model& model, Log& log)
 double TimeStepper::grown(double time, int iterations) const {
   constexpr double largest_growth = 0.2;
   constexpr double largest_factor = 5;
-  const StepControl& rules = *model_.control
-                                  .stepper;  // NOLINT(bugprone-unchecked-optional-access): asked by next() only
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only asked where there is a stepper
+  const StepControl& rules = *model_.control.stepper;
   const double largest = rules.must_points < 0 ? rules.largest
                                                : model_.curves[static_cast<std::size_t>(rules.must_points)].at(time);
   if (rules.force) return largest;
@@ -42,7 +42,8 @@ void TimeStepper::advance(double time, int iterations) {
 
 double TimeStepper::up_to_must_point(double time, double dt) {
   at_must_point_ = false;
-  const int curve = model_.control.stepper->must_points;  // NOLINT(bugprone-unchecked-optional-access)
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only asked where there is a stepper
+  const int curve = model_.control.stepper->must_points;
   if (curve < 0) return dt;
   const auto& points = model_.curves[static_cast<std::size_t>(curve)].points;
   const double near = model_.control.end() * 1e-12;

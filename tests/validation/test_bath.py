@@ -61,8 +61,8 @@ def test_two_interfaces_that_share_nodes_act_as_one(context):
         context.runner(Patches(context.join, divided=divided, name=f"patches-{divided}").model())
         for divided in (True, False)
     )
-    # A node on the seam has a law in either interface, averaged over its part of the area around it: the same but for the leak of
-    # the default penalties, 1e-5 of the drop across the adjoining elements.
+    # A node on the seam has a law in either interface, averaged over its part of the area around it: the same but for
+    # the leak of the default penalties, 1e-5 of the drop across the adjoining elements.
     np.testing.assert_allclose(two.nodes["c1"], one.nodes["c1"], atol=1e-5 * np.ptp(one.nodes["c1"]) / 8)
     assert np.ptp(at(two, "c1", "lower-top")[-1]) > 0.02
 

@@ -36,7 +36,7 @@ def test_models_are_written_and_checked(tmp_path):
 
 def test_without_febio_the_rest_is_done_and_the_reason_given(tmp_path):
     nothing = {"FEBIO_ROOT": str(tmp_path), "HOME": str(tmp_path), "PATH": str(tmp_path)}
-    finished = harness("validate", "--folder", tmp_path, **nothing)
+    finished = harness("validate", "--engine", "febio4", "--folder", tmp_path, **nothing)
     assert finished.returncode == 3
     said = " ".join(finished.stdout.split())
     assert "febio4 was not found" in said
