@@ -1,0 +1,22 @@
+"""Fixtures of the hard cases: a runner of models with the plugin loaded."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from harness import engine
+from harness.errors import EngineNotFoundError, PluginNotFoundError
+from harness.runner import Runner
+
+
+@pytest.fixture(scope="session")
+def runner(tmp_path_factory: pytest.TempPathFactory) -> Runner:
+    """Runs models, each once a session."""
+    try:
+        engine.find_engine()
+        engine.required_plugin()
+    except (EngineNotFoundError, PluginNotFoundError) as error:
+        pytest.skip(str(error))
+    return Runner(Path(tmp_path_factory.getbasetemp()) / "runs")
