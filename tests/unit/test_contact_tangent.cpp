@@ -13,7 +13,7 @@ BOOST_AUTO_TEST_CASE(the_assembled_tangent_matches_differences_for_every_pair_of
       for (const bool two_pass : {false, true}) {
         Settings settings = explicit_settings(2.5, 1.5, 0.8);
         settings.two_pass = two_pass;
-        Scene scene(facing_grids(one, two, 0.08, 2, 3), effects_of(true, 1), settings);
+        Scene scene(facing_grids(one, two, 0.08, 1, 2), effects_of(true, 1), settings);
         scene.disturb(0.02, random);
         const auto contact = scene.contact();
         contact->begin_iteration(scene.fields);
