@@ -327,11 +327,11 @@ PointContact ContactPass::contact(const PointPair& pair, const NodalLoads& loads
   PointContact contact;
   contact.pair = &pair;
   contact.kinematics = kinematics(pair, primary.position, secondary.position);
-  contact.multiplier_shape = multiplier_shape(pair);
+  const FacetVector psi = multiplier_shape(pair);
   contact.fields = exchanged_fields(pair);
   const auto fields = static_cast<Index>(contact.fields.size());
   contact.values.resize(contact.kinematics.nodes(), fields);
-  contact.loads.traction = {contact.multiplier_shape.dot(facet_values(primary_facet(pair), loads.traction)), 0.0};
+  contact.loads.traction = {psi.dot(facet_values(primary_facet(pair), loads.traction)), 0.0};
   contact.loads.weight = weight(pair);
   contact.loads.time_increment = dt;
   contact.loads.flux.resize(fields);
@@ -339,7 +339,7 @@ PointContact ContactPass::contact(const PointPair& pair, const NodalLoads& loads
     const int field = contact.fields[static_cast<std::size_t>(k)];
     contact.values.col(k) = pair_values(pair, field, primary, secondary);
     const VectorXd nodal = loads.flux.row(field).transpose();
-    contact.loads.flux[k] = {contact.multiplier_shape.dot(facet_values(primary_facet(pair), nodal)), 0.0};
+    contact.loads.flux[k] = {psi.dot(facet_values(primary_facet(pair), nodal)), 0.0};
   }
   return contact;
 }

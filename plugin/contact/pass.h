@@ -53,10 +53,9 @@ struct PointPair {
 struct PointContact {
   const PointPair* pair = nullptr;
   PointKinematics kinematics;
-  FacetVector multiplier_shape;  ///< psi_a
-  std::vector<int> fields;       ///< exchanged scalar fields here, as indices into Effects' order
-  PairFields values;             ///< their nodal values
-  PointLoads loads;  ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
+  std::vector<int> fields;  ///< exchanged scalar fields here, as indices into Effects' order
+  PairFields values;        ///< their nodal values
+  PointLoads loads;         ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
 };
 
 /// The integral over one surface. Evaluations are const; only project() replaces the pairs, only augment (through

@@ -39,9 +39,6 @@ class ClampedConcentrations {
   /// Leaves a held degree of freedom to somebody else.
   void forget(const FENode& node, int dof);
 
-  /// Number of concentrations held.
-  int count() const { return static_cast<int>(held_.size()); }
-
  private:
   using Place = std::pair<FENode*, int>;  ///< node, degree of freedom
   std::vector<Place> negative() const;

@@ -102,6 +102,9 @@ bool FEMixtureContact::check_parameters() {
     feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
   for (const std::string& sentence : notices(parameters_))
     feLog("sliding-mixture \"%s\": %s\n", GetName().c_str(), sentence.c_str());
+  if (m_psf != 1 || m_psfmax != 0)
+    feLog("sliding-mixture \"%s\": <penalty_sf> and <max_penalty_sf> have no effect: penalties grow by themselves.\n",
+          GetName().c_str());
   return wrong.empty();
 }
 
