@@ -216,7 +216,7 @@ NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceField
     const double sign = integrated ? 1 : -1;
     pass.integral->for_each_contact(fields[pass.side], fields[other(pass.side)], 1.0, [&](const PointContact& contact) {
       const PointKinematics& point = contact.kinematics;
-      const int facet_index = integrated ? contact.pair->primary_facet : contact.pair->secondary_facet;
+      const int facet_index = integrated ? contact.pair->primary : contact.pair->secondary;
       const Facet& facet = mesh_[side].facets[static_cast<std::size_t>(facet_index)];
       const FacetVector& shape = integrated ? point.primary_shape : point.secondary_shape;
       const PairVector h = point.jump_weights();

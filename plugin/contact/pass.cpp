@@ -1,18 +1,13 @@
 #include "pass.h"
 
-#include "quadrature.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace mixture_contact {
 namespace {
 
-/// Curved facets bulge out of the box of their nodes by less than this part of its diagonal.
-constexpr double box_margin = 0.1;
 /// Surfaces closer than this part of their size touch to rounding.
 constexpr double touch_fraction = 1e-10;
-constexpr int nothing_seen = -1;
 /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
 constexpr double rounding_fraction = 1e-13;
 /// Of quadratic facets psi_a changes sign. An average over points that see the other surface only where it does would
@@ -42,14 +37,8 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       secondary_(secondary),
       effects_(effects),
       settings_(settings),
-      penalties_(at_nodes(penalties(primary, secondary, effects, settings), primary)) {
-  for (std::size_t f = 0; f < primary.facets.size(); ++f) {
-    const FacetType type = primary.facets[f].type;
-    const int order = settings.integration_order > 0 ? settings.integration_order : default_quadrature_order(type);
-    for (const QuadraturePoint& q : quadrature(type, order)) {
-      points_.push_back({static_cast<int>(f), q.weight, shape_functions(type, q.xi)});
-    }
-  }
+      penalties_(at_nodes(penalties(primary, secondary, effects, settings), primary)),
+      points_(primary.facets, secondary.facets, settings.integration_order, settings.search_tolerance) {
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_growth.setOnes(effects.scalar_fields());
@@ -60,61 +49,35 @@ void ContactPass::update_penalties() {
 }
 
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
-  pairs_.clear();
-  seen_.assign(points_.size(), nothing_seen);
   touch_ = touch_fraction * half_diagonal(x1);
-  const FacetTree tree(secondary_.facets, x2, box_margin);
-  for (std::size_t q = 0; q < points_.size(); ++q) {
-    const std::optional<SurfaceHit> hit = nearest_facing(tree, secondary_.facets, x2, ray(q, x1, radius));
-    if (!hit) continue;
-    seen_[q] = hit->facet;
-    pairs_.push_back({static_cast<int>(q), points_[q].facet, hit->facet, hit->eta});
-  }
+  pairs_ = points_.search(x1, x2, radius);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
-  pairs_.clear();
-  for (std::size_t q = 0; q < seen_.size(); ++q) {
-    if (seen_[q] == nothing_seen) continue;
-    const Facet& facet = secondary_.facets[static_cast<std::size_t>(seen_[q])];
-    const Ray from = ray(q, x1, 0);
-    const auto hit = intersect(facet.type, facet_coordinates(facet, x2), from.origin, from.direction, from.tolerance);
-    if (hit) pairs_.push_back({static_cast<int>(q), points_[q].facet, seen_[q], hit->eta});
-  }
+  pairs_ = points_.on_same_facets(x1, x2);
 }
 
-Ray ContactPass::ray(std::size_t point, const Matrix3Xd& x1, double radius) const {
-  const ShapeFunctions& shape = points_[point].shape;
-  const FacetCoordinates x = facet_coordinates(primary_.facets[static_cast<std::size_t>(points_[point].facet)], x1);
-  const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
-  return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), radius, settings_.search_tolerance};
+const Facet& ContactPass::primary_facet(const FacetPair& pair) const {
+  return primary_.facets[static_cast<std::size_t>(pair.primary)];
 }
 
-const Facet& ContactPass::primary_facet(const PointPair& pair) const {
-  return primary_.facets[static_cast<std::size_t>(pair.primary_facet)];
+const Facet& ContactPass::secondary_facet(const FacetPair& pair) const {
+  return secondary_.facets[static_cast<std::size_t>(pair.secondary)];
 }
 
-const Facet& ContactPass::secondary_facet(const PointPair& pair) const {
-  return secondary_.facets[static_cast<std::size_t>(pair.secondary_facet)];
+FacetVector ContactPass::multiplier_shape(const FacetPair& pair, const PointKinematics& point) const {
+  return mixture_contact::multiplier_shape(primary_facet(pair).type, point.primary_shape);
 }
 
-const ShapeFunctions& ContactPass::primary_shape(const PointPair& pair) const {
-  return points_[static_cast<std::size_t>(pair.point)].shape;
-}
-
-double ContactPass::weight(const PointPair& pair) const { return points_[static_cast<std::size_t>(pair.point)].weight; }
-
-FacetVector ContactPass::multiplier_shape(const PointPair& pair) const {
-  return mixture_contact::multiplier_shape(primary_facet(pair).type, primary_shape(pair).value);
-}
-
-PointKinematics ContactPass::kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+PointKinematics ContactPass::kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
+                                        const Matrix3Xd& x2) const {
+  const Facet& one = primary_facet(pair);
   const Facet& two = secondary_facet(pair);
-  return point_kinematics(primary_shape(pair), facet_coordinates(primary_facet(pair), x1),
-                          shape_functions(two.type, pair.eta), facet_coordinates(two, x2));
+  return point_kinematics(shape_functions(one.type, point.xi), facet_coordinates(one, x1),
+                          shape_functions(two.type, point.eta), facet_coordinates(two, x2));
 }
 
-PairVector ContactPass::pair_values(const PointPair& pair, int field, const SurfaceFields& primary,
+PairVector ContactPass::pair_values(const FacetPair& pair, int field, const SurfaceFields& primary,
                                     const SurfaceFields& secondary) const {
   const FacetVector one = facet_values(primary_facet(pair), primary.scalar.col(field));
   const FacetVector two = facet_values(secondary_facet(pair), secondary.scalar.col(field));
@@ -123,9 +86,9 @@ PairVector ContactPass::pair_values(const PointPair& pair, int field, const Surf
   return values;
 }
 
-std::vector<int> ContactPass::exchanged_fields(const PointPair& pair) const {
-  const FieldMask both = primary_.permeable[static_cast<std::size_t>(pair.primary_facet)] &
-                         secondary_.permeable[static_cast<std::size_t>(pair.secondary_facet)];
+std::vector<int> ContactPass::exchanged_fields(const FacetPair& pair) const {
+  const FieldMask both = primary_.permeable[static_cast<std::size_t>(pair.primary)] &
+                         secondary_.permeable[static_cast<std::size_t>(pair.secondary)];
   std::vector<int> fields;
   for (int k = 0; k < effects_.scalar_fields(); ++k) {
     if (contains(both, k)) fields.push_back(k);
@@ -140,15 +103,17 @@ void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLo
   loads.area.setZero(primary_.nodes);
   loads.absolute_area.setZero(primary_.nodes);
   loads.gap.setZero(primary_.nodes);
-  for (const PointPair& pair : pairs_) {
-    const PointKinematics point = kinematics(pair, x1, x2);
-    const FacetVector share = weight(pair) * point.area * multiplier_shape(pair);
+  for (const FacetPair& pair : pairs_) {
     const Facet& facet = primary_facet(pair);
-    for (Index a = 0; a < share.size(); ++a) {
-      const int node = facet.nodes[static_cast<std::size_t>(a)];
-      loads.area[node] += share[a];
-      loads.absolute_area[node] += std::abs(share[a]);
-      loads.gap[node] += share[a] * point.gap;
+    for (const IntegrationPoint& place : pair.points) {
+      const PointKinematics point = kinematics(pair, place, x1, x2);
+      const FacetVector share = place.weight * point.area * multiplier_shape(pair, point);
+      for (Index a = 0; a < share.size(); ++a) {
+        const int node = facet.nodes[static_cast<std::size_t>(a)];
+        loads.area[node] += share[a];
+        loads.absolute_area[node] += std::abs(share[a]);
+        loads.gap[node] += share[a] * point.gap;
+      }
     }
   }
   loads.gap = (loads.area.array() > 0).select(loads.gap.array() / loads.area.array(), 0.0);
@@ -157,18 +122,21 @@ void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLo
 void ContactPass::average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const {
   loads.flux_area.setZero(effects_.scalar_fields(), primary_.nodes);
   loads.jump.setZero(effects_.scalar_fields(), primary_.nodes);
-  for (const PointPair& pair : pairs_) {
+  for (const FacetPair& pair : pairs_) {
     if (effects_.scalar_fields() == 0 || !carries_load(pair, loads.in_contact)) continue;
-    const PointKinematics point = kinematics(pair, primary.position, secondary.position);
-    const FacetVector share = weight(pair) * point.area * multiplier_shape(pair);
-    const PairVector h = point.jump_weights();
     const Facet& facet = primary_facet(pair);
-    for (const int field : exchanged_fields(pair)) {
-      const double jump = h.dot(pair_values(pair, field, primary, secondary));
-      for (Index a = 0; a < share.size(); ++a) {
-        const int node = facet.nodes[static_cast<std::size_t>(a)];
-        loads.flux_area(field, node) += share[a];
-        loads.jump(field, node) += share[a] * jump;
+    const std::vector<int> fields = exchanged_fields(pair);
+    for (const IntegrationPoint& place : pair.points) {
+      const PointKinematics point = kinematics(pair, place, primary.position, secondary.position);
+      const FacetVector share = place.weight * point.area * multiplier_shape(pair, point);
+      const PairVector h = point.jump_weights();
+      for (const int field : fields) {
+        const double jump = h.dot(pair_values(pair, field, primary, secondary));
+        for (Index a = 0; a < share.size(); ++a) {
+          const int node = facet.nodes[static_cast<std::size_t>(a)];
+          loads.flux_area(field, node) += share[a];
+          loads.jump(field, node) += share[a] * jump;
+        }
       }
     }
   }
@@ -275,12 +243,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   }
   next.loads = averages(primary, secondary, status, sealed);
   apply_laws(next.loads);
-  const auto around = pairs_around_nodes(next.loads.in_contact);
-  for (std::size_t node = 0; node < around.size(); ++node) {
-    next.nodes.push_back(around[node].empty()
-                             ? NodeLinearisation{}
-                             : linearise(static_cast<Index>(node), around[node], next.loads, primary, secondary));
-  }
+  next.nodes = linearise(next.loads, primary, secondary);
   next.geometric_traction = predicted ? before.traction : next.loads.traction;
   next.geometric_flux = predicted ? before.flux : next.loads.flux;
   const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
@@ -316,48 +279,44 @@ bool ContactPass::loads_differ(const NodalLoads& one, const NodalLoads& other, d
 
 // ------------------------------------------------------------ loads at the points
 
-bool ContactPass::carries_load(const PointPair& pair, const std::vector<bool>& in_contact) const {
+bool ContactPass::carries_load(const FacetPair& pair, const std::vector<bool>& in_contact) const {
   const Facet& facet = primary_facet(pair);
   return std::any_of(facet.nodes.begin(), facet.nodes.begin() + node_count(facet.type),
                      [&](int node) { return in_contact[static_cast<std::size_t>(node)]; });
 }
 
-PointContact ContactPass::contact(const PointPair& pair, const NodalLoads& loads, const SurfaceFields& primary,
-                                  const SurfaceFields& secondary, double dt) const {
+PointContact ContactPass::contact(const FacetPair& pair, const IntegrationPoint& place, const NodalLoads& loads,
+                                  const SurfaceFields& primary, const SurfaceFields& secondary, double dt) const {
   PointContact contact;
   contact.pair = &pair;
-  contact.kinematics = kinematics(pair, primary.position, secondary.position);
-  const FacetVector psi = multiplier_shape(pair);
+  contact.kinematics = kinematics(pair, place, primary.position, secondary.position);
+  contact.psi = multiplier_shape(pair, contact.kinematics);
   contact.fields = exchanged_fields(pair);
   const auto fields = static_cast<Index>(contact.fields.size());
   contact.values.resize(contact.kinematics.nodes(), fields);
-  contact.loads.traction = {psi.dot(facet_values(primary_facet(pair), loads.traction)), 0.0};
-  contact.loads.weight = weight(pair);
+  contact.loads.traction = {contact.psi.dot(facet_values(primary_facet(pair), loads.traction)), 0.0};
+  contact.loads.weight = place.weight;
   contact.loads.time_increment = dt;
   contact.loads.flux.resize(fields);
   for (Index k = 0; k < fields; ++k) {
     const int field = contact.fields[static_cast<std::size_t>(k)];
     contact.values.col(k) = pair_values(pair, field, primary, secondary);
     const VectorXd nodal = loads.flux.row(field).transpose();
-    contact.loads.flux[k] = {psi.dot(facet_values(primary_facet(pair), nodal)), 0.0};
+    contact.loads.flux[k] = {contact.psi.dot(facet_values(primary_facet(pair), nodal)), 0.0};
   }
   return contact;
 }
 
 void ContactPass::for_each_contact(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                                    const std::function<void(const PointContact&)>& use) const {
-  for_each_loaded_point(nodal_loads(primary, secondary), primary, secondary, dt, use);
-}
-
-void ContactPass::for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary,
-                                        const SurfaceFields& secondary, double dt,
-                                        const std::function<void(const PointContact&)>& use) const {
-  for (const PointPair& pair : pairs_) {
-    if (carries_load(pair, loads.in_contact)) use(contact(pair, loads, primary, secondary, dt));
+  const NodalLoads loads = nodal_loads(primary, secondary);
+  for (const FacetPair& pair : pairs_) {
+    if (!carries_load(pair, loads.in_contact)) continue;
+    for (const IntegrationPoint& place : pair.points) use(contact(pair, place, loads, primary, secondary, dt));
   }
 }
 
-Patch ContactPass::facet_patch(const PointPair& pair) const {
+Patch ContactPass::facet_patch(const FacetPair& pair) const {
   const auto nodes = [](const Facet& facet) {
     return std::vector<int>(facet.nodes.begin(), facet.nodes.begin() + node_count(facet.type));
   };
@@ -368,31 +327,20 @@ template <class Local, class Evaluate, class Add>
 void ContactPass::gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary,
                                        const SurfaceFields& secondary, double dt, const Evaluate& evaluate,
                                        const Add& add) const {
-  // Points come facet by facet; those of one primary facet that see the same secondary facet are added up first.
-  struct Sum {
-    PointPair pair;
-    Patch patch;
-    Local local;
-  };
-  std::vector<Sum> sums;
-  const auto flush = [&] {
-    for (const Sum& sum : sums) add(sum.patch, sum.local);
-    sums.clear();
-  };
-  for_each_loaded_point(loads, primary, secondary, dt, [&](const PointContact& contact) {
-    if (!sums.empty() && sums.front().pair.primary_facet != contact.pair->primary_facet) flush();
-    Patch patch = facet_patch(*contact.pair);
-    const Local local = evaluate(contact, patch.layout());
-    const auto same = std::find_if(sums.begin(), sums.end(), [&](const Sum& sum) {
-      return sum.pair.secondary_facet == contact.pair->secondary_facet;
-    });
-    if (same == sums.end()) {
-      sums.push_back({*contact.pair, std::move(patch), local});
-    } else {
-      same->local += local;
+  for (const FacetPair& pair : pairs_) {
+    if (!carries_load(pair, loads.in_contact)) continue;
+    const Patch patch = facet_patch(pair);
+    Local sum;
+    for (const IntegrationPoint& place : pair.points) {
+      const Local local = evaluate(contact(pair, place, loads, primary, secondary, dt), patch.layout());
+      if (sum.size() == 0) {
+        sum = local;
+      } else {
+        sum += local;
+      }
     }
-  });
-  flush();
+    add(patch, sum);
+  }
 }
 
 void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
@@ -414,13 +362,12 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
     add(patch, settings_.symmetric ? symmetric_part(values, patch.layout()) : values);
   };
   NodalLoads loads = nodal_loads(primary, secondary);
-  const auto around = pairs_around_nodes(loads.in_contact);
-  for (std::size_t node = 0; node < around.size(); ++node) {
-    if (around[node].empty()) continue;
-    const auto index = static_cast<Index>(node);
-    const NodeLinearisation linear = held_ ? held_->nodes[node]
-                                           : linearise(index, around[node], loads, primary, secondary);
-    add_full_or_symmetric(linear.patch, law_tangent(index, linear, loads, dt));
+  std::vector<NodeLinearisation> present;
+  if (!held_) present = linearise(loads, primary, secondary);
+  const std::vector<NodeLinearisation>& nodes = held_ ? held_->nodes : present;
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    if (nodes[node].unknowns.size() == 0) continue;
+    add_full_or_symmetric(nodes[node].patch, law_tangent(static_cast<Index>(node), nodes[node], loads, dt));
   }
   if (held_) {
     loads.traction = held_->geometric_traction;
@@ -437,9 +384,9 @@ void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
   }
 }
 
-std::vector<std::vector<const PointPair*>> ContactPass::pairs_around_nodes(const std::vector<bool>& in_contact) const {
-  std::vector<std::vector<const PointPair*>> around(static_cast<std::size_t>(primary_.nodes));
-  for (const PointPair& pair : pairs_) {
+std::vector<std::vector<const FacetPair*>> ContactPass::pairs_around_nodes(const std::vector<bool>& in_contact) const {
+  std::vector<std::vector<const FacetPair*>> around(static_cast<std::size_t>(primary_.nodes));
+  for (const FacetPair& pair : pairs_) {
     const Facet& facet = primary_facet(pair);
     for (int a = 0; a < node_count(facet.type); ++a) {
       const auto node = static_cast<std::size_t>(facet.nodes[static_cast<std::size_t>(a)]);
@@ -475,9 +422,9 @@ std::vector<Index> places(const Patch& pair, const Patch& patch) {
 
 }  // namespace
 
-Patch ContactPass::node_patch(const std::vector<const PointPair*>& pairs) const {
+Patch ContactPass::node_patch(const std::vector<const FacetPair*>& pairs) const {
   Patch patch;
-  for (const PointPair* pair : pairs) {
+  for (const FacetPair* pair : pairs) {
     const Patch facets = facet_patch(*pair);
     unite(patch.primary, facets.primary);
     unite(patch.secondary, facets.secondary);
@@ -502,56 +449,78 @@ VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& pr
   return unknowns;
 }
 
-ContactPass::NodeLinearisation ContactPass::linearise(Index node, const std::vector<const PointPair*>& pairs,
-                                                      const NodalLoads& loads, const SurfaceFields& primary,
-                                                      const SurfaceFields& secondary) const {
+ContactPass::NodeLinearisation ContactPass::start_linearisation(const Patch& patch, const SurfaceFields& primary,
+                                                                const SurfaceFields& secondary) const {
+  NodeLinearisation linear;
+  linear.patch = patch;
+  linear.unknowns = patch_unknowns(patch, primary, secondary);
+  const VectorXd zero = VectorXd::Zero(patch.layout().size());
+  linear.gap_variation = linear.traction_work = zero;
+  linear.jump_variation.assign(patch.fields.size(), zero);
+  linear.flux_work = linear.jump_variation;
+  return linear;
+}
+
+void ContactPass::add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place,
+                            const NodalLoads& loads, const PointContact& contact, const KinematicVariations& vary,
+                            double share) const {
   // g_a = INT psi_a g da / A_a, so dg_a = sum_q w psi_a (|a| dg + (g - g_a) d|a|)/A_a; jumps alike, with their fields'
   // own part.
-  NodeLinearisation linear;
-  linear.patch = node_patch(pairs);
-  linear.unknowns = patch_unknowns(linear.patch, primary, secondary);
+  const PointKinematics& point = contact.kinematics;
   const LocalLayout layout = linear.patch.layout();
-  const VectorXd zero = VectorXd::Zero(layout.size());
-  linear.gap_variation = linear.traction_work = zero;
-  linear.jump_variation.assign(linear.patch.fields.size(), zero);
-  linear.flux_work = linear.jump_variation;
-  for (const PointPair* pair : pairs) {
-    const PointKinematics point = kinematics(*pair, primary.position, secondary.position);
-    const KinematicVariations vary = kinematic_variations(point);
-    const auto& nodes = primary_facet(*pair).nodes;
-    const auto corner = std::find(nodes.begin(), nodes.end(), static_cast<int>(node)) - nodes.begin();
-    const double share = weight(*pair) * multiplier_shape(*pair)[corner];
-    const PairVector h = point.jump_weights();
-    const Patch facets = facet_patch(*pair);
-    const std::vector<Index> place = places(facets, linear.patch);
-    const auto add_variation = [&](VectorXd& variation, const WeightedVariation& varied, double mean, double area) {
-      for (std::size_t n = 0; n < place.size(); ++n) {
-        const auto local = static_cast<Index>(3 * n);
-        variation.segment<3>(layout.displacement(
-            place[n], 0)) += (varied.integral.segment<3>(local) - mean * varied.area.segment<3>(local)).transpose() /
-                             area;
-      }
-    };
-    add_variation(linear.gap_variation, gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
+  const PairVector h = point.jump_weights();
+  const auto add_variation = [&](VectorXd& variation, const WeightedVariation& varied, double mean, double area) {
+    const PairVariation<1> row = (varied.integral - mean * varied.area) / area;
     for (std::size_t n = 0; n < place.size(); ++n) {
-      linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share * h[static_cast<Index>(n)] *
-                                                                           point.area_vector;
+      variation.segment<3>(layout.displacement(place[n], 0)) += row.segment<3>(static_cast<Index>(3 * n)).transpose();
     }
-    for (const int field : facets.fields) {
-      const auto k = position_in(linear.patch.fields, field);
-      const double area = loads.flux_area(field, node);
-      const PairVector values = pair_values(*pair, field, primary, secondary);
-      VectorXd& variation = linear.jump_variation[static_cast<std::size_t>(k)];
-      VectorXd& work = linear.flux_work[static_cast<std::size_t>(k)];
-      add_variation(variation, jump_variation(point, vary, share, values), loads.jump(field, node), area);
-      for (std::size_t n = 0; n < place.size(); ++n) {
-        const double entry = share * point.area * h[static_cast<Index>(n)];
-        variation[layout.scalar(place[n], k)] += entry / area;
-        work[layout.scalar(place[n], k)] += entry;
+  };
+  add_variation(linear.gap_variation, gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
+  for (std::size_t n = 0; n < place.size(); ++n) {
+    linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share * h[static_cast<Index>(n)] *
+                                                                         point.area_vector;
+  }
+  for (std::size_t f = 0; f < contact.fields.size(); ++f) {
+    const int field = contact.fields[f];
+    const auto k = position_in(linear.patch.fields, field);
+    const double area = loads.flux_area(field, node);
+    VectorXd& variation = linear.jump_variation[static_cast<std::size_t>(k)];
+    VectorXd& work = linear.flux_work[static_cast<std::size_t>(k)];
+    const PairVector values = contact.values.col(static_cast<Index>(f));
+    add_variation(variation, jump_variation(point, vary, share, values), loads.jump(field, node), area);
+    for (std::size_t n = 0; n < place.size(); ++n) {
+      const double entry = share * point.area * h[static_cast<Index>(n)];
+      variation[layout.scalar(place[n], k)] += entry / area;
+      work[layout.scalar(place[n], k)] += entry;
+    }
+  }
+}
+
+std::vector<ContactPass::NodeLinearisation> ContactPass::linearise(const NodalLoads& loads,
+                                                                   const SurfaceFields& primary,
+                                                                   const SurfaceFields& secondary) const {
+  const auto around = pairs_around_nodes(loads.in_contact);
+  std::vector<NodeLinearisation> nodes(around.size());
+  for (std::size_t node = 0; node < around.size(); ++node) {
+    if (!around[node].empty()) nodes[node] = start_linearisation(node_patch(around[node]), primary, secondary);
+  }
+  for (const FacetPair& pair : pairs_) {
+    if (!carries_load(pair, loads.in_contact)) continue;
+    const Patch facets = facet_patch(pair);
+    std::vector<std::vector<Index>> place;  // of the pair's nodes in the patch of each of its primary nodes
+    for (const int node : facets.primary) place.push_back(places(facets, nodes[static_cast<std::size_t>(node)].patch));
+    for (const IntegrationPoint& at : pair.points) {
+      const PointContact point = contact(pair, at, loads, primary, secondary, 1.0);
+      const KinematicVariations vary = kinematic_variations(point.kinematics);
+      for (std::size_t a = 0; a < facets.primary.size(); ++a) {
+        const int node = facets.primary[a];
+        NodeLinearisation& linear = nodes[static_cast<std::size_t>(node)];
+        if (linear.unknowns.size() == 0) continue;
+        add_point(linear, node, place[a], loads, point, vary, at.weight * point.psi[static_cast<Index>(a)]);
       }
     }
   }
-  return linear;
+  return nodes;
 }
 
 MatrixXd ContactPass::law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,

@@ -4,7 +4,7 @@
 #include "patch.h"
 #include "penalty.h"
 #include "point_integral.h"
-#include "search.h"
+#include "points.h"
 
 #include <functional>
 #include <optional>
@@ -41,18 +41,11 @@ struct NodalLoads {
   MatrixXd flux;             ///< (fields, nodes); 0 out of contact
 };
 
-/// An integration point of the primary surface that sees a facet of the secondary surface.
-struct PointPair {
-  int point = 0;  ///< index of the integration point
-  int primary_facet = 0;
-  int secondary_facet = 0;
-  Vector2d eta{0, 0};  ///< projected point on the secondary facet
-};
-
 /// Everything at one integration point that carries load.
 struct PointContact {
-  const PointPair* pair = nullptr;
+  const FacetPair* pair = nullptr;
   PointKinematics kinematics;
+  FacetVector psi;          ///< psi_a here
   std::vector<int> fields;  ///< exchanged scalar fields here, as indices into Effects' order
   PairFields values;        ///< their nodal values
   PointLoads loads;         ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
@@ -69,8 +62,7 @@ class ContactPass {
   /// nearest.
   void project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius);
 
-  /// Projects the points that saw a facet in the last project() onto that same facet again, without a search. A point
-  /// that leaves its facet comes back with it: the result depends on that search and the positions alone.
+  /// The same without a search: points keep to the facets that the last project() found for them.
   void project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2);
 
   /// Begins a Newton iteration at a state: decides which nodes are in contact, and holds that and the linearisation of
@@ -121,20 +113,14 @@ class ContactPass {
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 
-  const std::vector<PointPair>& pairs() const { return pairs_; }
+  /// The pairs of facets that see each other, with their integration points.
+  const std::vector<FacetPair>& pairs() const { return pairs_; }
   /// Penalties of the primary nodes.
   const Penalties& penalty() const { return penalties_; }
-  Index points() const { return static_cast<Index>(points_.size()); }
 
   Multipliers multipliers;
 
  private:
-  struct IntegrationPoint {
-    int facet = 0;
-    double weight = 0;
-    ShapeFunctions shape;
-  };
-
   /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
   struct NodeLinearisation {
     Patch patch;
@@ -154,17 +140,15 @@ class ContactPass {
     std::vector<int> changes;  ///< of each node's status since the iterations began
   };
 
-  Ray ray(std::size_t point, const Matrix3Xd& x1, double radius) const;
-  const Facet& primary_facet(const PointPair& pair) const;
-  const Facet& secondary_facet(const PointPair& pair) const;
-  const ShapeFunctions& primary_shape(const PointPair& pair) const;
-  double weight(const PointPair& pair) const;
-  FacetVector multiplier_shape(const PointPair& pair) const;
-  PointKinematics kinematics(const PointPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
-  PairVector pair_values(const PointPair& pair, int field, const SurfaceFields& primary,
+  const Facet& primary_facet(const FacetPair& pair) const;
+  const Facet& secondary_facet(const FacetPair& pair) const;
+  FacetVector multiplier_shape(const FacetPair& pair, const PointKinematics& point) const;
+  PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
+                             const Matrix3Xd& x2) const;
+  PairVector pair_values(const FacetPair& pair, int field, const SurfaceFields& primary,
                          const SurfaceFields& secondary) const;
-  std::vector<int> exchanged_fields(const PointPair& pair) const;
-  Patch facet_patch(const PointPair& pair) const;
+  std::vector<int> exchanged_fields(const FacetPair& pair) const;
+  Patch facet_patch(const FacetPair& pair) const;
 
   void average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const;
   void average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const;
@@ -181,17 +165,19 @@ class ContactPass {
                     const SurfaceFields& secondary) const;
   std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   std::vector<bool> next_status(const SurfaceFields& primary, const SurfaceFields& secondary) const;
-  PointContact contact(const PointPair& pair, const NodalLoads& loads, const SurfaceFields& primary,
-                       const SurfaceFields& secondary, double dt) const;
-  bool carries_load(const PointPair& pair, const std::vector<bool>& in_contact) const;
-  std::vector<std::vector<const PointPair*>> pairs_around_nodes(const std::vector<bool>& in_contact) const;
-  Patch node_patch(const std::vector<const PointPair*>& pairs) const;
-  NodeLinearisation linearise(Index node, const std::vector<const PointPair*>& pairs, const NodalLoads& loads,
-                              const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  PointContact contact(const FacetPair& pair, const IntegrationPoint& place, const NodalLoads& loads,
+                       const SurfaceFields& primary, const SurfaceFields& secondary, double dt) const;
+  bool carries_load(const FacetPair& pair, const std::vector<bool>& in_contact) const;
+  std::vector<std::vector<const FacetPair*>> pairs_around_nodes(const std::vector<bool>& in_contact) const;
+  Patch node_patch(const std::vector<const FacetPair*>& pairs) const;
+  std::vector<NodeLinearisation> linearise(const NodalLoads& loads, const SurfaceFields& primary,
+                                           const SurfaceFields& secondary) const;
+  NodeLinearisation start_linearisation(const Patch& patch, const SurfaceFields& primary,
+                                        const SurfaceFields& secondary) const;
+  void add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place, const NodalLoads& loads,
+                 const PointContact& contact, const KinematicVariations& vary, double share) const;
   static VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary);
   MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
-  void for_each_loaded_point(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
-                             double dt, const std::function<void(const PointContact&)>& use) const;
 
   template <class Local, class Evaluate, class Add>
   void gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
@@ -202,9 +188,8 @@ class ContactPass {
   const Effects& effects_;
   const Settings& settings_;
   Penalties penalties_;
-  std::vector<IntegrationPoint> points_;
-  std::vector<PointPair> pairs_;
-  std::vector<int> seen_;  ///< per point: the secondary facet that the last project() found, or -1
+  GaussPoints points_;
+  std::vector<FacetPair> pairs_;
   std::optional<Held> held_;
   double touch_ = 0;  ///< distance at which surfaces touch to rounding [mm]
 };

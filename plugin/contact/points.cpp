@@ -1,0 +1,71 @@
+#include "points.h"
+
+#include "quadrature.h"
+
+#include <algorithm>
+
+namespace mixture_contact {
+namespace {
+
+/// Curved facets bulge out of the box of their nodes by less than this part of its diagonal.
+constexpr double box_margin = 0.1;
+constexpr int nothing_seen = -1;
+
+/// Adds a point to its pair of facets. Points come facet by facet, so only the pairs of the last primary facet count.
+void add_point(std::vector<FacetPair>& pairs, int primary, int secondary, const IntegrationPoint& point) {
+  for (auto pair = pairs.rbegin(); pair != pairs.rend() && pair->primary == primary; ++pair) {
+    if (pair->secondary != secondary) continue;
+    pair->points.push_back(point);
+    return;
+  }
+  pairs.push_back({primary, secondary, {point}});
+}
+
+}  // namespace
+
+Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance) {
+  const ShapeFunctions shape = shape_functions(facet.type, xi);
+  const FacetCoordinates x = facet_coordinates(facet, positions);
+  const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
+  return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), reach, tolerance};
+}
+
+GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order,
+                         double tolerance)
+    : primary_(primary), secondary_(secondary), tolerance_(tolerance) {
+  for (std::size_t f = 0; f < primary.size(); ++f) {
+    const FacetType type = primary[f].type;
+    for (const QuadraturePoint& q : quadrature(type, order > 0 ? order : default_quadrature_order(type))) {
+      points_.push_back({static_cast<int>(f), q.xi, q.weight});
+    }
+  }
+  seen_.assign(points_.size(), nothing_seen);
+}
+
+std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
+  std::vector<FacetPair> pairs;
+  const FacetTree tree(secondary_, x2, box_margin);
+  for (std::size_t q = 0; q < points_.size(); ++q) {
+    const Point& point = points_[q];
+    const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
+    const std::optional<SurfaceHit> hit = nearest_facing(tree, secondary_, x2, ray);
+    seen_[q] = hit ? hit->facet : nothing_seen;
+    if (hit) add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight});
+  }
+  return pairs;
+}
+
+std::vector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  std::vector<FacetPair> pairs;
+  for (std::size_t q = 0; q < points_.size(); ++q) {
+    if (seen_[q] == nothing_seen) continue;
+    const Point& point = points_[q];
+    const Facet& facet = secondary_[static_cast<std::size_t>(seen_[q])];
+    const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, 0, tolerance_);
+    const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
+    if (hit) add_point(pairs, point.facet, seen_[q], {point.xi, hit->eta, point.weight});
+  }
+  return pairs;
+}
+
+}  // namespace mixture_contact
