@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from harness import gallery
 from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
@@ -14,13 +15,15 @@ from harness.models.layers import Layers
 
 def models() -> list[Model]:
     """Every model of the collection, with the plugin's interface in its default settings and a plot file."""
-    return [
+    validated = [
         Diffusion(plot=True).model(),
         *(Convection(peclet, plot=True).model() for peclet in PRESSURES),
         Composite(plot=True).model(),
         Layers(plot=True).model(),
         Confined(plot=True).model(),
     ]
+    names = {model.name for model in validated}
+    return validated + [entry.model for entry in gallery.entries() if entry.model.name not in names]
 
 
 def write(folder: Path) -> list[Path]:

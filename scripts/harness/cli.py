@@ -12,7 +12,17 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from harness import catalogue, engine, febfile, figures, hosts, indentation_command, results, validation
+from harness import (
+    catalogue,
+    engine,
+    febfile,
+    figures,
+    gallery_command,
+    hosts,
+    indentation_command,
+    results,
+    validation,
+)
 from harness.checks import CHECKS, Check, Context
 from harness.compare import Measure
 from harness.errors import HarnessError
@@ -26,6 +36,7 @@ MISSED, BAD_INPUT, LEFT_OUT = 1, 2, 3
 _ABOUT = "Make, run and check models of contact between mixtures."
 app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
 app.command()(indentation_command.indentation)
+app.command("gallery")(gallery_command.gallery_command)
 app.command("indentation-study")(indentation_command.indentation_study_command)
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 

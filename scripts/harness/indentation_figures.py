@@ -8,20 +8,19 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection, PolyCollection, TriMesh
 from matplotlib.figure import Figure
-from matplotlib.tri import Triangulation
 from numpy.typing import NDArray
 
 from harness.indentation_results import Curves
 from harness.models.indentation import TIMES
-from harness.models.mesh import Ids
 from harness.runner import Outcome
+from harness.section_figures import Section, draw_bodies
 
 Array = NDArray[np.float64]
 FIELDS, CURVES = "figure-3.4", "indentation-curves"
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
-MAP = "viridis"
+PLANE = Section(mirrored=True)
+"""The plane z = 0 and its mirror image."""
 
 
 def draw(outcome: Outcome, curves: Curves, folder: Path) -> list[Path]:
@@ -42,8 +41,8 @@ def draw_fields(outcome: Outcome, path: Path, times: Sequence[float] = TIMES) ->
     drawn = None
     for axes, time in zip(places, reached, strict=False):
         state = history.at(time)
-        positions = np.stack([history["x"][state], history["y"][state]], axis=1)
-        drawn = _bodies(axes, outcome, positions, history["c1"][state])
+        positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
+        drawn = draw_bodies(axes, outcome.model.mesh, PLANE, positions, history["c1"][state])
         axes.set_title(f"{time:g} s", fontsize=10)
     for axes in places[len(reached) :]:
         axes.set_visible(False)
@@ -51,42 +50,6 @@ def draw_fields(outcome: Outcome, path: Path, times: Sequence[float] = TIMES) ->
         figure.colorbar(drawn, ax=places.tolist(), label=r"$\tilde c$ [mM]", shrink=0.9, extend="both")
     figure.savefig(path, dpi=160)
     return path
-
-
-def _bodies(axes: Axes, outcome: Outcome, positions: Array, values: Array) -> TriMesh:
-    """The bodies and their mirror images at the plane of symmetry, with the edges of their elements."""
-    drawn = None
-    for part in outcome.model.mesh.parts:
-        quads = _front(outcome, part.elements)
-        triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-        for side in (1.0, -1.0):
-            x, y = side * positions[:, 0], positions[:, 1]
-            mesh = Triangulation(x, y, triangles)
-            drawn = axes.tripcolor(mesh, values, shading="gouraud", cmap=MAP, vmin=0.0, vmax=1.0, rasterized=True)
-            outlines = np.stack([x[quads], y[quads]], axis=-1)
-            edges = PolyCollection(list(outlines), facecolors="none", edgecolors="black", linewidths=0.15)
-            axes.add_collection(edges)
-            axes.add_collection(LineCollection(_outline(quads, x, y), colors="black", linewidths=0.9))
-    axes.set_aspect("equal")
-    axes.axis("off")
-    assert drawn is not None
-    return drawn
-
-
-def _front(outcome: Outcome, elements: Ids) -> Ids:
-    """Corners (from 0) of the faces of a layer of elements in the plane z = 0."""
-    corners = elements[:, :8] - 1
-    flat = np.abs(outcome.model.mesh.nodes[corners, 2]) < 1e-9
-    front = np.all(flat[:, :4], axis=1)
-    return np.where(front[:, None], corners[:, :4], corners[:, 4:])
-
-
-def _outline(quads: Ids, x: Array, y: Array) -> list[Array]:
-    """Edges that belong to one face only."""
-    edges = np.concatenate([quads[:, [i, (i + 1) % 4]] for i in range(4)])
-    _, index, count = np.unique(np.sort(edges, axis=1), axis=0, return_index=True, return_counts=True)
-    single = [edge for edge in edges[index[count == 1]] if np.any(np.abs(x[edge]) > 1e-9)]
-    return [np.stack([x[edge], y[edge]], axis=1) for edge in single]
 
 
 @dataclass(frozen=True)

@@ -96,7 +96,7 @@ def _state(history: History, index: int) -> State:
 
 def _instant(model: Model, state: State) -> dict[str, float]:
     """Numbers of one time."""
-    material = model.materials["slab"]
+    material = model.mixture("slab")
     osmotic = GAS_CONSTANT * TEMPERATURE * material.osmotic * material.solutes[0].solubility
     parts = {part.name: solute_balance.content(model, part, state) for part in model.mesh.parts}
     return {

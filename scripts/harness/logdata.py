@@ -40,6 +40,14 @@ class History:
             raise KeyError(f"no data '{column}'; there is {', '.join(self.columns)}")
         return np.asarray(self.values[:, :, self.columns.index(column)])
 
+    def has(self, time: float) -> bool:
+        """Whether `at` finds a state at `time` (s)."""
+        return bool(np.min(np.abs(self.times - time)) <= self._resolution)
+
+    @property
+    def _resolution(self) -> float:
+        return 1e-6 * max(abs(float(self.times[-1])), 1e-12)
+
     def at(self, time: float) -> int:
         """Index of the state at `time` (s).
 
@@ -49,7 +57,7 @@ class History:
             Where no state lies within 1e-6 of it, relative to the last time.
         """
         index = int(np.argmin(np.abs(self.times - time)))
-        if abs(self.times[index] - time) > 1e-6 * max(abs(self.times[-1]), 1e-12):
+        if abs(self.times[index] - time) > self._resolution:
             raise DataFileError(f"no data at t = {time:g} s; the nearest is at {self.times[index]:g} s")
         return index
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 MODELS = REPOSITORY / "models"
+DOCS = REPOSITORY / "docs"
 RESULTS = REPOSITORY / "results"
 PLUGIN_NAME = "libFEBioMixtureContact.so"
 PLUGIN_VARIABLE = "FEBIO_MIXTURE_PLUGIN"

@@ -55,7 +55,7 @@ def content(model: Model, part: Part, state: State) -> float:
     nodes = part.elements - 1
     reference = geometry(model.mesh.nodes, nodes)
     current = geometry(state.positions, nodes)
-    amount = referential(model.materials[part.material], reference, current, state.concentration[nodes])
+    amount = referential(model.mixture(part.material), reference, current, state.concentration[nodes])
     return float(np.sum(amount * reference.volumes))
 
 
@@ -76,7 +76,7 @@ def inflow(model: Model, part: Part, before: State, after: State, step: float) -
     ndarray, shape (n_nodes,)
         Over all nodes of the mesh.
     """
-    nodes, material = part.elements - 1, model.materials[part.material]
+    nodes, material = part.elements - 1, model.mixture(part.material)
     reference, old, new = (geometry(x, nodes) for x in (model.mesh.nodes, before.positions, after.positions))
     stored = referential(material, reference, new, after.concentration[nodes])
     stored -= referential(material, reference, old, before.concentration[nodes])

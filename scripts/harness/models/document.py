@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from textwrap import indent
@@ -19,6 +19,7 @@ from harness.models.parts import (
     Control,
     Curve,
     Element,
+    Material,
     Mixture,
     child,
     text_of,
@@ -40,7 +41,7 @@ class Model:
     module : str
         One of `MODULES`.
     mesh : Mesh
-    materials : dict of str to Mixture
+    materials : mapping of str to Material
     conditions : tuple of Condition
     control : Control
     contacts : tuple of Contact
@@ -58,7 +59,7 @@ class Model:
     header: str
     module: str
     mesh: Mesh
-    materials: dict[str, Mixture]
+    materials: Mapping[str, Material]
     conditions: tuple[Condition, ...]
     control: Control
     contacts: tuple[Contact, ...] = ()
@@ -71,6 +72,19 @@ class Model:
     def n_solutes(self) -> int:
         """Number of solutes of the model."""
         return max((s.sol for m in self.materials.values() for s in m.solutes), default=0)
+
+    def mixture(self, name: str) -> Mixture:
+        """The porous material of that name.
+
+        Raises
+        ------
+        ModelError
+            Where the material is elastic.
+        """
+        material = self.materials[name]
+        if not isinstance(material, Mixture):
+            raise ModelError(f"model '{self.name}': material '{name}' is elastic and holds no solute")
+        return material
 
     @property
     def node_columns(self) -> tuple[str, ...]:

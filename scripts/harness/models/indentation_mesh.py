@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -207,9 +208,21 @@ def _placed(grid: Grid, unit: Points) -> Points:
     top = grid.height + grid.radius
     if grid.solid:
         return np.asarray(np.array([0.0, top, 0.0]) + grid.radius * unit * np.array([1.0, -1.0, 1.0]))
-    x, y = grid.radius * unit[..., 0], top - grid.radius * unit[..., 1]
-    layers = [np.stack([x, y, np.full_like(x, z)], axis=-1) for z in (0.0, grid.thickness)]
-    return np.asarray(np.stack(layers, axis=2))
+    flat = np.array([0.0, top]) + grid.radius * unit * np.array([1.0, -1.0])
+    return _extruded(flat, (0.0, grid.thickness))
+
+
+def _extruded(flat: Points, heights: Sequence[float]) -> Points:
+    """Points (..., 2) of a plane block, repeated at each height: (..., len(heights), 3)."""
+    layers = [np.concatenate([flat, np.full_like(flat[..., :1], z)], axis=-1) for z in heights]
+    return np.stack(layers, axis=-2)
+
+
+def disk(radius: float, around: int, heights: Sequence[float]) -> Body:
+    """A quarter of an upright cylinder about the z axis, as an O-grid with `around` hex8 along each edge."""
+    steps = np.linspace(0.0, 1.0, around + 1)
+    flat = [_inner(steps, 2), *(_outer(steps, 2, axis) for axis in range(2))]
+    return blocks.merged([blocks.structured(_extruded(radius * unit, heights)) for unit in flat])
 
 
 def smallest_jacobian(body: Body) -> float:

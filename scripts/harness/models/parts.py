@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import ClassVar, TypeAlias
 
 from lxml import etree
 
@@ -147,6 +147,23 @@ class Mixture:
 
 
 @dataclass(frozen=True)
+class Elastic:
+    """Elastic material: neither solvent nor solutes pass."""
+
+    solid: Solid
+    solutes: ClassVar[tuple[Solute, ...]] = ()
+
+    def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
+        """Append the material to the section `parent`."""
+        made = self.solid.write(parent, "material")
+        made.set("id", str(number))
+        made.set("name", name)
+
+
+Material: TypeAlias = Mixture | Elastic
+
+
+@dataclass(frozen=True)
 class Curve:
     """A load curve: points (time in s, factor) joined by lines or steps, constant beyond both ends."""
 
@@ -231,6 +248,11 @@ def normal_load(where: str, value: float, curve: int | None = None) -> Condition
     """Press on a surface with `value` MPa, acting on the whole mixture, in the reference configuration."""
     params = (Param("pressure", value, curve), Param("linear", True), Param("symmetric_stiffness", False))
     return Condition("surface_load", "pressure", where, params)
+
+
+def ambient(pressure: float, concentration: float, curve: int | None = None) -> tuple[Param, ...]:
+    """The bath that wets what is not in contact: effective pressure p~ (MPa) and effective concentration c~ (mM)."""
+    return (Param("ambient_pressure", pressure, curve), Param("ambient_concentration", concentration, curve))
 
 
 def fluid_flux(where: str, value: float, curve: int | None = None) -> Condition:
@@ -332,6 +354,18 @@ class Control:
         for param in self.solver:
             param.write(solver)
         child(child(solver, "qn_method", type="BFGS"), "max_ups", 0)
+
+
+@dataclass(frozen=True)
+class Solver:
+    """A module of FEBio for models with solutes, and further parameters of its solver."""
+
+    module: str
+    solver: tuple[Param, ...] = ()
+
+
+UNCLAMPED = Solver("multiphasic", (Param("force_positive_concentrations", False),))
+"""Concentrations may undershoot; FEBio's module 'solute' always sets negative ones to zero."""
 
 
 @dataclass(frozen=True)

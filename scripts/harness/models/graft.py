@@ -1,0 +1,147 @@
+"""Gallery: a graft in a cylindrical defect of cartilage, fed by the host across the wall."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from harness.models import blocks
+from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
+from harness.models.blocks import Body
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.indentation_mesh import disk
+from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.mesh import Mesh
+from harness.models.parts import (
+    GAS_CONSTANT,
+    TEMPERATURE,
+    UNCLAMPED,
+    Control,
+    Mixture,
+    Solid,
+    Solute,
+    ambient,
+    concentration,
+    fix,
+    initial_concentration,
+    initial_pressure,
+    pressure,
+)
+
+DEFECT = 2.0
+"""Radius of the defect, mm."""
+PRESS_FIT = 0.02
+"""mm by which the graft's radius exceeds that of the defect."""
+OUTER = 5.0
+"""Radius of the modelled part of the host, mm."""
+HEIGHT = 2.0
+"""Thickness of the cartilage and of the graft, mm."""
+CONCENTRATION = 1.0
+"""Of the host at first, and of its surroundings, mM."""
+HOST = Mixture(Solid(1.0, 0.2), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
+GRAFT = Mixture(
+    Solid(0.3, 0.2), permeability=5e-3, porosity=0.9, solutes=(Solute(1, 8e-4, free_diffusivity=1e-3, solubility=0.9),)
+)
+BATH = -GAS_CONSTANT * TEMPERATURE * HOST.osmotic * CONCENTRATION
+"""Effective pressure of a bath of this concentration without fluid pressure, MPa."""
+GROWTH = 1.3
+"""Of the elements of the host, from the wall of the defect outwards."""
+
+ABOUT = """\
+A graft in a defect of cartilage, fed by the host across its contact.
+
+A cylindrical graft, 2.02 mm in radius and 2 mm high, is pressed into a defect 2 mm in radius that reaches to the bone.
+The host holds 1 mM of a nutrient, and its top and outer side (radius 5 mm) are kept at 1 mM without fluid pressure, so
+that the effective fluid pressure there is -R T c = -0.0024776 MPa. The graft holds none at first, and a membrane seals
+its top: the nutrient enters across the wall alone; only the rim, where it protrudes, is in the bath. The graft is
+softer, more permeable and has a solubility of 0.9, so that the actual concentration jumps at the wall while the
+effective one does not. The bone below is sealed; the top is free of load. By symmetry a quarter is modelled."""
+
+
+@dataclass(frozen=True)
+class Graft:
+    """Choices of the graft.
+
+    Attributes
+    ----------
+    join : Join
+    settings : ContactSettings, optional
+        Default settings without it.
+    around : int
+        Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many.
+    outward, up : int
+        Elements of the host from the wall outwards, and of both bodies over the height.
+    control : Control
+    """
+
+    join: Join = Join.MIXTURE
+    settings: ContactSettings = ContactSettings()
+    around: int = 4
+    outward: int = 7
+    up: int = 5
+    control: Control = Control(60, 50.0)
+    name: str = "graft"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        settings = replace(self.settings, extra=(*self.settings.extra, *ambient(BATH, CONCENTRATION)))
+        conditions = (
+            fix("symmetry-x", "x"),
+            fix("symmetry-y", "y"),
+            fix("bone", "z"),
+            fix("host-side", "xy"),
+            *(pressure(where, BATH) for where in ("host-side", "host-top")),
+            *(concentration(where, CONCENTRATION) for where in ("host-side", "host-top")),
+            initial_concentration("host", CONCENTRATION),
+            initial_pressure("host", BATH),
+        )
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.join),
+            UNCLAMPED.module,
+            mesh,
+            {"host": HOST, "graft": GRAFT},
+            conditions,
+            replace(self.control, solver=UNCLAMPED.solver),
+            contacts(self.join, mesh, settings),
+            plot=self.plot,
+        )
+
+    def _mesh(self) -> Mesh:
+        """Both bodies before the press fit: the graft's side overlaps the wall."""
+        node_sets = {
+            "host": everywhere("host"),
+            "symmetry-x": plane("x", 0.0),
+            "symmetry-y": plane("y", 0.0),
+            "bone": plane("z", 0.0),
+            "host-side": Chosen("host", _at_radius(OUTER)),
+            "host-top": plane("z", HEIGHT, "host"),
+        }
+        surfaces = {
+            "wall": Chosen("host", _at_radius(DEFECT)),
+            "graft-side": Chosen("graft", _at_radius(DEFECT + PRESS_FIT)),
+        }
+        bodies = {"host": self._host(), "graft": self._graft()}
+        return assembled(bodies, node_sets, surfaces, {"wall": ("graft-side", "wall")})
+
+    def _heights(self) -> list[float]:
+        return [HEIGHT * level / self.up for level in range(self.up + 1)]
+
+    def _host(self) -> Body:
+        """A quarter ring, with as many facets on the wall as the graft has on its side."""
+        radius = DEFECT + graded(OUTER - DEFECT, self.outward, GROWTH)
+        angle = np.linspace(0.0, np.pi / 2, 2 * self.around + 1)
+        r, a, z = np.meshgrid(radius, angle, self._heights(), indexing="ij")
+        return blocks.structured(np.stack([r * np.cos(a), r * np.sin(a), z], axis=-1))
+
+    def _graft(self) -> Body:
+        return disk(DEFECT + PRESS_FIT, self.around, self._heights())
+
+
+def _at_radius(radius: float) -> Inside:
+    """Positions at a distance (mm) from the axis."""
+    return lambda x: np.asarray(np.abs(np.hypot(x[..., 0], x[..., 1]) - radius) < NEAR)

@@ -1,0 +1,153 @@
+"""Gallery: a section of a joint, cartilage on cartilage, takes up solute from the synovial fluid under cyclic load."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models import blocks
+from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
+from harness.models.blocks import Body, Points
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.mesh import Mesh
+from harness.models.parts import (
+    GAS_CONSTANT,
+    TEMPERATURE,
+    UNCLAMPED,
+    Control,
+    Curve,
+    Mixture,
+    Solid,
+    Solute,
+    ambient,
+    displace,
+    fix,
+)
+
+RADIUS = 15.0
+"""Radius of curvature of the upper cartilage, mm."""
+THICKNESS = 1.0
+"""Of each layer, mm."""
+HALF_WIDTHS = {"upper": 4.0, "lower": 4.5}
+"""mm; by symmetry half of the section is modelled."""
+DEPTH = 0.25
+"""mm, thickness of the plane problem."""
+LEAST, MOST = 0.05, 0.15
+"""mm by which the upper bone approaches over a cycle."""
+GROWTH = 1.25
+"""Of the elements of a layer, from the surface of the joint to the bone."""
+PERIOD = 20.0
+"""s."""
+BATH = 1.0
+"""Concentration of the synovial fluid, mM, reached at the end of the first cycle."""
+CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),))
+LOADING, FILLING = 1, 2
+"""Numbers of the load curves."""
+
+ABOUT = """\
+Cartilage on cartilage: a section of a joint that takes up solute from the synovial fluid under cyclic loading.
+
+Two layers of 1 mm on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by
+0.05 to 0.15 mm and back, with a period of 20 s. The layers hold no solute at first. The synovial fluid wets what is
+not in contact; within the first cycle its concentration rises to 1 mM, and its effective pressure falls to
+-R T c = -0.0024776 MPa with it, as in a bath without fluid pressure. The edge of the contact moves with each cycle:
+what was wet is sealed, and solute is handed from layer to layer. By symmetry half is modelled, as a layer of one
+element with no displacement along z."""
+
+
+@dataclass(frozen=True)
+class Joint:
+    """Choices of the joint section.
+
+    Attributes
+    ----------
+    join : Join
+    settings : ContactSettings, optional
+        Default settings without it.
+    cycles : int
+    steps : int
+        Time steps in a cycle.
+    across, through : int
+        Elements along the half-width and through the thickness of each layer.
+    """
+
+    join: Join = Join.MIXTURE
+    settings: ContactSettings = ContactSettings()
+    cycles: int = 10
+    steps: int = 20
+    across: int = 24
+    through: int = 8
+    name: str = "joint"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        conditions = (
+            fix("all", "z"),
+            fix("lower-bone", "xy"),
+            fix("upper-bone", "x"),
+            fix("symmetry", "x"),
+            displace("upper-bone", "y", -MOST, LOADING),
+        )
+        bath = ambient(-GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * BATH, BATH, FILLING)
+        settings = replace(self.settings, extra=(*self.settings.extra, *bath))
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.join),
+            UNCLAMPED.module,
+            mesh,
+            {"lower": CARTILAGE, "upper": CARTILAGE},
+            conditions,
+            Control(self.cycles * self.steps, PERIOD / self.steps, reformations=25, solver=UNCLAMPED.solver),
+            contacts(self.join, mesh, settings),
+            (self._loading(), Curve(((0.0, 0.0), (PERIOD, 1.0)))),
+            plot=self.plot,
+            further_columns=("Rx", "Ry", "Rz"),
+        )
+
+    def _mesh(self) -> Mesh:
+        """Both layers; the surfaces of the joint touch at x = 0."""
+        node_sets = {
+            "all": everywhere(),
+            "symmetry": plane("x", 0.0),
+            "lower-bone": plane("y", -THICKNESS, "lower"),
+            "upper-bone": Chosen("upper", _above(THICKNESS)),
+        }
+        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", _above(0.0))}
+        bodies = {"lower": self._lower(), "upper": self._upper()}
+        return assembled(bodies, node_sets, surfaces, {"joint": ("upper-cartilage", "lower-cartilage")})
+
+    def _lower(self) -> Body:
+        return blocks.structured(self._grid("lower") * np.array([1.0, -1.0, 1.0]))
+
+    def _upper(self) -> Body:
+        points = self._grid("upper")
+        points[..., 1] += _rise(points)
+        return blocks.structured(points)
+
+    def _grid(self, layer: str) -> Points:
+        """Nodes of a flat layer; its elements grow with the distance y from the surface of the joint."""
+        x = np.linspace(0.0, HALF_WIDTHS[layer], self.across + 1)
+        y = graded(THICKNESS, self.through, GROWTH)
+        return np.stack(np.meshgrid(x, y, [0.0, DEPTH], indexing="ij"), axis=-1)
+
+    def _loading(self) -> Curve:
+        """Approach of the bone, relative to `MOST`: from 0 to the least in half a cycle, then up and down."""
+        time = PERIOD / self.steps * np.arange(self.steps // 2, self.cycles * self.steps + 1)
+        approach = LEAST + (MOST - LEAST) * 0.5 * (1.0 + np.cos(2.0 * np.pi * time / PERIOD))
+        return Curve(((0.0, 0.0), *zip(time.tolist(), (approach / MOST).tolist(), strict=True)))
+
+
+def _rise(points: Points) -> NDArray[np.float64]:
+    """Height of the upper cartilage's surface over that of the lower one at first touch, mm."""
+    return np.asarray(points[..., 0] ** 2 / (2.0 * RADIUS))
+
+
+def _above(height: float) -> Inside:
+    """Positions at a height (mm) over the surface of the upper cartilage."""
+    return lambda x: np.asarray(np.abs(x[..., 1] - _rise(x) - height) < NEAR)

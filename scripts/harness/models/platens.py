@@ -1,0 +1,102 @@
+"""Gallery: confined compression between a permeable and an impermeable platen, in a bath."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, Join, column, contacts
+from harness.models.mesh import Layer, Section
+from harness.models.parts import (
+    GAS_CONSTANT,
+    TEMPERATURE,
+    Control,
+    Curve,
+    Elastic,
+    Mixture,
+    Solid,
+    Solute,
+    concentration,
+    displace,
+    fix,
+    pressure,
+)
+
+SAMPLE, PLATEN = 1.0, 0.5
+"""Heights of the sample and of each platen, mm."""
+COMPRESSION = 0.1
+"""mm by which the upper platen is driven down."""
+RAMP = 100.0
+"""s in which it is driven, and in which the bath's concentration rises."""
+BATH = 1.0
+"""mM."""
+OVERLAP = 1e-10
+"""mm by which neighbours overlap at first: the sample is held by its contacts alone, so they must be closed."""
+TISSUE = Mixture(Solid(1.0), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
+POROUS = Mixture(Solid(1000.0), permeability=1.0, porosity=0.4, solutes=(Solute(1, 1e-3, free_diffusivity=1e-3),))
+STEEL = Elastic(Solid(1e5, 0.3))
+
+ABOUT = """\
+Confined compression in a bath: a permeable platen against an impermeable one.
+
+A sample of cartilage 1 mm high stands in a confining chamber on an impermeable platen of steel, below a permeable
+platen of sintered metal (porosity 0.4), each 0.5 mm high. The upper platen is driven down by 0.1 mm in 100 s and held.
+Its upper face is in the bath: no fluid pressure, and a concentration that rises to 1 mM in the same time, so that the
+effective fluid pressure there is -R T c, down to -0.0024776 MPa. Solvent leaves and solute enters through the
+permeable platen alone. The same contact type joins all: across the upper contact it hands on traction, solvent and
+solute, across the lower one traction alone."""
+
+
+@dataclass(frozen=True)
+class Platens:
+    """Choices of the compression test.
+
+    Attributes
+    ----------
+    join : Join
+    settings : ContactSettings, optional
+        Default settings without it.
+    elements : int
+        Through the sample; a platen has a fifth of it.
+    control : Control
+    section : Section
+    """
+
+    join: Join = Join.MIXTURE
+    settings: ContactSettings | None = None
+    elements: int = 20
+    control: Control = Control(120, 25.0)
+    section: Section = Section()
+    name: str = "platens"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        few = max(1, self.elements // 5)
+        layers = [
+            Layer("impermeable", "steel", PLATEN, few),
+            Layer("sample", "tissue", SAMPLE, self.elements),
+            Layer("permeable", "porous", PLATEN, few),
+        ]
+        mesh = column(self.join, layers, bottom=-PLATEN, section=self.section, gap=-OVERLAP)
+        conditions = (
+            fix("all", "xy"),
+            fix("bottom", "z"),
+            displace("top", "z", -COMPRESSION, 1),
+            pressure("top", -GAS_CONSTANT * TEMPERATURE * POROUS.osmotic * BATH, 1),
+            concentration("top", BATH, 1),
+        )
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.join),
+            self.join.module,
+            mesh,
+            {"steel": STEEL, "tissue": TISSUE, "porous": POROUS},
+            conditions,
+            self.control,
+            contacts(self.join, mesh, self.settings),
+            (Curve(((0.0, 0.0), (RAMP, 1.0))),),
+            plot=self.plot,
+            further_columns=("Rz",),
+        )

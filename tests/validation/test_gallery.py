@@ -1,0 +1,83 @@
+"""The gallery: each model in its small version, and the page that shows them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from harness import gallery, gallery_figures, gallery_page
+from harness.models import platens
+from harness.models.interface import Join
+from harness.paths import DOCS, MODELS
+
+ENTRIES = {entry.model.name: entry for entry in gallery.entries()}
+PNG = b"\x89PNG"
+
+
+@pytest.fixture(scope="module")
+def shown(runner, join):
+    """Small version of a model: entry, outcome and curves."""
+    if join is not Join.MIXTURE:
+        pytest.skip("the gallery shows sliding-mixture")
+
+    def show(name):
+        entry = ENTRIES[name]
+        outcome = runner(entry.small)
+        return entry, outcome, gallery.curves(entry, outcome)
+
+    return show
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_small_version_runs_and_is_drawn(shown, name, tmp_path):
+    entry, outcome, curves = shown(name)
+    drawn = gallery_figures.draw(entry, outcome, curves, tmp_path)
+    assert [path.name for path in drawn] == [f"{name}-section.png", f"{name}-curves.png"]
+    assert all(path.read_bytes().startswith(PNG) for path in drawn)
+    assert outcome.report.retries == 0
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_small_version_is_the_same_problem(name):
+    """It differs from the one in models/ in mesh, steps and output alone."""
+    model, small = ENTRIES[name].model, ENTRIES[name].small
+    assert (small.materials, small.conditions, small.contacts) == (model.materials, model.conditions, model.contacts)
+    assert small.module == model.module
+    assert len(small.mesh.nodes) < len(model.mesh.nodes)
+
+
+def test_solute_enters_the_joint_with_each_layer_holding_its_share(shown):
+    _, outcome, curves = shown("joint")
+    assert all(content[0] == 0.0 and content[-1] > 0.04 for content in curves.contents.values())
+    assert outcome.nodes["c1"].max() == pytest.approx(1.0, abs=0.02)
+    assert curves.force is not None
+    assert curves.force.argmax() == len(curves.times) - 1, "the load peaks at the end of the cycle"
+
+
+def test_the_graft_takes_up_what_the_host_hands_on(shown):
+    _, _, curves = shown("graft")
+    graft = curves.contents["graft"]
+    assert np.all(np.diff(graft) > 0.0)
+    inside, outside = curves.sides["graft-side"][-1], curves.sides["wall"][-1]
+    assert inside == pytest.approx(outside, abs=0.02)
+
+
+def test_the_force_on_the_platens_relaxes(shown):
+    _, outcome, curves = shown("platens")
+    assert curves.force is not None
+    peak = int(np.abs(curves.force).argmax())
+    assert curves.times[peak] == pytest.approx(platens.RAMP)
+    assert abs(curves.force[-1]) < 0.5 * abs(curves.force[peak])
+    assert set(curves.sides) == {"sample-bottom", "sample-top", "permeable-bottom"}
+    assert "exchanges traction. No solvent" in outcome.log
+    assert "exchanges traction, solvent, solute 1." in outcome.log
+
+
+def test_the_page_shows_each_model_and_is_up_to_date():
+    records = gallery_page.read(DOCS)
+    assert list(records) == list(ENTRIES)
+    assert gallery_page.page(list(ENTRIES.values()), records) == (DOCS / "gallery.md").read_text(encoding="utf-8")
+    for name in ENTRIES:
+        assert (MODELS / f"{name}.feb").is_file()
+        for kind in ("section", "curves"):
+            assert (DOCS / gallery_page.IMAGES / f"{name}-{kind}.png").is_file()
