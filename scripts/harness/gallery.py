@@ -94,7 +94,7 @@ def _diffusion() -> Entry:
 
 def _convection() -> Entry:
     return Entry(
-        "Convection through two layers (problem 3.2, Pe = 1)",
+        "Convection through two layers (problem 3.2)",
         "Permeation: a pressure difference drives solvent and solute through two layers, to the steady state.",
         convection.Convection(1, plot=True).model(),
         convection.Convection(1, elements=5, control=Control(10, 500.0)).model(),

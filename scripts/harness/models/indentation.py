@@ -53,8 +53,8 @@ Transient contact with solute transport: problem 3.3 and figure 3.4 of Ateshian,
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
 
 A {body} of radius {radius:g} mm is driven {depth:g} mm into a slab 3 mm wide and 2 mm high in 1 s, and held to
-6000 s. Solute diffuses and is squeezed from the slab (1 mM) into the {body} and into the bath (both 0 mM), which
-wets what is not in contact.
+6000 s. Solute diffuses and is squeezed from the slab (1 mM) into the {body} and into the bath (both 0 mM),
+which wets what is not in contact.
 By symmetry half of it is modelled{plane}."""
 
 
