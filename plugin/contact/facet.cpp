@@ -6,10 +6,11 @@
 namespace mixture_contact {
 namespace {
 
-/// A function of one coordinate with its derivative.
+/// A function of one coordinate with its derivatives.
 struct Value {
   double value;
   double derivative;
+  double second;
 };
 
 /// Signs of the corner coordinates of a quadrilateral, in node order.
@@ -21,8 +22,8 @@ constexpr std::array<std::array<int, 2>, 9> quad9_grid{
 
 /// Quadratic Lagrange polynomial on {-1, 0, 1} that is 1 at the given node.
 Value lagrange_quadratic(int node, double x) {
-  if (node == 0) return {1 - x * x, -2 * x};
-  return {0.5 * x * (x + node), x + 0.5 * node};
+  if (node == 0) return {1 - x * x, -2 * x, -2};
+  return {0.5 * x * (x + node), x + 0.5 * node, 1};
 }
 
 ShapeFunctions sized(FacetType type) {
@@ -88,6 +89,49 @@ ShapeFunctions quad8(const Vector2d& xi) {
   return shape;
 }
 
+/// Second derivatives of a product of two functions with constant gradients f and g.
+Eigen::RowVector3d product_hessian(const Eigen::RowVector2d& f, const Eigen::RowVector2d& g) {
+  return {2 * f[0] * g[0], 2 * f[1] * g[1], f[0] * g[1] + f[1] * g[0]};
+}
+
+FacetHessian tri6_hessian() {
+  const FacetGradient area_gradient = tri3(Vector2d::Zero()).gradient;
+  FacetHessian hessian(6, 3);
+  for (Index i = 0; i < 3; ++i) {
+    hessian.row(i) = 2 * product_hessian(area_gradient.row(i), area_gradient.row(i));
+    hessian.row(3 + i) = 4 * product_hessian(area_gradient.row(i), area_gradient.row((i + 1) % 3));
+  }
+  return hessian;
+}
+
+FacetHessian quad4_hessian() {
+  FacetHessian hessian = FacetHessian::Zero(4, 3);
+  for (Index a = 0; a < 4; ++a) {
+    const auto& [r, s] = corner_sign[static_cast<std::size_t>(a)];
+    hessian(a, 2) = 0.25 * r * s;
+  }
+  return hessian;
+}
+
+FacetHessian quad9_hessian(const Vector2d& xi) {
+  FacetHessian hessian(9, 3);
+  for (Index a = 0; a < 9; ++a) {
+    const auto& grid = quad9_grid[static_cast<std::size_t>(a)];
+    const Value r = lagrange_quadratic(grid[0], xi[0]);
+    const Value s = lagrange_quadratic(grid[1], xi[1]);
+    hessian.row(a) << r.second * s.value, r.value * s.second, r.derivative * s.derivative;
+  }
+  return hessian;
+}
+
+FacetHessian quad8_hessian(const Vector2d& xi) {
+  const FacetHessian full = quad9_hessian(xi);
+  FacetHessian hessian = full.topRows(8);
+  hessian.topRows(4).rowwise() -= 0.25 * full.row(8);
+  hessian.bottomRows(4).rowwise() += 0.5 * full.row(8);
+  return hessian;
+}
+
 }  // namespace
 
 int node_count(FacetType type) {
@@ -147,6 +191,28 @@ ShapeFunctions shape_functions(FacetType type, const Vector2d& xi) {
       return quad9(xi);
   }
   throw std::logic_error("unknown facet type");
+}
+
+FacetHessian shape_hessian(FacetType type, const Vector2d& xi) {
+  switch (type) {
+    case FacetType::tri3:
+      return FacetHessian::Zero(3, 3);
+    case FacetType::tri6:
+      return tri6_hessian();
+    case FacetType::quad4:
+      return quad4_hessian();
+    case FacetType::quad8:
+      return quad8_hessian(xi);
+    case FacetType::quad9:
+      return quad9_hessian(xi);
+  }
+  throw std::logic_error("unknown facet type");
+}
+
+FacetGradient multiplier_gradient(FacetType type, const FacetGradient& gradient) {
+  FacetGradient result(gradient.rows(), 2);
+  for (Index i = 0; i < 2; ++i) result.col(i) = multiplier_shape(type, gradient.col(i));
+  return result;
 }
 
 FacetVector multiplier_shape(FacetType type, const FacetVector& shape) {

@@ -42,12 +42,18 @@ struct ShapeFunctions {
 /// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
 ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 
+/// Second derivatives of the shape functions with xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).
+FacetHessian shape_hessian(FacetType type, const Vector2d& xi);
+
 /// Shape functions psi_a of tractions, fluxes and multipliers, and the weights of nodal averages, from the values N_a
 /// of the ordinary ones: they span the same space, add up to 1, and have a positive integral each, which those of the
 /// corners of serendipity quadrilaterals and quadratic triangles have not: psi_corner = N_corner + alpha sum of the
 /// adjacent N_mid, psi_mid = (1 - 2 alpha) N_mid with alpha = 1/5 (Popp et al. 2012, SIAM J Sci Comput 34(4), B421).
 /// Shape (n).
 FacetVector multiplier_shape(FacetType type, const FacetVector& shape);
+
+/// Their derivatives with xi, from those of the ordinary shape functions; shape (n, 2).
+FacetGradient multiplier_gradient(FacetType type, const FacetGradient& gradient);
 
 /// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
 struct Facet {

@@ -8,8 +8,6 @@
 namespace mixture_contact {
 namespace {
 
-constexpr double box_margin = 0.1;
-
 /// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   Matrix3Xd normals = Matrix3Xd::Zero(3, mesh.nodes);

@@ -38,7 +38,7 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       effects_(effects),
       settings_(settings),
       penalties_(at_nodes(penalties(primary, secondary, effects, settings), primary)),
-      points_(primary.facets, secondary.facets, settings.integration_order, settings.search_tolerance) {
+      points_(point_finder(primary.facets, secondary.facets, settings)) {
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_growth.setOnes(effects.scalar_fields());
@@ -50,11 +50,11 @@ void ContactPass::update_penalties() {
 
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   touch_ = touch_fraction * half_diagonal(x1);
-  pairs_ = points_.search(x1, x2, radius);
+  pairs_ = points_->search(x1, x2, radius);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
-  pairs_ = points_.on_same_facets(x1, x2);
+  pairs_ = points_->on_same_facets(x1, x2);
 }
 
 const Facet& ContactPass::primary_facet(const FacetPair& pair) const {
@@ -291,18 +291,22 @@ PointContact ContactPass::contact(const FacetPair& pair, const IntegrationPoint&
   contact.pair = &pair;
   contact.kinematics = kinematics(pair, place, primary.position, secondary.position);
   contact.psi = multiplier_shape(pair, contact.kinematics);
+  contact.psi_gradient = multiplier_gradient(primary_facet(pair).type, contact.kinematics.primary_gradient);
   contact.fields = exchanged_fields(pair);
   const auto fields = static_cast<Index>(contact.fields.size());
   contact.values.resize(contact.kinematics.nodes(), fields);
   contact.loads.traction = {contact.psi.dot(facet_values(primary_facet(pair), loads.traction)), 0.0};
+  contact.loads.traction_slope = contact.psi_gradient.transpose() * facet_values(primary_facet(pair), loads.traction);
   contact.loads.weight = place.weight;
   contact.loads.time_increment = dt;
   contact.loads.flux.resize(fields);
+  contact.loads.flux_slope.resize(fields, 2);
   for (Index k = 0; k < fields; ++k) {
     const int field = contact.fields[static_cast<std::size_t>(k)];
     contact.values.col(k) = pair_values(pair, field, primary, secondary);
     const VectorXd nodal = loads.flux.row(field).transpose();
     contact.loads.flux[k] = {contact.psi.dot(facet_values(primary_facet(pair), nodal)), 0.0};
+    contact.loads.flux_slope.row(k) = facet_values(primary_facet(pair), nodal).transpose() * contact.psi_gradient;
   }
   return contact;
 }
@@ -323,41 +327,25 @@ Patch ContactPass::facet_patch(const FacetPair& pair) const {
   return {nodes(primary_facet(pair)), nodes(secondary_facet(pair)), exchanged_fields(pair)};
 }
 
-template <class Local, class Evaluate, class Add>
-void ContactPass::gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary,
-                                       const SurfaceFields& secondary, double dt, const Evaluate& evaluate,
-                                       const Add& add) const {
+void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
+                           const std::function<void(const Patch&, const VectorXd&)>& add) const {
+  const NodalLoads loads = nodal_loads(primary, secondary);
   for (const FacetPair& pair : pairs_) {
     if (!carries_load(pair, loads.in_contact)) continue;
     const Patch patch = facet_patch(pair);
-    Local sum;
+    VectorXd sum = VectorXd::Zero(patch.layout().size());
     for (const IntegrationPoint& place : pair.points) {
-      const Local local = evaluate(contact(pair, place, loads, primary, secondary, dt), patch.layout());
-      if (sum.size() == 0) {
-        sum = local;
-      } else {
-        sum += local;
-      }
+      const PointContact point = contact(pair, place, loads, primary, secondary, dt);
+      sum += point_residual(point.kinematics, point.loads, patch.layout());
     }
     add(patch, sum);
   }
-}
-
-void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-                           const std::function<void(const Patch&, const VectorXd&)>& add) const {
-  const auto evaluate = [](const PointContact& contact, const LocalLayout& layout) {
-    return point_residual(contact.kinematics, contact.loads, layout);
-  };
-  gather_by_facet_pair<VectorXd>(nodal_loads(primary, secondary), primary, secondary, dt, evaluate, add);
 }
 
 // ------------------------------------------------------------ tangent
 
 void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                           const std::function<void(const Patch&, const MatrixXd&)>& add) const {
-  const auto geometric = [](const PointContact& contact, const LocalLayout& layout) {
-    return point_tangent(contact.kinematics, contact.loads, contact.values, layout);
-  };
   const auto add_full_or_symmetric = [&](const Patch& patch, const MatrixXd& values) {
     add(patch, settings_.symmetric ? symmetric_part(values, patch.layout()) : values);
   };
@@ -373,7 +361,18 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
     loads.traction = held_->geometric_traction;
     loads.flux = held_->geometric_flux;
   }
-  gather_by_facet_pair<MatrixXd>(loads, primary, secondary, dt, geometric, add_full_or_symmetric);
+  for (const FacetPair& pair : pairs_) {
+    if (!carries_load(pair, loads.in_contact)) continue;
+    const Patch patch = facet_patch(pair);
+    const std::vector<PointMotion> motions = points_->motions(pair, primary.position, secondary.position);
+    MatrixXd sum = MatrixXd::Zero(patch.layout().size(), patch.layout().size());
+    for (std::size_t q = 0; q < pair.points.size(); ++q) {
+      const PointContact point = contact(pair, pair.points[q], loads, primary, secondary, dt);
+      const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
+      sum += point_tangent(point.kinematics, vary, point.loads, point.values, patch.layout());
+    }
+    add_full_or_symmetric(patch, sum);
+  }
 }
 
 void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
@@ -463,9 +462,9 @@ ContactPass::NodeLinearisation ContactPass::start_linearisation(const Patch& pat
 
 void ContactPass::add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place,
                             const NodalLoads& loads, const PointContact& contact, const KinematicVariations& vary,
-                            double share) const {
-  // g_a = INT psi_a g da / A_a, so dg_a = sum_q w psi_a (|a| dg + (g - g_a) d|a|)/A_a; jumps alike, with their fields'
-  // own part.
+                            const PointShare& share) const {
+  // g_a = INT psi_a g da / A_a, so dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a; jumps alike, with
+  // their fields' own part.
   const PointKinematics& point = contact.kinematics;
   const LocalLayout layout = linear.patch.layout();
   const PairVector h = point.jump_weights();
@@ -477,7 +476,7 @@ void ContactPass::add_point(NodeLinearisation& linear, Index node, const std::ve
   };
   add_variation(linear.gap_variation, gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
   for (std::size_t n = 0; n < place.size(); ++n) {
-    linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share * h[static_cast<Index>(n)] *
+    linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share.value * h[static_cast<Index>(n)] *
                                                                          point.area_vector;
   }
   for (std::size_t f = 0; f < contact.fields.size(); ++f) {
@@ -489,7 +488,7 @@ void ContactPass::add_point(NodeLinearisation& linear, Index node, const std::ve
     const PairVector values = contact.values.col(static_cast<Index>(f));
     add_variation(variation, jump_variation(point, vary, share, values), loads.jump(field, node), area);
     for (std::size_t n = 0; n < place.size(); ++n) {
-      const double entry = share * point.area * h[static_cast<Index>(n)];
+      const double entry = share.value * point.area * h[static_cast<Index>(n)];
       variation[layout.scalar(place[n], k)] += entry / area;
       work[layout.scalar(place[n], k)] += entry;
     }
@@ -509,14 +508,19 @@ std::vector<ContactPass::NodeLinearisation> ContactPass::linearise(const NodalLo
     const Patch facets = facet_patch(pair);
     std::vector<std::vector<Index>> place;  // of the pair's nodes in the patch of each of its primary nodes
     for (const int node : facets.primary) place.push_back(places(facets, nodes[static_cast<std::size_t>(node)].patch));
-    for (const IntegrationPoint& at : pair.points) {
-      const PointContact point = contact(pair, at, loads, primary, secondary, 1.0);
-      const KinematicVariations vary = kinematic_variations(point.kinematics);
+    const std::vector<PointMotion> motions = points_->motions(pair, primary.position, secondary.position);
+    for (std::size_t q = 0; q < pair.points.size(); ++q) {
+      const double weight = pair.points[q].weight;
+      const PointContact point = contact(pair, pair.points[q], loads, primary, secondary, 1.0);
+      const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
       for (std::size_t a = 0; a < facets.primary.size(); ++a) {
+        const auto corner = static_cast<Index>(a);
         const int node = facets.primary[a];
         NodeLinearisation& linear = nodes[static_cast<std::size_t>(node)];
         if (linear.unknowns.size() == 0) continue;
-        add_point(linear, node, place[a], loads, point, vary, at.weight * point.psi[static_cast<Index>(a)]);
+        const PointShare share{weight * point.psi[corner],
+                               weight * (point.psi[corner] * vary.weight + point.psi_gradient.row(corner) * vary.xi)};
+        add_point(linear, node, place[a], loads, point, vary, share);
       }
     }
   }

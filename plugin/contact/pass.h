@@ -45,10 +45,11 @@ struct NodalLoads {
 struct PointContact {
   const FacetPair* pair = nullptr;
   PointKinematics kinematics;
-  FacetVector psi;          ///< psi_a here
-  std::vector<int> fields;  ///< exchanged scalar fields here, as indices into Effects' order
-  PairFields values;        ///< their nodal values
-  PointLoads loads;         ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
+  FacetVector psi;             ///< psi_a here
+  FacetGradient psi_gradient;  ///< psi_a,alpha
+  std::vector<int> fields;     ///< exchanged scalar fields here, as indices into Effects' order
+  PairFields values;           ///< their nodal values
+  PointLoads loads;  ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
 };
 
 /// The integral over one surface. Evaluations are const; only project() replaces the pairs, only augment (through
@@ -175,20 +176,16 @@ class ContactPass {
   NodeLinearisation start_linearisation(const Patch& patch, const SurfaceFields& primary,
                                         const SurfaceFields& secondary) const;
   void add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place, const NodalLoads& loads,
-                 const PointContact& contact, const KinematicVariations& vary, double share) const;
+                 const PointContact& contact, const KinematicVariations& vary, const PointShare& share) const;
   static VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary);
   MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
-
-  template <class Local, class Evaluate, class Add>
-  void gather_by_facet_pair(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
-                            double dt, const Evaluate& evaluate, const Add& add) const;
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
   const Effects& effects_;
   const Settings& settings_;
   Penalties penalties_;
-  GaussPoints points_;
+  std::unique_ptr<PointFinder> points_;
   std::vector<FacetPair> pairs_;
   std::optional<Held> held_;
   double touch_ = 0;  ///< distance at which surfaces touch to rounding [mm]

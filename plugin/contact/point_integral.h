@@ -12,11 +12,13 @@ using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_
 
 /// What acts at an integration point.
 struct PointLoads {
-  LawValue traction{0.0, 0.0};  ///< t_n [MPa] and dt_n/dg
+  LawValue traction{0.0, 0.0};        ///< t_n [MPa] and dt_n/dg
+  Vector2d traction_slope{0.0, 0.0};  ///< dt_n/dxi_alpha where the point moves over the primary facet
   Eigen::Array<LawValue, Eigen::Dynamic, 1>
-      flux;                   ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
-  double weight = 0;          ///< quadrature weight: da1 = weight * |a|
-  double time_increment = 0;  ///< fluxes are integrated over the time step: their rows carry dt [s]
+      flux;                     ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
+  Eigen::MatrixX2d flux_slope;  ///< dq_n/dxi_alpha per exchanged field; empty where the point does not move
+  double weight = 0;            ///< quadrature weight: da1 = weight * |a|
+  double time_increment = 0;    ///< fluxes are integrated over the time step: their rows carry dt [s]
 };
 
 /// Contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape (layout.size()).
@@ -26,19 +28,25 @@ VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, c
 
 /// Exact derivative of point_residual with the nodal positions and fields, shape (layout.size(), layout.size()), eq
 /// (2.6): every block, including the changes of da1, of n1, of the projected position and of the fields sampled there.
-MatrixXd point_tangent(const PointKinematics& point, const PointLoads& loads, const PairFields& fields,
-                       const LocalLayout& layout);
+MatrixXd point_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                       const PairFields& fields, const LocalLayout& layout);
 
-/// First variation of the contributions w |a| g to an average of the gap and w |a| to its area, with the positions of
-/// the pair.
-struct WeightedVariation {
-  PairVariation<1> integral;  ///< d(w |a| value), three columns per node
-  PairVariation<1> area;      ///< d(w |a|)
+/// Share of a point in an average, w psi_a, with its variation.
+struct PointShare {
+  double value;
+  PairVariation<1> variation;
 };
-WeightedVariation gap_variation(const PointKinematics& point, const KinematicVariations& vary, double weight);
 
-/// The same for the jump of a field with the given nodal values; its variation with those values is w |a| h.
-WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, double weight,
+/// First variation of the contributions w psi_a |a| g to an average of the gap and w psi_a |a| to its area, with the
+/// positions of the pair.
+struct WeightedVariation {
+  PairVariation<1> integral;  ///< d(w psi_a |a| value), three columns per node
+  PairVariation<1> area;      ///< d(w psi_a |a|)
+};
+WeightedVariation gap_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share);
+
+/// The same for the jump of a field with the given nodal values; its variation with those values is w psi_a |a| h.
+WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share,
                                  const PairVector& values);
 
 /// A symmetric approximation of point_tangent for symmetric solvers: the symmetric part of the displacement block, the

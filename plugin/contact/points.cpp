@@ -1,14 +1,13 @@
 #include "points.h"
 
 #include "quadrature.h"
+#include "segments.h"
 
 #include <algorithm>
 
 namespace mixture_contact {
 namespace {
 
-/// Curved facets bulge out of the box of their nodes by less than this part of its diagonal.
-constexpr double box_margin = 0.1;
 constexpr int nothing_seen = -1;
 
 /// Adds a point to its pair of facets. Points come facet by facet, so only the pairs of the last primary facet count.
@@ -28,6 +27,14 @@ Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& x
   const FacetCoordinates x = facet_coordinates(facet, positions);
   const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
   return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), reach, tolerance};
+}
+
+std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, const std::vector<Facet>& secondary,
+                                          const Settings& settings) {
+  if (settings.integration == Integration::segments) {
+    return std::make_unique<Segments>(primary, secondary, settings.integration_order);
+  }
+  return std::make_unique<GaussPoints>(primary, secondary, settings.integration_order, settings.search_tolerance);
 }
 
 GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order,
@@ -53,6 +60,13 @@ std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd&
     if (hit) add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight});
   }
   return pairs;
+}
+
+std::vector<PointMotion> GaussPoints::motions(const FacetPair& pair, const Matrix3Xd& /*x1*/,
+                                              const Matrix3Xd& /*x2*/) const {
+  const int nodes = node_count(primary_[static_cast<std::size_t>(pair.primary)].type) +
+                    node_count(secondary_[static_cast<std::size_t>(pair.secondary)].type);
+  return std::vector<PointMotion>(pair.points.size(), no_motion(nodes));
 }
 
 std::vector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {

@@ -1,8 +1,11 @@
 /// Where the integral over a surface is sampled: integration points, by the pair of facets that they lie on.
 #pragma once
 
+#include "kinematics.h"
 #include "search.h"
+#include "settings.h"
 
+#include <memory>
 #include <vector>
 
 namespace mixture_contact {
@@ -24,20 +27,42 @@ struct FacetPair {
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.
 Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
 
+/// Finds the integration points of a primary surface and what they see of a secondary one.
+class PointFinder {
+ public:
+  PointFinder() = default;
+  PointFinder(const PointFinder&) = delete;
+  PointFinder& operator=(const PointFinder&) = delete;
+  PointFinder(PointFinder&&) = delete;
+  PointFinder& operator=(PointFinder&&) = delete;
+  virtual ~PointFinder() = default;
+
+  /// Pairs of facets that face each other within `radius`, in ascending order of the primary facets. The result depends
+  /// on the positions alone.
+  virtual std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
+
+  /// The same without a search: points keep to the facets that the last search() found for them. The result depends on
+  /// that search and the positions alone.
+  virtual std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+
+  /// How the points of a pair, found at these positions, move with them; one entry per point.
+  virtual std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+};
+
+/// The finder that the settings ask for. Keeps references to the facets.
+std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, const std::vector<Facet>& secondary,
+                                          const Settings& settings);
+
 /// Gauss points at fixed places of the primary facets: each sees the nearest facet that faces it.
-class GaussPoints {
+class GaussPoints : public PointFinder {
  public:
   /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
   GaussPoints(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order, double tolerance);
 
-  /// Pairs of facets in ascending order. Of the facets that face a point within `radius` the nearest is taken.
-  std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius);
-
-  /// The same without a search: each point looks at the facet that the last search() found for it. A point that leaves
-  /// its facet comes back with it: the result depends on that search and the positions alone.
-  std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
-
-  Index size() const { return static_cast<Index>(points_.size()); }
+  std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  /// A point that leaves its facet comes back with it.
+  std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
 
  private:
   struct Point {

@@ -12,12 +12,13 @@ using Box = Eigen::AlignedBox3d;
 struct SegmentCollector {
   Vector3d middle;
   Vector3d half;  ///< half the segment as a vector
+  double width;   ///< by which boxes are enlarged
   std::vector<int> found;
 
   /// Separating axes of a box and a segment: the box's axes and their cross products with the segment (Gottschalk et
   /// al. 1996).
   bool intersectVolume(const Box& box) const {
-    const Vector3d extent = 0.5 * box.sizes();
+    const Vector3d extent = 0.5 * box.sizes() + Vector3d::Constant(width);
     const Vector3d offset = middle - box.center();
     const Vector3d reach = half.cwiseAbs();
     if ((offset.cwiseAbs().array() > (extent + reach).array()).any()) return false;
@@ -58,8 +59,9 @@ FacetTree::FacetTree(const std::vector<Facet>& facets, const Matrix3Xd& position
   tree_.init(ids.begin(), ids.end(), boxes.begin(), boxes.end());
 }
 
-std::vector<int> FacetTree::candidates(const Vector3d& origin, const Vector3d& direction, double reach) const {
-  SegmentCollector collector{origin, reach * direction, {}};
+std::vector<int> FacetTree::candidates(const Vector3d& origin, const Vector3d& direction, double reach,
+                                       double width) const {
+  SegmentCollector collector{origin, reach * direction, width, {}};
   Eigen::BVIntersect(tree_, collector);
   std::sort(collector.found.begin(), collector.found.end());
   return std::move(collector.found);

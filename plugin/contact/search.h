@@ -12,6 +12,9 @@
 
 namespace mixture_contact {
 
+/// Curved facets bulge out of the box of their nodes by less than this part of its diagonal.
+inline constexpr double box_margin = 0.1;
+
 /// A bounding-volume tree (Eigen's KdBVH) over the facets of a surface in one configuration.
 class FacetTree {
  public:
@@ -20,8 +23,8 @@ class FacetTree {
   FacetTree(const std::vector<Facet>& facets, const Matrix3Xd& positions, double margin);
 
   /// Indices, ascending, of the facets whose box meets the segment from origin - reach * direction to origin + reach *
-  /// direction.
-  std::vector<int> candidates(const Vector3d& origin, const Vector3d& direction, double reach) const;
+  /// direction; with a width, those that come that near to it along the axes.
+  std::vector<int> candidates(const Vector3d& origin, const Vector3d& direction, double reach, double width = 0) const;
 
  private:
   Eigen::KdBVH<double, 3, int> tree_;

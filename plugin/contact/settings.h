@@ -10,6 +10,13 @@ enum class Enforcement {
                         ///< tolerances
 };
 
+/// Where the integrals over the primary surface are sampled.
+enum class Integration {
+  gauss,    ///< at Gauss points of the primary facets: cheap; not exact where facets of both sides end at different
+            ///< places
+  segments  ///< on the pieces into which facets of both sides cut each other: exact there too
+};
+
 /// Penalty of one kind of field.
 struct PenaltyRule {
   bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
@@ -44,9 +51,11 @@ struct Settings {
   Tolerances tolerances;
   int min_augmentations = 0;
   int max_augmentations = 10;
-  bool two_pass = false;      ///< integrate over both surfaces instead of the primary alone
-  bool symmetric = false;     ///< hand out the symmetric part of the tangent
-  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones
+  bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
+  bool symmetric = false;  ///< hand out the symmetric part of the tangent
+  Integration integration = Integration::gauss;
+  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; of
+                              ///< segments: of their triangles, 0: default_segment_order
   double search_radius = 0;  ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces'
                              ///< size
   double search_tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still

@@ -21,6 +21,8 @@ inline constexpr int max_pair_displacements = 3 * max_pair_nodes;
 using FacetVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_facet_nodes, 1>;
 /// Parametric derivatives per node of a facet, shape (n, 2).
 using FacetGradient = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, max_facet_nodes, 2>;
+/// Second parametric derivatives per node of a facet: columns 11, 22, 12, shape (n, 3).
+using FacetHessian = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, max_facet_nodes, 3>;
 /// Nodal coordinates of a facet, one column per node, shape (3, n).
 using FacetCoordinates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_facet_nodes>;
 /// One value per node of a pair of facets, primary nodes first, shape (n1 + n2).

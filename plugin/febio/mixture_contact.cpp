@@ -37,6 +37,7 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   ADD_PARAMETER(parameters_.update_penalty, "update_penalty");
   ADD_PARAMETER(parameters_.two_pass, "two_pass");
   ADD_PARAMETER(parameters_.symmetric_stiffness, "symmetric_stiffness");
+  ADD_PARAMETER(parameters_.integration, "integration")->setEnums("gauss\0segments\0");
   ADD_PARAMETER(parameters_.integration_order, "integration_order");
   ADD_PARAMETER(parameters_.search_tol, "search_tol");
   ADD_PARAMETER(parameters_.search_radius, "search_radius", parameters_.search_radius_given)->setUnits(UNIT_LENGTH);

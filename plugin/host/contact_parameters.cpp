@@ -45,6 +45,7 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   require_positive(list, "pressure_penalty", p.pressure_penalty_given, p.pressure_penalty);
   require_positive(list, "concentration_penalty", p.concentration_penalty_given, p.concentration_penalty);
   require_positive(list, "search_radius", p.search_radius_given, p.search_radius);
+  if (p.integration < 0 || p.integration > 1) list.emplace_back("<integration> must be gauss or segments (0 or 1).");
   if (p.integration_order < 0 || p.integration_order > mixture_contact::max_quadrature_order) {
     list.emplace_back("<integration_order> is " + std::to_string(p.integration_order) + "; it must lie between 1 and " +
                       std::to_string(mixture_contact::max_quadrature_order) + ", or be 0 for the default.");
@@ -88,6 +89,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p) {
   settings.max_augmentations = p.maxaug;
   settings.two_pass = p.two_pass;
   settings.symmetric = p.symmetric_stiffness;
+  settings.integration = p.integration == 1 ? Integration::segments : Integration::gauss;
   settings.integration_order = p.integration_order;
   settings.search_radius = p.search_radius_given ? p.search_radius : 0;
   settings.search_tolerance = p.search_tol;

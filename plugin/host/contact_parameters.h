@@ -32,6 +32,7 @@ struct ContactParameters {
 
   bool two_pass = false;
   bool symmetric_stiffness = false;
+  int integration = 0;  ///< 0: gauss, 1: segments
   int integration_order = 0;
   double search_tol = 0.01;
   double search_radius = 0;  ///< [length]

@@ -76,6 +76,10 @@ void read_parameter_of(const Tag& tag, const Model& model, ContactDefinition& co
     const bool augmented = tag.text() == "AUGLAG" || tag.text() == "1";
     contact.parameters.laugon = augmented ? 1 : 0;
     if (!augmented && tag.text() != "PENALTY" && tag.text() != "0") tag.fail(R"(allowed: "PENALTY", "AUGLAG")");
+  } else if (name == "integration") {
+    const bool segments = tag.text() == "segments" || tag.text() == "1";
+    contact.parameters.integration = segments ? 1 : 0;
+    if (!segments && tag.text() != "gauss" && tag.text() != "0") tag.fail(R"(allowed: "gauss", "segments")");
   } else if (name == "ambient_pressure") {
     contact.ambient_pressure = read_parameter(tag, model);
   } else if (name == "ambient_concentration") {

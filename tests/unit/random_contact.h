@@ -165,7 +165,7 @@ struct RandomContact {
 
   MatrixXd tangent(const VectorXd& q) const {
     const PointKinematics point = kinematics(q);
-    return point_tangent(point, loads(point, q), fields(q), layout);
+    return point_tangent(point, kinematic_variations(point), loads(point, q), fields(q), layout);
   }
 };
 

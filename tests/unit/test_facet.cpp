@@ -75,6 +75,24 @@ BOOST_AUTO_TEST_CASE(gradients_are_the_differences_of_the_values) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(second_derivatives_are_the_differences_of_the_gradients) {
+  std::mt19937 random(3);
+  for (const FacetType type : all_facets) {
+    const Vector2d xi = random_inside(type, random);
+    const MatrixXd slopes = differences(
+        [&](const VectorXd& at) {
+          const FacetGradient gradient = shape_functions(type, at).gradient;
+          return VectorXd(gradient.reshaped());
+        },
+        xi);
+    const FacetHessian hessian = shape_hessian(type, xi);
+    const Index n = hessian.rows();
+    MatrixXd expected(2 * n, 2);
+    expected << hessian.col(0), hessian.col(2), hessian.col(2), hessian.col(1);
+    BOOST_TEST((slopes - expected).norm() <= difference_tolerance);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(complete_polynomials_are_reproduced) {
   std::mt19937 random(3);
   for (const FacetType type : all_facets) {

@@ -172,7 +172,8 @@ BOOST_AUTO_TEST_CASE(a_field_without_a_law_has_no_residual_and_no_tangent) {
     PointLoads loads = contact.loads(point, q);
     loads.flux[1] = {0, 0};
     const VectorXd residual = point_residual(point, loads, contact.layout);
-    const MatrixXd tangent = point_tangent(point, loads, contact.fields(q), contact.layout);
+    const MatrixXd tangent = point_tangent(point, kinematic_variations(point), loads, contact.fields(q),
+                                           contact.layout);
     for (const bool side : {true, false}) {
       const std::vector<Index> rows = entries(contact.layout, side, 1);
       BOOST_TEST(VectorXd(residual(rows)).norm() == 0.0);

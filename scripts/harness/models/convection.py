@@ -53,10 +53,14 @@ class Convection:
     module: str | None = None
     name: str = "convection"
     plot: bool = False
+    upper_divided: tuple[int, int] | None = None
 
     def model(self) -> Model:
         """The model of these choices."""
-        layers = [Layer("lower", "gel", HEIGHT / 2, self.elements), Layer("upper", "gel", HEIGHT / 2, self.elements)]
+        layers = [
+            Layer("lower", "gel", HEIGHT / 2, self.elements),
+            Layer("upper", "gel", HEIGHT / 2, self.elements, self.upper_divided),
+        ]
         mesh = column(self.join, layers, bottom=-HEIGHT / 2, section=self.section)
         inlet = PRESSURES[self.peclet]
         conditions = (

@@ -61,6 +61,8 @@ class Diffusion:
         Materials of the two cubes.
     bath : tuple of float
         Concentration of each solute in the bath, mM.
+    upper_divided : tuple of int, optional
+        Elements of the upper cube along x and y, where they differ from those of the section.
     """
 
     join: Join = Join.MIXTURE
@@ -74,6 +76,7 @@ class Diffusion:
     lower: Mixture = MATERIAL
     upper: Mixture = MATERIAL
     bath: tuple[float, ...] = (BATH,)
+    upper_divided: tuple[int, int] | None = None
 
     def model(self) -> Model:
         """The model of these choices."""
@@ -82,7 +85,7 @@ class Diffusion:
         names = tuple(materials)
         layers = [
             Layer("lower", names[0], HEIGHT / 2, self.elements),
-            Layer("upper", names[-1], HEIGHT / 2, self.elements),
+            Layer("upper", names[-1], HEIGHT / 2, self.elements, self.upper_divided),
         ]
         mesh = column(self.join, layers, bottom=-HEIGHT / 2, section=self.section)
         conditions = (

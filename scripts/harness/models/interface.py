@@ -51,6 +51,8 @@ class ContactSettings:
     penalty, pressure_penalty, concentration_penalty : float
         eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
     auto_penalty, update_penalty, two_pass : bool
+    integration : str
+        ``gauss`` or ``segments``; `sliding-mixture` alone knows it.
     tolerance, gaptol, ptol, ctol : float
         Augmentation tolerances: of the traction (relative), of the gap (mm), of pressure and concentration.
     ambient_pressure, ambient_concentration : Param or float
@@ -65,6 +67,7 @@ class ContactSettings:
     auto_penalty: bool | None = None
     update_penalty: bool | None = None
     two_pass: bool | None = None
+    integration: str | None = None
     tolerance: float | None = None
     gaptol: float | None = None
     ptol: float | None = None

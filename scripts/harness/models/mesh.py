@@ -58,12 +58,16 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Layer:
-    """One slab of a column: its name, material, thickness (mm) and number of elements through the thickness."""
+    """One slab of a column: its name, material, thickness (mm) and number of elements through the thickness.
+
+    `divided`: its own numbers of elements along x and y where the column is cut; those of the section without it.
+    """
 
     name: str
     material: str
     thickness: float
     elements: int
+    divided: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)
@@ -182,7 +186,7 @@ def cut_column(layers: Sequence[Layer], *, bottom: float, section: Section | Non
     boxes: list[Box] = []
     height = bottom
     for layer in layers:
-        size, elements = (*section.width, layer.thickness), (*section.elements, layer.elements)
+        size, elements = (*section.width, layer.thickness), (*(layer.divided or section.elements), layer.elements)
         boxes.append(Box(layer.name, layer.material, (0.0, 0.0, height), size, elements))
         height += layer.thickness + gap
     mesh = assemble(boxes)

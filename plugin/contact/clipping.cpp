@@ -1,0 +1,79 @@
+#include "clipping.h"
+
+#include <Eigen/Geometry>
+
+namespace mixture_contact {
+namespace {
+
+/// The point of the segment from a to b at which a number that is va at a and vb at b, of opposite signs, is zero.
+VaryingVector crossing(const VaryingVector& a, const VaryingVector& b, const VaryingNumber& va,
+                       const VaryingNumber& vb) {
+  const double drop = va.value - vb.value;
+  const double t = va.value / drop;
+  const PairVariation<1> dt = (va.value * vb.variation - vb.value * va.variation) / (drop * drop);
+  const Vector3d along = b.value - a.value;
+  return {a.value + t * along, (1 - t) * a.variation + t * b.variation + along * dt};
+}
+
+/// The part of a polygon on the left of the line through two points.
+Polygon left_of(const Polygon& polygon, const VaryingVector& from, const VaryingVector& to, const VaryingVector& n,
+                double coincident) {
+  const VaryingVector edge = to - from;
+  const double on_line = coincident * edge.value.norm();
+  std::vector<VaryingNumber> side;
+  side.reserve(polygon.size());
+  for (const VaryingVector& corner : polygon) side.push_back(triple(n, edge, corner - from));
+  Polygon rest;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t next = (i + 1) % polygon.size();
+    if (side[i].value >= -on_line) rest.push_back(polygon[i]);
+    const bool leaves = side[i].value > on_line && side[next].value < -on_line;
+    const bool enters = side[i].value < -on_line && side[next].value > on_line;
+    if (leaves || enters) rest.push_back(crossing(polygon[i], polygon[next], side[i], side[next]));
+  }
+  return rest;
+}
+
+}  // namespace
+
+VaryingVector operator+(const VaryingVector& one, const VaryingVector& two) {
+  return {one.value + two.value, one.variation + two.variation};
+}
+
+VaryingVector operator-(const VaryingVector& one, const VaryingVector& two) {
+  return {one.value - two.value, one.variation - two.variation};
+}
+
+VaryingVector operator*(double factor, const VaryingVector& vector) {
+  return {factor * vector.value, factor * vector.variation};
+}
+
+VaryingNumber triple(const VaryingVector& n, const VaryingVector& a, const VaryingVector& b) {
+  const Vector3d ab = a.value.cross(b.value);
+  const Vector3d bn = b.value.cross(n.value);
+  const Vector3d na = n.value.cross(a.value);
+  return {n.value.dot(ab), ab.transpose() * n.variation + bn.transpose() * a.variation + na.transpose() * b.variation};
+}
+
+VaryingVector normalized(const VaryingVector& vector) {
+  const double length = vector.value.norm();
+  const Vector3d unit = vector.value / length;
+  return {unit, (vector.variation - unit * (unit.transpose() * vector.variation)) / length};
+}
+
+double twice_area(const Polygon& polygon, const Vector3d& n) {
+  double sum = 0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    sum += n.dot((polygon[i - 1].value - polygon[0].value).cross(polygon[i].value - polygon[0].value));
+  }
+  return sum;
+}
+
+Polygon clip(Polygon polygon, const Polygon& window, const VaryingVector& n, double coincident) {
+  for (std::size_t i = 0; i < window.size() && !polygon.empty(); ++i) {
+    polygon = left_of(polygon, window[i], window[(i + 1) % window.size()], n, coincident);
+  }
+  return polygon;
+}
+
+}  // namespace mixture_contact
