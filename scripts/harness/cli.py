@@ -20,6 +20,7 @@ from harness import (
     gallery_command,
     hosts,
     indentation_command,
+    preflight_command,
     results,
     validation,
 )
@@ -38,6 +39,7 @@ app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
 app.command()(indentation_command.indentation)
 app.command("gallery")(gallery_command.gallery_command)
 app.command("indentation-study")(indentation_command.indentation_study_command)
+app.command()(preflight_command.check)
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 

@@ -1,0 +1,62 @@
+"""Asks every rule about every contact of a model."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path
+
+from harness.preflight import model as models
+from harness.preflight.finding import Finding, Severity
+from harness.preflight.joint import Joint
+from harness.preflight.rules import ON_PHYSICS, ON_SURFACES, ON_TEXT
+
+UNREADABLE = ("bad-value", "load-curve")
+"""Rules after which the values of the contact cannot be used."""
+BROKEN = ("empty-surface", "facet-of-no-element", "flat-facet", "shell-facets", "no-material", "inverted-facets")
+"""Rules after which the geometry of the contact cannot be used."""
+_ORDER = list(Severity)
+
+
+def check(path: Path) -> list[Finding]:
+    """Findings of a model file, the worst first.
+
+    Raises
+    ------
+    ModelError
+        The file cannot be read.
+    """
+    found: list[Finding] = []
+    model = models.read(path)
+    for contact in model.contacts:
+        found += _ask(Joint(model, contact))
+    unique = list(dict.fromkeys(found))
+    return sorted(unique, key=lambda finding: _ORDER.index(finding.severity))
+
+
+def _ask(joint: Joint) -> list[Finding]:
+    """Rules in three rounds; what needs a part that a former round found broken is not asked."""
+    found: list[Finding] = []
+    for rules, breaking in ((ON_TEXT, UNREADABLE), (ON_SURFACES, BROKEN), (ON_PHYSICS, ())):
+        found += [finding for rule in rules for finding in rule(joint)]
+        if any(finding.rule in breaking for finding in found):
+            break
+    return found
+
+
+def matter(findings: Iterable[Finding]) -> bool:
+    """Whether there is more than notes."""
+    return any(finding.severity is not Severity.NOTE for finding in findings)
+
+
+def as_json(path: Path, findings: Iterable[Finding]) -> str:
+    """The findings for scripts."""
+    return json.dumps({"model": str(path), "findings": [finding.as_json() for finding in findings]}, indent=2)
+
+
+def summary(findings: Iterable[Finding]) -> str:
+    """How many of each kind: "1 error, 2 warnings"."""
+    counts = Counter(finding.severity for finding in findings)
+    parts = [f"{counts[kind]} {kind.value}{'s' if counts[kind] > 1 else ''}" for kind in Severity if counts[kind]]
+    return ", ".join(parts) or "nothing found"

@@ -1,0 +1,221 @@
+"""A model file with the files that it includes, as FEBio reads them; numbers in it; places in it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from lxml import etree
+from numpy.typing import NDArray
+
+from harness.errors import ModelError
+from harness.preflight.finding import Place
+
+Element = etree._Element
+VERSION = "4.0"
+DEEPEST_INCLUDE = 8
+LONGEST_RANGE = 50_000_000
+_TELLING = ("name", "id", "sol", "type")
+
+
+def parse(path: Path) -> Element:
+    """Root of a file of FEBio 4.
+
+    Raises
+    ------
+    ModelError
+        The file cannot be read, is no XML, or is no FEBio model of version 4.0.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise ModelError(f"{path}: cannot be read ({error.strerror or error})") from error
+    parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
+    try:
+        root = etree.fromstring(data, parser, base_url=str(path))
+    except (etree.XMLSyntaxError, ValueError) as error:
+        raise ModelError(f"{path}: is not XML: {getattr(error, 'msg', None) or error}") from error
+    if root.tag != "febio_spec":
+        raise ModelError(f"{place(root)}: a model begins with <febio_spec>")
+    if root.get("version") != VERSION:
+        found = f"version '{root.get('version')}'" if root.get("version") else "no version"
+        raise ModelError(
+            f"{place(root)}: has {found}; version {VERSION} can be read (FEBio Studio converts older files)"
+        )
+    return root
+
+
+def place(element: Element) -> Place:
+    """Where an element is, for a message."""
+    told = next((f' {key}="{element.get(key)}"' for key in _TELLING if element.get(key)), "")
+    file = Path(element.getroottree().docinfo.URL or "")
+    return Place(file, element.sourceline, f"<{element.tag}{told}>")
+
+
+def children(element: Element, tag: str | None = None) -> Iterator[Element]:
+    """Child elements, without comments; of one tag where given."""
+    return (child for child in element if isinstance(child.tag, str) and tag in (None, child.tag))
+
+
+@dataclass(frozen=True)
+class Document:
+    """The sections of a model, from all of its files, in the order in which FEBio reads them."""
+
+    path: Path
+    sections: tuple[Element, ...]
+
+    def all(self, *names: str) -> Iterator[Element]:
+        """Elements on a path of tags below <febio_spec>, such as ("Contact", "contact")."""
+        found = [section for section in self.sections if section.tag == names[0]]
+        for name in names[1:]:
+            found = [child for parent in found for child in children(parent, name)]
+        return iter(found)
+
+    def everywhere(self, section: str, tag: str | None = None) -> Iterator[tuple[int, Element]]:
+        """Children of a section, at top level (step 0) and in each analysis step (from 1)."""
+        for parent in self.all(section):
+            yield from ((0, child) for child in children(parent, tag))
+        for number, step in enumerate(self.all("Step", "step"), 1):
+            for parent in children(step, section):
+                yield from ((number, child) for child in children(parent, tag))
+
+
+def read(path: Path) -> Document:
+    """Read a model file and what it includes.
+
+    Raises
+    ------
+    ModelError
+        As `parse`; an included file that is missing or includes itself.
+    """
+    return Document(path, tuple(_sections(path, 0)))
+
+
+def _sections(path: Path, depth: int) -> Iterator[Element]:
+    if depth > DEEPEST_INCLUDE:
+        raise ModelError(f"{path}: is included more than {DEEPEST_INCLUDE} files deep; does a file include itself?")
+    for section in children(parse(path)):
+        if section.tag == "Include":
+            yield from _sections(_included(section, (section.text or "").strip()), depth + 1)
+        elif section.get("from"):
+            yield _section_from(section)
+        else:
+            yield section
+
+
+def _section_from(section: Element) -> Element:
+    source = _included(section, str(section.get("from")))
+    found = next(children(parse(source), str(section.tag)), None)
+    if found is None:
+        raise ModelError(f"{place(section)}: is to be read from {source}, which has no <{section.tag}>")
+    return found
+
+
+def _included(section: Element, name: str) -> Path:
+    """The file that a section names; FEBio looks beside the model file, or from where it is started."""
+    beside = place(section).file.parent / name
+    if name and beside.is_file():
+        return beside
+    if name and Path(name).is_file():
+        return Path(name)
+    raise ModelError(f"{place(section)}: includes '{name}', and there is no file {beside}")
+
+
+def text(element: Element) -> str:
+    """The text of an element without white space around it."""
+    return (element.text or "").strip()
+
+
+def number(element: Element) -> float:
+    """The finite number in an element.
+
+    Raises
+    ------
+    ModelError
+        Where there is none.
+    """
+    try:
+        value = float(text(element))
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise ModelError(f"{place(element)}: is '{text(element)[:40]}'; a number is needed")
+    return value
+
+
+def optional_number(parent: Element, tag: str, default: float = math.nan) -> float:
+    """The number in the child `tag`; `default` without it, NaN where it is a map or a formula."""
+    found = parent.find(tag)
+    if found is None:
+        return default
+    try:
+        return float(text(found))
+    except ValueError:
+        return math.nan
+
+
+def flag(parent: Element, tag: str) -> bool:
+    """Whether the child `tag` is there and is on."""
+    found = parent.find(tag)
+    return found is not None and text(found).lower() in ("1", "true")
+
+
+def floats(element: Element, size: int) -> NDArray[np.float64]:
+    """So many finite numbers, separated by commas.
+
+    Raises
+    ------
+    ModelError
+    """
+    parts = text(element).split(",")
+    try:
+        values = np.array([float(part) for part in parts])
+    except ValueError:
+        values = np.array([math.nan])
+    if len(values) != size or not np.isfinite(values).all():
+        raise ModelError(f"{place(element)}: is '{text(element)[:60]}'; {size} numbers separated by commas are needed")
+    return values
+
+
+def integers(element: Element) -> list[int]:
+    """Node or element numbers separated by commas; FEBio's ranges ``1:9`` or ``1:9:2`` count out.
+
+    Raises
+    ------
+    ModelError
+    """
+    found: list[int] = []
+    for part in text(element).replace("\n", ",").split(","):
+        if not part.strip():
+            continue
+        try:
+            found += _range([int(end) for end in part.split(":")])
+        except (ValueError, TypeError) as error:
+            raise ModelError(f"{place(element)}: has '{part.strip()[:40]}' where a number is needed") from error
+    return found
+
+
+def _range(ends: list[int]) -> list[int]:
+    """One number, or first:last:step."""
+    if len(ends) == 1:
+        return ends
+    numbers = range(ends[0], ends[1] + 1, *ends[2:])
+    if len(numbers) > LONGEST_RANGE:
+        raise ValueError("the range is too long")
+    return list(numbers)
+
+
+def attribute(element: Element, name: str) -> str:
+    """An attribute that must be there.
+
+    Raises
+    ------
+    ModelError
+    """
+    value = element.get(name)
+    if not value:
+        raise ModelError(f"{place(element)}: has no attribute '{name}', which FEBio needs")
+    return str(value)

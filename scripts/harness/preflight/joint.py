@@ -1,0 +1,285 @@
+"""A contact with the geometry and the materials on both of its sides, as the rules look at it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.preflight import elements, rays
+from harness.preflight.materials import Material
+from harness.preflight.mesh import Surface
+from harness.preflight.model import Contact, Model
+
+Array = NDArray[np.float64]
+Ids = NDArray[np.int64]
+MOST_FACETS = 1000
+"""So many facets of a surface are looked at for gaps; of larger surfaces every n-th."""
+MOST_DEPTHS = 40
+"""So many facets are looked at for the depth of the body behind them."""
+DEFAULT_RADIUS = 1.0
+"""`search_radius` of FEBio's interfaces where the model does not give it."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """One surface of a contact.
+
+    Attributes
+    ----------
+    model : Model
+    surface : Surface
+    """
+
+    model: Model
+    surface: Surface
+
+    @cached_property
+    def corners(self) -> Array:
+        """Positions, shape (n_facets, 4, 3)."""
+        return np.asarray(self.model.mesh.points[self.surface.corners])
+
+    @cached_property
+    def areas(self) -> Array:
+        """Area vectors in the order of the nodes, shape (n_facets, 3)."""
+        return elements.area_vectors(self.corners)
+
+    @cached_property
+    def area(self) -> Array:
+        """Areas of the facets."""
+        return np.asarray(np.linalg.norm(self.areas, axis=1))
+
+    @cached_property
+    def normals(self) -> Array:
+        """Unit normals; zero for facets of no area."""
+        return np.asarray(self.areas / np.maximum(self.area, np.finfo(float).tiny)[:, None])
+
+    @cached_property
+    def centres(self) -> Array:
+        """Means of the corners."""
+        return np.asarray(self.corners.mean(axis=1))
+
+    @cached_property
+    def behind(self) -> list[Ids]:
+        """Faces of volume elements on each facet."""
+        return self.model.mesh.faces.behind(self.surface.corners)
+
+    @cached_property
+    def face(self) -> Ids:
+        """One face of a volume element for each facet, -1 where there is none."""
+        return np.array([found[0] if len(found) else -1 for found in self.behind], dtype=np.int64)
+
+    @cached_property
+    def found(self) -> NDArray[np.bool_]:
+        """Facets with a volume element behind them."""
+        return self.face >= 0
+
+    @cached_property
+    def inverted(self) -> NDArray[np.bool_]:
+        """Facets whose nodes run clockwise seen from outside their element; not those inside a body."""
+        faces = self.model.mesh.faces
+        outward = elements.area_vectors(self.model.mesh.points[faces.corners[self.face]])
+        alone = np.array([len(found) == 1 for found in self.behind], dtype=bool)
+        return np.asarray(alone & (np.einsum("fi,fi->f", outward, self.areas) < 0.0))
+
+    @cached_property
+    def thickness(self) -> Array:
+        """Volume of the element over the area of the facet, mm; NaN without an element."""
+        faces = self.model.mesh.faces
+        volume = np.abs(faces.volume[faces.element[self.face]]) if len(faces.volume) else np.zeros(len(self.face))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(self.found & (self.area > 0.0), volume / self.area, math.nan)
+
+    @cached_property
+    def materials(self) -> list[Material | None]:
+        """Material behind each facet."""
+        faces, known = self.model.mesh.faces, self.model.block_materials
+        return [known[faces.block[faces.element[face]]] if face >= 0 else None for face in self.face]
+
+    @cached_property
+    def kinds(self) -> list[Material]:
+        """The different materials behind the surface."""
+        return list({id(material): material for material in self.materials if material is not None}.values())
+
+    @property
+    def porous(self) -> bool:
+        """Whether there is fluid on this side."""
+        return any(material.porous for material in self.kinds)
+
+    @property
+    def rigid(self) -> bool:
+        """Whether this side is rigid."""
+        return bool(self.kinds) and all(material.rigid for material in self.kinds)
+
+    @property
+    def solutes(self) -> set[int]:
+        """Numbers of the solutes on this side."""
+        return {number for material in self.kinds for number in material.solutes}
+
+    @cached_property
+    def bodies(self) -> set[int]:
+        """Numbers of the bodies that the surface belongs to."""
+        return {int(body) for body in np.unique(self.model.mesh.bodies[self.surface.corners])}
+
+    def conductances(self, field: Field) -> Array:
+        """Stiffness or conductance per facet: property over thickness."""
+        values = np.array([math.nan if m is None else field.property_of(m) for m in self.materials])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(values / self.thickness)
+
+    def resistance(self, field: Field) -> float:
+        """L/G of the body: its depth behind the surface over its mean property; NaN where a property is no number."""
+        return self.depth * self._mean_resistivity(field) if self.kinds else math.nan
+
+    @cached_property
+    def depth(self) -> float:
+        """Median depth of the body along the inward normal; the thickness of the elements where no ray leaves it."""
+        faces = self.model.mesh.faces
+        outer = faces.outer(self._own_elements)
+        step = max(1, len(self.centres) // MOST_DEPTHS)
+        pick = np.flatnonzero(self.found)[::step]
+        targets = rays.triangles(self.model.mesh.points[faces.corners[outer]])
+        inward = np.where(self.inverted[pick, None], 1.0, -1.0) * self.normals[pick]
+        hits = rays.first_exit(self.centres[pick], inward, targets, 0.01 * self.thickness[pick])
+        known = hits.distance[np.isfinite(hits.distance)]
+        return float(np.median(known)) if len(known) else float(np.nanmedian(self.thickness))
+
+    @cached_property
+    def _own_elements(self) -> NDArray[np.bool_]:
+        """Volume elements of the surface's bodies, shape (n_elements,)."""
+        faces, bodies = self.model.mesh.faces, self.model.mesh.bodies
+        own = np.zeros(len(faces.volume), dtype=bool)
+        own[faces.element] = np.isin(bodies[faces.corners[:, 0]], list(self.bodies))
+        return own
+
+    def _mean_resistivity(self, field: Field) -> float:
+        """Mean of 1/G over the volume of the body; parts without the field do not count."""
+        faces, known = self.model.mesh.faces, self.model.block_materials
+        total = weight = 0.0
+        for block in np.unique(faces.block[self._own_elements]):
+            material = known[int(block)]
+            value = math.nan if material is None else field.property_of(material)
+            if value == 0.0:
+                continue
+            volume = float(np.abs(faces.volume[self._own_elements & (faces.block == block)]).sum())
+            total += volume / value
+            weight += volume
+        return total / weight if weight else math.nan
+
+
+@dataclass(frozen=True)
+class Field:
+    """What a contact exchanges, and the parameter of its penalty.
+
+    Attributes
+    ----------
+    name : str
+        In plain words.
+    penalty : str
+    tolerance : str
+        Parameter of the absolute tolerance.
+    solute : int
+        Number of the solute; 0 for others.
+    """
+
+    name: str
+    penalty: str
+    tolerance: str
+    solute: int = 0
+
+    def property_of(self, material: Material) -> float:
+        """Modulus, permeability or phi_w kappa~ d."""
+        if self.solute:
+            return material.solute_conductivity(self.solute)
+        return material.permeability if self is SOLVENT else material.modulus
+
+
+TRACTION = Field("traction", "penalty", "gaptol")
+SOLVENT = Field("fluid pressure", "pressure_penalty", "ptol")
+
+
+def solute(number: int) -> Field:
+    """The field of a solute."""
+    return Field(f"concentration of solute {number}", "concentration_penalty", "ctol", number)
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A contact with its two sides."""
+
+    model: Model
+    contact: Contact
+
+    @cached_property
+    def primary(self) -> Side:
+        """Side of the primary surface."""
+        return Side(self.model, self.contact.pair.primary)
+
+    @cached_property
+    def secondary(self) -> Side:
+        """Side of the secondary surface."""
+        return Side(self.model, self.contact.pair.secondary)
+
+    @property
+    def sides(self) -> tuple[Side, Side]:
+        """Both."""
+        return self.primary, self.secondary
+
+    @cached_property
+    def fields(self) -> tuple[Field, ...]:
+        """What it exchanges: it follows from the type and from the materials on both sides."""
+        kind = self.contact.kind
+        found = [TRACTION]
+        if kind.solvent and all(side.porous for side in self.sides):
+            found.append(SOLVENT)
+        if kind.solutes:
+            found += [solute(number) for number in sorted(self.primary.solutes & self.secondary.solutes)]
+        return tuple(found)
+
+    @cached_property
+    def gaps(self) -> rays.Hits:
+        """Gap of facets of the primary surface (`gap_facets`) along their normals, negative where they overlap."""
+        pick = self.gap_facets
+        targets = rays.triangles(self.secondary.corners)
+        return rays.nearest_facing(self.primary.centres[pick], self.primary.normals[pick], targets)
+
+    @cached_property
+    def gap_facets(self) -> Ids:
+        """The facets that `gaps` is about."""
+        step = -(-len(self.primary.centres) // MOST_FACETS)
+        return np.arange(0, len(self.primary.centres), max(1, step))
+
+    @cached_property
+    def smallest_gap(self) -> float:
+        """Smallest gap, negative for overlap; NaN where no facet sees the other side. Overlaps beyond the search radius
+        are what lies behind a body, and do not count.
+        """
+        known = self.gaps.distance[np.isfinite(self.gaps.distance)]
+        known = known[known >= -self.search_radius]
+        return float(known.min()) if len(known) else math.nan
+
+    @cached_property
+    def search_radius(self) -> float:
+        """In effect: given, or half the diagonal of the box around the smaller surface, or FEBio's 1 or no limit."""
+        kind = self.contact.kind
+        if self.contact.given("search_radius") is not None:
+            given = self.contact.value("search_radius", 0.0)
+            return given if given > 0.0 or kind.is_mixture else math.inf
+        if kind.is_mixture:
+            return min(_diagonal(side) for side in self.sides) / 2.0
+        unlimited = kind.name in ("sliding-facet-on-facet", "sliding-node-on-facet")
+        return math.inf if unlimited else DEFAULT_RADIUS
+
+    @cached_property
+    def thickness(self) -> float:
+        """Median thickness of the deformable elements at the contact, mm."""
+        values = np.concatenate([side.thickness for side in self.sides if not side.rigid] or [self.primary.thickness])
+        return float(np.nanmedian(values)) if np.isfinite(values).any() else math.nan
+
+
+def _diagonal(side: Side) -> float:
+    points = side.corners.reshape(-1, 3)
+    return float(np.linalg.norm(points.max(axis=0) - points.min(axis=0))) if len(points) else 0.0

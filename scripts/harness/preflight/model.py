@@ -1,0 +1,261 @@
+"""A model file as `check` sees it: mesh, materials, contacts, steps, conditions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.contact_types import TYPES, ContactType
+from harness.errors import ModelError
+from harness.preflight import document as documents
+from harness.preflight import materials, mesh
+from harness.preflight.document import Document, Element, attribute, children, number, optional_number, place, text
+from harness.preflight.materials import Material
+from harness.preflight.mesh import Mesh, Pair
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A sliding contact.
+
+    Attributes
+    ----------
+    kind : ContactType
+    pair : Pair
+    step : int
+        Number of its analysis step, from 1; 0 where it is there in all.
+    tag : Element
+    """
+
+    kind: ContactType
+    pair: Pair
+    step: int
+    tag: Element
+
+    def given(self, name: str) -> Element | None:
+        """The tag of a parameter, or None where the model does not set it."""
+        return self.tag.find(name)
+
+    def value(self, name: str, default: float) -> float:
+        """A number among the parameters."""
+        found = self.given(name)
+        return default if found is None else number(found)
+
+    def on(self, name: str) -> bool:
+        """Whether a switch is on."""
+        return documents.flag(self.tag, name)
+
+    @property
+    def augmented(self) -> bool:
+        """Whether it uses the augmented Lagrangian."""
+        found = self.given("laugon")
+        return found is not None and text(found) in ("1", "AUGLAG")
+
+    @property
+    def name(self) -> str:
+        """Name in the file, else that of its pair."""
+        return str(self.tag.get("name") or self.pair.name)
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A boundary condition, initial condition or load.
+
+    Attributes
+    ----------
+    kind : str
+        FEBio's type.
+    step : int
+    tag : Element
+    """
+
+    kind: str
+    step: int
+    tag: Element
+
+
+@dataclass(frozen=True)
+class Model:
+    """Everything that rules may ask of a model."""
+
+    document: Document
+    module: str
+    mesh: Mesh
+    materials: Mapping[str, Material]
+    solutes: Mapping[str, int]
+    contacts: tuple[Contact, ...]
+
+    @property
+    def path(self) -> Path:
+        """The model file."""
+        return self.document.path
+
+    @cached_property
+    def solute_numbers(self) -> tuple[int, ...]:
+        """Numbers of the solutes of the model."""
+        return tuple(sorted(set(self.solutes.values())))
+
+    @cached_property
+    def block_materials(self) -> tuple[Material | None, ...]:
+        """Material of each block of elements; None where <MeshDomains> does not say."""
+        named = {}
+        for section in self.document.all("MeshDomains"):
+            for domain in children(section):
+                named[str(domain.get("name"))] = self._material_of(domain)
+        return tuple(named.get(block.name) for block in self.mesh.blocks)
+
+    def _material_of(self, domain: Element) -> Material:
+        name = attribute(domain, "mat")
+        if name not in self.materials:
+            known = ", ".join(self.materials) or "none"
+            raise ModelError(f"{place(domain)}: names material '{name}', which does not exist; there is {known}")
+        return self.materials[name]
+
+    @cached_property
+    def gas_constant_and_temperature(self) -> float:
+        """R T; NaN where <Globals> does not have both."""
+        constants = next(self.document.all("Globals", "Constants"), None)
+        if constants is None:
+            return math.nan
+        return optional_number(constants, "R") * optional_number(constants, "T")
+
+    @cached_property
+    def controls(self) -> tuple[Element, ...]:
+        """Control sections, in order of the steps."""
+        return (*self.document.all("Control"), *self.document.all("Step", "step", "Control"))
+
+    @cached_property
+    def contact_pairs(self) -> tuple[Pair, ...]:
+        """Surface pairs of all contacts, tied and other ones too."""
+        names = {str(tag.get("surface_pair")) for _, tag in self.document.everywhere("Contact", "contact")}
+        return tuple(pair for name, pair in self.mesh.pairs.items() if name in names)
+
+    @cached_property
+    def boundary(self) -> tuple[Condition, ...]:
+        """Boundary conditions."""
+        return tuple(self._conditions("Boundary", "bc"))
+
+    @cached_property
+    def initial(self) -> tuple[Condition, ...]:
+        """Initial conditions."""
+        return tuple(self._conditions("Initial", "ic"))
+
+    @cached_property
+    def loads(self) -> tuple[Condition, ...]:
+        """Loads of all kinds."""
+        return tuple(self._conditions("Loads", None))
+
+    def _conditions(self, section: str, tag: str | None) -> Iterator[Condition]:
+        for step, found in self.document.everywhere(section, tag):
+            yield Condition(str(found.get("type")), step, found)
+
+    @cached_property
+    def curves(self) -> Mapping[str, NDArray[np.float64]]:
+        """Points (time, value) of the load curves, by their ids; other controllers have no points."""
+        found = {}
+        for tag in self.document.all("LoadData", "load_controller"):
+            points = [documents.floats(point, 2) for part in children(tag, "points") for point in children(part)]
+            found[attribute(tag, "id")] = np.array(points).reshape(-1, 2)
+        return found
+
+    def history(self, tag: Element) -> NDArray[np.float64]:
+        """Points (time, value) of a parameter; one point without a load curve, none where the value is a formula."""
+        try:
+            value = float(text(tag))
+        except ValueError:
+            return np.empty((0, 2))
+        curve = tag.get("lc")
+        if not curve:
+            return np.array([[0.0, value]])
+        points = self.curves.get(curve)
+        if points is None:
+            known = ", ".join(self.curves) or "none"
+            raise ModelError(f"{place(tag)}: refers to load controller {curve}; there is {known}")
+        return points * (1.0, value)
+
+    def at(self, tag: Element, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Values of a parameter at times; NaN where they are a formula's."""
+        points = self.history(tag)
+        return np.interp(times, points[:, 0], points[:, 1]) if len(points) else np.full(len(times), math.nan)
+
+    def nodes(self, condition: Condition) -> NDArray[np.int64]:
+        """Places of the nodes of a condition.
+
+        Raises
+        ------
+        ModelError
+            Where the set does not exist.
+        """
+        name = attribute(condition.tag, "node_set")
+        found = self.mesh.nodes_of(name)
+        if found is None:
+            known = ", ".join(list(self.mesh.node_sets)[:20]) or "none"
+            raise ModelError(f"{place(condition.tag)}: names node set '{name}', which does not exist; there is {known}")
+        return found
+
+
+def read(path: Path) -> Model:
+    """Read a model file and what it includes.
+
+    Raises
+    ------
+    ModelError
+        Names the file, line and tag, and what is allowed.
+    """
+    if path.suffix != ".feb":
+        raise ModelError(f"{path}: a model file ends in .feb")
+    document = documents.read(path)
+    module = next(document.all("Module"), None)
+    if module is None:
+        raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')
+    numbers = _solutes(document)
+    made_mesh = mesh.read(document)
+    made = Model(
+        document=document,
+        module=attribute(module, "type"),
+        mesh=made_mesh,
+        materials=materials.read(document, numbers),
+        solutes=numbers,
+        contacts=tuple(_contacts(document, made_mesh)),
+    )
+    if not made.contacts:
+        others = sorted({str(tag.get("type")) for _, tag in document.everywhere("Contact", "contact")})
+        found = f"it has {', '.join(others)}" if others else "it has no <contact>"
+        raise ModelError(f"{path}: has no sliding contact to look at; {found}. Known types: {', '.join(TYPES)}")
+    return made
+
+
+def _solutes(document: Document) -> dict[str, int]:
+    """Numbers of the solutes by what a file may call them: number or name."""
+    found: dict[str, int] = {}
+    for tag in document.all("Globals", "Solutes", "solute"):
+        identifier = attribute(tag, "id")
+        if not identifier.isdigit():
+            raise ModelError(f"{place(tag)}: its id is not a number")
+        found[identifier] = int(identifier)
+        if tag.get("name"):
+            found[str(tag.get("name"))] = int(identifier)
+    return found
+
+
+def _contacts(document: Document, known: Mesh) -> Iterator[Contact]:
+    for step, tag in document.everywhere("Contact", "contact"):
+        kind = attribute(tag, "type")
+        if kind in TYPES:
+            yield Contact(TYPES[kind], _pair(tag, known), step, tag)
+        elif kind.startswith("sliding"):
+            raise ModelError(f"{place(tag)}: is of type '{kind}', which is unknown; there is {', '.join(TYPES)}")
+
+
+def _pair(tag: Element, known: Mesh) -> Pair:
+    name = attribute(tag, "surface_pair")
+    if name not in known.pairs:
+        there = ", ".join(known.pairs) or "none: add a <SurfacePair> to <Mesh>"
+        raise ModelError(f"{place(tag)}: has surface_pair='{name}', which does not exist; there is {there}")
+    return known.pairs[name]

@@ -1,0 +1,91 @@
+"""The penalty that a contact will have for a field, and what it lets through."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.closed_forms.penalty_leak import relative_jump
+from harness.preflight.document import Element
+from harness.preflight.joint import TRACTION, Field, Joint
+
+TRACTION_FACTOR, FLUX_FACTOR = 1e3, 1e5
+"""`default_traction_factor` and `default_flux_factor` of plugin/contact/settings.h."""
+
+
+@dataclass(frozen=True)
+class Penalty:
+    """A penalty in effect; NaN where a property of a material is no number.
+
+    Attributes
+    ----------
+    value : float
+        eps, in the unit of the field: MPa/mm, mm^3/(N s) or mm/s.
+    local : float
+        Stiffness or conductance of the adjoining elements that it is measured against, same unit.
+    given : bool
+        Whether the model has it.
+    tag : Element
+        Where to change it.
+    """
+
+    value: float
+    local: float
+    given: bool
+    tag: Element
+
+
+def penalty(joint: Joint, field: Field) -> Penalty:
+    """The penalty of a field, by the rules of the contact's type.
+
+    This plugin: value; times the local conductance with `auto_penalty`; automatic where not given. FEBio's: the same,
+    but 1 where not given, and the conductance is that of the primary side alone.
+    """
+    contact = joint.contact
+    tag = contact.given(field.penalty)
+    mixture = contact.kind.is_mixture
+    local = in_series(joint, field) if mixture else _mean(joint.primary.conductances(field))
+    default = (TRACTION_FACTOR if field == TRACTION else FLUX_FACTOR) if mixture else 1.0
+    factor = contact.value(field.penalty, default)
+    automatic = contact.on("auto_penalty") or (mixture and tag is None)
+    return Penalty(factor * local if automatic else factor, local, tag is not None, contact.tag if tag is None else tag)
+
+
+def in_series(joint: Joint, field: Field) -> float:
+    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/penalty.cpp."""
+    one, two = _mean(joint.primary.conductances(field)), _harmonic_mean(joint.secondary.conductances(field))
+    if math.isinf(one) or math.isinf(two):
+        return 2.0 * min(one, two)
+    return 2.0 * one * two / (one + two) if one + two > 0.0 else math.nan
+
+
+def leak(joint: Joint, field: Field, value: float) -> float:
+    """Part of a difference across both bodies that stands as a jump over the contact: (1/eps)/(sum L/G + 1/eps).
+
+    NaN where a property is no number or both bodies are rigid.
+    """
+    resistance = joint.primary.resistance(field) + joint.secondary.resistance(field)
+    if not (resistance > 0.0 and value > 0.0 and math.isfinite(resistance)):
+        return math.nan
+    return relative_jump((resistance,), value)
+
+
+def penalty_for(joint: Joint, field: Field, wanted: float) -> float:
+    """The penalty with which the leak is `wanted`."""
+    resistance = joint.primary.resistance(field) + joint.secondary.resistance(field)
+    return (1.0 / wanted - 1.0) / resistance
+
+
+def _mean(values: NDArray[np.float64]) -> float:
+    return float(values.mean()) if len(values) else math.nan
+
+
+def _harmonic_mean(values: NDArray[np.float64]) -> float:
+    positive = values[values > 0.0]
+    if not len(positive):
+        return math.nan
+    resistance = float((1.0 / positive).mean())
+    return 1.0 / resistance if resistance > 0.0 else math.inf

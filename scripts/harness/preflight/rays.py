@@ -1,0 +1,91 @@
+"""Where rays meet triangles, many at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Points = NDArray[np.float64]
+CHUNK = 2_000_000
+"""Pairs of ray and triangle that are looked at together."""
+OUTSIDE = 0.01
+"""How far outside a triangle a ray still counts, in its barycentric coordinates."""
+
+
+@dataclass(frozen=True)
+class Hits:
+    """What each ray meets.
+
+    Attributes
+    ----------
+    distance : ndarray, shape (n_rays,)
+        Along the ray, negative behind its origin; NaN where it meets nothing.
+    triangle : ndarray of int, shape (n_rays,)
+        -1 where it meets nothing.
+    """
+
+    distance: NDArray[np.float64]
+    triangle: NDArray[np.int64]
+
+
+def triangles(corners: Points) -> Points:
+    """Two triangles for each face, shape (2 n, 3, 3), from corners (n, 4, 3); of a triangle the second has no area."""
+    return np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
+
+
+def nearest_facing(origins: Points, directions: Points, targets: Points) -> Hits:
+    """Nearest triangle, in front or behind, that faces each ray: its normal points against the ray.
+
+    Parameters
+    ----------
+    origins, directions : ndarray, shape (n_rays, 3)
+        Directions of length one.
+    targets : ndarray, shape (n_triangles, 3, 3)
+    """
+    return _nearest(origins, directions, targets, facing=True)
+
+
+def first_exit(origins: Points, directions: Points, targets: Points, least: NDArray[np.float64]) -> Hits:
+    """First triangle beyond the distance `least` whose normal points along the ray: where it leaves a body."""
+    return _nearest(origins, directions, targets, facing=False, least=least)
+
+
+def _nearest(
+    origins: Points, directions: Points, targets: Points, *, facing: bool, least: NDArray[np.float64] | None = None
+) -> Hits:
+    count = len(origins)
+    distance, triangle = np.full(count, np.nan), np.full(count, -1, dtype=np.int64)
+    size = max(1, CHUNK // max(1, len(targets)))
+    for start in range(0, count if len(targets) else 0, size):
+        part = slice(start, start + size)
+        met = _distances(origins[part], directions[part], targets, facing)
+        if least is not None:
+            met[~(met > least[part, None])] = np.nan
+        far = np.where(np.isnan(met), np.inf, np.abs(met))
+        best = np.argmin(far, axis=1)
+        row = np.arange(len(best))
+        found = np.isfinite(far[row, best])
+        distance[part] = met[row, best]
+        triangle[part] = np.where(found, best, -1)
+    return Hits(distance, triangle)
+
+
+def _distances(origins: Points, directions: Points, targets: Points, facing: bool) -> NDArray[np.float64]:
+    """Signed distance of each ray to each triangle (n_rays, n_triangles), NaN where it misses; Moeller and Trumbore
+    (1997), J Graph Tools 2(1):21-28.
+    """
+    one, two = targets[:, 1] - targets[:, 0], targets[:, 2] - targets[:, 0]
+    normal = np.cross(one, two)
+    along = directions @ normal.T
+    offset = origins[:, None, :] - targets[None, :, 0, :]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        distance = -np.einsum("rti,ti->rt", offset, normal) / along
+        turned = np.cross(offset, directions[:, None, :])
+        first = -np.einsum("rti,ti->rt", turned, two) / along
+        second = np.einsum("rti,ti->rt", turned, one) / along
+        inside = (first >= -OUTSIDE) & (second >= -OUTSIDE) & (first + second <= 1.0 + OUTSIDE)
+    steep = 1e-3 * np.linalg.norm(normal, axis=1)
+    turned_right = along < -steep if facing else along > steep
+    return np.where(inside & turned_right, distance, np.nan)

@@ -1,0 +1,135 @@
+"""Rules on the bath: effective pressures against effective concentrations."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.preflight import levels
+from harness.preflight.document import Element
+from harness.preflight.finding import Finding
+from harness.preflight.joint import Joint
+from harness.preflight.levels import Level
+from harness.preflight.rules.tools import short, warning
+
+Array = NDArray[np.float64]
+CLOSE = 0.01
+"""Relative agreement with R T Phi c."""
+FAR = 1e4
+"""Pressure over R T Phi c from which the units are in doubt."""
+
+
+def ambient(joint: Joint) -> Iterator[Finding]:
+    """Bath of a contact whose effective pressure does not go with its concentrations."""
+    model, contact = joint.model, joint.contact
+    concentrations = levels.ambient_concentrations(model, contact)
+    if not concentrations or not contact.kind.solutes:
+        return
+    pressure = contact.given("ambient_pressure")
+    tags = [*concentrations.values(), *([] if pressure is None else [pressure])]
+    times = _times([model.history(tag) for tag in tags])
+    osmotic = _scale(joint) * np.sum([model.at(tag, times) for tag in concentrations.values()], axis=0)
+    own = np.zeros(len(times)) if pressure is None else model.at(pressure, times)
+    where = contact.tag if pressure is None else pressure
+    yield from _judge(where, own, osmotic, "<ambient_pressure>", bool(pressure is not None))
+
+
+def prescribed(joint: Joint) -> Iterator[Finding]:
+    """Nodes with a prescribed effective pressure that does not go with their prescribed concentrations."""
+    model = joint.model
+    known = {k: list(levels.prescribed_concentrations(model, k)) for k in joint.model.solute_numbers}
+    for pressure in levels.prescribed_pressures(model):
+        there = [match for group in known.values() if (match := _covering(pressure, group)) is not None]
+        yield from _against(joint, pressure, there, "the prescribed effective pressure")
+
+
+def initial(joint: Joint) -> Iterator[Finding]:
+    """Bodies that begin with a concentration but without the effective pressure of an unpressurised gel."""
+    model = joint.model
+    pressures = list(levels.initial_pressures(model))
+    for number in model.solute_numbers:
+        for concentration in levels.initial_concentrations(model, number):
+            there = [match for k in model.solute_numbers if (match := _initial_there(joint, concentration, k))]
+            osmotic = _scale(joint) * sum(level.first for level in there)
+            own = _covering(concentration, pressures)
+            value = 0.0 if own is None else own.first
+            tag = concentration.tag if own is None else own.tag
+            if number == min(_number(joint, level) for level in there):
+                what = "the initial effective pressure"
+                yield from _judge(tag, np.array([value]), np.array([osmotic]), what, own is not None)
+
+
+def _initial_there(joint: Joint, concentration: Level, number: int) -> Level | None:
+    return _covering(concentration, list(levels.initial_concentrations(joint.model, number)))
+
+
+def _number(joint: Joint, level: Level) -> int:
+    """Number of the solute that an initial concentration is of."""
+    for number in joint.model.solute_numbers:
+        if any(level.tag is other.tag for other in levels.initial_concentrations(joint.model, number)):
+            return number
+    return 0
+
+
+def _covering(level: Level, others: Sequence[Level]) -> Level | None:
+    """The other value on all nodes of a level, if there is one."""
+    for other in others:
+        if level.nodes is not None and other.nodes is not None and np.isin(level.nodes, other.nodes).all():
+            return other
+    return None
+
+
+def _against(joint: Joint, pressure: Level, there: Sequence[Level], what: str) -> Iterator[Finding]:
+    if not there or not len(pressure.history):
+        return
+    times = _times([pressure.history, *(level.history for level in there)])
+    osmotic = _scale(joint) * np.sum([_interpolated(level.history, times) for level in there], axis=0)
+    yield from _judge(pressure.tag, _interpolated(pressure.history, times), osmotic, what, True)
+
+
+def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> Iterator[Finding]:
+    """At the time of the largest R T Phi c: p~ is to be -R T Phi c, plus the bath's own pressure if it has one.
+
+    p~ = 0 and p~ = +R T Phi c are the usual slips, and a pressure far beyond R T Phi c is one of units.
+    """
+    if not np.isfinite(osmotic).all() or not np.isfinite(own).all() or not osmotic.any():
+        return
+    at = int(np.argmax(np.abs(osmotic)))
+    expected, value = -float(osmotic[at]), float(own[at])
+    fluid = value - expected
+    slip = min(abs(fluid - k * abs(expected)) for k in (1.0, 2.0)) <= CLOSE * abs(expected)
+    if not slip and abs(fluid) <= FAR * abs(expected):
+        return
+    have = f"is {short(value)}" if given else "is not set, so it is 0"
+    yield warning(
+        "bath-pressure",
+        tag,
+        f"{what} {have}, but with these concentrations R T Phi c is {short(-expected)}: that is a bath under a fluid "
+        f"pressure of {short(fluid)}, and every node that meets it swells or shrinks at once",
+        f"For a bath without pressure set it to {expected:.5g}, that is -R T Phi c"
+        + (", with the load curve of the concentration." if _has_curve(tag) or len(own) > 1 else "."),
+    )
+
+
+def _has_curve(tag: Element) -> bool:
+    return bool(tag.get("lc"))
+
+
+def _scale(joint: Joint) -> float:
+    """R T Phi; Phi is that of the mixtures at the contact where they agree, else NaN."""
+    found = {m.osmotic for side in joint.sides for m in side.kinds if m.solutes and math.isfinite(m.osmotic)}
+    return joint.model.gas_constant_and_temperature * found.pop() if len(found) == 1 else math.nan
+
+
+def _times(histories: Sequence[Array]) -> Array:
+    return np.unique(np.concatenate([history[:, 0] for history in histories]))
+
+
+def _interpolated(history: Array, times: Array) -> Array:
+    return np.asarray(np.interp(times, history[:, 0], history[:, 1])) if len(history) else np.full(len(times), math.nan)
+
+
+RULES = (ambient, prescribed, initial)

@@ -1,0 +1,77 @@
+"""Rules on gaps and overlaps at the start."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from harness.preflight.finding import Finding
+from harness.preflight.joint import Joint
+from harness.preflight.rules.tools import error, note, short, warning
+
+DEEP = 0.1
+"""Overlap over the thickness of the elements from which the first iteration is in danger."""
+COARSER = 3.0
+"""How much larger the facets of the primary surface may be."""
+
+
+def search_radius(joint: Joint) -> Iterator[Finding]:
+    """Surfaces farther apart, or overlapping by more, than contact is looked for."""
+    known = joint.gaps.distance[np.isfinite(joint.gaps.distance)]
+    radius = joint.search_radius
+    if not len(known) or (np.abs(known) <= radius).any():
+        return
+    given = joint.contact.given("search_radius")
+    tag = joint.contact.tag if given is None else given
+    nearest = float(known[np.argmin(np.abs(known))])
+    where = "set" if given is not None else "the default"
+    if nearest < 0.0:
+        yield error(
+            "search-radius",
+            tag,
+            f"the surfaces overlap by {short(-nearest)} at the start, more than <search_radius> {short(radius)} "
+            f"({where}): no overlap is seen and the bodies pass through each other",
+            f"Move the bodies apart, or set <search_radius> to {short(-1.5 * nearest)}.",
+        )
+    else:
+        yield warning(
+            "search-radius",
+            tag,
+            f"the surfaces are {short(nearest)} apart at the start, more than <search_radius> {short(radius)} "
+            f"({where}): a step that moves a body farther than that goes through the other unseen",
+            f"Start with the bodies just touching, or set <search_radius> to {short(1.5 * nearest)}.",
+        )
+
+
+def initial_overlap(joint: Joint) -> Iterator[Finding]:
+    """Overlap at the start that is large for the elements."""
+    overlap = -joint.smallest_gap
+    if not overlap > DEEP * joint.thickness or joint.contact.on("node_reloc"):
+        return
+    yield warning(
+        "initial-overlap",
+        joint.contact.tag,
+        f"the surfaces overlap by {short(overlap)} at the start, {short(overlap / joint.thickness)} of the thickness "
+        "of the elements there. The first step pushes them apart at once, which may turn elements inside out",
+        "Move one body, or set <node_reloc> to 1, which moves the nodes of the primary surface onto the other.",
+    )
+
+
+def finer_primary(joint: Joint) -> Iterator[Finding]:
+    """A primary surface that is much coarser than the other one."""
+    if any(not len(side.area) or not side.area.any() for side in joint.sides) or joint.contact.on("two_pass"):
+        return
+    one, two = (math.sqrt(float(np.median(side.area))) for side in joint.sides)
+    if two > 0.0 and one > COARSER * two and not joint.primary.rigid:
+        yield note(
+            "finer-primary",
+            joint.contact.pair.tag,
+            f"facets of the primary surface are {short(one / two)} times as wide as those of the secondary one: "
+            "contact is resolved to one facet of the primary surface",
+            "Exchange <primary> and <secondary>.",
+        )
+
+
+RULES = (search_radius, initial_overlap, finer_primary)

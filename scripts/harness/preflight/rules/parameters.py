@@ -1,0 +1,241 @@
+"""Rules on the parameters of a contact, and on the solver and module around it."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterator
+
+from harness.preflight.document import Element, children, text
+from harness.preflight.finding import Finding
+from harness.preflight.joint import Joint
+from harness.preflight.rules.tools import error, note, warning
+
+NOT_NEGATIVE = ("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol")
+POSITIVE = ("penalty", "pressure_penalty", "concentration_penalty", "search_radius")
+SWITCHES = ("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc", "tension")
+COUNTS = ("seg_up", "minaug", "maxaug")
+UNSUPPORTED = {
+    "fric_coeff": "friction is not part of sliding-mixture",
+    "offset": "sliding-mixture brings the surfaces themselves into contact",
+    "tension": "sliding-mixture transmits compression only",
+    "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
+    "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
+}
+FEW_REFORMATIONS = 15
+
+
+def unknown_parameter(joint: Joint) -> Iterator[Finding]:
+    """Parameters that the contact's type does not have."""
+    known = joint.contact.kind.parameters
+    for tag in children(joint.contact.tag):
+        name = str(tag.tag)
+        if name in known:
+            continue
+        near = difflib.get_close_matches(name, known, 1)
+        yield error(
+            "unknown-parameter",
+            tag,
+            f"{joint.contact.kind.name} has no parameter <{name}>; FEBio stops",
+            f"Write <{near[0]}>, if that is meant." if near else "Delete it; the user guide lists the parameters.",
+        )
+
+
+def bad_value(joint: Joint) -> Iterator[Finding]:
+    """Values that are no numbers, or out of range."""
+    for tag in children(joint.contact.tag):
+        name = str(tag.tag)
+        allowed = _allowed(name, joint.contact.kind.is_mixture)
+        if allowed and not _fits(tag, name, allowed):
+            yield error("bad-value", tag, f"<{name}> is '{text(tag)[:40]}'; it must be {allowed}", f"Give {allowed}.")
+    least, most = (joint.contact.given(name) for name in ("minaug", "maxaug"))
+    if most is not None and _number(most) < (0.0 if least is None else _number(least)):
+        yield error("bad-value", most, "<maxaug> is less than <minaug>", "Raise <maxaug> or lower <minaug>.")
+
+
+def _allowed(name: str, strict: bool) -> str:
+    """What a parameter may be, in words; empty where anything goes."""
+    if name in NOT_NEGATIVE or name in ("search_tol", "fric_coeff"):
+        return "a number that is not negative"
+    if name in POSITIVE:
+        return "a positive number" if strict or name != "search_radius" else "a number that is not negative"
+    if name in COUNTS:
+        return "a whole number that is not negative"
+    if name in SWITCHES:
+        return "0 or 1"
+    if name == "laugon":
+        return "PENALTY or AUGLAG"
+    return "a number" if name in ("ambient_pressure", "ambient_concentration") else ""
+
+
+def _fits(tag: Element, name: str, allowed: str) -> bool:
+    value = _number(tag)
+    if name == "laugon":
+        return text(tag) in ("PENALTY", "AUGLAG", "0", "1")
+    if name in SWITCHES:
+        return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
+    if not math.isfinite(value):
+        return False
+    if name in COUNTS and value != int(value):
+        return False
+    return allowed == "a number" or value > 0.0 or (value == 0.0 and allowed != "a positive number")
+
+
+def _number(tag: Element) -> float:
+    try:
+        return float(text(tag))
+    except ValueError:
+        return math.nan
+
+
+def unsupported(joint: Joint) -> Iterator[Finding]:
+    """Physics that this plugin does not have."""
+    if not joint.contact.kind.is_mixture:
+        return
+    for name, why in UNSUPPORTED.items():
+        tag = joint.contact.given(name)
+        if tag is not None and _number(tag) != 0.0 and text(tag).lower() != "false":
+            yield error(
+                "unsupported",
+                tag,
+                f"<{name}> is set, but {why}; the run stops",
+                "Set it to 0, or keep FEBio's contact type.",
+            )
+
+
+def load_curve(joint: Joint) -> Iterator[Finding]:
+    """Load controllers that do not exist, or that are not followed."""
+    known = joint.model.curves
+    for tag in children(joint.contact.tag):
+        curve = tag.get("lc")
+        if curve and curve not in known:
+            there = ", ".join(known) or "none"
+            yield error(
+                "load-curve",
+                tag,
+                f"<{tag.tag}> refers to load controller {curve}, which does not exist; there is {there}",
+                "Add the controller to <LoadData>, or delete the attribute lc.",
+            )
+        elif curve and joint.contact.kind.is_mixture and not str(tag.tag).startswith("ambient_"):
+            yield error(
+                "load-curve",
+                tag,
+                f"<{tag.tag}> has a load curve; sliding-mixture reads it once, at the start",
+                "Give a value without a load curve; only the <ambient_...> parameters may change in time.",
+            )
+
+
+def module(joint: Joint) -> Iterator[Finding]:
+    """Types in a module of FEBio's that does not have them."""
+    kind, own = joint.contact.kind, joint.model.module
+    if own not in kind.modules:
+        yield error(
+            "module",
+            joint.contact.tag,
+            f"{kind.name} does not exist in FEBio's module '{own}', only in {', '.join(kind.modules)}",
+            "Use another <Module type=...>, or another contact type: sliding-mixture works in all four.",
+        )
+
+
+def material(joint: Joint) -> Iterator[Finding]:
+    """Parts at the contact whose material is not told."""
+    for side in joint.sides:
+        lost = [k for k, m in enumerate(side.materials) if m is None and side.found[k]]
+        if lost:
+            yield error(
+                "no-material",
+                side.surface.tag,
+                f"the elements behind surface '{side.surface.name}' have no material",
+                "Name their part and material in <MeshDomains>.",
+            )
+
+
+def not_exchanged(joint: Joint) -> Iterator[Finding]:
+    """Fluid or solutes on both sides that the type seals against each other."""
+    kind = joint.contact.kind
+    if not kind.solvent and all(side.porous for side in joint.sides):
+        what = "fluid and solutes" if joint.primary.solutes & joint.secondary.solutes else "fluid"
+        yield note(
+            "sealed",
+            joint.contact.tag,
+            f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are sealed",
+            "If they are to exchange it, use sliding-mixture.",
+        )
+    elif kind.solvent and not kind.solutes and joint.primary.solutes & joint.secondary.solutes:
+        yield note(
+            "sealed",
+            joint.contact.tag,
+            f"both bodies hold solutes, and {kind.name} exchanges fluid alone: the surfaces are sealed for solutes",
+            "If they are to exchange them, use sliding-mixture.",
+        )
+
+
+def ambient_solute(joint: Joint) -> Iterator[Finding]:
+    """Bath concentrations that do not say which solute they are for."""
+    model = joint.model
+    for tag in children(joint.contact.tag, "ambient_concentration"):
+        named = tag.get("sol")
+        there = ", ".join(map(str, model.solute_numbers)) or "none"
+        if named is not None and named not in model.solutes:
+            yield error(
+                "ambient-solute",
+                tag,
+                f"<ambient_concentration> is for solute {named}, which the model does not have; there is {there}",
+                "Correct the attribute sol.",
+            )
+        elif named is None and joint.contact.kind.is_mixture and len(model.solute_numbers) != 1:
+            yield error(
+                "ambient-solute",
+                tag,
+                f"<ambient_concentration> does not say which solute it is for; there is {there}",
+                'Write one <ambient_concentration sol="..."> for each solute.',
+            )
+
+
+def symmetric_solver(joint: Joint) -> Iterator[Finding]:
+    """A symmetric matrix for a contact whose tangent is not symmetric."""
+    model = joint.model
+    for control in model.controls:
+        solver = control.find("solver")
+        chosen = None if solver is None else solver.find("symmetric_stiffness")
+        given = "" if chosen is None else text(chosen).lower()
+        symmetric = given in ("1", "symmetric") or (not given and model.module == "solid")
+        if not joint.contact.kind.is_mixture or not symmetric:
+            continue
+        tag = chosen if chosen is not None else solver if solver is not None else control
+        yield warning(
+            "symmetric-solver",
+            tag,
+            "the solver keeps a symmetric matrix"
+            + (", which is the default of the module 'solid'" if not given else "")
+            + "; the tangent of sliding-mixture is not symmetric, and Newton's method seldom survives",
+            "Write <symmetric_stiffness>non-symmetric</symmetric_stiffness> in the <solver>.",
+        )
+
+
+def reformations(joint: Joint) -> Iterator[Finding]:
+    """Few reformations for a contact that moves."""
+    for control in joint.model.controls:
+        for solver in children(control, "solver"):
+            found = solver.find("max_refs")
+            if found is not None and 0.0 < _number(found) < FEW_REFORMATIONS:
+                yield note(
+                    "max-refs",
+                    found,
+                    f"<max_refs> is {text(found)}: few where the edge of contact moves",
+                    "Set it to 25.",
+                )
+
+
+RULES = (
+    unknown_parameter,
+    bad_value,
+    unsupported,
+    load_curve,
+    module,
+    material,
+    not_exchanged,
+    ambient_solute,
+    symmetric_solver,
+    reformations,
+)

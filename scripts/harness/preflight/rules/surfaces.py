@@ -1,0 +1,265 @@
+"""Rules on surfaces: which way they face, and what they belong to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from harness.preflight import rays
+from harness.preflight.finding import Finding
+from harness.preflight.joint import MOST_FACETS, Joint, Side
+from harness.preflight.rules.tools import error, warning
+
+SHARP = np.cos(np.radians(60.0))
+"""Cosine of the angle between the normals of neighbouring facets from which the edge between them is sharp."""
+
+
+def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
+    """Facets that are not a face of any element."""
+    for side in joint.sides:
+        lost = np.flatnonzero(~side.found)
+        if len(lost) and not _on_shells(side):
+            yield error(
+                "facet-of-no-element",
+                side.surface.facet_tags[lost[0]],
+                f"surface '{side.surface.name}' has {_facets(len(lost))} on the face of no solid element",
+                "Select the surface again on the mesh that the model has; a changed mesh renumbers its nodes.",
+            )
+
+
+def shell_facets(joint: Joint) -> Iterator[Finding]:
+    """Surfaces on shells, which this plugin does not know."""
+    for side in joint.sides:
+        if joint.contact.kind.is_mixture and _on_shells(side):
+            yield error(
+                "shell-facets",
+                side.surface.tag,
+                f"surface '{side.surface.name}' lies on shells; sliding-mixture works on the faces of solid elements",
+                "Use solid elements behind the surface, or keep FEBio's contact type.",
+            )
+
+
+def facet_type(joint: Joint) -> Iterator[Finding]:
+    """Facets that this plugin does not know."""
+    for side in joint.sides:
+        for tag, kind in zip(side.surface.facet_tags, side.surface.kinds, strict=True):
+            if joint.contact.kind.is_mixture and kind in ("tri7", "tri10"):
+                yield error(
+                    "facet-type",
+                    tag,
+                    f"surface '{side.surface.name}' has facets <{kind}>, which sliding-mixture does not know",
+                    "Use tet4 or tet10 elements (tri3, tri6), or hexahedra (quad4, quad8, quad9).",
+                )
+                break
+
+
+def empty_surface(joint: Joint) -> Iterator[Finding]:
+    """Surfaces without facets."""
+    for side in joint.sides:
+        if not len(side.surface.corners):
+            yield error(
+                "empty-surface",
+                side.surface.tag,
+                f"surface '{side.surface.name}' has no facets; FEBio stops",
+                "Select the faces that are to come into contact.",
+            )
+
+
+def flat_facet(joint: Joint) -> Iterator[Finding]:
+    """Facets without area and elements without volume."""
+    for side in joint.sides:
+        flat = np.flatnonzero(side.area <= 1e-12 * side.area.max(initial=0.0))
+        thin = np.flatnonzero(side.found & ~(side.thickness > 0.0))
+        if len(flat) or len(thin):
+            which = int((flat if len(flat) else thin)[0])
+            what = "has no area" if len(flat) else "belongs to an element of no volume"
+            yield error(
+                "flat-facet",
+                side.surface.facet_tags[which],
+                f"a facet of surface '{side.surface.name}' {what}",
+                "Repair the mesh: nodes coincide or elements are collapsed.",
+            )
+
+
+def inverted_facets(joint: Joint) -> Iterator[Finding]:
+    """Facets whose nodes run the wrong way round."""
+    for side, name in zip(joint.sides, ("primary", "secondary"), strict=True):
+        flipped = joint.contact.on(f"flip_{name}")
+        wrong = np.flatnonzero(side.found & (side.inverted != flipped))
+        if not len(wrong):
+            continue
+        cure = "List the nodes of these facets counter-clockwise as seen from outside the body"
+        if flipped:
+            cure = f"Delete <flip_{name}>: the facets face out of the body without it"
+        yield error(
+            "inverted-facets",
+            side.surface.facet_tags[wrong[0]],
+            f"surface '{side.surface.name}' has {_facets(len(wrong))} facing into the body: no contact is found there",
+            f"{cure}.",
+        )
+
+
+def inner_facets(joint: Joint) -> Iterator[Finding]:
+    """Facets inside a body, with elements on both sides."""
+    for side in joint.sides:
+        inside = np.flatnonzero([len(found) > 1 for found in side.behind])
+        if len(inside):
+            yield warning(
+                "inner-facets",
+                side.surface.facet_tags[inside[0]],
+                f"surface '{side.surface.name}' has {_facets(len(inside))} inside a body, with elements on both sides",
+                "Take the outer faces alone; where two parts are to slide, they must not share nodes.",
+            )
+
+
+def shared_facets(joint: Joint) -> Iterator[Finding]:
+    """Primary and secondary surfaces that have facets or nodes in common."""
+    one, two = ({tuple(sorted(set(row))) for row in side.surface.corners.tolist()} for side in joint.sides)
+    common = len(one & two)
+    pair = joint.contact.pair
+    if common:
+        yield error(
+            "shared-facets",
+            pair.tag,
+            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {common} facets in common: "
+            "a facet would be in contact with itself",
+            "Name the surface of the other body.",
+        )
+        return
+    nodes = np.intersect1d(pair.primary.corners, pair.secondary.corners)
+    if len(nodes):
+        yield warning(
+            "shared-nodes",
+            pair.tag,
+            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' share {len(nodes)} nodes: there the bodies "
+            "are one and cannot open or slide",
+            "Give each body nodes of its own at the contact, or leave the shared part out of one surface.",
+        )
+
+
+def own_body(joint: Joint) -> Iterator[Finding]:
+    """Both surfaces on one body."""
+    pair = joint.contact.pair
+    shared_nodes = len(np.intersect1d(pair.primary.corners, pair.secondary.corners)) > 0
+    if not shared_nodes and joint.primary.bodies & joint.secondary.bodies:
+        yield warning(
+            "own-body",
+            pair.tag,
+            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' belong to one body: elements connect them",
+            "If two bodies were meant, one surface was selected on the wrong one, or their meshes are merged. "
+            "A body that folds onto itself can stay so.",
+        )
+
+
+def facing(joint: Joint) -> Iterator[Finding]:
+    """Surfaces that do not face each other anywhere."""
+    if not all(len(side.surface.corners) for side in joint.sides) or any(side.inverted.any() for side in joint.sides):
+        return
+    if _sees(joint.primary, joint.secondary).any() or _sees(joint.secondary, joint.primary).any():
+        return
+    pair = joint.contact.pair
+    one, two = (side.areas.sum(axis=0) for side in joint.sides)
+    same = float(one @ two) > 0.3 * float(np.linalg.norm(one) * np.linalg.norm(two))
+    where = "point the same way" if same else "are not in front of each other"
+    yield error(
+        "facing",
+        pair.tag,
+        f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' {where}: no facet of one has a facet of the other "
+        "in front of it, so there is no contact",
+        "One was probably selected on the far side of its body. Take the faces that look at each other.",
+    )
+
+
+def side_faces(joint: Joint) -> Iterator[Finding]:
+    """Faces of a body beyond a sharp edge that never look at the other body."""
+    for side, other in (joint.sides, joint.sides[::-1]):
+        if not len(side.surface.corners) or not len(other.surface.corners) or len(side.area) > 50 * MOST_FACETS:
+            continue
+        patches = _patches(side)
+        seen = _sees(side, other)
+        counted = _looked_at(side)
+        share = [float(seen[patches[counted] == patch].mean()) for patch in np.unique(patches[counted])]
+        blind = [k for k, part in enumerate(share) if part < 0.1]
+        if blind and max(share) > 0.5:
+            names = np.unique(patches[counted])
+            facets = np.flatnonzero(np.isin(patches, names[blind]))
+            yield warning(
+                "side-faces",
+                side.surface.facet_tags[facets[0]],
+                f"surface '{side.surface.name}' has {_facets(len(facets))} beyond a sharp edge or on another side, "
+                "facing away from the other body. They may find the far side of a thin body, and the bath wets them",
+                "Leave the side and far faces out of the surface.",
+            )
+
+
+# ---- geometry ----
+
+
+def _looked_at(side: Side) -> NDArray[np.int64]:
+    """The facets that rays start from."""
+    count = len(side.centres)
+    return np.arange(0, count, max(1, -(-count // MOST_FACETS)))
+
+
+def _sees(side: Side, other: Side) -> NDArray[np.bool_]:
+    """Which facets of `_looked_at` have a facet of the other side in front of them, or behind where they overlap."""
+    pick = _looked_at(side)
+    hits = rays.nearest_facing(side.centres[pick], side.normals[pick], rays.triangles(other.corners))
+    return np.asarray(hits.triangle >= 0)
+
+
+def _patches(side: Side) -> NDArray[np.int64]:
+    """Number of the smooth patch that each facet belongs to: patches end at sharp convex edges."""
+    one, two = _neighbours(side)
+    flat = np.einsum("ei,ei->e", side.normals[one], side.normals[two]) > SHARP
+    away = side.centres[two] - side.centres[one]
+    concave = np.einsum("ei,ei->e", away, side.normals[one]) > 0.0
+    keep = flat | concave
+    count = len(side.centres)
+    graph = coo_array((np.ones(int(keep.sum()), dtype=np.int8), (one[keep], two[keep])), shape=(count, count))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+
+
+def _neighbours(side: Side) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Pairs of facets that share an edge."""
+    corners = side.surface.corners
+    ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), axis=2)
+    facet = np.repeat(np.arange(len(corners)), 4)
+    edges = ends.reshape(-1, 2)
+    real = edges[:, 0] != edges[:, 1]
+    edges, facet = edges[real], facet[real]
+    order = np.lexsort((edges[:, 1], edges[:, 0]))
+    edges, facet = edges[order], facet[order]
+    same = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
+    return facet[same], facet[same + 1]
+
+
+def _on_shells(side: Side) -> bool:
+    """Whether the facets that no solid element has are elements of a shell."""
+    shells = [block.nodes for block in side.model.mesh.blocks if not block.solid and block.shape.nodes >= 3]
+    nodes = np.unique(np.concatenate([np.unique(block) for block in shells])) if shells else np.empty(0, dtype=int)
+    lost = side.surface.corners[~side.found]
+    return bool(len(lost) and np.isin(lost, nodes).all())
+
+
+def _facets(count: int) -> str:
+    return "one facet" if count == 1 else f"{count} facets"
+
+
+RULES = (
+    empty_surface,
+    facet_of_no_element,
+    shell_facets,
+    facet_type,
+    flat_facet,
+    inverted_facets,
+    inner_facets,
+    shared_facets,
+    own_body,
+    facing,
+    side_faces,
+)

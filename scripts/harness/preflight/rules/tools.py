@@ -1,0 +1,31 @@
+"""How rules make their findings."""
+
+from __future__ import annotations
+
+from harness.preflight.document import Element, place
+from harness.preflight.finding import Finding, Severity
+
+
+def error(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    """The run will stop, or the contact will not act."""
+    return Finding(Severity.ERROR, rule, place(tag), message, suggestion)
+
+
+def warning(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    """The run may fail, or its answer is not what it seems."""
+    return Finding(Severity.WARNING, rule, place(tag), message, suggestion)
+
+
+def note(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    """Worth knowing."""
+    return Finding(Severity.NOTE, rule, place(tag), message, suggestion)
+
+
+def short(value: float) -> str:
+    """A number with two significant digits."""
+    return f"{value:.2g}"
+
+
+def percent(part: float) -> str:
+    """A part as a percentage: two significant digits above 1 %, one below."""
+    return f"{100.0 * part:.2g} %"

@@ -1,0 +1,245 @@
+"""Every rule finds the fault that is seeded for it, and names a place and a cure."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from harness.models.diffusion import Diffusion
+from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
+from harness.models.parts import Control, Curve, Param, fluid_flux
+from harness.preflight.finding import Severity
+
+
+def diffusion(join=Join.MIXTURE, settings=None, **more):
+    return Diffusion(join, settings, elements=5, **more).model()
+
+
+def with_params(*params, join=Join.MIXTURE):
+    return diffusion(join, ContactSettings(extra=params))
+
+
+def with_surfaces(model, **surfaces):
+    """The model with other facets in its surfaces; the keywords have _ for -."""
+    changed = {name.replace("_", "-"): facets for name, facets in surfaces.items()}
+    return replace(model, mesh=replace(model.mesh, surfaces=model.mesh.surfaces | changed))
+
+
+def facets(model, name):
+    return model.mesh.surfaces[name]
+
+
+def side_face(model, part):
+    """The facets of a part in the plane x = 1."""
+    quads = [[int(e[k]) for k in (1, 2, 6, 5)] for e in model.mesh.parts[part].elements]
+    return np.array(quads)
+
+
+def moved(model, part, shift):
+    """The model with one body moved."""
+    points = model.mesh.nodes.copy()
+    points[np.unique(model.mesh.parts[part].elements) - 1] += shift
+    return replace(model, mesh=replace(model.mesh, nodes=points))
+
+
+def turned():
+    model = diffusion()
+    return with_surfaces(model, lower_top=facets(model, "lower-top")[:, ::-1])
+
+
+def far_side():
+    model = diffusion()
+    return with_surfaces(model, upper_bottom=facets(model, "upper-top"))
+
+
+def with_sides():
+    model = diffusion()
+    return with_surfaces(model, lower_top=np.concatenate([facets(model, "lower-top"), side_face(model, 0)]))
+
+
+def with_far_side():
+    model = diffusion()
+    return with_surfaces(model, lower_top=np.concatenate([facets(model, "lower-top"), facets(model, "lower-bottom")]))
+
+
+def no_face():
+    model = diffusion()
+    broken = facets(model, "lower-top").copy()
+    broken[0, 0] = 1
+    return with_surfaces(model, lower_top=broken)
+
+
+def inner():
+    model = diffusion()
+    top = model.mesh.parts[0].elements[0][4:8]
+    return with_surfaces(model, lower_top=top[None, :])
+
+
+def merged():
+    """Both halves of the contact on one set of nodes."""
+    model = diffusion()
+    one, two = facets(model, "lower-top"), facets(model, "upper-bottom")
+    order = {int(b): int(a) for a, b in zip(np.sort(one.ravel()), np.sort(two.ravel()), strict=True)}
+    swap = np.vectorize(lambda node: order.get(int(node), int(node)))
+    parts = tuple(replace(part, elements=swap(part.elements)) for part in model.mesh.parts)
+    surfaces = {name: swap(rows) for name, rows in model.mesh.surfaces.items()}
+    return replace(model, mesh=replace(model.mesh, parts=parts, surfaces=surfaces))
+
+
+def corner():
+    """Surfaces that share an edge."""
+    model = diffusion()
+    return with_surfaces(model, upper_bottom=side_face(model, 0)[-1:])
+
+
+def own_body():
+    model = diffusion()
+    return with_surfaces(model, upper_bottom=side_face(model, 0)[:1])
+
+
+def collapsed():
+    model = diffusion()
+    points = model.mesh.nodes.copy()
+    points[facets(model, "lower-top")[0] - 1] = points[facets(model, "lower-top")[0, 0] - 1]
+    return replace(model, mesh=replace(model.mesh, nodes=points))
+
+
+def loose(drop, shift=0.0):
+    """The model without the conditions in `drop`, the upper body moved up."""
+    model = moved(diffusion(), 1, (0.0, 0.0, shift))
+    kept = tuple(c for c in model.conditions if (c.kind, c.where) not in drop)
+    return replace(model, conditions=kept)
+
+
+def with_peclet():
+    model = diffusion()
+    return replace(model, conditions=(*model.conditions, fluid_flux("bottom", -0.1)))
+
+
+def text_of(model, *changes):
+    text = model.text()
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    return text
+
+
+BATH = (Param("ambient_concentration", 1.0),)
+FAULTS = {
+    "facing into the body": (turned, "inverted-facets", "into the body"),
+    "on the far side": (far_side, "facing", "same way"),
+    "with side faces": (with_sides, "side-faces", "sharp edge"),
+    "with the far side": (with_far_side, "side-faces", "facing away"),
+    "facet of no element": (no_face, "facet-of-no-element", "no solid element"),
+    "facet inside": (inner, "inner-facets", "both sides"),
+    "bodies merged": (merged, "shared-facets", "in common"),
+    "surfaces share nodes": (corner, "shared-nodes", "share 2 nodes"),
+    "surfaces of one body": (own_body, "own-body", "one body"),
+    "collapsed facet": (collapsed, "flat-facet", "no area"),
+    "empty surface": (
+        lambda: with_surfaces(diffusion(), lower_top=np.empty((0, 4), int)),
+        "empty-surface",
+        "no facets",
+    ),
+    "overlap": (lambda: moved(diffusion(), 1, (0, 0, -0.05)), "initial-overlap", "node_reloc"),
+    "gap beyond FEBio's radius": (lambda: moved(diffusion(Join.SOLUTE), 1, (0, 0, 2.0)), "search-radius", "apart"),
+    "gap beyond a radius": (
+        lambda: moved(with_params(Param("search_radius", 0.01)), 1, (0, 0, 0.1)),
+        "search-radius",
+        "0.15",
+    ),
+    "overlap beyond a radius": (
+        lambda: moved(with_params(Param("search_radius", 0.01)), 1, (0, 0, -0.1)),
+        "search-radius",
+        "pass through",
+    ),
+    "leak of the paper's penalty": (lambda: diffusion(Join.MIXTURE, PAPER), "leak", "jump by about 33 %"),
+    "leak of FEBio's default": (
+        lambda: with_params(Param("concentration_penalty", 1e-3), join=Join.SOLUTE),
+        "leak",
+        "concentration of solute 1",
+    ),
+    "leak of the solvent": (lambda: with_params(Param("pressure_penalty", 1e-4)), "leak", "fluid pressure will jump"),
+    "overlap of FEBio's default": (lambda: with_params(join=Join.SOLUTE), "leak", "overlap by about"),
+    "leak of automatic penalties": (lambda: diffusion(Join.SOLUTE, automatic(1.0)), "leak", "9.1 %"),
+    "leak with few augmentations": (
+        lambda: diffusion(Join.SOLUTE, replace(augmented(automatic(0.1), 0.0), maxaug=1)),
+        "leak",
+        "even after",
+    ),
+    "stiff penalty": (lambda: with_params(Param("penalty", 1e9)), "stiff-penalty", "open and close"),
+    "Peclet number": (with_peclet, "peclet", "element Peclet number"),
+    "short step": (lambda: diffusion(Join.SOLUTE, control=Control(100, 1.0)), "time-step", "Newton's method stalls"),
+    "bath without pressure": (lambda: with_params(*BATH), "bath-pressure", "-0.0024776"),
+    "bath of the wrong sign": (
+        lambda: with_params(*BATH, Param("ambient_pressure", 2.4776e-3)),
+        "bath-pressure",
+        "-0.0024776",
+    ),
+    "bath in Pa": (lambda: with_params(*BATH, Param("ambient_pressure", -2477.6)), "bath-pressure", "-0.0024776"),
+    "prescribed pressure": (
+        lambda: text_of(diffusion(), ("<value>-0.002477572</value>", "<value>0</value>")),
+        "bath-pressure",
+        "prescribed",
+    ),
+    "body not held before touch": (
+        lambda: loose({("prescribed displacement", "top")}, 0.01),
+        "rigid-motion",
+        "before it touches",
+    ),
+    "body not held at all": (lambda: loose({("zero displacement", "all")}), "rigid-motion", "along x"),
+    "misspelt parameter": (
+        lambda: with_params(Param("pressure_penlaty", 1.0)),
+        "unknown-parameter",
+        "pressure_penalty",
+    ),
+    "negative tolerance": (lambda: with_params(Param("tolerance", -1.0)), "bad-value", "not negative"),
+    "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "positive number"),
+    "augmentations": (lambda: with_params(Param("minaug", 5), Param("maxaug", 2)), "bad-value", "minaug"),
+    "friction": (lambda: with_params(Param("fric_coeff", 0.1)), "unsupported", "friction"),
+    "offset": (lambda: with_params(Param("offset", 0.1)), "unsupported", "offset"),
+    "load curve not there": (
+        lambda: text_of(
+            with_params(Param("ambient_pressure", 1.0)), ("<ambient_pressure>", '<ambient_pressure lc="7">')
+        ),
+        "load-curve",
+        "does not exist",
+    ),
+    "load curve of a penalty": (
+        lambda: text_of(replace(with_params(Param("penalty", 1e4, 1)), curves=(Curve(((0, 0), (1, 1))),))),
+        "load-curve",
+        "once",
+    ),
+    "module": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-multiphasic")), "module", "multiphasic"),
+    "solute": (lambda: with_params(Param("ambient_concentration", 1.0, None, {"sol": "3"})), "ambient-solute", "3"),
+    "material not told": (
+        lambda: text_of(diffusion(), ('<SolidDomain name="upper" mat="gel"/>', "")),
+        "no-material",
+        "MeshDomains",
+    ),
+    "symmetric solver": (
+        lambda: text_of(diffusion(), (">non-symmetric<", ">symmetric<")),
+        "symmetric-solver",
+        "non-symmetric",
+    ),
+    "rigid bodies": (
+        lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
+        "rigid-penalty",
+        "rigid",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_seeded_faults_are_found(findings, name):
+    make, rule, word = FAULTS[name]
+    found = [finding for finding in findings(make()) if finding.rule == rule]
+    assert found, f"{rule} is silent"
+    assert any(word in finding.message + finding.suggestion for finding in found), found
+    for finding in found:
+        assert finding.severity is not Severity.NOTE
+        assert finding.place.line > 1
+        assert finding.suggestion.endswith(".")
+        assert not finding.message.endswith(".")
