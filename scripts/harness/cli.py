@@ -40,6 +40,7 @@ app.command()(indentation_command.indentation)
 app.command("gallery")(gallery_command.gallery_command)
 app.command("indentation-study")(indentation_command.indentation_study_command)
 app.command()(preflight_command.check)
+app.command()(preflight_command.convert)
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 

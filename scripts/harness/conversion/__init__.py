@@ -1,0 +1,1 @@
+"""Switches a model from FEBio's sliding interfaces to `sliding-mixture`, byte for byte the same elsewhere."""

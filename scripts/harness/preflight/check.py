@@ -19,8 +19,8 @@ BROKEN = ("empty-surface", "facet-of-no-element", "flat-facet", "shell-facets", 
 _ORDER = list(Severity)
 
 
-def check(path: Path) -> list[Finding]:
-    """Findings of a model file, the worst first.
+def check(path: Path, data: bytes | None = None) -> list[Finding]:
+    """Findings of a model file, or of `data` as if it stood in that file; the worst first.
 
     Raises
     ------
@@ -28,7 +28,7 @@ def check(path: Path) -> list[Finding]:
         The file cannot be read.
     """
     found: list[Finding] = []
-    model = models.read(path)
+    model = models.read(path, data)
     for contact in model.contacts:
         found += _ask(Joint(model, contact))
     unique = list(dict.fromkeys(found))

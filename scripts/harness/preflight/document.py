@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import codecs
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 from lxml import etree
@@ -21,23 +23,22 @@ LONGEST_RANGE = 50_000_000
 _TELLING = ("name", "id", "sol", "type")
 
 
-def parse(path: Path) -> Element:
-    """Root of a file of FEBio 4.
+def parse(path: Path, data: bytes | None = None) -> Element:
+    """Root of a file of FEBio 4, or of `data` in its place.
 
     Raises
     ------
     ModelError
         The file cannot be read, is no XML, or is no FEBio model of version 4.0.
     """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise ModelError(f"{path}: cannot be read ({error.strerror or error})") from error
+    data = content(path) if data is None else data
     parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
     try:
         root = etree.fromstring(data, parser, base_url=str(path))
     except (etree.XMLSyntaxError, ValueError) as error:
         raise ModelError(f"{path}: is not XML: {getattr(error, 'msg', None) or error}") from error
+    if not data.lstrip(codecs.BOM_UTF8).startswith(b"<?xml"):
+        raise ModelError(f'{path}: does not begin with <?xml version="1.0"?>, without which FEBio opens no file')
     if root.tag != "febio_spec":
         raise ModelError(f"{place(root)}: a model begins with <febio_spec>")
     if root.get("version") != VERSION:
@@ -48,11 +49,24 @@ def parse(path: Path) -> Element:
     return root
 
 
+def content(path: Path) -> bytes:
+    """The bytes of a file.
+
+    Raises
+    ------
+    ModelError
+    """
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise ModelError(f"{path}: cannot be read ({error.strerror or error})") from error
+
+
 def place(element: Element) -> Place:
     """Where an element is, for a message."""
     told = next((f' {key}="{element.get(key)}"' for key in _TELLING if element.get(key)), "")
     file = Path(element.getroottree().docinfo.URL or "")
-    return Place(file, element.sourceline, f"<{element.tag}{told}>")
+    return Place(file, cast("int", element.sourceline), f"<{element.tag}{told}>")
 
 
 def children(element: Element, tag: str | None = None) -> Iterator[Element]:
@@ -83,21 +97,21 @@ class Document:
                 yield from ((number, child) for child in children(parent, tag))
 
 
-def read(path: Path) -> Document:
-    """Read a model file and what it includes.
+def read(path: Path, data: bytes | None = None) -> Document:
+    """Read a model file and what it includes, or `data` as if it stood in that file.
 
     Raises
     ------
     ModelError
         As `parse`; an included file that is missing or includes itself.
     """
-    return Document(path, tuple(_sections(path, 0)))
+    return Document(path, tuple(_sections(path, 0, data)))
 
 
-def _sections(path: Path, depth: int) -> Iterator[Element]:
+def _sections(path: Path, depth: int, data: bytes | None = None) -> Iterator[Element]:
     if depth > DEEPEST_INCLUDE:
         raise ModelError(f"{path}: is included more than {DEEPEST_INCLUDE} files deep; does a file include itself?")
-    for section in children(parse(path)):
+    for section in children(parse(path, data)):
         if section.tag == "Include":
             yield from _sections(_included(section, (section.text or "").strip()), depth + 1)
         elif section.get("from"):

@@ -200,8 +200,8 @@ class Model:
         return found
 
 
-def read(path: Path) -> Model:
-    """Read a model file and what it includes.
+def read(path: Path, data: bytes | None = None) -> Model:
+    """Read a model file and what it includes, or `data` as if it stood in that file.
 
     Raises
     ------
@@ -210,7 +210,7 @@ def read(path: Path) -> Model:
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")
-    document = documents.read(path)
+    document = documents.read(path, data)
     module = next(document.all("Module"), None)
     if module is None:
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')

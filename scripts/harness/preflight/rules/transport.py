@@ -32,8 +32,8 @@ def peclet(joint: Joint) -> Iterator[Finding]:
                     yield warning(
                         "peclet",
                         material.tag,
-                        f"convection at about {short(velocity)} through elements {short(h)} thick gives solute {number} "
-                        f"in material '{material.name}' an element Peclet number of {short(element)}; "
+                        f"convection at about {short(velocity)} through elements {short(h)} thick gives solute "
+                        f"{number} in material '{material.name}' an element Peclet number of {short(element)}; "
                         f"above {LARGEST_PECLET:g} concentrations oscillate from node to node",
                         f"Use elements of at most {short(LARGEST_PECLET * h / element)} along the flow.",
                     )

@@ -1,0 +1,143 @@
+"""Puts refusals, changes and edits together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from harness.contact_types import CONVERTIBLE, MIXTURE, TYPES
+from harness.conversion import spans
+from harness.conversion.parameters import DEFAULT, WRITTEN, Action, Change, fate, missing
+from harness.conversion.refusals import refusals
+from harness.conversion.spans import Edit, Span
+from harness.errors import ModelError
+from harness.preflight import document as documents
+from harness.preflight import model as models
+from harness.preflight.check import check
+from harness.preflight.finding import Severity
+from harness.preflight.model import Model
+
+NOT_OURS = {
+    "concentration gap": "contact solute jump",
+    "contact status": "contact coverage",
+    "contact penalty": "",
+}
+"""Plot variables that know FEBio's own contact classes only, and what takes their place."""
+
+
+@dataclass(frozen=True)
+class Converted:
+    """A converted model.
+
+    Attributes
+    ----------
+    data : bytes
+        The new file.
+    changes : dict of str to list of Change
+        By contact, or by another part of the file.
+    """
+
+    data: bytes
+    changes: dict[str, list[Change]]
+
+
+def convert(path: Path) -> Converted:
+    """Switch every contact of FEBio's four sliding types to `sliding-mixture`.
+
+    Raises
+    ------
+    ModelError
+        The file cannot be read, has nothing to convert, or converting would change the physics or make a model that
+        does not run; says all the reasons.
+    """
+    data = documents.content(path)
+    model = models.read(path, data)
+    if not any(contact.kind.name in CONVERTIBLE for contact in model.contacts):
+        found = ", ".join(sorted({contact.kind.name for contact in model.contacts}))
+        raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {', '.join(CONVERTIBLE)} can be")
+    _refuse(path, list(refusals(model)))
+    edits, changes = _edits(data, model)
+    made = spans.apply(data, edits)
+    wrong = [finding for finding in check(path, made) if finding.severity is Severity.ERROR]
+    _refuse(path, [f"{finding.place}: {finding.message}" for finding in wrong])
+    return Converted(made, changes)
+
+
+def _refuse(path: Path, reasons: list[str]) -> None:
+    if reasons:
+        listed = "\n".join(f"  - {reason}" for reason in dict.fromkeys(reasons))
+        raise ModelError(f"{path} is not converted:\n{listed}")
+
+
+def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change]]]:
+    root = spans.locate(data, str(model.path))
+    edits: list[Edit] = []
+    changes: dict[str, list[Change]] = {}
+    sections = [*root.all("Contact"), *root.all("Step", "step", "Contact")]
+    for number, contact in enumerate((c for s in sections for c in s.all("contact")), 1):
+        kind = contact.attributes.get("type", "")
+        if kind not in CONVERTIBLE:
+            continue
+        name = contact.attributes.get("name") or f"number {number}"
+        edits.append(spans.attribute(data, contact, "type", MIXTURE))
+        own = [Change(Action.MAPPED, "type", contact.line, f"{kind} becomes {MIXTURE}")]
+        for edit, change in _parameters(data, contact, model):
+            own.append(change)
+            edits += edit
+        changes[f'contact "{name}"'] = own
+    for edit, change in _solvers(data, root, model.module):
+        changes.setdefault("solver", []).append(change)
+        edits += edit
+    for change in _output(root):
+        changes.setdefault("output", []).append(change)
+    return edits, changes
+
+
+def _parameters(data: bytes, contact: Span, model: Model) -> Iterator[tuple[list[Edit], Change]]:
+    kind = TYPES[contact.attributes["type"]]
+    for child in contact.children:
+        value = data[slice(*child.inner)].decode("latin-1").strip()
+        change = fate(child.tag, value)(child.line)
+        sol = child.attributes.get("sol", "")
+        if sol in model.solutes and sol != str(model.solutes[sol]):
+            number = str(model.solutes[sol])
+            mapped = Change(
+                Action.MAPPED, child.tag, child.line, f'sol="{sol}" becomes the number of the solute, {number}'
+            )
+            yield [spans.attribute(data, child, "sol", number)], mapped
+        else:
+            yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
+    names = list(missing(kind, {child.tag for child in contact.children}))
+    lines = [f"<{name}>{DEFAULT}</{name}>" for name in names]
+    for place, name in enumerate(names):
+        change = Change(Action.MAPPED, name, contact.line, f"{DEFAULT}: {WRITTEN[name]}")
+        yield spans.insertion(data, contact, lines) if place == 0 else [], change
+
+
+def _solvers(data: bytes, root: Span, module: str) -> Iterator[tuple[list[Edit], Change]]:
+    """Makes a symmetric matrix non-symmetric: the tangent of the contact is not symmetric."""
+    line = "<symmetric_stiffness>non-symmetric</symmetric_stiffness>"
+    why = "the tangent of sliding-mixture is not symmetric; the answer stays"
+    for control in [*root.all("Control"), *root.all("Step", "step", "Control")]:
+        solver = control.child("solver")
+        chosen = None if solver is None else solver.child("symmetric_stiffness")
+        given = "" if chosen is None else data[slice(*chosen.inner)].decode("latin-1").strip().lower()
+        if chosen is not None and given in ("1", "symmetric"):
+            change = Change(Action.MAPPED, "symmetric_stiffness", chosen.line, f"{given} becomes non-symmetric: {why}")
+            yield [spans.content(chosen, "non-symmetric")], change
+        elif chosen is None and module == "solid":
+            parent = control if solver is None else solver
+            made = f'<solver type="{module}">{line}</solver>' if solver is None else line
+            change = Change(Action.MAPPED, "symmetric_stiffness", parent.line, f"non-symmetric is written: {why}")
+            yield spans.insertion(data, parent, [made]), change
+
+
+def _output(root: Span) -> Iterator[Change]:
+    for variable in root.all("Output", "plotfile", "var"):
+        name = variable.attributes.get("type", "")
+        if name in NOT_OURS:
+            better = f"; '{NOT_OURS[name]}' takes its place" if NOT_OURS[name] else ""
+            yield Change(
+                Action.KEPT, name, variable.line, f"stays in the file but knows FEBio's contact types alone{better}"
+            )

@@ -1,0 +1,62 @@
+"""What a switch to `sliding-mixture` would change in the physics, so that it is not made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from harness.contact_types import CONVERTIBLE, MIXTURE
+from harness.preflight.document import place
+from harness.preflight.joint import Joint
+from harness.preflight.model import Model
+
+
+def refusals(model: Model) -> Iterator[str]:
+    """Reasons not to convert, one sentence each; none where the answer stays."""
+    for contact in model.contacts:
+        if contact.kind.name in CONVERTIBLE:
+            yield from _of_materials(Joint(model, contact))
+    yield from _of_neighbours(model)
+    for contact in model.contacts:
+        if contact.kind.name in CONVERTIBLE and place(contact.tag).file != model.path:
+            yield f"{place(contact.tag)}: stands in an included file; move the <Contact> section into {model.path} first"
+
+
+def _of_materials(joint: Joint) -> Iterator[str]:
+    """FEBio's types seal what they do not know; `sliding-mixture` would exchange it."""
+    kind, where = joint.contact.kind, place(joint.contact.tag)
+    for side in joint.sides:
+        name = side.surface.name
+        for material in side.kinds:
+            seen = f"surface '{name}' has material '{material.name}' ({material.kind})"
+            if material.porous and not kind.solvent:
+                yield (
+                    f"{where}: {seen}: {kind.name} leaves its fluid sealed everywhere, sliding-mixture would exchange "
+                    "it and hold it at the bath's pressure where the surface is open"
+                )
+            elif material.solutes and not kind.solutes:
+                yield (
+                    f"{where}: {seen}: {kind.name} leaves its solutes sealed everywhere, sliding-mixture would "
+                    "exchange them and hold them at the bath's concentration where the surface is open"
+                )
+            elif kind.name == "sliding-biphasic-solute" and material.porous and _unknown_to_solute(material.kind):
+                yield f"{where}: {seen}: {kind.name} takes it for a solid without fluid, sliding-mixture does not"
+
+
+def _unknown_to_solute(kind: str) -> bool:
+    return kind not in ("biphasic", "biphasic-solute")
+
+
+def _of_neighbours(model: Model) -> Iterator[str]:
+    """Two kinds of contact that set the bath's values on the same nodes."""
+    stay = [c for c in model.contacts if c.kind.name not in (*CONVERTIBLE, MIXTURE) and c.kind.solvent]
+    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
+        own = np.union1d(contact.pair.primary.corners, contact.pair.secondary.corners)
+        for other in stay:
+            nodes = np.union1d(other.pair.primary.corners, other.pair.secondary.corners)
+            if len(np.intersect1d(own, nodes)):
+                yield (
+                    f"{place(contact.tag)}: shares nodes with {place(other.tag)} of type {other.kind.name}, which "
+                    "cannot be converted; both would set the bath's values there"
+                )

@@ -1,0 +1,193 @@
+"""`convert` changes what it must and leaves every other byte, or refuses. Nothing here needs FEBio."""
+
+from __future__ import annotations
+
+import difflib
+import re
+
+import pytest
+
+from harness.contact_types import CONVERTIBLE, TYPES
+from harness.conversion.convert import convert
+from harness.conversion.parameters import DROPPED, Action
+from harness.errors import ModelError
+from harness.models.confined import Confined
+from harness.models.diffusion import Diffusion
+from harness.models.interface import ContactSettings, Join
+from harness.models.parts import Param
+from harness.paths import REPOSITORY
+
+
+def text(*params, join=Join.SOLUTE):
+    return Diffusion(join, ContactSettings(extra=params), elements=2).model().text()
+
+
+@pytest.fixture
+def converted(tmp_path):
+    """What becomes of a text."""
+
+    def run(old):
+        path = tmp_path / "model.feb"
+        path.write_bytes(old if isinstance(old, bytes) else old.encode("iso-8859-1"))
+        return convert(path)
+
+    return run
+
+
+def changed_lines(old, new):
+    lines = difflib.ndiff(old.splitlines(), new.splitlines())
+    return [line for line in lines if line.startswith(("+ ", "- "))]
+
+
+def fates(made):
+    return {change.name: change.action for changes in made.changes.values() for change in changes}
+
+
+def test_defaults_are_written_out_and_the_rest_stays(converted):
+    old = text()
+    new = converted(old).data.decode("iso-8859-1")
+    assert changed_lines(old, new) == [
+        '-     <contact name="lower/upper" type="sliding-biphasic-solute" surface_pair="lower/upper"/>',
+        '+     <contact name="lower/upper" type="sliding-mixture" surface_pair="lower/upper">',
+        "+       <penalty>1</penalty>",
+        "+       <pressure_penalty>1</pressure_penalty>",
+        "+       <concentration_penalty>1</concentration_penalty>",
+        "+       <search_radius>1</search_radius>",
+        "+     </contact>",
+    ]
+
+
+def test_comments_quotes_spaces_tabs_and_line_ends_stay(converted):
+    old = text(Param("penalty", 2.0), Param("knmult", 0.0), Param("search_radius", 2.0))
+    old = old.replace('type="sliding-biphasic-solute"', "type = 'sliding-biphasic-solute'")
+    old = old.replace("<penalty>", "<!-- measured: see thesis, p. 31 > 30 --><penalty  >").replace("\n", "\r\n")
+    old = old.replace("      <knmult>", "\t<knmult>")
+    made = converted(old.encode("iso-8859-1"))
+    expected = old.replace("'sliding-biphasic-solute'", "'sliding-mixture'").replace("\t<knmult>0</knmult>\r\n", "")
+    start = 'surface_pair="lower/upper">'
+    written = "".join(f"\r\n      <{name}>1</{name}>" for name in ("pressure_penalty", "concentration_penalty"))
+    head, tail = expected.split(start)
+    assert made.data.decode("iso-8859-1") == head + start + written + tail
+
+
+def test_two_parameters_on_a_line(converted):
+    old = text(Param("penalty", 2.0), Param("knmult", 0.0))
+    old = re.sub(r"</penalty>\s*<knmult>", "</penalty> <knmult>", old)
+    new = converted(old).data.decode("iso-8859-1")
+    assert "<penalty>2</penalty> \n" in new
+    assert "knmult" not in new
+
+
+def test_characters_that_are_not_ascii_stay(converted):
+    old = text().replace("Transient", "Gäu: transient")
+    assert "Gäu: transient" in converted(old).data.decode("iso-8859-1")
+
+
+def test_every_parameter_of_every_type_has_a_fate(converted):
+    values = {"laugon": "PENALTY", "penalty_sf": 2.0, "max_penalty_sf": 100.0, "minaug": 1, "maxaug": 5}
+    off = ("fric_coeff", "offset", "tension", "shell_bottom_primary", "shell_bottom_secondary")
+    kind = TYPES["sliding-biphasic-solute"]
+    params = [Param(name, values.get(name, 0.0 if name in off else 1)) for name in sorted(kind.parameters)]
+    found = fates(converted(text(*params).replace("<node_reloc>1", "<node_reloc>0")))
+    assert set(found) - {"type"} == set(kind.parameters)
+    assert {name for name, action in found.items() if action is Action.DROPPED} == (
+        set(DROPPED) & set(kind.parameters)
+    ) | {"symmetric_stiffness"}
+
+
+def test_solutes_are_numbered(converted):
+    old = text(Param("ambient_concentration", 0.0, None, {"sol": "s1"}), join=Join.MULTIPHASIC)
+    new = converted(old).data.decode("iso-8859-1")
+    assert '<ambient_concentration sol="1">0</ambient_concentration>' in new
+
+
+def test_the_matrix_becomes_non_symmetric(converted):
+    old = text().replace(">non-symmetric<", ">symmetric<")
+    assert converted(old).data.decode("iso-8859-1").count(">non-symmetric<") == old.count(">symmetric<")
+
+
+def test_contacts_in_steps(converted):
+    old = re.sub(
+        r"<Contact>.*?</Contact>", r'<Step><step id="1" name="one">\g<0></step></Step>', text(), flags=re.DOTALL
+    )
+    assert b'type="sliding-mixture"' in converted(old).data
+
+
+def test_the_plot_file_is_spoken_of(converted):
+    old = text().replace("</Output>", '<plotfile type="febio"><var type="concentration gap"/></plotfile></Output>')
+    made = converted(old)
+    assert "contact solute jump" in made.changes["output"][0].reason
+
+
+def in_module(model, kind, module=None):
+    made = model.text().replace("sliding-biphasic-solute", kind).replace('type="sliding-biphasic"', f'type="{kind}"')
+    return made.replace('<Module type="solute"', f'<Module type="{module}"') if module else made
+
+
+BIPHASIC = Confined(Join.BIPHASIC, ContactSettings(), elements=2).model()
+SOLUTE = Diffusion(Join.SOLUTE, ContactSettings(), elements=2).model()
+REFUSED = {
+    "friction": (text(Param("fric_coeff", 0.1)), "no parameter <fric_coeff>|friction"),
+    "friction of the biphasic type": (
+        Confined(Join.BIPHASIC, ContactSettings(extra=(Param("fric_coeff", 0.1),)), elements=2).model().text(),
+        "friction is not part of sliding-mixture",
+    ),
+    "fluid behind sliding-elastic": (in_module(BIPHASIC, "sliding-elastic"), "leaves its fluid sealed"),
+    "solutes behind sliding-biphasic": (in_module(SOLUTE, "sliding-biphasic"), "leaves its solutes sealed"),
+    "a material that the type takes for a solid": (
+        in_module(SOLUTE, "sliding-biphasic-solute").replace(' type="biphasic-solute">', ' type="multiphasic">'),
+        "takes it for a solid without fluid",
+    ),
+    "a penalty of zero": (text(Param("pressure_penalty", 0.0)), "<pressure_penalty> is '0'"),
+    "a radius of zero": (text(Param("search_radius", 0.0)), "<search_radius> is '0'"),
+    "nothing to convert": (text(join=Join.MIXTURE), "has nothing to convert"),
+    "tied contact": (in_module(BIPHASIC, "tied-biphasic"), "no sliding contact"),
+    "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
+    "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),
+    "a load curve of a penalty": (
+        text(Param("penalty", 2.0))
+        .replace("<penalty>", '<penalty lc="1">')
+        .replace(
+            "<Output>",
+            '<LoadData><load_controller id="1" type="loadcurve"><points><pt>0,1</pt></points>'
+            "</load_controller></LoadData><Output>",
+        ),
+        "reads it once",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_other_physics_is_refused(converted, name):
+    old, reason = REFUSED[name]
+    with pytest.raises(ModelError, match=reason):
+        converted(old)
+
+
+def test_an_included_contact_is_refused(tmp_path):
+    whole = text()
+    contact = re.search(r"<Contact>.*?</Contact>", whole, re.DOTALL).group(0)
+    head = '<?xml version="1.0"?><febio_spec version="4.0">'
+    (tmp_path / "contact.feb").write_text(f"{head}{contact}</febio_spec>")
+    path = tmp_path / "model.feb"
+    path.write_text(whole.replace(contact, '<Contact from="contact.feb"/>'), encoding="iso-8859-1")
+    with pytest.raises(ModelError, match="included file"):
+        convert(path)
+
+
+def test_the_parameters_are_those_of_the_code():
+    code = (REPOSITORY / "plugin" / "febio" / "mixture_contact.cpp").read_text(encoding="utf-8")
+    registered = set(re.findall(r'ADD_(?:PARAMETER|PROPERTY)\([^"]*?"(\w+)"', code))
+    assert TYPES["sliding-mixture"].parameters == registered | {"penalty_sf", "max_penalty_sf"}
+    for name in CONVERTIBLE:
+        assert TYPES[name].parameters <= TYPES["sliding-mixture"].parameters
+
+
+def test_the_migration_page_tells_the_same():
+    page = (REPOSITORY / "docs" / "migration.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (`.+?) \|(.*?)\|(.*?)\|(.*?)\|(.*?)\|", page, re.MULTILINE)
+    assert len(rows) > 20
+    for cell, *marks in rows:
+        for name in re.findall(r"`([^`]+)`", cell):
+            there = [mark.strip() == "x" for mark in marks]
+            assert there == [name in TYPES[kind].parameters for kind in CONVERTIBLE], name

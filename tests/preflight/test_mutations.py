@@ -1,0 +1,95 @@
+"""Files that are broken at random: findings or a clear error, never a crash."""
+
+from __future__ import annotations
+
+import random
+import re
+
+import pytest
+
+from harness.errors import ModelError
+from harness.models.bath import Apart
+from harness.models.diffusion import Diffusion
+from harness.models.interface import PAPER, Join
+from harness.preflight.check import check
+
+FILES = 200
+SEED = 20120103
+WORDS = ("", "nan", "inf", "-1", "0", "1e300", "much", "1:99999999999", "é", "<", "&amp;", "2,3", "x" * 5000)
+
+
+def bases():
+    joins = (Join.MIXTURE, Join.SOLUTE)
+    models = [Diffusion(join, PAPER, elements=2).model() for join in joins]
+    return [*(model.text() for model in models), Apart(Join.MULTIPHASIC).model().text()]
+
+
+def drop_element(text, dice):
+    name, start = dice.choice([(m.group(1), m.start()) for m in re.finditer(r"<(\w+)[ >]", text)])
+    stop = text.find(f"</{name}>", start)
+    return text[:start] + text[stop + len(name) + 3 :] if stop > 0 else text[:start]
+
+
+def change_value(text, dice):
+    spots = [m.span(1) for m in re.finditer(r">([^<>\n]+)<", text)]
+    start, stop = dice.choice(spots)
+    return text[:start] + dice.choice(WORDS) + text[stop:]
+
+
+def change_attribute(text, dice):
+    spots = [m.span(1) for m in re.finditer(r'="([^"]*)"', text)]
+    start, stop = dice.choice(spots)
+    return text[:start] + dice.choice(WORDS) + text[stop:]
+
+
+def drop_attribute(text, dice):
+    start, stop = dice.choice([m.span() for m in re.finditer(r' \w+="[^"]*"', text)])
+    return text[:start] + text[stop:]
+
+
+def rename_tag(text, dice):
+    name = dice.choice(sorted(set(re.findall(r"<(\w+)", text))))
+    return re.sub(rf"(</?){name}\b", rf"\g<1>{name}x", text)
+
+
+def cut_off(text, dice):
+    return text[: dice.randrange(len(text))]
+
+
+def swap_lines(text, dice):
+    lines = text.splitlines()
+    a, b = dice.randrange(len(lines)), dice.randrange(len(lines))
+    lines[a], lines[b] = lines[b], lines[a]
+    return "\n".join(lines)
+
+
+def noise(text, dice):
+    at = dice.randrange(len(text))
+    return text[:at] + "".join(chr(dice.randrange(32, 127)) for _ in range(5)) + text[at:]
+
+
+KINDS = (drop_element, change_value, change_attribute, drop_attribute, rename_tag, cut_off, swap_lines, noise)
+
+
+def complaint(path):
+    """What `check` cannot read of a file; empty where it can."""
+    try:
+        check(path)
+    except ModelError as error:
+        return str(error)
+    return ""
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
+def test_mutated_files(tmp_path, kind):
+    path = tmp_path / "model.feb"
+    texts, complaints = bases(), []
+    for number in range(FILES // len(KINDS)):
+        dice = random.Random(SEED + number)
+        changed = texts[number % len(texts)]
+        for _ in range(dice.choice((1, 1, 3))):
+            changed = kind(changed, dice) or "x"
+        path.write_text(changed, encoding="utf-8")
+        complaints.append(complaint(path))
+    assert any(complaints)
+    assert all("model.feb" in said and len(said) < 1000 for said in complaints if said)

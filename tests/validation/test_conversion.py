@@ -1,0 +1,132 @@
+"""Models with FEBio's four sliding types give the same answer after `convert`. Both are run by febio4."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from lxml import etree
+
+from harness import engine, logdata
+from harness.conversion.convert import convert
+from harness.models.composite import Composite
+from harness.models.confined import Confined
+from harness.models.convection import Convection
+from harness.models.diffusion import Diffusion
+from harness.models.document import Model
+from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic, contacts
+from harness.models.layers import Layers
+from harness.models.mesh import Box, assemble
+from harness.models.parts import Control, Curve, Mixture, Solid, displace, fix
+from harness.models.patches import Patches
+
+pytestmark = pytest.mark.mixture_only
+
+STIFF = automatic(1000.0)
+BIPHASIC = replace(STIFF, concentration_penalty=None)
+ELASTIC = replace(BIPHASIC, pressure_penalty=None)
+
+
+def diffusion(join, settings, **more):
+    return Diffusion(join, settings, elements=4, control=Control(10, 400.0), **more).model()
+
+
+def confined(settings):
+    return Confined(Join.BIPHASIC, settings, elements=5, control=Control(10, 200.0)).model()
+
+
+@dataclass(frozen=True)
+class Case:
+    """A model's text, the columns of its node data, and how far the answers may be apart."""
+
+    text: str
+    columns: tuple[str, ...]
+    file: str
+    bar: float
+
+
+def case(model, bar=1e-6):
+    return Case(model.text(), model.node_columns, model.node_file, bar)
+
+
+def punch(settings):
+    """A block of 2 x 2 facets pressed onto a wider one of 3 x 3: meshes that do not match, and an edge of contact."""
+    boxes = [
+        Box("lower", "gel", (0.0, 0.0, 0.0), (1.5, 1.5, 1.0), (3, 3, 2)),
+        Box("upper", "gel", (0.25, 0.25, 1.0), (1.0, 1.0, 1.0), (2, 2, 2)),
+    ]
+    mesh = replace(assemble(boxes), pairs={"joint": ("upper-bottom", "lower-top")})
+    conditions = (fix("lower-bottom", "xyz"), fix("upper-top", "xy"), displace("upper-top", "z", -0.02, 1))
+    materials = {"gel": Mixture(Solid(1.0), 1e-3)}
+    ramp = (Curve(((0.0, 0.0), (1000.0, 1.0))),)
+    joined = contacts(Join.BIPHASIC, mesh, settings)
+    return Model("punch", "punch", "biphasic", mesh, materials, conditions, Control(5, 200.0), joined, ramp)
+
+
+def elastic(model, bar=1e-6):
+    """A biphasic model with its fluid taken away, in the module solid with sliding-elastic."""
+    root = etree.fromstring(model.text().encode("iso-8859-1"))
+    for path in ("Control//ptol", "Control//symmetric_stiffness", "Boundary/bc[@type='prescribed fluid pressure']"):
+        for tag in root.iterfind(path):
+            tag.getparent().remove(tag)
+    root.find("Module").set("type", "solid")
+    root.find("Control/solver").set("type", "solid")
+    root.find("Control/analysis").text = "STATIC"
+    for material in root.iterfind("Material/material"):
+        solid = material.find("solid")
+        material.set("type", solid.get("type"))
+        material[:] = list(solid)
+    for contact in root.iterfind("Contact/contact"):
+        contact.set("type", "sliding-elastic")
+    columns = model.node_columns[:6]
+    root.find("Output/logfile/node_data").set("data", ";".join(columns))
+    text = etree.tostring(root, encoding="iso-8859-1", xml_declaration=True).decode("iso-8859-1")
+    return Case(text, columns, model.node_file, bar)
+
+
+CASES = {
+    "elastic, automatic": elastic(confined(ELASTIC)),
+    "elastic, value": elastic(confined(ContactSettings(penalty=50.0))),
+    "elastic, two passes": elastic(confined(replace(ELASTIC, two_pass=True))),
+    "elastic, AUGLAG": elastic(confined(ContactSettings(laugon="AUGLAG", penalty=50.0, gaptol=1e-7)), 2e-3),
+    "elastic, edge of contact": elastic(punch(replace(ELASTIC, penalty=10.0)), 2e-3),
+    "biphasic, edge of contact": case(punch(replace(BIPHASIC, penalty=10.0, pressure_penalty=10.0)), 2e-3),
+    "biphasic, automatic": case(confined(BIPHASIC)),
+    "biphasic, default": case(confined(ContactSettings())),
+    "biphasic, value": case(confined(ContactSettings(penalty=100.0, pressure_penalty=0.1))),
+    "solute, automatic": case(diffusion(Join.SOLUTE, STIFF)),
+    "solute, default": case(diffusion(Join.SOLUTE, ContactSettings())),
+    "solute, the paper's penalties": case(diffusion(Join.SOLUTE, PAPER)),
+    "solute, AUGLAG": case(diffusion(Join.SOLUTE, augmented(PAPER, 1e-4)), 2e-3),
+    "solute, two materials": case(Composite(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
+    "solute, convection": case(Convection(1, Join.SOLUTE, STIFF, elements=4, control=Control(5, 400.0)).model()),
+    "solute, two layers": case(Layers(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
+    "solute, along the contact": case(Patches(Join.SOLUTE, STIFF, divided=False).model()),
+    "multiphasic, automatic": case(diffusion(Join.MULTIPHASIC, STIFF)),
+    "multiphasic, default": case(diffusion(Join.MULTIPHASIC, ContactSettings())),
+    "multiphasic, AUGLAG": case(diffusion(Join.MULTIPHASIC, augmented(PAPER, 1e-4)), 2e-3),
+}
+
+
+def answer(path, chosen, plugin=None):
+    finished = engine.run(path, plugin=plugin)
+    history = logdata.read_history(path.parent / chosen.file, chosen.columns)
+    return finished, history
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_answer_stays(runner, tmp_path, name):
+    chosen = CASES[name]
+    folders = [tmp_path / "before", tmp_path / "after"]
+    for folder in folders:
+        folder.mkdir()
+    before, after = (folder / "model.feb" for folder in folders)
+    before.write_text(chosen.text, encoding="iso-8859-1")
+    after.write_bytes(convert(before).data)
+    _, old = answer(before, chosen)
+    _, new = answer(after, chosen, engine.required_plugin())
+    for column in chosen.columns[3:]:
+        scale = np.abs(old[column]).max()
+        if scale > 0.0:
+            assert np.abs(new[column] - old[column]).max() <= chosen.bar * scale, column
