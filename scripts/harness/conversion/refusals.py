@@ -20,7 +20,7 @@ def refusals(model: Model) -> Iterator[str]:
     yield from _of_neighbours(model)
     for contact in model.contacts:
         if contact.kind.name in CONVERTIBLE and place(contact.tag).file != model.path:
-            yield f"{place(contact.tag)}: stands in an included file; move the <Contact> section into {model.path} first"
+            yield f"{place(contact.tag)}: stands in an included file; move <Contact> into {model.path} first"
 
 
 def _of_materials(joint: Joint) -> Iterator[str]:
