@@ -10,7 +10,14 @@ from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
+from harness.models.interface import Join
 from harness.models.layers import Layers
+from harness.models.parts import Control
+
+
+def before_migration() -> Model:
+    """A small model with one of FEBio's own interfaces, for `convert` to change."""
+    return Diffusion(Join.SOLUTE, elements=5, control=Control(50, 160.0), name="before-migration").model()
 
 
 def models() -> list[Model]:
@@ -28,13 +35,13 @@ def models() -> list[Model]:
 
 def write(folder: Path) -> list[Path]:
     """Write the collection into `folder` and return the paths."""
-    return [model.write(folder) for model in models()]
+    return [model.write(folder) for model in (*models(), before_migration())]
 
 
 def outdated(folder: Path) -> list[str]:
     """Names of the files in `folder` that are missing or differ from what `write` would write."""
     names = []
-    for model in models():
+    for model in (*models(), before_migration()):
         path = folder / f"{model.name}.feb"
         if not path.is_file() or path.read_text(encoding="iso-8859-1") != model.text():
             names.append(path.name)

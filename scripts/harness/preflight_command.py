@@ -65,11 +65,13 @@ def convert(
     """
     if in_place and output is not None:
         raise typer.BadParameter("--output and --in-place exclude each other")
-    target = model if in_place else output or model.with_name(f"{model.stem}-mixture.feb")
-    if target.exists() and not in_place:
-        raise HarnessError(f"{target} is there already; give another file by --output")
+    beside = model.with_name(f"{model.stem}-mixture.feb")
+    target = model if in_place else output or beside
+    if target == beside and target.exists():
+        raise HarnessError(f"{target} is there already; name a file by --output")
     converted = conversion.convert(model)
     try:
+        target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(converted.data)
     except OSError as error:
         raise HarnessError(f"{target}: cannot be written ({error.strerror or error})") from error

@@ -143,7 +143,7 @@ FAULTS = {
         "empty-surface",
         "no facets",
     ),
-    "overlap": (lambda: moved(diffusion(), 1, (0, 0, -0.05)), "initial-overlap", "node_reloc"),
+    "overlap": (lambda: moved(diffusion(), 1, (0, 0, -0.1)), "initial-overlap", "node_reloc"),
     "gap beyond FEBio's radius": (lambda: moved(diffusion(Join.SOLUTE), 1, (0, 0, 2.0)), "search-radius", "apart"),
     "gap beyond a radius": (
         lambda: moved(with_params(Param("search_radius", 0.01)), 1, (0, 0, 0.1)),

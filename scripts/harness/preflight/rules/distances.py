@@ -11,8 +11,8 @@ from harness.preflight.finding import Finding
 from harness.preflight.joint import Joint
 from harness.preflight.rules.tools import error, note, short, warning
 
-DEEP = 0.1
-"""Overlap over the thickness of the elements from which the first iteration is in danger."""
+DEEP = 0.25
+"""Overlap over the thickness of the elements beyond which the first iteration is in danger; a press fit has less."""
 COARSER = 3.0
 """How much larger the facets of the primary surface may be."""
 

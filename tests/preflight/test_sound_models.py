@@ -1,0 +1,253 @@
+"""No false alarm on sound models, and a reader that knows what FEBio's files may hold. Nothing here needs FEBio."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from harness.cli import app
+from harness.errors import ModelError
+from harness.models.blocks import Body, quadratic
+from harness.models.composite import Composite
+from harness.models.confined import Confined
+from harness.models.convection import PRESSURES, Convection
+from harness.models.diffusion import Diffusion
+from harness.models.indentation import Variant
+from harness.models.interface import PAPER, Join
+from harness.models.layers import Layers
+from harness.paths import MODELS, REPOSITORY
+from harness.preflight import elements
+from harness.preflight.check import check
+from harness.preflight.finding import Severity
+from harness.preflight.model import read
+
+COLLECTION = sorted(MODELS.glob("*.feb"))
+SOUND = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
+
+
+@pytest.mark.parametrize("path", COLLECTION, ids=lambda path: path.stem)
+def test_the_collection_raises_no_alarm(path):
+    assert [finding for finding in check(path) if finding.severity is not Severity.NOTE] == []
+
+
+def generated():
+    models = [Diffusion(join, elements=n).model() for join in SOUND for n in (5, 10)]
+    models += [Convection(peclet, join).model() for join in SOUND for peclet in PRESSURES]
+    models += [cls(join).model() for join in SOUND for cls in (Composite, Layers)]
+    models += [Confined(join).model() for join in (Join.MIXTURE, Join.BIPHASIC)]
+    return models + [variant.problem.model() for variant in (Variant.COARSE, Variant.HEX20, Variant.SLAB_PRIMARY)]
+
+
+@pytest.mark.parametrize("model", generated(), ids=lambda model: f"{model.name} {model.contacts[0].kind}")
+def test_generated_models_raise_no_alarm(findings, model):
+    assert [finding for finding in findings(model) if finding.severity is not Severity.NOTE] == []
+
+
+# ---- what files may hold ----
+
+CUBE = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], dtype=float)
+SIMPLE = {
+    "tet4": (CUBE[[0, 1, 3, 4]], 1 / 6),
+    "penta6": (CUBE[[0, 1, 3, 4, 5, 7]], 1 / 2),
+    "hex8": (CUBE, 1.0),
+    "pyra5": (np.concatenate([CUBE[:4], [(0.5, 0.5, 1.0)]]), 1 / 3),
+}
+
+
+@pytest.mark.parametrize("name", SIMPLE)
+def test_faces_point_outwards_and_close(name):
+    points, volume = SIMPLE[name]
+    faces = points[elements.SHAPES[name].corner_faces]
+    areas = elements.area_vectors(faces)
+    np.testing.assert_allclose(areas.sum(axis=0), 0.0, atol=1e-14)
+    assert np.all(np.einsum("fi,fi->f", areas, faces.mean(axis=1) - points.mean(axis=0)) > 0.0)
+    assert elements.volumes(faces[None])[0] == pytest.approx(volume, rel=1e-13)
+
+
+@pytest.mark.parametrize("name", ["hex8", "HEX8G8", "TET10G8_S3", "TET15G11", "HEX20G8", "PENTA15G8", "ut4"])
+def test_names_of_element_types(name):
+    stem = re.match(r"[A-Za-z]+\d+", name).group(0).lower()
+    assert elements.shape(name).nodes == (4 if name == "ut4" else int(re.search(r"\d+", stem).group(0)))
+
+
+def test_unknown_element_types():
+    assert elements.shape("hex9") is None
+
+
+PRISMS = ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))
+
+
+def split(text, kind, cells):
+    """Each hex8 of a model's text as several smaller elements, its quad4 facets as triangles of the same diagonal."""
+    root_number = iter(range(1, 10**6))
+
+    def elements_of(block):
+        rows = [row.split(",") for row in re.findall(r"<elem [^>]*>(.*?)</elem>", block.group(0))]
+        made = [
+            f'<elem id="{next(root_number)}">{",".join(row[k] for k in cell)}</elem>' for row in rows for cell in cells
+        ]
+        return re.sub(r"<elem .*</elem>", "".join(made), block.group(0).replace("hex8", kind), flags=re.DOTALL)
+
+    return re.sub(r"<Elements .*?</Elements>", elements_of, text, flags=re.DOTALL)
+
+
+def triangles(text):
+    """Facets as two triangles each."""
+
+    def facets_of(surface):
+        rows = [row.split(",") for row in re.findall(r"<quad4 [^>]*>(.*?)</quad4>", surface.group(0))]
+        pairs = [pair for a, b, c, d in rows for pair in ((a, b, c), (a, c, d))]
+        made = "".join(f'<tri3 id="{k}">{",".join(nodes)}</tri3>' for k, nodes in enumerate(pairs, 1))
+        return re.sub(r"<quad4 .*</quad4>", made, surface.group(0), flags=re.DOTALL)
+
+    return re.sub(r"<Surface .*?</Surface>", facets_of, text, flags=re.DOTALL)
+
+
+def leaks(found):
+    return [finding.message for finding in found if finding.rule == "leak"]
+
+
+def test_prisms_and_triangles_leak_as_hexahedra_do(findings):
+    model = Diffusion(Join.MIXTURE, PAPER, elements=4).model()
+    found = findings(triangles(split(model.text(), "penta6", PRISMS)))
+    assert leaks(found) == leaks(findings(model)) != []
+    assert not any(finding.severity is Severity.ERROR for finding in found)
+
+
+def test_quadratic_elements_leak_as_linear_ones_do(findings):
+    model = Diffusion(Join.MIXTURE, PAPER, elements=4).model()
+    nodes, parts = model.mesh.nodes, []
+    first = 0
+    places = []
+    for part in model.mesh.parts:
+        own = np.unique(part.elements)
+        body = quadratic(Body(nodes[own - 1], np.searchsorted(own, part.elements)))
+        parts.append(replace(part, elements=body.elements + 1 + first))
+        places.append(body.nodes)
+        first += len(body.nodes)
+    points = np.concatenate(places)
+    tops = {"lower-top": (0, -1, (4, 5, 6, 7, 12, 13, 14, 15)), "upper-bottom": (1, 0, (0, 3, 2, 1, 11, 10, 9, 8))}
+    surfaces = {name: parts[part].elements[row][None, list(at)] for name, (part, row, at) in tops.items()}
+    sets = {"all": np.arange(1, len(points) + 1)}
+    sets |= {name: 1 + np.flatnonzero(np.isclose(points[:, 2], z)) for name, z in (("bottom", -1.0), ("top", 1.0))}
+    mesh = replace(model.mesh, nodes=points, parts=tuple(parts), surfaces=surfaces, node_sets=sets)
+    assert leaks(findings(replace(model, mesh=mesh))) == leaks(findings(model)) != []
+
+
+def test_files_in_pieces(tmp_path):
+    whole = Diffusion(Join.MIXTURE, PAPER, elements=2).model().text()
+    head = '<?xml version="1.0" encoding="ISO-8859-1"?>\n<febio_spec version="4.0">'
+    for name in ("Mesh", "Material"):
+        section = re.search(rf"<{name}>.*?</{name}>", whole, re.DOTALL).group(0)
+        (tmp_path / f"{name}.feb").write_text(f"{head}{section}</febio_spec>")
+        inside = '<Mesh from="Mesh.feb"/>' if name == "Mesh" else "<Include>Material.feb</Include>"
+        whole = whole.replace(section, inside)
+    path = tmp_path / "model.feb"
+    path.write_text(whole, encoding="iso-8859-1")
+    assert len(read(path).mesh.points) == 24
+    assert leaks(check(path))
+    (tmp_path / "Mesh.feb").unlink()
+    with pytest.raises(ModelError, match=r"line \d+: <Mesh>: includes 'Mesh.feb', and there is no file"):
+        check(path)
+
+
+def test_a_file_that_includes_itself(tmp_path):
+    path = tmp_path / "model.feb"
+    path.write_text('<?xml version="1.0"?><febio_spec version="4.0"><Include>model.feb</Include></febio_spec>')
+    with pytest.raises(ModelError, match="include itself"):
+        check(path)
+
+
+def test_lines_beyond_65535(findings):
+    model = Diffusion(Join.MIXTURE, PAPER, elements=2).model()
+    far = model.text().replace("<Contact>", "\n" * 70000 + "<Contact>")
+    assert all(finding.place.line > 70000 for finding in findings(far) if finding.rule == "leak")
+
+
+BROKEN = {
+    "no XML": ("<febio_spec", "is not XML"),
+    "no declaration": ("<febio_spec version='4.0'/>", "does not begin with <\\?xml"),
+    "another root": ("<?xml version='1.0'?><model/>", "begins with <febio_spec>"),
+    "an older version": ("<?xml version='1.0'?><febio_spec version='2.5'/>", "FEBio Studio converts"),
+    "no module": ("<?xml version='1.0'?><febio_spec version='4.0'/>", "has no <Module"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_files_that_are_no_models(findings, name):
+    text, message = BROKEN[name]
+    with pytest.raises(ModelError, match=message):
+        findings(text)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("hex8", "hex9", r"line \d+: <Elements name=.*type 'hex9', which is unknown; there is hex8"),
+        (
+            "<primary>lower-top",
+            "<primary>lid",
+            r"line \d+: <primary>: names surface 'lid', which does not exist; there is",
+        ),
+        ('node_set="top"', 'node_set="lid"', r"names node set 'lid', which does not exist; there is bottom, top"),
+        ('mat="gel"', 'mat="bone"', r"names material 'bone', which does not exist; there is gel"),
+        ('surface_pair="lower/upper"', "", "has no attribute 'surface_pair'"),
+        ('type="sliding-mixture"', 'type="sliding-mixtures"', "is of type 'sliding-mixtures', which is unknown"),
+        ("<quad4 ", "<quad5 ", "not XML"),
+    ],
+)
+def test_what_does_not_exist_is_named(findings, old, new, message):
+    with pytest.raises(ModelError, match=message):
+        findings(Diffusion(Join.MIXTURE, elements=2).model(), (old, new))
+
+
+# ---- the command ----
+
+
+def command(*arguments):
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+def test_exit_codes_and_json(tmp_path):
+    assert command("check", MODELS / "diffusion.feb").exit_code == 0
+    path = Diffusion(Join.SOLUTE, PAPER, elements=2, name="leaky").model().write(tmp_path)
+    finished = command("check", path, "--json")
+    assert finished.exit_code == 1
+    found = json.loads(finished.stdout)
+    assert found["model"] == str(path)
+    assert set(found["findings"][0]) == {"severity", "rule", "file", "line", "tag", "message", "suggestion"}
+
+
+def test_a_file_that_cannot_be_read(tmp_path):
+    finished = subprocess.run(
+        [sys.executable, "-m", "harness", "check", str(tmp_path / "none.feb")],
+        env={**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts"), "COLUMNS": "200"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert finished.returncode == 2
+    assert "none.feb: cannot be read" in finished.stderr
+    assert "Traceback" not in finished.stderr
+
+
+def test_converting_from_the_command_line(tmp_path):
+    path = Diffusion(Join.SOLUTE, elements=2, name="old").model().write(tmp_path)
+    before = path.read_bytes()
+    finished = command("convert", path)
+    assert finished.exit_code == 0
+    assert "auto_penalty" in finished.stdout
+    assert path.read_bytes() == before
+    made = (tmp_path / "old-mixture.feb").read_bytes()
+    assert "is there already" in str(command("convert", path).exception)
+    assert command("convert", path, "--in-place").exit_code == 0
+    assert path.read_bytes() == made
+    assert "nothing to convert" in str(command("convert", path, "--output", tmp_path / "new.feb").exception)
