@@ -68,9 +68,9 @@ def leak(joint: Joint, field: Field, value: float) -> float:
     NaN where a property is no number or both bodies are rigid.
     """
     resistance = joint.primary.resistance(field) + joint.secondary.resistance(field)
-    if not (resistance > 0.0 and value > 0.0 and math.isfinite(resistance)):
+    if not (resistance > 0.0 and value >= 0.0 and math.isfinite(resistance)):
         return math.nan
-    return relative_jump((resistance,), value)
+    return 1.0 if value == 0.0 else relative_jump((resistance,), value)
 
 
 def penalty_for(joint: Joint, field: Field, wanted: float) -> float:

@@ -11,10 +11,20 @@ from harness.preflight.finding import Finding
 from harness.preflight.joint import Joint
 from harness.preflight.rules.tools import error, note, warning
 
-NOT_NEGATIVE = ("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol")
-POSITIVE = ("penalty", "pressure_penalty", "concentration_penalty", "search_radius")
-SWITCHES = ("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc", "tension")
-COUNTS = ("seg_up", "minaug", "maxaug")
+NOT_NEGATIVE, POSITIVE = "a number that is not negative", "a positive number"
+COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
+CHOICES = {"laugon": ("PENALTY", "AUGLAG"), "integration": ("gauss", "segments")}
+ALLOWED = {
+    **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance"), NOT_NEGATIVE),
+    **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
+    **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), POSITIVE),
+    **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
+    **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
+    **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
+    **dict.fromkeys(("ambient_pressure", "ambient_concentration"), NUMBER),
+    **{name: " or ".join(words) for name, words in CHOICES.items()},
+}
+"""What each parameter may be, in words; the others may be anything."""
 UNSUPPORTED = {
     "fric_coeff": "friction is not part of sliding-mixture",
     "offset": "sliding-mixture brings the surfaces themselves into contact",
@@ -54,31 +64,20 @@ def bad_value(joint: Joint) -> Iterator[Finding]:
 
 
 def _allowed(name: str, strict: bool) -> str:
-    """What a parameter may be, in words; empty where anything goes."""
-    if name in NOT_NEGATIVE or name in ("search_tol", "fric_coeff"):
-        return "a number that is not negative"
-    if name in POSITIVE:
-        return "a positive number" if strict or name != "search_radius" else "a number that is not negative"
-    if name in COUNTS:
-        return "a whole number that is not negative"
-    if name in SWITCHES:
-        return "0 or 1"
-    if name == "laugon":
-        return "PENALTY or AUGLAG"
-    return "a number" if name in ("ambient_pressure", "ambient_concentration") else ""
+    """What a parameter may be; empty where anything goes. FEBio's types take a penalty or a radius of zero."""
+    allowed = ALLOWED.get(name, "")
+    return NOT_NEGATIVE if allowed == POSITIVE and not strict else allowed
 
 
 def _fits(tag: Element, name: str, allowed: str) -> bool:
     value = _number(tag)
-    if name == "laugon":
-        return text(tag) in ("PENALTY", "AUGLAG", "0", "1")
-    if name in SWITCHES:
+    if name in CHOICES:
+        return text(tag) in (*CHOICES[name], "0", "1")
+    if allowed == SWITCH:
         return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
-    if not math.isfinite(value):
+    if not math.isfinite(value) or (allowed == COUNT and value != int(value)):
         return False
-    if name in COUNTS and value != int(value):
-        return False
-    return allowed == "a number" or value > 0.0 or (value == 0.0 and allowed != "a positive number")
+    return allowed == NUMBER or value > 0.0 or (value == 0.0 and allowed != POSITIVE)
 
 
 def _number(tag: Element) -> float:
