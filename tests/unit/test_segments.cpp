@@ -174,6 +174,29 @@ BOOST_AUTO_TEST_CASE(a_smaller_square_turned_in_the_plane_is_covered_exactly) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_surface_covered_in_part_carries_the_exact_force_and_flows) {
+  for (const FacetType one : {FacetType::tri3, FacetType::quad4}) {
+    for (const FacetType two : all_facets) {
+      Scene scene = squares(one, two, 3, 2);
+      Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+      x2.topRows<2>() = (0.6 * x2.topRows<2>().array() + 0.2).matrix();
+      turn(x2, 0.5);
+      scene.set_field(0, 0.5, 0.25);
+      const Balance balance = scene.contact()->balance(scene.fields);
+      BOOST_TEST(std::abs(balance.area - 0.36) <= exact);
+      BOOST_TEST((balance.force - Vector3d(0, 0, -4 * 0.0625 * 0.36)).norm() <= exact);
+      BOOST_TEST(std::abs(balance.flow[0] - 2 * 0.25 * 0.36) <= exact);
+      const GlobalLayout layout(scene);
+      const VectorXd residual = assembled_residual(*scene.contact(), layout, scene.fields, 1);
+      for (Index component = 0; component < layout.per_node(); ++component) {
+        double sum = 0;
+        for (Index i = component; i < layout.size(); i += layout.per_node()) sum += residual[i];
+        BOOST_TEST(std::abs(sum) <= exact);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(facets_that_face_away_or_lie_behind_others_are_left_out) {
   Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3);
   SurfaceMesh& mesh = scene.mesh[Side::secondary];

@@ -156,7 +156,7 @@ def _mesh(mesh: Mesh, root: Element) -> None:
         child(nodes, "node", tuple(map(float, position)), id=str(number))
     number = 0
     for part in mesh.parts:
-        elements = child(section, "Elements", type=f"hex{part.elements.shape[1]}", name=part.name)
+        elements = child(section, "Elements", type=_element_type(part.elements.shape[1]), name=part.name)
         for ids in part.elements:
             number += 1
             child(elements, "elem", tuple(map(int, ids)), id=str(number))
@@ -165,11 +165,16 @@ def _mesh(mesh: Mesh, root: Element) -> None:
     for name, facets in mesh.surfaces.items():
         surface = child(section, "Surface", name=name)
         for face, ids in enumerate(facets, 1):
-            child(surface, f"quad{len(ids)}", tuple(map(int, ids)), id=str(face))
+            child(surface, f"{'tri' if len(ids) == 3 else 'quad'}{len(ids)}", tuple(map(int, ids)), id=str(face))
     for name, (primary, secondary) in mesh.pairs.items():
         pair = child(section, "SurfacePair", name=name)
         child(pair, "primary", primary)
         child(pair, "secondary", secondary)
+
+
+def _element_type(nodes: int) -> str:
+    """FEBio's name of a solid element with this many nodes."""
+    return "penta6" if nodes == 6 else f"hex{nodes}"
 
 
 def _sections(model: Model, root: Element) -> None:

@@ -1,0 +1,86 @@
+"""Segments are exact across meshes that do not match: patch tests, and problems 3.1 and 3.2 against the whole body."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from harness.models.convection import Convection
+from harness.models.diffusion import Diffusion
+from harness.models.interface import ContactSettings, Join
+from harness.models.mesh import Section
+from harness.models.nonmatching import Block, NonMatching
+from harness.models.parts import Control
+
+pytestmark = pytest.mark.mixture_only
+
+SEGMENTS = ContactSettings(integration="segments", laugon="AUGLAG", tolerance=1e-11, maxaug=12)
+STRICT = Control(
+    5,
+    400.0,
+    displacement_tolerance=1e-9,
+    energy_tolerance=1e-16,
+    pressure_tolerance=1e-9,
+    concentration_tolerance=1e-9,
+)
+DIVISIONS = [(2, 3), (3, 4), (4, 3), (7, 5)]
+LARGE = Block((5, 5), width=2.0)
+TURNED = Block((3, 3), angle=30.0)
+PATCHES = {
+    **{f"{one} to {two}": NonMatching(Block((one, one)), Block((two, two))) for one, two in DIVISIONS},
+    "triangles to quadrilaterals": NonMatching(Block((3, 3), wedges=True), Block((2, 2))),
+    "quadrilaterals to triangles": NonMatching(Block((3, 3)), Block((2, 2), wedges=True)),
+    "triangles": NonMatching(Block((3, 3), wedges=True), Block((4, 4), wedges=True)),
+    "partly covered": NonMatching(Block((5, 5), width=1.5), Block((3, 3)), held=True),
+    "turned, partly covered": NonMatching(LARGE, TURNED, held=True),
+    "turned, fully covered": NonMatching(LARGE, TURNED, held=True, lower_is_primary=False),
+}
+
+
+def relative_errors(outcome, exact):
+    """Largest error of each field at the last time over its largest value."""
+    nodes = outcome.nodes
+    return {name: np.max(np.abs(nodes[name][-1] - value)) / np.max(np.abs(value)) for name, value in exact.items()}
+
+
+def patch(name, settings):
+    slug = "".join(letter if letter.isalnum() else "-" for letter in name)
+    return NonMatching(**{**vars(PATCHES[name]), "settings": settings, "name": f"{slug}-{settings.integration}"})
+
+
+@pytest.mark.parametrize("name", PATCHES)
+def test_uniform_traction_and_linear_fields_are_exact(runner, name):
+    chosen = patch(name, SEGMENTS)
+    outcome = runner(chosen.model())
+    errors = relative_errors(outcome, chosen.exact(outcome.model.mesh.nodes[:, 2]))
+    assert max(errors.values()) <= 1e-10, errors
+
+
+def test_gauss_points_are_not(runner):
+    chosen = patch("3 to 4", ContactSettings(**{**vars(SEGMENTS), "integration": "gauss"}))
+    outcome = runner(chosen.model())
+    errors = relative_errors(outcome, chosen.exact(outcome.model.mesh.nodes[:, 2]))
+    assert min(errors.values()) >= 1e-3, errors
+
+
+@pytest.mark.parametrize("divisions", [(2, 3), (3, 2)])
+@pytest.mark.parametrize("problem", [Diffusion, Convection])
+def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, divisions):
+    one, two = divisions
+    common = {"elements": 4, "control": STRICT, "module": "multiphasic"}
+    whole = runner(problem(join=Join.UNSPLIT, name=f"whole-{problem.__name__}", **common).model())
+    cut = runner(
+        problem(
+            settings=SEGMENTS,
+            section=Section(elements=(one, one)),
+            upper_divided=(two, two),
+            name=f"cut-{problem.__name__}-{one}-{two}",
+            **common,
+        ).model()
+    )
+    heights = np.round(whole.model.mesh.nodes[:, 2], 9)
+    place = [int(np.flatnonzero(heights == z)[0]) for z in np.round(cut.model.mesh.nodes[:, 2], 9)]
+    for name in ("uz", "p", "c1"):
+        expected = whole.nodes[name][:, place]
+        difference = np.max(np.abs(cut.nodes[name] - expected)) / np.max(np.abs(expected))
+        assert difference <= 1e-8, name
