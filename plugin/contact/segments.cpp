@@ -13,7 +13,7 @@ namespace {
 
 /// Edges closer than this part of a polygon's size coincide.
 constexpr double coincident_fraction = 1e-9;
-/// A triangle smaller than this part of the polygon that it was cut from is left out.
+/// A piece smaller than this part of the polygon that it was cut from is left out.
 constexpr double negligible_fraction = 1e-14;
 /// How far outside a facet a point may be carried, in parametric coordinates: as far as a neighbour reaches.
 constexpr double reach_outside = 2;
@@ -89,7 +89,7 @@ VaryingVector normal_at(const VaryingFacet& facet, const Vector2d& xi) {
   return normalized(area);
 }
 
-/// Carries a point y of a triangle along n to the primary facet: x1(xi) = y + s n. `area`: the part of the area seen
+/// Carries a point y of a piece along n to the primary facet: x1(xi) = y + s n. `area`: the part of the area seen
 /// along n that belongs to the point; weight = area/(a.n). Empty if the line misses the facet.
 std::optional<Place> carry(const VaryingFacet& facet, const VaryingVector& y, const VaryingVector& n,
                            const VaryingNumber& area) {
@@ -118,25 +118,40 @@ std::optional<Place> carry(const VaryingFacet& facet, const VaryingVector& y, co
   return place;
 }
 
-/// Adds the points of a convex polygon, divided into triangles around its first corner.
-void add_places(std::vector<Place>& places, const VaryingFacet& primary, const Polygon& polygon, const VaryingVector& n,
-                const std::vector<QuadraturePoint>& rule, double negligible) {
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const VaryingVector one = polygon[i - 1] - polygon[0];
-    const VaryingVector two = polygon[i] - polygon[0];
-    const VaryingNumber area = triple(n, one, two);
+/// A convex polygon cut into quadrilaterals, and a triangle if need be, around its first corner.
+std::vector<Polygon> pieces(const Polygon& polygon) {
+  std::vector<Polygon> result;
+  for (std::size_t i = 1; i + 1 < polygon.size(); i += 2) {
+    result.push_back({polygon[0], polygon[i], polygon[i + 1]});
+    if (i + 2 < polygon.size()) result.back().push_back(polygon[i + 2]);
+  }
+  return result;
+}
+
+/// Sum of the corners of a polygon with given weights.
+VaryingVector combined(const Polygon& corners, const Eigen::Ref<const VectorXd>& weights) {
+  VaryingVector sum = weights[0] * corners[0];
+  for (std::size_t a = 1; a < corners.size(); ++a) sum = sum + weights[static_cast<Index>(a)] * corners[a];
+  return sum;
+}
+
+/// Adds the points of a piece, a linear triangle or quadrilateral in space seen along n.
+void add_places(std::vector<Place>& places, const VaryingFacet& primary, const Polygon& piece, const VaryingVector& n,
+                int order, double negligible) {
+  const FacetType type = piece.size() == 3 ? FacetType::tri3 : FacetType::quad4;
+  for (const QuadraturePoint& q : quadrature(type, order)) {
+    const ShapeFunctions shape = shape_functions(type, q.xi);
+    const VaryingNumber area = triple(n, combined(piece, shape.gradient.col(0)),
+                                      combined(piece, shape.gradient.col(1)));
     if (area.value <= negligible) continue;
-    for (const QuadraturePoint& q : rule) {
-      const VaryingVector y = polygon[0] + (q.xi[0] * one + q.xi[1] * two);
-      const auto place = carry(primary, y, n, {q.weight * area.value, q.weight * area.variation});
-      if (place) places.push_back(*place);
-    }
+    const auto place = carry(primary, combined(piece, shape.value), n,
+                             {q.weight * area.value, q.weight * area.variation});
+    if (place) places.push_back(*place);
   }
 }
 
 /// Integration points on the overlap of two facets, with their motion if the facets vary.
-std::vector<Place> overlap(const VaryingFacet& primary, const VaryingFacet& secondary,
-                           const std::vector<QuadraturePoint>& rule) {
+std::vector<Place> overlap(const VaryingFacet& primary, const VaryingFacet& secondary, int order) {
   std::vector<Place> places;
   for (const ParametricPolygon& corners : polygons(primary.type)) {
     const Polygon polygon = in_space(primary, corners);
@@ -147,7 +162,9 @@ std::vector<Place> overlap(const VaryingFacet& primary, const VaryingFacet& seco
       if (twice_area(window, n.value) >= 0) continue;  // it faces away
       std::reverse(window.begin(), window.end());
       const Polygon both = clip(polygon, window, n, coincident_fraction * std::sqrt(area));
-      add_places(places, primary, both, n, rule, negligible_fraction * area);
+      for (const Polygon& piece : pieces(both)) {
+        add_places(places, primary, piece, n, order, negligible_fraction * area);
+      }
     }
   }
   return places;
@@ -173,7 +190,7 @@ const IntegrationPoint& heaviest(const FacetPair& pair) {
 }  // namespace
 
 int default_segment_order(FacetType primary, FacetType secondary) {
-  return primary == FacetType::tri3 && secondary == FacetType::tri3 ? 2 : 3;
+  return std::max(default_quadrature_order(primary), default_quadrature_order(secondary));
 }
 
 Segments::Segments(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order)
@@ -191,7 +208,7 @@ FacetPair Segments::pair_of(const Facing& facing, const Matrix3Xd& x1, const Mat
   const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, 0};
   const VaryingFacet secondary{two.type, facet_coordinates(two, x2), 0, 0};
   FacetPair pair{facing.primary, facing.secondary, {}};
-  for (const Place& place : overlap(primary, secondary, quadrature(FacetType::tri3, order(facing)))) {
+  for (const Place& place : overlap(primary, secondary, order(facing))) {
     const Ray ray = normal_ray(one, x1, place.xi, 0, reach_outside);
     const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
     if (!hit) return {facing.primary, facing.secondary, {}};
@@ -261,8 +278,9 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, nodes};
   const VaryingFacet secondary{two.type, facet_coordinates(two, x2), first, nodes};
   std::vector<PointMotion> motions;
-  const auto rule = quadrature(FacetType::tri3, order({pair.primary, pair.secondary}));
-  for (const Place& place : overlap(primary, secondary, rule)) motions.push_back(place.motion);
+  for (const Place& place : overlap(primary, secondary, order({pair.primary, pair.secondary}))) {
+    motions.push_back(place.motion);
+  }
   return motions;
 }
 

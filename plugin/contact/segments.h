@@ -4,8 +4,8 @@
 /// Facets of both sides are polygons through their nodes (quadratic ones: four polygons whose straight edges
 /// join neighbouring nodes), seen along the normal in the middle of the primary polygon (Puso and Laursen 2004, Comput
 /// Methods Appl Mech Eng 193:601-629; Puso, Laursen and Solberg 2008, 197:555-566). Their overlap is divided into
-/// triangles. A point of a triangle is carried along that normal to the primary facet, and from there along the facet's
-/// own normal, as everywhere, to the secondary one.
+/// quadrilaterals and triangles. A point of such a piece is carried along that normal to the primary facet, and from
+/// there along the facet's own normal, as everywhere, to the secondary one.
 #pragma once
 
 #include "clipping.h"
@@ -13,8 +13,8 @@
 
 namespace mixture_contact {
 
-/// Order of the rule on the triangles where the user gives none: 2 (degree 2) between linear triangles, 3 (degree 5)
-/// otherwise. Exact for psi times an affine gap on flat parallelograms.
+/// Order of the rule on the pieces where the user gives none, that of the facets: 2 for linear ones, 3 for quadratic
+/// ones. With it a uniform load is exact on flat parallelograms; psi times an affine gap with 4.
 int default_segment_order(FacetType primary, FacetType secondary);
 
 /// Integration points on the segments of facing facets.
@@ -23,7 +23,7 @@ int default_segment_order(FacetType primary, FacetType secondary);
 /// the primary facet.
 class Segments : public PointFinder {
  public:
-  /// order: of the triangles' quadrature rule; 0: default_segment_order.
+  /// order: of the quadrature rule on the pieces; 0: default_segment_order.
   Segments(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order);
 
   std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;

@@ -54,8 +54,8 @@ struct Settings {
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
   bool symmetric = false;  ///< hand out the symmetric part of the tangent
   Integration integration = Integration::gauss;
-  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; of
-                              ///< segments: of their triangles, 0: default_segment_order
+  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on
+                              ///< segments alike
   double search_radius = 0;  ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces'
                              ///< size
   double search_tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still

@@ -23,8 +23,8 @@ Scene squares(FacetType one, FacetType two, int cells_one, int cells_two, double
   return {facing_grids(one, two, overlap, cells_one, cells_two), effects_of(true, 1), settings};
 }
 
-std::vector<FacetPair> pairs_of(const Scene& scene) {
-  return Segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0)
+std::vector<FacetPair> pairs_of(const Scene& scene, int order = 0) {
+  return Segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, order)
       .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
 }
 
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(weighted_integrals_of_an_affine_gap_are_exact) {
         Matrix3Xd& x2 = scene.fields[Side::secondary].position;
         for (Index node = 0; node < x2.cols(); ++node) x2(2, node) = gap(x2.col(node));
         VectorXd sum = VectorXd::Zero(scene.mesh[Side::primary].nodes);
-        for_each_point(scene, pairs_of(scene),
+        for_each_point(scene, pairs_of(scene, 4),
                        [&](const Facet& facet, const Facet&, double weight, const PointKinematics& point) {
                          const FacetVector psi = multiplier_shape(facet.type, point.primary_shape);
                          for (Index a = 0; a < psi.size(); ++a) {
