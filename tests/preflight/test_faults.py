@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -9,8 +10,12 @@ import pytest
 
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
+from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Param, fluid_flux
+from harness.paths import DOCS, REPOSITORY
 from harness.preflight.finding import Severity
+
+PREFLIGHT = REPOSITORY / "scripts" / "harness" / "preflight"
 
 
 def diffusion(join=Join.MIXTURE, settings=None, **more):
@@ -230,6 +235,75 @@ FAULTS = {
         "rigid",
     ),
 }
+
+
+def on_shells():
+    """The upper body's surface on a layer of shells."""
+    model = diffusion()
+    shared = ",".join(str(node) for node in range(901, 905))
+    nodes = "".join(
+        f'<node id="{900 + k}">{x},{y},0</node>' for k, (x, y) in enumerate(((0, 0), (0, 1), (1, 1), (1, 0)), 1)
+    )
+    shell = f'<Elements type="quad4" name="skin"><elem id="900">{shared}</elem></Elements>'
+    surface = re.compile(r'(<Surface name="upper-bottom">\s*<quad4 id="1">).*?(</quad4>)', re.DOTALL)
+    text = text_of(model, ("</Nodes>", f"{nodes}</Nodes>{shell}"))
+    return surface.sub(rf"\g<1>{shared}\g<2>", text)
+
+
+def seven_nodes():
+    model = diffusion()
+    row = facets(model, "lower-top")[0]
+    facet = ",".join(str(node) for node in (*row[:3], *row[:3], row[3]))
+    surface = re.compile(r'(<Surface name="lower-top">\s*)<quad4 id="1">.*?</quad4>', re.DOTALL)
+    return surface.sub(rf'\g<1><tri7 id="1">{facet}</tri7>', model.text())
+
+
+FAULTS |= {
+    "shells": (on_shells, "shell-facets", "shells"),
+    "facets of seven nodes": (seven_nodes, "facet-type", "tri7"),
+}
+
+
+def coarse_primary():
+    boxes = [Box("lower", "gel", (0.0, 0.0, -1.0), (1.0, 1.0, 1.0), (1, 1, 2))]
+    boxes.append(Box("upper", "gel", (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (5, 5, 2)))
+    mesh = replace(assemble(boxes), pairs={"lower/upper": ("lower-top", "upper-bottom")})
+    sets = mesh.node_sets | {"bottom": mesh.node_sets["lower-bottom"], "top": mesh.node_sets["upper-top"]}
+    return replace(diffusion(), mesh=replace(mesh, node_sets=sets))
+
+
+NOTES = {
+    "coarse primary": (coarse_primary, "finer-primary"),
+    "few reformations": (lambda: text_of(diffusion(), ("<max_refs>15<", "<max_refs>5<")), "max-refs"),
+    "sealed solutes": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-biphasic")), "sealed"),
+    "sealed fluid": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-elastic")), "sealed"),
+    "a property that is a formula": (
+        lambda: text_of(diffusion(), ("<perm>0.0001<", '<perm type="math">1e-4*X<')),
+        "not-compared",
+    ),
+    "short step with this plugin": (lambda: diffusion(control=Control(100, 1.0)), "time-step"),
+}
+
+
+@pytest.mark.parametrize("name", NOTES)
+def test_notes(findings, name):
+    make, rule = NOTES[name]
+    found = [finding for finding in findings(make()) if finding.rule == rule]
+    assert found
+    assert all(finding.severity is Severity.NOTE for finding in found)
+
+
+def test_every_rule_has_a_fault_and_a_line_in_the_page():
+    code = "".join(path.read_text(encoding="utf-8") for path in (PREFLIGHT / "rules").glob("*.py"))
+    rules = set(re.findall(r'(?:error|warning|note)\(\s*"([a-z-]+)"', code))
+    assert len(rules) > 25
+    seeded = {rule for _, rule, _ in FAULTS.values()} | {rule for _, rule in NOTES.values()}
+    assert seeded == rules
+    page = (DOCS / "check.md").read_text(encoding="utf-8")
+    table = page[page.index("| rule |") : page.index("### Leaks")]
+    assert {
+        name for row in re.findall(r"^\| (`[^|]*) \|", table, re.M) for name in re.findall(r"`([^`]+)`", row)
+    } == rules
 
 
 @pytest.mark.parametrize("name", FAULTS)

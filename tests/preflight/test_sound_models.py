@@ -85,6 +85,9 @@ def test_unknown_element_types():
 PRISMS = ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))
 
 
+TETS = ((0, 1, 2, 6), (0, 5, 1, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 4, 5, 6), (0, 7, 4, 6))
+
+
 def split(text, kind, cells):
     """Each hex8 of a model's text as several smaller elements, its quad4 facets as triangles of the same diagonal."""
     root_number = iter(range(1, 10**6))
@@ -115,9 +118,10 @@ def leaks(found):
     return [finding.message for finding in found if finding.rule == "leak"]
 
 
-def test_prisms_and_triangles_leak_as_hexahedra_do(findings):
+@pytest.mark.parametrize(("kind", "cells"), [("penta6", PRISMS), ("tet4", TETS), ("TET4G4", TETS)])
+def test_prisms_and_tetrahedra_leak_as_hexahedra_do(findings, kind, cells):
     model = Diffusion(Join.MIXTURE, PAPER, elements=4).model()
-    found = findings(triangles(split(model.text(), "penta6", PRISMS)))
+    found = findings(triangles(split(model.text(), kind, cells)))
     assert leaks(found) == leaks(findings(model)) != []
     assert not any(finding.severity is Severity.ERROR for finding in found)
 
@@ -140,6 +144,66 @@ def test_quadratic_elements_leak_as_linear_ones_do(findings):
     sets |= {name: 1 + np.flatnonzero(np.isclose(points[:, 2], z)) for name, z in (("bottom", -1.0), ("top", 1.0))}
     mesh = replace(model.mesh, nodes=points, parts=tuple(parts), surfaces=surfaces, node_sets=sets)
     assert leaks(findings(replace(model, mesh=mesh))) == leaks(findings(model)) != []
+
+
+JOINT = """<?xml version="1.0" encoding="ISO-8859-1"?>
+<febio_spec version="4.0">
+  <Module type="solid"/>
+  <Control><analysis>STATIC</analysis><time_steps>10</time_steps><step_size>0.1</step_size>
+    <solver type="solid"><symmetric_stiffness>symmetric</symmetric_stiffness></solver></Control>
+  <Material>
+    <material id="1" name="bone" type="rigid body"><density>1</density><center_of_mass>0,0,0</center_of_mass></material>
+    <material id="2" name="cartilage" type="trans iso Mooney-Rivlin"><c1>1</c1><c2>0</c2><k>1000</k></material>
+    <material id="3" name="shell" type="isotropic elastic"><E>10</E><v>0.3</v></material>
+  </Material>
+  <Mesh>
+    <Nodes name="all">{nodes}</Nodes>
+    <Elements type="hex8" name="femur"><elem id="1">1,2,3,4,5,6,7,8</elem></Elements>
+    <Elements type="hex8" name="femoral"><elem id="2">5,6,7,8,9,10,11,12</elem></Elements>
+    <Elements type="hex8" name="tibial"><elem id="3">13,14,15,16,17,18,19,20</elem></Elements>
+    <Elements type="quad4" name="skin"><elem id="4">17,18,19,20</elem></Elements>
+    <PartList name="cartilages">femoral,tibial</PartList>
+    <ElementSet name="top">3</ElementSet>
+    <Edge name="rim"><line2 id="1">17,18</line2></Edge>
+    <Surface name="one"><quad4 id="1">9,10,11,12</quad4></Surface>
+    <Surface name="two"><quad4 id="1">13,16,15,14</quad4></Surface>
+    <SurfacePair name="knee"><primary>one</primary><secondary>two</secondary></SurfacePair>
+  </Mesh>
+  <MeshDomains>
+    <SolidDomain name="femur" mat="bone"/><SolidDomain name="femoral" mat="cartilage"/>
+    <SolidDomain name="tibial" mat="cartilage"/>
+    <ShellDomain name="skin" mat="shell"><shell_thickness>0.1</shell_thickness></ShellDomain>
+  </MeshDomains>
+  <Boundary>
+    <bc name="a" type="zero displacement" node_set="@edge:rim"><x_dof>1</x_dof><y_dof>1</y_dof><z_dof>1</z_dof></bc>
+    <bc name="b" type="zero displacement" node_set="@elem_set:top"><x_dof>1</x_dof><y_dof>1</y_dof><z_dof>0</z_dof></bc>
+    <bc name="c" type="zero shell displacement" node_set="@part_list:cartilages"><sx_dof>1</sx_dof></bc>
+  </Boundary>
+  <Rigid>
+    <rigid_bc name="d" type="rigid_fixed"><rb>bone</rb><Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof>
+      <Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof></rigid_bc>
+    {drive}
+  </Rigid>
+  <Contact><contact name="knee" type="sliding-elastic" surface_pair="knee"><auto_penalty>1</auto_penalty>
+    <penalty>100</penalty></contact></Contact>
+</febio_spec>"""
+"""A joint as FEBio Studio writes it: a rigid bone that shares nodes with its cartilage, shells, sets of all kinds."""
+
+DRIVE = '<rigid_bc name="e" type="rigid_displacement"><rb>bone</rb><dof>z</dof><value lc="1">1</value></rigid_bc>'
+
+
+def joint(drive, gap):
+    heights = (0.0, 1.0, 2.0, 2.0 + gap, 3.0 + gap)
+    corners = [(x, y, z) for z in heights for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    nodes = "".join(f'<node id="{k}">{x},{y},{z}</node>' for k, (x, y, z) in enumerate(corners, 1))
+    return JOINT.format(nodes=nodes, drive=drive)
+
+
+def test_a_joint_with_a_rigid_bone(findings):
+    assert [finding.rule for finding in findings(joint(DRIVE, 0.5))] == []
+    found = findings(joint("", 0.5))
+    assert [finding.rule for finding in found] == ["rigid-motion"]
+    assert "along z before it touches" in found[0].message
 
 
 def test_files_in_pieces(tmp_path):

@@ -124,7 +124,7 @@ def _modulus(solid: Element | None) -> float:
         return sum(known) if known else math.nan
     if solid.find("E") is not None:
         return optional_number(solid, "E")
-    if solid.find("c1") is not None:
+    if "Mooney-Rivlin" in kind:
         return 6.0 * (optional_number(solid, "c1") + optional_number(solid, "c2", 0.0))
     return math.nan
 

@@ -27,12 +27,15 @@ class Block:
     shape : Shape
     nodes : ndarray of int, shape (n_elements, n_nodes)
         Places of the nodes in the mesh's list, from 0.
+    ids : ndarray of int, shape (n_elements,)
+        Numbers of the elements in the file.
     tag : Element
     """
 
     name: str
     shape: elements.Shape
     nodes: Ids
+    ids: Ids
     tag: Element
 
     @property
@@ -82,6 +85,7 @@ class Mesh:
     points : ndarray, shape (n_nodes, 3)
     blocks : tuple of Block
     node_sets : dict of str to ndarray of int
+        What FEBio makes node sets from is here too, as ``@surface:name``, ``@edge:``, ``@elem_set:``, ``@part_list:``.
     surfaces : dict of str to Surface
     pairs : dict of str to Pair
     """
@@ -109,17 +113,6 @@ class Mesh:
         row, column = (np.concatenate([end[k] for end in ends]) if ends else np.empty(0, int) for k in range(2))
         graph = coo_array((np.ones(len(row), dtype=np.int8), (row, column)), shape=(size, size))
         return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
-
-    def nodes_of(self, name: str) -> Ids | None:
-        """Nodes of a node set, or of what FEBio makes one from: ``@surface:``, ``@elem_set:``; None if unknown."""
-        kind, _, rest = name.partition(":")
-        if kind == "@surface":
-            surface = self.surfaces.get(rest)
-            return None if surface is None else np.unique(surface.corners)
-        if kind in ("@elem_set", "@part"):
-            found = [block for block in self.blocks if block.name == rest]
-            return np.unique(found[0].nodes) if found else None
-        return self.node_sets.get(name)
 
 
 @dataclass(frozen=True)
@@ -236,7 +229,34 @@ def read(document: Document) -> Mesh:
         sets[attribute(tag, "name")] = numbering.places(integers(tag), tag)
     surfaces = {attribute(tag, "name"): _read_surface(tag, numbering) for tag in document.all("Mesh", "Surface")}
     pairs = {attribute(tag, "name"): _read_pair(tag, surfaces) for tag in document.all("Mesh", "SurfacePair")}
+    sets |= {f"@surface:{name}": np.unique(surface.corners) for name, surface in surfaces.items()}
+    sets |= _sets_of_edges(document, numbering) | _sets_of_elements(document, blocks)
     return Mesh(points, blocks, sets, surfaces, pairs)
+
+
+def _sets_of_edges(document: Document, numbering: _Numbering) -> dict[str, Ids]:
+    found = {}
+    for tag in document.all("Mesh", "Edge"):
+        nodes = [node for edge in children(tag) for node in integers(edge)]
+        found[f"@edge:{attribute(tag, 'name')}"] = np.unique(numbering.places(nodes, tag))
+    return found
+
+
+def _sets_of_elements(document: Document, blocks: tuple[Block, ...]) -> dict[str, Ids]:
+    """Nodes of parts, of element sets, and of lists of parts."""
+    parts = {block.name: np.unique(block.nodes) for block in blocks}
+    found = {f"@elem_set:{name}": nodes for name, nodes in parts.items()}
+    for tag in document.all("Mesh", "ElementSet"):
+        chosen = integers(tag)
+        rows = [block.nodes[np.isin(block.ids, chosen)].ravel() for block in blocks]
+        found[f"@elem_set:{attribute(tag, 'name')}"] = np.unique(np.concatenate(rows))
+    for tag in document.all("Mesh", "PartList"):
+        names = [name.strip() for name in text(tag).split(",")]
+        unknown = next((name for name in names if name not in parts), None)
+        if unknown is not None:
+            raise ModelError(f"{place(tag)}: names part '{unknown}', which does not exist; there is {', '.join(parts)}")
+        found[f"@part_list:{attribute(tag, 'name')}"] = np.unique(np.concatenate([parts[name] for name in names]))
+    return found
 
 
 def _read_nodes(document: Document) -> tuple[Points, _Numbering, dict[str, Ids]]:
@@ -272,7 +292,8 @@ def _read_block(tag: Element, numbering: _Numbering) -> Block:
         raise ModelError(f"{place(tag)}: has elements of type '{kind}', which is unknown; there is {known}")
     rows = [_element(element, shape.nodes, kind) for element in children(tag)]
     flat = numbering.places((node for row in rows for node in row), tag)
-    return Block(attribute(tag, "name"), shape, flat.reshape(len(rows), shape.nodes), tag)
+    ids = np.array([_id(element) for element in children(tag)], dtype=np.int64)
+    return Block(attribute(tag, "name"), shape, flat.reshape(len(rows), shape.nodes), ids, tag)
 
 
 def _element(tag: Element, nodes: int, kind: str) -> list[int]:

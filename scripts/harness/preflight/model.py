@@ -193,9 +193,9 @@ class Model:
             Where the set does not exist.
         """
         name = attribute(condition.tag, "node_set")
-        found = self.mesh.nodes_of(name)
+        found = self.mesh.node_sets.get(name)
         if found is None:
-            known = ", ".join(list(self.mesh.node_sets)[:20]) or "none"
+            known = ", ".join([there for there in self.mesh.node_sets if there[0] != "@"][:20]) or "none"
             raise ModelError(f"{place(condition.tag)}: names node set '{name}', which does not exist; there is {known}")
         return found
 

@@ -15,7 +15,7 @@ from harness.preflight.rules.tools import short, warning
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
-SMALL = 1e-9
+SMALL = 1e-6
 """Singular value, relative to the largest, that counts as zero."""
 MOST_ROWS = 3000
 """So many nodes of a set are looked at."""
@@ -66,8 +66,8 @@ def free_motions(rows: Array) -> list[str]:
     """
     if not len(rows):
         return ["in all directions"]
-    _, values, vectors = np.linalg.svd(rows, full_matrices=True)
-    kernel = vectors[int((values > SMALL * max(values[0], SMALL)).sum()) :]
+    values, vectors = np.linalg.eigh(rows.T @ rows)
+    kernel = vectors.T[values <= SMALL**2 * values[-1]]
     if not len(kernel):
         return []
     words = [f"along {AXES[k]}" for k in range(3) if np.linalg.norm(kernel[:, k]) > 1.0 - 1e-6]
