@@ -16,6 +16,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
 from harness.models.parts import Param
 from harness.paths import REPOSITORY
+from harness.preflight.rules.parameters import CHOICES
 
 
 def text(*params, join=Join.SOLUTE):
@@ -181,6 +182,12 @@ def test_the_parameters_are_those_of_the_code():
     assert TYPES["sliding-mixture"].parameters == registered | {"penalty_sf", "max_penalty_sf"}
     for name in CONVERTIBLE:
         assert TYPES[name].parameters <= TYPES["sliding-mixture"].parameters
+
+
+def test_the_choices_are_those_of_the_code():
+    code = (REPOSITORY / "plugin" / "febio" / "mixture_contact.cpp").read_text(encoding="utf-8")
+    found = re.findall(r'"(\w+)"\)(?:->setLongName\("[^"]*"\))?->setEnums\("([^"]*)"\)', code)
+    assert {name: tuple(words.split("\\0")[:-1]) for name, words in found} == CHOICES
 
 
 def test_the_migration_page_tells_the_same():

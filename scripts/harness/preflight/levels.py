@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -111,3 +112,52 @@ def start_concentrations(joint: Joint, solute: int) -> set[float]:
     if bath is not None and len(model.history(bath)):
         values.add(float(model.history(bath)[0, 1]))
     return {value for value in values if np.isfinite(value)}
+
+
+# ---- pressures against concentrations ----
+
+
+def osmotic_scale(joint: Joint) -> float:
+    """R T Phi; Phi is that of the mixtures at the contact where they agree, else NaN."""
+    found = {m.osmotic for side in joint.sides for m in side.kinds if m.solutes and math.isfinite(m.osmotic)}
+    return joint.model.gas_constant_and_temperature * found.pop() if len(found) == 1 else math.nan
+
+
+def covering(level: Level, others: Sequence[Level]) -> Level | None:
+    """The other value on all nodes of a level, if there is one."""
+    for other in others:
+        if level.nodes is not None and other.nodes is not None and np.isin(level.nodes, other.nodes).all():
+            return other
+    return None
+
+
+def times(histories: Sequence[Array]) -> Array:
+    """All times of histories."""
+    return np.unique(np.concatenate([history[:, 0] for history in histories]))
+
+
+def at(history: Array, when: Array) -> Array:
+    """Values of a history at times; NaN where it is a formula's."""
+    return np.asarray(np.interp(when, history[:, 0], history[:, 1])) if len(history) else np.full(len(when), math.nan)
+
+
+def fluid_pressures(joint: Joint) -> Array:
+    """Fluid pressures p = p~ + R T Phi sum c that the model prescribes, over time, in the bath too."""
+    model = joint.model
+    known = [list(prescribed_concentrations(model, number)) for number in model.solute_numbers]
+    values = []
+    for pressure in prescribed_pressures(model):
+        there = [match for group in known if (match := covering(pressure, group)) is not None]
+        values.append(_fluid_pressure(joint, pressure.history, [level.history for level in there]))
+    bath = joint.contact.given("ambient_pressure")
+    if bath is not None:
+        tags = ambient_concentrations(model, joint.contact).values()
+        values.append(_fluid_pressure(joint, model.history(bath), [model.history(tag) for tag in tags]))
+    every = np.concatenate([np.empty(0), *values])
+    return every[np.isfinite(every)]
+
+
+def _fluid_pressure(joint: Joint, pressure: Array, concentrations: Sequence[Array]) -> Array:
+    when = times([pressure, *concentrations])
+    osmotic = osmotic_scale(joint) * np.sum([at(c, when) for c in concentrations], axis=0) if concentrations else 0.0
+    return np.asarray(at(pressure, when) + osmotic)

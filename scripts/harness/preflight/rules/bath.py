@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -30,8 +29,8 @@ def ambient(joint: Joint) -> Iterator[Finding]:
         return
     pressure = contact.given("ambient_pressure")
     tags = [*concentrations.values(), *([] if pressure is None else [pressure])]
-    times = _times([model.history(tag) for tag in tags])
-    osmotic = _scale(joint) * np.sum([model.at(tag, times) for tag in concentrations.values()], axis=0)
+    times = levels.times([model.history(tag) for tag in tags])
+    osmotic = levels.osmotic_scale(joint) * np.sum([model.at(tag, times) for tag in concentrations.values()], axis=0)
     own = np.zeros(len(times)) if pressure is None else model.at(pressure, times)
     where = contact.tag if pressure is None else pressure
     yield from _judge(where, own, osmotic, "<ambient_pressure>", bool(pressure is not None))
@@ -42,7 +41,7 @@ def prescribed(joint: Joint) -> Iterator[Finding]:
     model = joint.model
     known = {k: list(levels.prescribed_concentrations(model, k)) for k in joint.model.solute_numbers}
     for pressure in levels.prescribed_pressures(model):
-        there = [match for group in known.values() if (match := _covering(pressure, group)) is not None]
+        there = [match for group in known.values() if (match := levels.covering(pressure, group)) is not None]
         yield from _against(joint, pressure, there, "the prescribed effective pressure")
 
 
@@ -53,8 +52,8 @@ def initial(joint: Joint) -> Iterator[Finding]:
     for number in model.solute_numbers:
         for concentration in levels.initial_concentrations(model, number):
             there = [match for k in model.solute_numbers if (match := _initial_there(joint, concentration, k))]
-            osmotic = _scale(joint) * sum(level.first for level in there)
-            own = _covering(concentration, pressures)
+            osmotic = levels.osmotic_scale(joint) * sum(level.first for level in there)
+            own = levels.covering(concentration, pressures)
             value = 0.0 if own is None else own.first
             tag = concentration.tag if own is None else own.tag
             if number == min(_number(joint, level) for level in there):
@@ -63,7 +62,7 @@ def initial(joint: Joint) -> Iterator[Finding]:
 
 
 def _initial_there(joint: Joint, concentration: Level, number: int) -> Level | None:
-    return _covering(concentration, list(levels.initial_concentrations(joint.model, number)))
+    return levels.covering(concentration, list(levels.initial_concentrations(joint.model, number)))
 
 
 def _number(joint: Joint, level: Level) -> int:
@@ -74,20 +73,12 @@ def _number(joint: Joint, level: Level) -> int:
     return 0
 
 
-def _covering(level: Level, others: Sequence[Level]) -> Level | None:
-    """The other value on all nodes of a level, if there is one."""
-    for other in others:
-        if level.nodes is not None and other.nodes is not None and np.isin(level.nodes, other.nodes).all():
-            return other
-    return None
-
-
 def _against(joint: Joint, pressure: Level, there: Sequence[Level], what: str) -> Iterator[Finding]:
     if not there or not len(pressure.history):
         return
-    times = _times([pressure.history, *(level.history for level in there)])
-    osmotic = _scale(joint) * np.sum([_interpolated(level.history, times) for level in there], axis=0)
-    yield from _judge(pressure.tag, _interpolated(pressure.history, times), osmotic, what, True)
+    times = levels.times([pressure.history, *(level.history for level in there)])
+    osmotic = levels.osmotic_scale(joint) * np.sum([levels.at(level.history, times) for level in there], axis=0)
+    yield from _judge(pressure.tag, levels.at(pressure.history, times), osmotic, what, True)
 
 
 def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> Iterator[Finding]:
@@ -116,20 +107,6 @@ def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> 
 
 def _has_curve(tag: Element) -> bool:
     return bool(tag.get("lc"))
-
-
-def _scale(joint: Joint) -> float:
-    """R T Phi; Phi is that of the mixtures at the contact where they agree, else NaN."""
-    found = {m.osmotic for side in joint.sides for m in side.kinds if m.solutes and math.isfinite(m.osmotic)}
-    return joint.model.gas_constant_and_temperature * found.pop() if len(found) == 1 else math.nan
-
-
-def _times(histories: Sequence[Array]) -> Array:
-    return np.unique(np.concatenate([history[:, 0] for history in histories]))
-
-
-def _interpolated(history: Array, times: Array) -> Array:
-    return np.asarray(np.interp(times, history[:, 0], history[:, 1])) if len(history) else np.full(len(times), math.nan)
 
 
 RULES = (ambient, prescribed, initial)

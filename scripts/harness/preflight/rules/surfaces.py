@@ -192,7 +192,7 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
                 side.surface.facet_tags[facets[0]],
                 f"surface '{side.surface.name}' has {_facets(len(facets))} beyond a sharp edge or on another side, "
                 "facing away from the other body. They may find the far side of a thin body, and the bath wets them",
-                "Leave the side and far faces out of the surface.",
+                "Leave the side and far faces out of the surface, unless the bath is meant to wet them.",
             )
 
 

@@ -47,13 +47,9 @@ def _velocity(joint: Joint) -> float:
         flux = load.tag.find("flux")
         if load.kind == "fluidflux" and flux is not None:
             fluxes.append(float(np.abs(model.history(flux)[:, 1]).max(initial=0.0)))
-    values = [np.zeros(1)]
-    bath = joint.contact.given("ambient_pressure")
-    values += [level.history[:, 1] for level in levels.prescribed_pressures(model)]
-    values += [model.history(bath)[:, 1]] if bath is not None else []
-    every = np.concatenate(values)
+    every = levels.fluid_pressures(joint)
     resistance = sum(side.resistance(SOLVENT) for side in joint.sides if side.porous)
-    driven = float(every.max() - every.min()) / resistance if resistance > 0.0 else 0.0
+    driven = float(np.ptp(every)) / resistance if len(every) and resistance > 0.0 else 0.0
     return max(*fluxes, driven if math.isfinite(driven) else 0.0)
 
 
