@@ -160,4 +160,4 @@ def fluid_pressures(joint: Joint) -> Array:
 def _fluid_pressure(joint: Joint, pressure: Array, concentrations: Sequence[Array]) -> Array:
     when = times([pressure, *concentrations])
     osmotic = osmotic_scale(joint) * np.sum([at(c, when) for c in concentrations], axis=0) if concentrations else 0.0
-    return np.asarray(at(pressure, when) + osmotic)
+    return np.asarray(at(pressure, when) + osmotic, dtype=np.float64)

@@ -26,8 +26,8 @@ class Penalty:
         eps, in the unit of the field: MPa/mm, mm^3/(N s) or mm/s.
     local : float
         Stiffness or conductance of the adjoining elements that it is measured against, same unit.
-    given : bool
-        Whether the model has it.
+    given, factor : bool
+        Whether the model has it, and whether that is a factor on `local`.
     tag : Element
         Where to change it.
     """
@@ -35,6 +35,7 @@ class Penalty:
     value: float
     local: float
     given: bool
+    factor: bool
     tag: Element
 
 
@@ -51,7 +52,9 @@ def penalty(joint: Joint, field: Field) -> Penalty:
     default = (TRACTION_FACTOR if field == TRACTION else FLUX_FACTOR) if mixture else 1.0
     factor = contact.value(field.penalty, default)
     automatic = contact.on("auto_penalty") or (mixture and tag is None)
-    return Penalty(factor * local if automatic else factor, local, tag is not None, contact.tag if tag is None else tag)
+    return Penalty(
+        factor * local if automatic else factor, local, tag is not None, automatic, contact.tag if tag is None else tag
+    )
 
 
 def in_series(joint: Joint, field: Field) -> float:

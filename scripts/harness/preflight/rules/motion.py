@@ -43,7 +43,7 @@ def rigid_modes(joint: Joint) -> Iterator[Finding]:
                 side.surface.tag,
                 f"nothing holds the body of surface '{side.surface.name}' against motion {_and(touching)}; the contact "
                 "has no friction and does not hold it either, so the matrix is singular",
-                f"Fix it there by a boundary condition ({_and(touching)}), or hold it by a weak spring.",
+                "Add a boundary condition that holds it, or a weak spring.",
             )
         elif apart:
             yield warning(
@@ -83,7 +83,7 @@ def _distance(gap: float) -> str:
 
 
 def _and(words: list[str]) -> str:
-    return " and ".join(words)
+    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
 def _centre(model: Model, side: Side) -> tuple[Array, float]:

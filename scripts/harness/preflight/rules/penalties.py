@@ -39,9 +39,11 @@ def after_augmentation(joint: Joint, jump: float) -> float:
 
 
 def _leak_in_words(joint: Joint, field: Field, own: Penalty, left: float) -> str:
-    how = "set" if own.given else "not set, so FEBio takes 1"
+    how = "as given" if own.given else "not given, so FEBio takes 1"
+    if own.factor:
+        how = f"{short(own.value / own.local)} times the local {_local(field)}"
     augmented = " even after all augmentations" if joint.contact.augmented else ""
-    begin = f"<{field.penalty}> {short(own.value)} in effect ({how}): at this penalty"
+    begin = f"<{field.penalty}> is {short(own.value)} ({how}): at this penalty"
     if field == TRACTION:
         return f"{begin} the bodies will overlap by about {percent(left)} of what they are pressed together{augmented}"
     return (
@@ -50,15 +52,16 @@ def _leak_in_words(joint: Joint, field: Field, own: Penalty, left: float) -> str
     )
 
 
+def _local(field: Field) -> str:
+    return "stiffness" if field == TRACTION else "conductance"
+
+
 def _stiffer(joint: Joint, field: Field, own: Penalty) -> str:
     enough = penalty_for(joint, field, GOOD_LEAK)
+    value = f"{short(enough / own.local)}, times the local {_local(field)}" if own.factor else short(enough)
     if joint.contact.kind.is_mixture:
-        return (
-            f"Delete <{field.penalty}>: it is then chosen automatically. "
-            f"Or set at least {short(enough)} with <auto_penalty> 0."
-        )
-    factor = f", or <auto_penalty> 1 and a factor of {short(enough / own.local)}" if own.local > 0.0 else ""
-    return f"Set <{field.penalty}> to {short(enough)} with <auto_penalty> 0{factor}; this leaves {percent(GOOD_LEAK)}."
+        return f"Delete <{field.penalty}>: it is then chosen automatically. Or set at least {value}."
+    return f"Set <{field.penalty}> to {value}; this leaves {percent(GOOD_LEAK)}."
 
 
 def too_stiff(joint: Joint) -> Iterator[Finding]:
@@ -71,9 +74,9 @@ def too_stiff(joint: Joint) -> Iterator[Finding]:
                 "stiff-penalty",
                 own.tag,
                 f"<{field.penalty}> {short(own.value)} is {short(own.value / own.local)} times the local "
-                f"{'stiffness' if field == TRACTION else 'conductance'}: points at the edge of contact open and close "
-                "in turn, and Newton's method does not end",
-                f"Set it to {short(1e3 * own.local)} with <auto_penalty> 0"
+                f"{_local(field)}: points at the edge of contact open and close "
+                "in turn, and Newton's method may not end",
+                f"Set it to {short(1e3 if own.factor else 1e3 * own.local)}"
                 + (f", or delete <{field.penalty}>." if joint.contact.kind.is_mixture else "."),
             )
 
@@ -89,7 +92,7 @@ def rigid_sides(joint: Joint) -> Iterator[Finding]:
             "rigid-penalty",
             contact.tag,
             "both surfaces are rigid, so there is no stiffness to choose a penalty from; the run stops",
-            "Set <auto_penalty> to 0 and <penalty> to a value in N/mm^3.",
+            "Set <auto_penalty> to 0 and <penalty> to a value, force per volume.",
         )
     elif not contact.kind.is_mixture and joint.primary.rigid and _no_modulus(joint):
         yield error(

@@ -125,8 +125,8 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
         yield error(
             "shared-facets",
             pair.tag,
-            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {common} facets in common: "
-            "a facet would be in contact with itself",
+            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common, "
+            "which would be in contact with itself",
             "Name the surface of the other body.",
         )
         return
@@ -170,7 +170,7 @@ def facing(joint: Joint) -> Iterator[Finding]:
         pair.tag,
         f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' {where}: no facet of one has a facet of the other "
         "in front of it, so there is no contact",
-        "One was probably selected on the far side of its body. Take the faces that look at each other.",
+        "One was probably selected on the wrong side of its body. Take the faces that look at each other.",
     )
 
 
@@ -191,8 +191,8 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
                 "side-faces",
                 side.surface.facet_tags[facets[0]],
                 f"surface '{side.surface.name}' has {_facets(len(facets))} beyond a sharp edge or on another side, "
-                "facing away from the other body. They may find the far side of a thin body, and the bath wets them",
-                "Leave the side and far faces out of the surface, unless the bath is meant to wet them.",
+                "facing away from the other body. There it may find the far side of a thin body, and the bath wets it",
+                "Leave side and far faces out of the surface, unless the bath is meant to wet them.",
             )
 
 

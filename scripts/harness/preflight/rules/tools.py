@@ -22,8 +22,8 @@ def note(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
 
 
 def short(value: float) -> str:
-    """A number with two significant digits."""
-    return f"{value:.2g}"
+    """A number with two significant digits, with an exponent where it is very small or large."""
+    return f"{float(f'{value:.2g}'):.6g}"
 
 
 def percent(part: float) -> str:

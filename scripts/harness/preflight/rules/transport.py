@@ -94,7 +94,7 @@ def _undershoot(joint: Joint, control: Element, step: Element, solute: int, wors
         return note("time-step", step, seen + after, cure)
     if not clamps(joint.model.module, control):
         return note("time-step", step, f"{seen}; the clamp is off, so small negative values will stay", cure)
-    after = ". FEBio sets negative concentrations to zero, and Newton's method stalls"
+    after = ". FEBio sets negative concentrations to zero, and Newton's method often stalls"
     if joint.model.module == "multiphasic":
         cure += " Or set <force_positive_concentrations> to 0 in the solver."
     return warning("time-step", step, seen + after, cure)
