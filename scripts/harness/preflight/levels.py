@@ -154,7 +154,7 @@ def fluid_pressures(joint: Joint) -> Array:
         tags = ambient_concentrations(model, joint.contact).values()
         values.append(_fluid_pressure(joint, model.history(bath), [model.history(tag) for tag in tags]))
     every = np.concatenate([np.empty(0), *values])
-    return every[np.isfinite(every)]
+    return np.asarray(every[np.isfinite(every)])
 
 
 def _fluid_pressure(joint: Joint, pressure: Array, concentrations: Sequence[Array]) -> Array:
