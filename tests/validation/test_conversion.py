@@ -1,4 +1,9 @@
-"""Models with FEBio's four sliding types give the same answer after `convert`. Both are run by febio4."""
+"""Models with FEBio's four sliding types give the same answer after `convert`. Both are run by febio4.
+
+Where contact is uniform the bar is round-off and the solver's tolerance; with AUGLAG and with unlike materials it is
+what the penalties leave. At an edge of contact between meshes that do not match, FEBio's conditions at integration
+points and ours at nodes agree as the mesh allows.
+"""
 
 from __future__ import annotations
 
@@ -90,8 +95,8 @@ CASES = {
     "elastic, value": elastic(confined(ContactSettings(penalty=50.0))),
     "elastic, two passes": elastic(confined(replace(ELASTIC, two_pass=True))),
     "elastic, AUGLAG": elastic(confined(ContactSettings(laugon="AUGLAG", penalty=50.0, gaptol=1e-7)), 2e-3),
-    "elastic, edge of contact": elastic(punch(replace(ELASTIC, penalty=10.0)), 2e-3),
-    "biphasic, edge of contact": case(punch(replace(BIPHASIC, penalty=10.0, pressure_penalty=10.0)), 2e-3),
+    "elastic, edge of contact": elastic(punch(ELASTIC), 5e-3),
+    "biphasic, edge of contact": case(punch(BIPHASIC), 5e-3),
     "biphasic, automatic": case(confined(BIPHASIC)),
     "biphasic, default": case(confined(ContactSettings())),
     "biphasic, value": case(confined(ContactSettings(penalty=100.0, pressure_penalty=0.1))),
@@ -102,7 +107,7 @@ CASES = {
     "solute, two materials": case(Composite(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
     "solute, convection": case(Convection(1, Join.SOLUTE, STIFF, elements=4, control=Control(5, 400.0)).model()),
     "solute, two layers": case(Layers(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
-    "solute, along the contact": case(Patches(Join.SOLUTE, STIFF, divided=False).model()),
+    "solute, along the contact": case(Patches(Join.SOLUTE, STIFF, divided=False).model(), 1e-4),
     "multiphasic, automatic": case(diffusion(Join.MULTIPHASIC, STIFF)),
     "multiphasic, default": case(diffusion(Join.MULTIPHASIC, ContactSettings())),
     "multiphasic, AUGLAG": case(diffusion(Join.MULTIPHASIC, augmented(PAPER, 1e-4)), 2e-3),
