@@ -54,6 +54,27 @@ ShapeFunctions tri6(const Vector2d& xi) {
   return shape;
 }
 
+ShapeFunctions tri7(const Vector2d& xi) {
+  // Those of tri6 less what they are worth at the centre (-1/9 at corners, 4/9 at mid-edges) times the bubble
+  // 27 L_0 L_1 L_2, which is 1 there.
+  const ShapeFunctions area = tri3(xi);
+  const ShapeFunctions edges = tri6(xi);
+  const FacetVector& L = area.value;
+  const double bubble = 27 * L[0] * L[1] * L[2];
+  const Eigen::RowVector2d bubble_gradient = 27 *
+                                             (L[1] * L[2] * area.gradient.row(0) + L[2] * L[0] * area.gradient.row(1) +
+                                              L[0] * L[1] * area.gradient.row(2));
+  ShapeFunctions shape = sized(FacetType::tri7);
+  for (Index a = 0; a < 6; ++a) {
+    const double at_centre = (a < 3 ? -1.0 : 4.0) / 9.0;
+    shape.value[a] = edges.value[a] - at_centre * bubble;
+    shape.gradient.row(a) = edges.gradient.row(a) - at_centre * bubble_gradient;
+  }
+  shape.value[6] = bubble;
+  shape.gradient.row(6) = bubble_gradient;
+  return shape;
+}
+
 ShapeFunctions quad4(const Vector2d& xi) {
   ShapeFunctions shape = sized(FacetType::quad4);
   for (Index a = 0; a < 4; ++a) {
@@ -140,6 +161,8 @@ int node_count(FacetType type) {
       return 3;
     case FacetType::tri6:
       return 6;
+    case FacetType::tri7:
+      return 7;
     case FacetType::quad4:
       return 4;
     case FacetType::quad8:
@@ -150,12 +173,15 @@ int node_count(FacetType type) {
   throw std::logic_error("unknown facet type");
 }
 
-bool is_triangle(FacetType type) { return type == FacetType::tri3 || type == FacetType::tri6; }
+bool is_triangle(FacetType type) {
+  return type == FacetType::tri3 || type == FacetType::tri6 || type == FacetType::tri7;
+}
 
 int edge_degree(FacetType type) { return type == FacetType::tri3 || type == FacetType::quad4 ? 1 : 2; }
 
 std::optional<FacetType> facet_type(bool triangle, int nodes) {
-  for (FacetType type : {FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8, FacetType::quad9}) {
+  for (FacetType type :
+       {FacetType::tri3, FacetType::tri6, FacetType::tri7, FacetType::quad4, FacetType::quad8, FacetType::quad9}) {
     if (is_triangle(type) == triangle && node_count(type) == nodes) return type;
   }
   return std::nullopt;
@@ -166,7 +192,8 @@ Vector2d parametric_centre(FacetType type) {
 }
 
 Vector2d parametric_node(FacetType type, int node) {
-  constexpr std::array<std::array<double, 2>, 6> triangle{{{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
+  constexpr std::array<std::array<double, 2>, 7> triangle{
+      {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}, {1.0 / 3.0, 1.0 / 3.0}}};
   const auto a = static_cast<std::size_t>(node);
   if (is_triangle(type)) return {triangle[a][0], triangle[a][1]};
   return {static_cast<double>(quad9_grid[a][0]), static_cast<double>(quad9_grid[a][1])};
@@ -183,6 +210,8 @@ ShapeFunctions shape_functions(FacetType type, const Vector2d& xi) {
       return tri3(xi);
     case FacetType::tri6:
       return tri6(xi);
+    case FacetType::tri7:
+      return tri7(xi);
     case FacetType::quad4:
       return quad4(xi);
     case FacetType::quad8:

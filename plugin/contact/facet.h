@@ -10,7 +10,7 @@ namespace mixture_contact {
 
 /// Facet types, with FEBio's node order: corners counter-clockwise seen from outside, then mid-edges, then the centre.
 /// Triangles live on xi >= 0, eta >= 0, xi + eta <= 1; quadrilaterals on [-1, 1]^2.
-enum class FacetType { tri3, tri6, quad4, quad8, quad9 };
+enum class FacetType { tri3, tri6, tri7, quad4, quad8, quad9 };
 
 /// Number of nodes of a facet type.
 int node_count(FacetType type);

@@ -70,13 +70,19 @@ std::vector<int> FacetTree::candidates(const Vector3d& origin, const Vector3d& d
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray) {
   std::optional<SurfaceHit> best;
+  double best_length = 0;
   for (const int candidate : tree.candidates(ray.origin, ray.direction, ray.reach)) {
     const Facet& facet = facets[static_cast<std::size_t>(candidate)];
     const FacetCoordinates x = facet_coordinates(facet, positions);
     const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
-    if (!hit || std::abs(hit->gap) > ray.reach || (best && std::abs(hit->gap) >= std::abs(best->gap))) continue;
+    if (!hit || std::abs(hit->gap) > ray.reach) continue;
     const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
-    if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) < 0) best = {candidate, hit->eta, hit->gap};
+    if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) >= 0) continue;
+    const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
+    const double length = std::abs(hit->gap) + outside;
+    if (best && length >= best_length) continue;
+    best = {candidate, hit->eta, hit->gap};
+    best_length = length;
   }
   return best;
 }

@@ -46,7 +46,10 @@ struct SurfaceHit {
 };
 
 /// The nearest hit of a ray on the facets of a tree whose outward normals oppose its direction; empty if there is none.
-/// The choice depends on the configuration alone, never on earlier calls; equal distances go to the lowest facet index.
+/// A hit outside its facet, within the tolerance, counts as farther by as much as it lies outside: where facets adjoin
+/// at less than 45 degrees the one that the ray does meet wins, so that the gap does not jump as the hit crosses their
+/// edge. The choice depends on the configuration alone, never on earlier calls; equal lengths go to the lowest facet
+/// index.
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray);
 

@@ -138,8 +138,8 @@ bool FEMixtureContact::check_surfaces() {
     for (int i = 0; i < s.Elements(); ++i) {
       if (type_of(s.Element(i))) continue;
       feLogError(
-          "sliding-mixture \"%s\": surface \"%s\" has a facet with %d nodes, which is not supported. Allowed are facets with 3 or "
-          "6 (triangles) and 4, 8 or 9 nodes (quadrilaterals).",
+          "sliding-mixture \"%s\": surface \"%s\" has a facet with %d nodes, which is not supported. Allowed are facets with 3, 6 "
+          "or 7 (triangles) and 4, 8 or 9 nodes (quadrilaterals).",
           GetName().c_str(), s.GetName().c_str(), s.Element(i).Nodes());
       return false;
     }
@@ -321,18 +321,23 @@ bool FEMixtureContact::check_ambient() {
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
   update_properties();
-  warn_of_symmetric_matrix();
+  ask_for_nonsymmetric_matrix();
   if (parameters_.node_reloc && !relocated_) relocate_nodes();
   Update();
 }
 
-void FEMixtureContact::warn_of_symmetric_matrix() {
-  const FENewtonSolver* solver = newton_solver();
-  if (solver == nullptr || solver->m_msymm != REAL_SYMMETRIC) return;
-  feLogWarning(
-      "sliding-mixture \"%s\": the matrix of contact is not symmetric, the solver's is: convergence may be slow or fail. Set "
-      "<symmetric_stiffness>non-symmetric</symmetric_stiffness> in the solver.",
-      GetName().c_str());
+void FEMixtureContact::ask_for_nonsymmetric_matrix() {
+  if (parameters_.symmetric_stiffness) return;
+  FEModel& model = *GetFEModel();
+  for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
+    FESolver* solver = model.GetStep(i)->GetFESolver();
+    if (solver == nullptr || solver->m_msymm != REAL_SYMMETRIC) continue;
+    solver->m_msymm = REAL_UNSYMMETRIC;
+    feLog(
+        "sliding-mixture \"%s\": the matrix of step %d is set to non-symmetric, as that of this contact is. To keep it symmetric "
+        "set <symmetric_stiffness>1</symmetric_stiffness> in the contact; convergence is slower then.\n",
+        GetName().c_str(), i + 1);
+  }
 }
 
 void FEMixtureContact::PrepStep() {

@@ -61,7 +61,7 @@ class FEMixtureContact : public FEContactInterface {
   bool update_properties();
   void log_effects(const PerSide<std::vector<FacetMaterial>>& materials);
   void add_callbacks();
-  void warn_of_symmetric_matrix();
+  void ask_for_nonsymmetric_matrix();
   void build_core(PerSide<mixture_contact::SurfaceMesh> meshes);
 
   // State of the model

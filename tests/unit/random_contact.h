@@ -19,8 +19,8 @@ namespace test {
 
 using namespace mixture_contact;
 
-inline constexpr std::array all_facets{FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8,
-                                       FacetType::quad9};
+inline constexpr std::array all_facets{FacetType::tri3,  FacetType::tri6,  FacetType::tri7,
+                                       FacetType::quad4, FacetType::quad8, FacetType::quad9};
 
 /// Step of a central difference of a function of size 1 that varies over a length of 1: the truncation error step^2 and
 /// the rounding error epsilon/step are equal at step = epsilon^(1/3); the error is then about epsilon^(2/3) = 4e-11.

@@ -40,14 +40,15 @@ inline std::vector<CellPart> cell_parts(FacetType type) {
 
 inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness = 1, double conductance = 1) {
   GridSurface surface;
-  std::map<std::pair<int, int>, int> numbers;  // of the nodes, by their place in half-cells
+  constexpr int places = 6;                    // per cell and direction: nodes lie at halves and thirds
+  std::map<std::pair<int, int>, int> numbers;  // of the nodes, by their place
   std::vector<Vector3d> positions;
   const auto node_at = [&](const Vector2d& half_cells) {
-    const std::pair<int, int> place(static_cast<int>(std::lround(half_cells[0])),
-                                    static_cast<int>(std::lround(half_cells[1])));
+    const Vector2d exact = half_cells * places / 2;
+    const std::pair<int, int> place(static_cast<int>(std::lround(exact[0])), static_cast<int>(std::lround(exact[1])));
     const auto [entry, added] = numbers.insert({place, static_cast<int>(numbers.size())});
     if (added) {
-      Vector2d share(place.first / (2.0 * grid.cells_x), place.second / (2.0 * grid.cells_y));
+      Vector2d share(place.first / (1.0 * places * grid.cells_x), place.second / (1.0 * places * grid.cells_y));
       if (!grid.faces_up) share[0] = 1 - share[0];  // a mirror image turns the normals round
       const Vector2d flat = grid.low + share.cwiseProduct(grid.high - grid.low);
       positions.emplace_back(flat[0], flat[1], grid.z);

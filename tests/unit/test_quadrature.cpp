@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(quadrilateral_rules_are_exact_to_their_degree_in_each_coord
 }
 
 BOOST_AUTO_TEST_CASE(triangle_rules_are_exact_to_their_total_degree) {
-  for (const FacetType type : {FacetType::tri3, FacetType::tri6}) {
+  for (const FacetType type : {FacetType::tri3, FacetType::tri6, FacetType::tri7}) {
     for (int order = 1; order <= max_quadrature_order; ++order) {
       const int degree = triangle_degree(order);
       for (int i = 0; i <= degree; ++i) {
@@ -127,6 +127,7 @@ BOOST_AUTO_TEST_CASE(default_orders_follow_the_degree_of_the_facet) {
   BOOST_TEST(default_quadrature_order(FacetType::tri3) == 2);
   BOOST_TEST(default_quadrature_order(FacetType::quad4) == 2);
   BOOST_TEST(default_quadrature_order(FacetType::tri6) == 3);
+  BOOST_TEST(default_quadrature_order(FacetType::tri7) == 3);
   BOOST_TEST(default_quadrature_order(FacetType::quad8) == 3);
   BOOST_TEST(default_quadrature_order(FacetType::quad9) == 3);
 }

@@ -34,20 +34,32 @@ std::optional<RayHit> hit_of(const GridSurface& surface, std::size_t index, cons
   return intersect(facet.type, facet_coordinates(facet, surface.position), ray.origin, ray.direction, ray.tolerance);
 }
 
-bool faces(const GridSurface& surface, std::size_t index, const Vector2d& eta, const Vector3d& direction) {
+Eigen::Matrix<double, 3, 2> tangents_at(const GridSurface& surface, std::size_t index, const Vector2d& eta) {
   const Facet& facet = surface.mesh.facets[index];
-  const Eigen::Matrix<double, 3, 2> tangents = facet_coordinates(facet, surface.position) *
-                                               shape_functions(facet.type, eta).gradient;
+  return facet_coordinates(facet, surface.position) * shape_functions(facet.type, eta).gradient;
+}
+
+bool faces(const GridSurface& surface, std::size_t index, const Vector2d& eta, const Vector3d& direction) {
+  const auto tangents = tangents_at(surface, index, eta);
   return tangents.col(0).cross(tangents.col(1)).dot(direction) < 0;
+}
+
+/// The length by which a hit is compared: its gap and how far outside its facet it lies.
+double length(const GridSurface& surface, std::size_t index, const RayHit& hit) {
+  const double outside = distance_outside(surface.mesh.facets[index].type, hit.eta);
+  return std::abs(hit.gap) + outside * tangents_at(surface, index, hit.eta).colwise().norm().maxCoeff();
 }
 
 /// What nearest_facing has to find, from a loop over all facets.
 std::optional<SurfaceHit> brute_force(const GridSurface& surface, const Ray& ray) {
   std::optional<SurfaceHit> best;
+  double shortest = 0;
   for (std::size_t f = 0; f < surface.mesh.facets.size(); ++f) {
     const std::optional<RayHit> hit = hit_of(surface, f, ray);
     if (!hit || std::abs(hit->gap) > ray.reach || !faces(surface, f, hit->eta, ray.direction)) continue;
-    if (!best || std::abs(hit->gap) < std::abs(best->gap)) best = SurfaceHit{static_cast<int>(f), hit->eta, hit->gap};
+    if (best && length(surface, f, *hit) >= shortest) continue;
+    best = SurfaceHit{static_cast<int>(f), hit->eta, hit->gap};
+    shortest = length(surface, f, *hit);
   }
   return best;
 }
@@ -168,6 +180,23 @@ BOOST_AUTO_TEST_CASE(of_facets_at_the_same_distance_the_first_counts) {
   GridSurface twice = plate();
   twice.mesh.facets.push_back(twice.mesh.facets[0]);
   BOOST_TEST(search(twice, upwards(0.3, 0.3, -1))->facet == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_gap_does_not_jump_where_facets_meet) {
+  // A ridge and a valley over x = 0.5 with slopes of 40 degrees: within the search tolerance of the edge a ray hits the
+  // continuation of one facet nearer than the other facet. The gap changes by no more than the slope times the way.
+  constexpr double way = 1e-4;
+  const double slope = std::tan(40.0 / 180.0 * std::acos(-1.0));
+  for (const double rise : {slope, -slope}) {
+    GridSurface surface = grid_surface({FacetType::quad4, 2, 1, {0, 0}, {1, 1}, 0, false}, 0);
+    surface.position.row(2) = rise * (surface.position.row(0).array() - 0.5).abs();
+    double last = search(surface, upwards(0.48, 0.4, -1))->gap;
+    for (double x = 0.48 + way; x < 0.52; x += way) {
+      const double gap = search(surface, upwards(x, 0.4, -1))->gap;
+      BOOST_TEST(std::abs(gap - last) <= (1 + tolerance) * slope * way);
+      last = gap;
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_without_facets_is_never_met) {
