@@ -54,9 +54,11 @@ ShapeFunctions tri6(const Vector2d& xi) {
   return shape;
 }
 
+/// Shape functions of tri6 at the centre of the triangle.
+double tri6_at_centre(Index node) { return (node < 3 ? -1.0 : 4.0) / 9.0; }
+
 ShapeFunctions tri7(const Vector2d& xi) {
-  // Those of tri6 less what they are worth at the centre (-1/9 at corners, 4/9 at mid-edges) times the bubble
-  // 27 L_0 L_1 L_2, which is 1 there.
+  // Those of tri6 less what they are worth at the centre times the bubble 27 L_0 L_1 L_2, which is 1 there.
   const ShapeFunctions area = tri3(xi);
   const ShapeFunctions edges = tri6(xi);
   const FacetVector& L = area.value;
@@ -66,9 +68,8 @@ ShapeFunctions tri7(const Vector2d& xi) {
                                               L[0] * L[1] * area.gradient.row(2));
   ShapeFunctions shape = sized(FacetType::tri7);
   for (Index a = 0; a < 6; ++a) {
-    const double at_centre = (a < 3 ? -1.0 : 4.0) / 9.0;
-    shape.value[a] = edges.value[a] - at_centre * bubble;
-    shape.gradient.row(a) = edges.gradient.row(a) - at_centre * bubble_gradient;
+    shape.value[a] = edges.value[a] - tri6_at_centre(a) * bubble;
+    shape.gradient.row(a) = edges.gradient.row(a) - tri6_at_centre(a) * bubble_gradient;
   }
   shape.value[6] = bubble;
   shape.gradient.row(6) = bubble_gradient;
@@ -122,6 +123,15 @@ FacetHessian tri6_hessian() {
     hessian.row(i) = 2 * product_hessian(area_gradient.row(i), area_gradient.row(i));
     hessian.row(3 + i) = 4 * product_hessian(area_gradient.row(i), area_gradient.row((i + 1) % 3));
   }
+  return hessian;
+}
+
+FacetHessian tri7_hessian(const Vector2d& xi) {
+  const Eigen::RowVector3d bubble = 27 * Eigen::RowVector3d(-2 * xi[1], -2 * xi[0], 1 - 2 * xi[0] - 2 * xi[1]);
+  FacetHessian hessian(7, 3);
+  hessian.topRows(6) = tri6_hessian();
+  for (Index a = 0; a < 6; ++a) hessian.row(a) -= tri6_at_centre(a) * bubble;
+  hessian.row(6) = bubble;
   return hessian;
 }
 
@@ -228,6 +238,8 @@ FacetHessian shape_hessian(FacetType type, const Vector2d& xi) {
       return FacetHessian::Zero(3, 3);
     case FacetType::tri6:
       return tri6_hessian();
+    case FacetType::tri7:
+      return tri7_hessian(xi);
     case FacetType::quad4:
       return quad4_hessian();
     case FacetType::quad8:
