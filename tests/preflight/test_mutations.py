@@ -7,6 +7,7 @@ import re
 
 import pytest
 
+from harness.conversion.convert import convert
 from harness.errors import ModelError
 from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
@@ -71,17 +72,18 @@ def noise(text, dice):
 KINDS = (drop_element, change_value, change_attribute, drop_attribute, rename_tag, cut_off, swap_lines, noise)
 
 
-def complaint(path):
-    """What `check` cannot read of a file; empty where it can."""
+def complaint(path, command):
+    """What a command says of a file that it cannot use; empty where it can."""
     try:
-        check(path)
+        command(path)
     except ModelError as error:
         return str(error)
     return ""
 
 
+@pytest.mark.parametrize("command", [check, convert])
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
-def test_mutated_files(tmp_path, kind):
+def test_mutated_files(tmp_path, kind, command):
     path = tmp_path / "model.feb"
     texts, complaints = bases(), []
     for number in range(FILES // len(KINDS)):
@@ -90,6 +92,6 @@ def test_mutated_files(tmp_path, kind):
         for _ in range(dice.choice((1, 1, 3))):
             changed = kind(changed, dice) or "x"
         path.write_text(changed, encoding="utf-8")
-        complaints.append(complaint(path))
+        complaints.append(complaint(path, command))
     assert any(complaints)
     assert all("model.feb" in said and len(said) < 1000 for said in complaints if said)

@@ -14,7 +14,9 @@ import pytest
 from typer.testing import CliRunner
 
 from harness.cli import app
+from harness.closed_forms.penalty_leak import relative_jump
 from harness.errors import ModelError
+from harness.models import composite
 from harness.models.blocks import Body, quadratic
 from harness.models.composite import Composite
 from harness.models.confined import Confined
@@ -27,7 +29,9 @@ from harness.paths import MODELS, REPOSITORY
 from harness.preflight import elements
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
+from harness.preflight.joint import Joint, solute
 from harness.preflight.model import read
+from harness.preflight.penalty import leak, penalty
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
 SOUND = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
@@ -124,6 +128,30 @@ def test_prisms_and_tetrahedra_leak_as_hexahedra_do(findings, kind, cells):
     found = findings(triangles(split(model.text(), kind, cells)))
     assert leaks(found) == leaks(findings(model)) != []
     assert not any(finding.severity is Severity.ERROR for finding in found)
+
+
+LAYERS = (composite.FIRST, composite.SECOND)
+
+
+def test_the_leak_of_unlike_layers_is_that_of_resistances_in_series(tmp_path):
+    resistances = [layer.thickness / (layer.porosity * layer.solubility * layer.diffusivity) for layer in LAYERS]
+    expected = relative_jump(resistances, 4e-4)
+    made = read(Composite(Join.MIXTURE, PAPER, elements=3).model().write(tmp_path))
+    joint = Joint(made, made.contacts[0])
+    assert leak(joint, solute(1), penalty(joint, solute(1)).value) == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_body_of_two_materials_leaks_as_its_layers_in_series(tmp_path):
+    """Two materials in the upper body: its two lower elements keep theirs, the two upper ones get that of the other."""
+    model = Composite(Join.MIXTURE, PAPER, elements=4).model()
+    lower, upper = model.mesh.parts
+    cut = (replace(upper, elements=upper.elements[:2]), replace(upper, name="lid", material=lower.material))
+    parts = (lower, cut[0], replace(cut[1], elements=upper.elements[2:]))
+    made = read(replace(model, mesh=replace(model.mesh, parts=parts)).write(tmp_path))
+    first, second = (layer.porosity * layer.solubility * layer.diffusivity for layer in LAYERS)
+    half = composite.SECOND.thickness / 2
+    joint = Joint(made, made.contacts[0])
+    assert joint.secondary.resistance(solute(1)) == pytest.approx(half / first + half / second, rel=1e-12)
 
 
 def test_quadratic_elements_leak_as_linear_ones_do(findings):

@@ -15,7 +15,7 @@ from harness.errors import ModelError
 from harness.preflight import document as documents
 from harness.preflight import model as models
 from harness.preflight.check import check
-from harness.preflight.finding import Severity
+from harness.preflight.finding import Finding, Severity
 from harness.preflight.model import Model
 
 NOT_OURS = {
@@ -59,9 +59,14 @@ def convert(path: Path) -> Converted:
     _refuse(path, list(refusals(model)))
     edits, changes = _edits(data, model)
     made = spans.apply(data, edits)
-    wrong = [finding for finding in check(path, made) if finding.severity is Severity.ERROR]
+    wrong = [finding for finding in check(path, made) if _forbids(finding)]
     _refuse(path, [f"{finding.place}: {finding.message}" for finding in wrong])
     return Converted(made, changes)
+
+
+def _forbids(finding: Finding) -> bool:
+    """Whether a converted model with this finding would not run: errors, and a symmetric matrix in an included file."""
+    return finding.severity is Severity.ERROR or finding.rule == "symmetric-solver"
 
 
 def _refuse(path: Path, reasons: list[str]) -> None:

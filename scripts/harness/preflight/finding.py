@@ -11,7 +11,7 @@ class Severity(str, Enum):
     """How bad a finding is."""
 
     ERROR = "error"
-    """The run will stop, or the contact will not act."""
+    """The run will stop, or the contact will not do what the file says."""
     WARNING = "warning"
     """The run may fail, or its answer is not what it seems."""
     NOTE = "note"

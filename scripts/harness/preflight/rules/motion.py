@@ -42,7 +42,7 @@ def rigid_modes(joint: Joint) -> Iterator[Finding]:
                 "rigid-motion",
                 side.surface.tag,
                 f"nothing holds the body of surface '{side.surface.name}' against motion {_and(touching)}; the contact "
-                "has no friction and does not hold it either, so the matrix is singular",
+                "has no friction and does not hold it either: the matrix is singular, and any load sends the body off",
                 "Add a boundary condition that holds it, or a weak spring.",
             )
         elif apart:
@@ -50,7 +50,7 @@ def rigid_modes(joint: Joint) -> Iterator[Finding]:
                 "rigid-motion",
                 side.surface.tag,
                 f"nothing holds the body of surface '{side.surface.name}' against motion {_and(free)} before it "
-                f"touches: {_distance(joint.smallest_gap)} at the start, so the matrix of the first step is singular",
+                f"touches: {_distance(joint.smallest_gap)} at the start, and the first load sends it off",
                 "Start with the bodies overlapping a little, as much as the load will press them together, or drive "
                 "the body by a prescribed displacement until it touches.",
             )

@@ -7,7 +7,7 @@ from harness.preflight.finding import Finding, Severity
 
 
 def error(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
-    """The run will stop, or the contact will not act."""
+    """The run will stop, or the contact will not do what the file says."""
     return Finding(Severity.ERROR, rule, place(tag), message, suggestion)
 
 

@@ -1,0 +1,25 @@
+"""What `check` says of a penalty is what a run shows: the jump in steady diffusion, by any interface."""
+
+from __future__ import annotations
+
+import pytest
+
+from harness import compare
+from harness.models.convection import UPSTREAM, Convection
+from harness.models.interface import PAPER, ContactSettings, Join, automatic
+from harness.models.parts import Control
+from harness.preflight.joint import Joint, solute
+from harness.preflight.model import read
+from harness.preflight.penalty import leak, penalty
+
+SETTINGS = {"the paper's": PAPER, "factor 1": automatic(1.0), "default": ContactSettings()}
+
+
+@pytest.mark.parametrize("kind", [Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC])
+@pytest.mark.parametrize("name", SETTINGS)
+def test_the_leak_is_the_jump(runner, tmp_path, kind, name):
+    model = Convection(0, kind, SETTINGS[name], elements=5, control=Control(20, 2000.0), name="leak").model()
+    looked = read(model.write(tmp_path))
+    joint = Joint(looked, looked.contacts[0])
+    predicted = leak(joint, solute(1), penalty(joint, solute(1)).value)
+    assert compare.jump(runner(model), "c1", "lower/upper") / UPSTREAM == pytest.approx(predicted, rel=2e-3)
