@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from harness.models import harmonic
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
@@ -84,3 +85,14 @@ def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, di
         expected = whole.nodes[name][:, place]
         difference = np.max(np.abs(cut.nodes[name] - expected)) / np.max(np.abs(expected))
         assert difference <= 1e-8, name
+
+
+@pytest.mark.parametrize(("nodes", "levels", "order"), [(8, (2, 4), 1.95), (20, (2, 3), 2.85)])
+def test_displacement_and_concentration_converge_with_the_order_of_the_elements(runner, nodes, levels, order):
+    settings = ContactSettings(integration="segments", laugon="AUGLAG", tolerance=1e-6)
+    coarse, fine = (
+        harmonic.errors(runner(harmonic.Harmonic(level, nodes, settings, name=f"harmonic-{nodes}-{level}").model()))
+        for level in levels
+    )
+    for name, error in coarse.items():
+        assert np.log(error / fine[name]) / np.log(levels[1] / levels[0]) >= order, name
