@@ -102,11 +102,6 @@ def test_solutes_are_numbered(converted):
     assert '<ambient_concentration sol="1">0</ambient_concentration>' in new
 
 
-def test_the_matrix_becomes_non_symmetric(converted):
-    old = text().replace(">non-symmetric<", ">symmetric<")
-    assert converted(old).data.decode("iso-8859-1").count(">non-symmetric<") == old.count(">symmetric<")
-
-
 def test_contacts_in_steps(converted):
     old = re.sub(
         r"<Contact>.*?</Contact>", r'<Step><step id="1" name="one">\g<0></step></Step>', text(), flags=re.DOTALL

@@ -224,10 +224,10 @@ FAULTS = {
         "no-material",
         "MeshDomains",
     ),
-    "symmetric solver": (
-        lambda: text_of(diffusion(), (">non-symmetric<", ">symmetric<")),
-        "symmetric-solver",
-        "non-symmetric",
+    "symmetric tangent": (
+        lambda: with_params(Param("symmetric_stiffness", 1)),
+        "symmetric-tangent",
+        "many more iterations",
     ),
     "rigid bodies": (
         lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
@@ -250,17 +250,8 @@ def on_shells():
     return surface.sub(rf"\g<1>{shared}\g<2>", text)
 
 
-def seven_nodes():
-    model = diffusion()
-    row = facets(model, "lower-top")[0]
-    facet = ",".join(str(node) for node in (*row[:3], *row[:3], row[3]))
-    surface = re.compile(r'(<Surface name="lower-top">\s*)<quad4 id="1">.*?</quad4>', re.DOTALL)
-    return surface.sub(rf'\g<1><tri7 id="1">{facet}</tri7>', model.text())
-
-
 FAULTS |= {
     "shells": (on_shells, "shell-facets", "shells"),
-    "facets of seven nodes": (seven_nodes, "facet-type", "tri7"),
 }
 
 

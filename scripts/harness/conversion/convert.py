@@ -15,7 +15,7 @@ from harness.errors import ModelError
 from harness.preflight import document as documents
 from harness.preflight import model as models
 from harness.preflight.check import check
-from harness.preflight.finding import Finding, Severity
+from harness.preflight.finding import Severity
 from harness.preflight.model import Model
 
 NOT_OURS = {
@@ -59,14 +59,9 @@ def convert(path: Path) -> Converted:
     _refuse(path, list(refusals(model)))
     edits, changes = _edits(data, model)
     made = spans.apply(data, edits)
-    wrong = [finding for finding in check(path, made) if _forbids(finding)]
+    wrong = [finding for finding in check(path, made) if finding.severity is Severity.ERROR]
     _refuse(path, [f"{finding.place}: {finding.message}" for finding in wrong])
     return Converted(made, changes)
-
-
-def _forbids(finding: Finding) -> bool:
-    """Whether a converted model with this finding would not run: errors, and a symmetric matrix in an included file."""
-    return finding.severity is Severity.ERROR or finding.rule == "symmetric-solver"
 
 
 def _refuse(path: Path, reasons: list[str]) -> None:
@@ -91,9 +86,6 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
             own.append(change)
             edits += edit
         changes[f'contact "{name}"'] = own
-    for edit, change in _solvers(data, root, model.module):
-        changes.setdefault("solver", []).append(change)
-        edits += edit
     for change in _output(root):
         changes.setdefault("output", []).append(change)
     return edits, changes
@@ -118,24 +110,6 @@ def _parameters(data: bytes, contact: Span, model: Model) -> Iterator[tuple[list
     for place, name in enumerate(names):
         change = Change(Action.MAPPED, name, contact.line, f"{DEFAULT}: {WRITTEN[name]}")
         yield spans.insertion(data, contact, lines) if place == 0 else [], change
-
-
-def _solvers(data: bytes, root: Span, module: str) -> Iterator[tuple[list[Edit], Change]]:
-    """Makes a symmetric matrix non-symmetric: the tangent of the contact is not symmetric."""
-    line = "<symmetric_stiffness>non-symmetric</symmetric_stiffness>"
-    why = "the tangent of sliding-mixture is not symmetric; the answer stays"
-    for control in [*root.all("Control"), *root.all("Step", "step", "Control")]:
-        solver = control.child("solver")
-        chosen = None if solver is None else solver.child("symmetric_stiffness")
-        given = "" if chosen is None else data[slice(*chosen.inner)].decode("latin-1").strip().lower()
-        if chosen is not None and given in ("1", "symmetric"):
-            change = Change(Action.MAPPED, "symmetric_stiffness", chosen.line, f"{given} becomes non-symmetric: {why}")
-            yield [spans.content(chosen, "non-symmetric")], change
-        elif chosen is None and module == "solid":
-            parent = control if solver is None else solver
-            made = f'<solver type="{module}">{line}</solver>' if solver is None else line
-            change = Change(Action.MAPPED, "symmetric_stiffness", parent.line, f"non-symmetric is written: {why}")
-            yield spans.insertion(data, parent, [made]), change
 
 
 def _output(root: Span) -> Iterator[Change]:

@@ -46,10 +46,6 @@ class Span:
             found = [child for parent in found for child in parent.children if child.tag == name]
         return iter(found)
 
-    def child(self, name: str) -> Span | None:
-        """The first child of a tag."""
-        return next(self.all(name), None)
-
     @property
     def closed_in_itself(self) -> bool:
         """Whether it is written ``<tag/>``."""
@@ -118,11 +114,6 @@ def attribute(data: bytes, span: Span, name: str, value: str) -> Edit:
     )
     assert found is not None  # the attribute is there
     return Edit(*found.span("value"), value.encode())
-
-
-def content(span: Span, value: str) -> Edit:
-    """Gives an element with a closing tag another text."""
-    return Edit(*span.inner, value.encode())
 
 
 def removal(data: bytes, span: Span) -> Edit:

@@ -61,7 +61,7 @@ SHAPES = {
 
 _WITH_RULE = re.compile(r"((?:HEX|TET|PENTA|QUAD|TRI)\d+)G\w+")
 
-FACETS = {"tri3": 3, "tri6": 6, "tri7": 7, "tri10": 10, "quad4": 4, "quad8": 8, "quad9": 9}
+FACETS = {"tri3": 3, "tri6": 6, "tri7": 7, "quad4": 4, "quad8": 8, "quad9": 9}
 """Number of nodes of FEBio's surface facets."""
 
 

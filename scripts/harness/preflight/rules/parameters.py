@@ -191,24 +191,16 @@ def ambient_solute(joint: Joint) -> Iterator[Finding]:
             )
 
 
-def symmetric_solver(joint: Joint) -> Iterator[Finding]:
-    """A symmetric matrix for a contact whose tangent is not symmetric."""
-    model = joint.model
-    for control in model.controls:
-        solver = control.find("solver")
-        chosen = None if solver is None else solver.find("symmetric_stiffness")
-        given = "" if chosen is None else text(chosen).lower()
-        symmetric = given in ("1", "symmetric") or (not given and model.module == "solid")
-        if not joint.contact.kind.is_mixture or not symmetric:
-            continue
-        tag = chosen if chosen is not None else solver if solver is not None else control
+def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
+    """A tangent that is made symmetric."""
+    tag = joint.contact.given("symmetric_stiffness")
+    if tag is not None and joint.contact.kind.is_mixture and joint.contact.on("symmetric_stiffness"):
         yield warning(
-            "symmetric-solver",
+            "symmetric-tangent",
             tag,
-            "the solver keeps a symmetric matrix"
-            + (", which is the default of the module 'solid'" if not given else "")
-            + "; the tangent of sliding-mixture is not symmetric, and Newton's method seldom survives",
-            "Write <symmetric_stiffness>non-symmetric</symmetric_stiffness> in the <solver>.",
+            "the tangent of this contact is not symmetric; with its symmetric part Newton's method takes many more "
+            "iterations, and may not converge where slopes or penalties are large",
+            "Delete <symmetric_stiffness>; the solver's matrix is then set to non-symmetric.",
         )
 
 
@@ -235,6 +227,6 @@ RULES = (
     material,
     not_exchanged,
     ambient_solute,
-    symmetric_solver,
+    symmetric_tangent,
     reformations,
 )

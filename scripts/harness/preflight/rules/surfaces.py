@@ -43,20 +43,6 @@ def shell_facets(joint: Joint) -> Iterator[Finding]:
             )
 
 
-def facet_type(joint: Joint) -> Iterator[Finding]:
-    """Facets that this plugin does not know."""
-    for side in joint.sides:
-        for tag, kind in zip(side.surface.facet_tags, side.surface.kinds, strict=True):
-            if joint.contact.kind.is_mixture and kind in ("tri7", "tri10"):
-                yield error(
-                    "facet-type",
-                    tag,
-                    f"surface '{side.surface.name}' has facets <{kind}>, which sliding-mixture does not know",
-                    "Use tet4 or tet10 elements (tri3, tri6), or hexahedra (quad4, quad8, quad9).",
-                )
-                break
-
-
 def empty_surface(joint: Joint) -> Iterator[Finding]:
     """Surfaces without facets."""
     for side in joint.sides:
@@ -254,7 +240,6 @@ RULES = (
     empty_surface,
     facet_of_no_element,
     shell_facets,
-    facet_type,
     flat_facet,
     inverted_facets,
     inner_facets,
