@@ -20,6 +20,7 @@ from harness import (
     gallery_command,
     hosts,
     indentation_command,
+    pages_command,
     preflight_command,
     results,
     validation,
@@ -38,6 +39,8 @@ _ABOUT = "Make, run and check models of contact between mixtures."
 app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
 app.command()(indentation_command.indentation)
 app.command("gallery")(gallery_command.gallery_command)
+app.command()(pages_command.pages)
+app.command("report")(pages_command.report_command)
 app.command("indentation-study")(indentation_command.indentation_study_command)
 app.command()(preflight_command.check)
 app.command()(preflight_command.convert)

@@ -68,15 +68,19 @@ def read(folder: Path) -> dict[str, Record]:
 
 def write(folder: Path, records: Mapping[str, Record]) -> list[Path]:
     """Write records and page into `folder`, in the order of the gallery."""
-    entries = [entry for entry in gallery.entries() if entry.model.name in records]
-    data = {entry.model.name: asdict(records[entry.model.name]) for entry in entries}
+    data = {entry.model.name: asdict(records[entry.model.name]) for entry in _recorded(records)}
     (folder / DATA).write_text(json.dumps(data, indent=1) + "\n")
-    (folder / PAGE).write_text(page(entries, records), encoding="utf-8")
+    (folder / PAGE).write_text(page(records), encoding="utf-8")
     return [folder / PAGE, folder / DATA]
 
 
-def page(entries: list[Entry], records: Mapping[str, Record]) -> str:
-    """The text of the page."""
+def _recorded(records: Mapping[str, Record]) -> list[Entry]:
+    return [entry for entry in gallery.entries() if entry.model.name in records]
+
+
+def page(records: Mapping[str, Record]) -> str:
+    """The text of the page, with those models that have a record."""
+    entries = _recorded(records)
     return "\n\n".join([_INTRODUCTION, _table(entries, records), *(_section(entry) for entry in entries)]) + "\n"
 
 

@@ -72,13 +72,13 @@ def _as_data(results: Results) -> dict[str, Any]:
     return {
         "format": FORMAT,
         "interface": results.interface,
-        "checks": {name: _measures(measures) for name, measures in results.checks.items()},
+        "checks": {name: measures_as_data(measures) for name, measures in results.checks.items()},
         "left_out": results.left_out,
         "profiles": [asdict(profile) for profile in results.profiles],
     }
 
 
-def _measures(measures: Sequence[Measure]) -> list[dict[str, Any]]:
+def measures_as_data(measures: Sequence[Measure]) -> list[dict[str, Any]]:
     """Measures as data. JSON has no infinity and no nan: such a lower bound is left out, such a value is null."""
     kept = []
     for measure in measures:
@@ -114,9 +114,14 @@ def read(path: Path) -> Results:
 
 
 def _from_data(data: dict[str, Any]) -> Results:
-    checks = {name: [_measure(entry) for entry in entries] for name, entries in data["checks"].items()}
+    checks = {name: measures_from_data(entries) for name, entries in data["checks"].items()}
     profiles = [Profile(**entry) for entry in data["profiles"]]
     return Results(data["interface"], checks, dict(data["left_out"]), profiles)
+
+
+def measures_from_data(entries: Sequence[dict[str, Any]]) -> list[Measure]:
+    """What `measures_as_data` made data of."""
+    return [_measure(entry) for entry in entries]
 
 
 def _measure(entry: dict[str, Any]) -> Measure:

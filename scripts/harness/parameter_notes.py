@@ -1,0 +1,236 @@
+"""What the code does not say of the contact's parameters: unit, effect, price, and what FEBio's interfaces do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Note:
+    """Of one parameter.
+
+    Attributes
+    ----------
+    effect : str
+        What it means and does.
+    price : str
+        What it costs, in time or robustness.
+    febio : str
+        What it is in FEBio's own interfaces.
+    unit : str
+        Empty: 0 or 1 for truth values, else none.
+    default : str
+        Empty: that of the code.
+    """
+
+    effect: str
+    price: str = "none"
+    febio: str = "same"
+    unit: str = ""
+    default: str = ""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Parameters that belong together: heading, a sentence on them, names in the order of the page."""
+
+    title: str
+    about: str
+    names: tuple[str, ...]
+
+
+AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_radius"}
+"""Parameters that are chosen by the contact where the model does not give them."""
+
+GROUPS = (
+    Group(
+        "Enforcement",
+        "How exactly overlap and jumps are closed; see [penalties](user-guide.md#penalties) and "
+        "[which enforcement](user-guide.md#which-enforcement).",
+        (
+            "laugon",
+            "penalty",
+            "pressure_penalty",
+            "concentration_penalty",
+            "auto_penalty",
+            "update_penalty",
+            "tolerance",
+            "traction_tolerance",
+            "solvent_tolerance",
+            "solute_tolerance",
+            "gaptol",
+            "ptol",
+            "ctol",
+            "minaug",
+            "maxaug",
+        ),
+    ),
+    Group(
+        "Bath",
+        "What wets the nodes that are not in contact; see [ambient conditions](user-guide.md#ambient-conditions).",
+        ("ambient_pressure", "ambient_concentration"),
+    ),
+    Group(
+        "Surfaces and integration",
+        "Which points see each other, and where (2.5) is integrated.",
+        (
+            "two_pass",
+            "integration",
+            "integration_order",
+            "search_radius",
+            "search_tol",
+            "seg_up",
+            "node_reloc",
+            "flip_primary",
+            "flip_secondary",
+        ),
+    ),
+    Group(
+        "Solution",
+        "What the solver gets.",
+        ("symmetric_stiffness",),
+    ),
+    Group(
+        "Accepted for the sake of old models",
+        "They belong to physics or devices that are not part of this contact. Each is an error or a notice, as said. FEBio "
+        "gives every contact two more, hidden parameters, `penalty_sf` and `max_penalty_sf`. They have no effect here; a "
+        "notice says so.",
+        (
+            "fric_coeff",
+            "contact_frac",
+            "offset",
+            "tension",
+            "shell_bottom_primary",
+            "shell_bottom_secondary",
+            "knmult",
+            "smooth_aug",
+            "smooth_fls",
+        ),
+    ),
+)
+
+NOTES = {
+    "laugon": Note(
+        "Enforcement: `PENALTY` or `AUGLAG` (0 or 1). `AUGLAG` drives gaps and jumps to their tolerances.",
+        "each augmentation costs at least one iteration",
+    ),
+    "tolerance": Note(
+        "`AUGLAG`: relative gap or jump of every field: rms gap or jump over the drop across the adjoining elements. "
+        "0: no such criterion.",
+        "smaller: more augmentations",
+        "default 0.1, on the change of the multipliers and on jumps that depend on units",
+    ),
+    "traction_tolerance": Note("The same for the gap alone.", "as `tolerance`", "not there", default="`tolerance`"),
+    "solvent_tolerance": Note(
+        "The same for the pressure jump alone.", "as `tolerance`", "not there", default="`tolerance`"
+    ),
+    "solute_tolerance": Note(
+        "The same for the jumps of all solutes.", "as `tolerance`", "not there", default="`tolerance`"
+    ),
+    "gaptol": Note(
+        "`AUGLAG`: largest gap or overlap of a node in contact. 0: none.",
+        "smaller: more augmentations",
+        "same; at integration points",
+        "mm",
+    ),
+    "ptol": Note(
+        "`AUGLAG`: largest jump of effective pressure. 0: none.",
+        "smaller: more augmentations",
+        "same; at integration points",
+        "MPa",
+    ),
+    "ctol": Note(
+        "`AUGLAG`: largest jump of effective concentration, each solute. 0: none.",
+        "smaller: more augmentations",
+        "same; at integration points",
+        "mM",
+    ),
+    "penalty": Note(
+        "Penalty of the traction. The overlap is traction/penalty.",
+        "very stiff: more iterations where the edge of contact moves; soft: overlap",
+        "default: the value 1",
+        "N/mm³, or -",
+    ),
+    "pressure_penalty": Note(
+        "Penalty of the solvent flux, a conductance. The jump of effective pressure is flux/penalty.",
+        "only rounding limits it; small: the contact is a membrane",
+        "default: the value 1",
+        "mm³/(N s), or -",
+    ),
+    "concentration_penalty": Note(
+        "Penalty of all solute fluxes, a conductance. The jump of effective concentration is flux/penalty.",
+        "only rounding limits it; small: the contact is a membrane",
+        "default: the value 1",
+        "mm/s, or -",
+    ),
+    "auto_penalty": Note(
+        "Whether given penalties are factors on the local stiffness and conductance.",
+        febio="same; a penalty that is not given is automatic here even with 0",
+    ),
+    "update_penalty": Note(
+        "Whether stiffness and conductance are read again at each time step, with the present convection.",
+        "a sweep over the facets in each step",
+    ),
+    "two_pass": Note(
+        "Integrate over both surfaces.",
+        "about twice the cost of the contact; less robust at first touch of curved surfaces",
+    ),
+    "symmetric_stiffness": Note(
+        "Hand out a symmetric tangent, for symmetric solvers.",
+        "many more iterations, and no convergence where slopes or penalties are large",
+        "default 1",
+    ),
+    "integration": Note(
+        "`gauss`: at Gauss points of the primary facets. `segments`: on the pieces into which the facets of both sides "
+        "cut each other, see [which](user-guide.md#gauss-points-or-segments) (0 or 1).",
+        "`segments`: more points, and their motion in the tangent",
+        "Gauss points",
+    ),
+    "integration_order": Note(
+        "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments`: order of "
+        "the rule on each triangle, 0: 2 between linear triangles, else 3.",
+        "the contact's own work grows with its square",
+        "not there",
+    ),
+    "search_tol": Note(
+        "How far outside a facet the projection of a Gauss point still counts, in parametric coordinates. No effect "
+        "with `segments`, which end where facets end."
+    ),
+    "search_radius": Note(
+        "Largest gap or overlap at which facets see each other. Automatic: half the diagonal of the box around the "
+        "smaller surface.",
+        "larger than a body's thickness: points may see its far side",
+        "default 1; in `sliding-biphasic-solute` partly a multiple of the model's size",
+        "mm",
+    ),
+    "seg_up": Note(
+        "After this many iterations of a step points keep to the facet they see. 0: always search.",
+        "less exact where points slide far within a step",
+    ),
+    "node_reloc": Note(
+        "At the start, move primary nodes that overlap the secondary surface onto it, in the undeformed mesh too.",
+        "changes the geometry",
+    ),
+    "minaug": Note("Least number of augmentations.", "at least one iteration each"),
+    "maxaug": Note(
+        "Largest number of augmentations; then the step is accepted with a warning.",
+        febio="same; there without a warning",
+    ),
+    "ambient_pressure": Note("Effective pressure of the bath; may have a load curve.", unit="MPa"),
+    "ambient_concentration": Note(
+        "Effective concentration of the bath, per solute; may have a load curve.",
+        febio="same, both spellings",
+        unit="mM",
+    ),
+    "flip_primary": Note("Turn the primary surface inside out."),
+    "flip_secondary": Note("Turn the secondary surface inside out."),
+    "fric_coeff": Note("No friction yet: other values are an error.", febio="friction"),
+    "contact_frac": Note("No effect, with a notice.", febio="used with friction"),
+    "offset": Note("Not supported: other values are an error.", febio="`sliding-elastic`", unit="mm"),
+    "tension": Note("Not supported: 1 is an error.", febio="`sliding-elastic`"),
+    "shell_bottom_primary": Note("Not supported: 1 is an error.", febio="shells"),
+    "shell_bottom_secondary": Note("Not supported: 1 is an error.", febio="shells"),
+    "knmult": Note("No effect, with a notice: the linearisation is complete.", febio="factor on a part of the tangent"),
+    "smooth_aug": Note("No effect, with a notice.", febio="smoothed augmentation"),
+    "smooth_fls": Note("No effect, with a notice.", febio="smoothed fluid load support"),
+}

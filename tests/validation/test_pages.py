@@ -1,0 +1,67 @@
+"""The generated pages are what their sources say. Needs neither FEBio nor a build."""
+
+from __future__ import annotations
+
+import pytest
+
+from harness import pages_command, parameters, report
+from harness.checks import CHECKS
+from harness.errors import DataFileError
+from harness.paths import DOCS
+
+
+@pytest.mark.parametrize("name", pages_command.PAGES)
+def test_a_generated_page_is_up_to_date(name):
+    """Where this fails: `scripts/mixcontact pages`."""
+    assert (DOCS / name).read_text(encoding="utf-8") == pages_command.PAGES[name]()
+
+
+def altered(tmp_path, monkeypatch, old: str, new: str) -> None:
+    """Parameters are registered as in the code, but for one replacement."""
+    text = parameters.REGISTRATION.read_text(encoding="utf-8")
+    assert old in text
+    changed = tmp_path / parameters.REGISTRATION.name
+    changed.write_text(text.replace(old, new), encoding="utf-8")
+    monkeypatch.setattr(parameters, "REGISTRATION", changed)
+
+
+def test_a_parameter_without_a_note_is_named(tmp_path, monkeypatch):
+    line = '  ADD_PARAMETER(parameters_.gaptol, "gaptol")'
+    altered(tmp_path, monkeypatch, line, f'  ADD_PARAMETER(parameters_.gaptol, "gap_limit");\n{line}')
+    with pytest.raises(DataFileError, match="do not agree on gap_limit"):
+        parameters.page()
+
+
+def test_a_note_without_a_parameter_is_named(tmp_path, monkeypatch):
+    altered(tmp_path, monkeypatch, '"gaptol"', '"ptol"')
+    with pytest.raises(DataFileError, match="do not agree on gaptol"):
+        parameters.page()
+
+
+def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
+    altered(tmp_path, monkeypatch, 'ADD_PARAMETER(parameters_.gaptol, "gaptol")', "ADD_PARAMETER(gaptol(), name)")
+    with pytest.raises(DataFileError, match="is not of the form ADD_PARAMETER"):
+        parameters.page()
+
+
+def test_defaults_come_from_the_code(tmp_path, monkeypatch):
+    text = parameters.DECLARATION.read_text(encoding="utf-8")
+    changed = tmp_path / parameters.DECLARATION.name
+    changed.write_text(text.replace("int maxaug = 10;", "int maxaug = 20;"), encoding="utf-8")
+    assert "| `maxaug` | - | 10 |" in parameters.page()
+    monkeypatch.setattr(parameters, "DECLARATION", changed)
+    assert "| `maxaug` | - | 20 |" in parameters.page()
+
+
+def test_the_report_has_every_check_and_each_figure_meets_its_bar():
+    made = report.read(DOCS)
+    assert [section.name for section in made.sections] == [check.name for check in CHECKS]
+    assert [m.name for section in made.sections for m in section.measures if not m.passed] == []
+    for section in made.sections:
+        assert section.runs or section.name == "closed-forms"
+
+
+def test_a_report_is_read_as_it_was_written(tmp_path):
+    made = report.read(DOCS)
+    report.write(tmp_path, made)
+    assert report.read(tmp_path) == made
