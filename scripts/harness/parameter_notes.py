@@ -92,9 +92,9 @@ GROUPS = (
     ),
     Group(
         "Accepted for the sake of old models",
-        "They belong to physics or devices that are not part of this contact. Each is an error or a notice, as said. FEBio "
-        "gives every contact two more, hidden parameters, `penalty_sf` and `max_penalty_sf`. They have no effect here; a "
-        "notice says so.",
+        "They belong to physics or devices that are not part of this contact. Each is an error or a notice, as said. "
+        "FEBio gives every contact two more, hidden parameters, `penalty_sf` and `max_penalty_sf`. They have no effect "
+        "here; a notice says so.",
         (
             "fric_coeff",
             "contact_frac",

@@ -1,7 +1,7 @@
 """Every command in README.md and docs/ is executed: as it stands, or in a small version that is stated here.
 
-A command stands in a block marked `console`. Each block runs in a folder of its own, in which `scripts` is found, and
-what else a reader in the checkout would name is filled in.
+A command stands in a block marked `console`. The blocks of a page run one after the other in a folder in which
+`scripts` and `models` are found, and what else a reader in the checkout would name is filled in.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from harness.paths import DOCS, REPOSITORY, plugin_library
 
 PAGES = [REPOSITORY / "README.md", *sorted(DOCS.glob("*.md"))]
 BLOCK = re.compile(r"^( *)```(\w*)\n(.*?)^\1```$", re.MULTILINE | re.DOTALL)
+VENV = REPOSITORY / ".venv" / "bin"
 PROGRAMS = ("scripts/mixcontact", "febio4", "cmake", "cpack", "ctest", "export", "git", "sed", ".ci/run")
 
 SMALL = {
@@ -47,18 +48,18 @@ SMALL = {
 PLACES = {
     "/path/to/prefix": "{scratch}/prefix",
     "/path/to/febio": "{febio}",
-    "path/to/your/model.feb": "{scratch}/model.feb",
+    "path/to/your/model.feb": "{scratch}/old.feb",
+    "path/to/your/model-mixture.feb": "{scratch}/old-mixture.feb",
     "build/lib/libFEBioMixtureContact.so": "{plugin}",
     "--install build ": "--install {build} ",
 }
 """What a reader fills in, or finds in the checkout."""
 
 
-def blocks() -> list[tuple[str, str]]:
-    """Page and commands of every block."""
+def blocks(page: Path) -> list[str]:
+    """The commands of each block of a page."""
     return [
-        (page.name, re.sub(rf"^{indent}", "", body, flags=re.MULTILINE))
-        for page in PAGES
+        re.sub(rf"^{indent}", "", body, flags=re.MULTILINE)
         for indent, language, body in BLOCK.findall(page.read_text(encoding="utf-8"))
         if language == "console"
     ]
@@ -78,31 +79,27 @@ def small(line: str) -> str:
 
 @pytest.fixture
 def scratch(runner, tmp_path) -> Path:
-    """A folder like a checkout, with a small model of one's own."""
-    if not (REPOSITORY / ".venv").is_dir():
+    """A folder like a checkout, with small models of one's own: before and after the switch."""
+    if not VENV.is_dir():
         pytest.skip("needs what `scripts/mixcontact` sets up")
-    (tmp_path / "scripts").symlink_to(REPOSITORY / "scripts")
-    Diffusion(Join.MIXTURE, elements=3, control=Control(3, 200.0), plot=True, name="model").model().write(tmp_path)
+    for name in ("scripts", "models"):
+        (tmp_path / name).symlink_to(REPOSITORY / name)
+    for name, join in (("model", Join.MIXTURE), ("old", Join.SOLUTE)):
+        Diffusion(join, elements=3, control=Control(3, 200.0), plot=True, name=name).model().write(tmp_path)
     return tmp_path
 
 
 @pytest.mark.mixture_only
-@pytest.mark.parametrize(("page", "commands"), sorted(set(blocks())), ids=lambda text: text.splitlines()[0][:60])
-def test_a_block_of_commands_runs(scratch, page, commands):
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: page.name)
+def test_the_commands_of_a_page_run(scratch, page):
     plugin, febio = plugin_library().resolve(), engine.find_engine()
-    places = {"root": REPOSITORY, "build": plugin.parents[1], "plugin": plugin, "scratch": scratch}
-    lines = [small(line).format(**places, febio=febio.parents[1]) for line in commands.splitlines()]
-    path = os.pathsep.join([str(REPOSITORY / ".venv" / "bin"), str(febio.parent), os.environ["PATH"]])
-    done = subprocess.run(
-        ["bash", "-e", "-c", "\n".join(lines)],
-        cwd=scratch,
-        env={**os.environ, "PATH": path},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=300,
-    )
-    assert done.returncode == 0, "\n".join([*lines, done.stdout[-2000:], done.stderr[-2000:]])
+    places = {"root": REPOSITORY, "build": plugin.parents[1], "plugin": plugin, "febio": febio.parents[1]}
+    environment = {**os.environ, "PATH": os.pathsep.join([str(VENV), str(febio.parent), os.environ["PATH"]])}
+    scripts = ["\n".join(small(line) for line in block.splitlines()) for block in blocks(page)]
+    for script in dict.fromkeys(scripts):
+        command = ["bash", "-e", "-c", script.format(**places, scratch=scratch)]
+        done = subprocess.run(command, cwd=scratch, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, "\n".join([command[-1], done.stdout[-2000:], done.stderr[-2000:]])
 
 
 def test_no_command_stands_outside_of_a_marked_block():
@@ -115,5 +112,5 @@ def test_no_command_stands_outside_of_a_marked_block():
 
 
 def test_every_small_version_is_of_a_command_that_is_there():
-    lines = {line for _, commands in blocks() for line in commands.splitlines()}
+    lines = {line for page in PAGES for block in blocks(page) for line in block.splitlines()}
     assert set(SMALL) <= lines
