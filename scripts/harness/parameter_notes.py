@@ -187,8 +187,8 @@ NOTES = {
         "Gauss points",
     ),
     "integration_order": Note(
-        "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments`: order of "
-        "the rule on each triangle, 0: 2 between linear triangles, else 3.",
+        "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the same "
+        "on each piece.",
         "the contact's own work grows with its square",
         "not there",
     ),
