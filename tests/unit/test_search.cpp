@@ -10,7 +10,6 @@ using namespace test;
 
 namespace {
 
-constexpr double box_margin = 0.1;
 constexpr double tolerance = 0.01;
 
 /// A surface of 6 x 5 cells on a rectangle of 3 x 2, whose nodes are displaced by up to a seventh of a cell.
