@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-import tarfile
 from pathlib import Path
 
 import pytest
@@ -80,8 +79,7 @@ def test_the_archive_is_named_by_plugin_and_sdk(archive):
 
 
 def test_a_model_runs_with_the_plugin_of_the_archive(archive, tmp_path):
-    with tarfile.open(archive) as packed:
-        packed.extractall(tmp_path, filter="data")
+    shutil.unpack_archive(archive, tmp_path)
     (library,) = tmp_path.rglob(PLUGIN_NAME)
     assert engine.run(small_model(tmp_path), plugin=library).report.steps == 3
     (configuration,) = tmp_path.rglob("febio.xml")
