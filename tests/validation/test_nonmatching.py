@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness.models import harmonic
+from harness.models import harmonic, ironing
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
@@ -96,3 +96,9 @@ def test_displacement_and_concentration_converge_with_the_order_of_the_elements(
     )
     for name, error in coarse.items():
         assert np.log(error / fine[name]) / np.log(levels[1] / levels[0]) >= order, name
+
+
+def test_the_reaction_hardly_ripples_as_an_indenter_slides_over_ten_facets(runner):
+    outcome = runner(ironing.Ironing(ContactSettings(integration="segments")).model())
+    assert outcome.report.retries == 0
+    assert ironing.ripple(outcome) <= 1e-3  # measured 4.8e-4
