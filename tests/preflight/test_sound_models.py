@@ -29,7 +29,7 @@ from harness.paths import MODELS, REPOSITORY
 from harness.preflight import elements
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
-from harness.preflight.joint import Joint, solute
+from harness.preflight.joint import TRACTION, Joint, solute
 from harness.preflight.model import read
 from harness.preflight.penalty import leak, penalty
 
@@ -232,6 +232,14 @@ def test_a_joint_with_a_rigid_bone(findings):
     found = findings(joint("", 0.5))
     assert [finding.rule for finding in found] == ["rigid-motion"]
     assert "along z before it touches" in found[0].message
+
+
+def test_the_depth_is_that_of_the_cartilage_and_not_of_the_bone(tmp_path):
+    path = tmp_path / "model.feb"
+    path.write_text(joint(DRIVE, 0.5))
+    made = read(path)
+    modulus = 6.0  # of 6 (c1 + c2)
+    assert Joint(made, made.contacts[0]).primary.resistance(TRACTION) == pytest.approx(1.0 / modulus, rel=1e-12)
 
 
 def test_files_in_pieces(tmp_path):

@@ -131,43 +131,46 @@ class Side:
             return np.asarray(values / self.thickness)
 
     def resistance(self, field: Field) -> float:
-        """L/G of the body: its depth behind the surface over its mean property; NaN where a property is no number."""
-        return self.depth * self._mean_resistivity(field) if self.kinds else math.nan
+        """L/G of the part of the body that has the field: its depth behind the surface times the mean of 1/G over its
+        volume. 0 for a rigid side; NaN where a property is no number.
+        """
+        if not self.kinds:
+            return math.nan
+        if all(math.isinf(field.property_of(material)) for material in self.kinds):
+            return 0.0
+        own = self._elements_with(field)
+        return self._depth(own) * self._mean_resistivity(field, own)
 
-    @cached_property
-    def depth(self) -> float:
-        """Median depth of the body along the inward normal; the thickness of the elements where no ray leaves it."""
+    def _elements_with(self, field: Field) -> NDArray[np.bool_]:
+        """Volume elements of the surface's bodies whose property is neither zero nor infinite, shape (n_elements,)."""
+        faces, bodies = self.model.mesh.faces, self.model.mesh.bodies
+        chosen = [k for k, m in enumerate(self.model.block_materials) if m is None or _limited(field.property_of(m))]
+        own = np.zeros(len(faces.volume), dtype=bool)
+        own[faces.element] = np.isin(bodies[faces.corners[:, 0]], list(self.bodies))
+        return np.asarray(own & np.isin(faces.block, chosen))
+
+    def _depth(self, own: NDArray[np.bool_]) -> float:
+        """Median depth of these elements along the inward normal; their thickness where no ray leaves them."""
         faces = self.model.mesh.faces
-        outer = faces.outer(self._own_elements)
+        targets = rays.triangles(self.model.mesh.points[faces.corners[faces.outer(own)]])
         step = max(1, len(self.centres) // MOST_DEPTHS)
         pick = np.flatnonzero(self.found)[::step]
-        targets = rays.triangles(self.model.mesh.points[faces.corners[outer]])
         inward = np.where(self.inverted[pick, None], 1.0, -1.0) * self.normals[pick]
         hits = rays.first_exit(self.centres[pick], inward, targets, 0.01 * self.thickness[pick])
         known = hits.distance[np.isfinite(hits.distance)]
         return float(np.median(known)) if len(known) else float(np.nanmedian(self.thickness))
 
-    @cached_property
-    def _own_elements(self) -> NDArray[np.bool_]:
-        """Volume elements of the surface's bodies, shape (n_elements,)."""
-        faces, bodies = self.model.mesh.faces, self.model.mesh.bodies
-        own = np.zeros(len(faces.volume), dtype=bool)
-        own[faces.element] = np.isin(bodies[faces.corners[:, 0]], list(self.bodies))
-        return own
-
-    def _mean_resistivity(self, field: Field) -> float:
-        """Mean of 1/G over the volume of the body; parts without the field do not count."""
+    def _mean_resistivity(self, field: Field, own: NDArray[np.bool_]) -> float:
+        """Mean of 1/G over the volume of these elements."""
         faces, known = self.model.mesh.faces, self.model.block_materials
-        total = weight = 0.0
-        for block in np.unique(faces.block[self._own_elements]):
-            material = known[int(block)]
-            value = math.nan if material is None else field.property_of(material)
-            if value == 0.0:
-                continue
-            volume = float(np.abs(faces.volume[self._own_elements & (faces.block == block)]).sum())
-            total += volume / value
-            weight += volume
-        return total / weight if weight else math.nan
+        values = np.array([math.nan if material is None else field.property_of(material) for material in known])
+        volumes = np.abs(faces.volume[own])
+        return float((volumes / values[faces.block[own]]).sum() / volumes.sum()) if own.any() else math.nan
+
+
+def _limited(value: float) -> bool:
+    """Whether a property is neither zero nor infinite; one that is no number may be anything."""
+    return math.isnan(value) or 0.0 < value < math.inf
 
 
 @dataclass(frozen=True)
