@@ -25,6 +25,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.indentation import Variant
 from harness.models.interface import PAPER, Join
 from harness.models.layers import Layers
+from harness.models.mesh import Section
 from harness.paths import MODELS, REPOSITORY
 from harness.preflight import elements
 from harness.preflight.check import check
@@ -232,6 +233,20 @@ def test_a_joint_with_a_rigid_bone(findings):
     found = findings(joint("", 0.5))
     assert [finding.rule for finding in found] == ["rigid-motion"]
     assert "along z before it touches" in found[0].message
+
+
+def test_a_tip_that_touches_is_in_contact(findings):
+    """A body under a load alone whose lowest corner overlaps, while the middles of its facets are apart."""
+    model = Confined(Join.MIXTURE, elements=2, section=Section((1.0, 1.0), (2, 2))).model()
+    points = model.mesh.nodes.copy()
+    upper = np.unique(model.mesh.parts[1].elements) - 1
+    points[upper, 2] += 0.05 * np.hypot(points[upper, 0] - 0.5, points[upper, 1] - 0.5)
+    text = replace(model, mesh=replace(model.mesh, nodes=points)).text()
+    assert "rigid-motion" not in {finding.rule for finding in findings(text)}
+    points[upper, 2] += 1e-3
+    assert "rigid-motion" in {
+        finding.rule for finding in findings(replace(model, mesh=replace(model.mesh, nodes=points)))
+    }
 
 
 def test_the_depth_is_that_of_the_cartilage_and_not_of_the_bone(tmp_path):

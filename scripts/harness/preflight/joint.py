@@ -16,8 +16,11 @@ from harness.preflight.model import Contact, Model
 
 Array = NDArray[np.float64]
 Ids = NDArray[np.int64]
-MOST_FACETS = 1000
-"""So many facets of a surface are looked at for gaps; of larger surfaces every n-th."""
+MOST_FACETS, LEAST_FACETS, MOST_PAIRS = 1000, 100, 10_000_000
+"""So many facets of a surface are looked at for gaps; fewer where the other surface has many. Of larger surfaces every
+n-th is."""
+NEAREST = 20
+"""So many facets are looked at closely."""
 MOST_DEPTHS = 40
 """So many facets are looked at for the depth of the body behind them."""
 DEFAULT_RADIUS = 1.0
@@ -243,25 +246,23 @@ class Joint:
         return tuple(found)
 
     @cached_property
-    def gaps(self) -> rays.Hits:
-        """Gap of facets of the primary surface (`gap_facets`) along their normals, negative where they overlap."""
-        pick = self.gap_facets
-        targets = rays.triangles(self.secondary.corners)
-        return rays.nearest_facing(self.primary.centres[pick], self.primary.normals[pick], targets)
-
-    @cached_property
-    def gap_facets(self) -> Ids:
-        """The facets that `gaps` is about."""
-        step = -(-len(self.primary.centres) // MOST_FACETS)
-        return np.arange(0, len(self.primary.centres), max(1, step))
+    def gaps(self) -> Array:
+        """Gaps of facets of the primary surface along their normals, negative where they overlap; NaN where a facet
+        sees nothing. At the centres of facets, and at the corners of the nearest ones."""
+        side, targets = self.primary, rays.triangles(self.secondary.corners)
+        pick = sample(len(side.centres), len(targets))
+        centres = rays.nearest_facing(side.centres[pick], side.normals[pick], targets).distance
+        near = pick[np.argsort(np.where(np.isnan(centres), np.inf, centres))[:NEAREST]]
+        normals = side.normals[near].repeat(4, axis=0)
+        corners = rays.nearest_facing(side.corners[near].reshape(-1, 3), normals, targets).distance
+        return np.concatenate([centres, corners])
 
     @cached_property
     def smallest_gap(self) -> float:
         """Smallest gap, negative for overlap; NaN where no facet sees the other side. Overlaps beyond the search radius
         are what lies behind a body, and do not count.
         """
-        known = self.gaps.distance[np.isfinite(self.gaps.distance)]
-        known = known[known >= -self.search_radius]
+        known = self.gaps[self.gaps >= -self.search_radius]
         return float(known.min()) if len(known) else math.nan
 
     @cached_property
@@ -281,6 +282,12 @@ class Joint:
         """Median thickness of the deformable elements at the contact, mm."""
         values = np.concatenate([side.thickness for side in self.sides if not side.rigid] or [self.primary.thickness])
         return float(np.nanmedian(values)) if np.isfinite(values).any() else math.nan
+
+
+def sample(count: int, targets: int) -> Ids:
+    """Which of `count` facets to look at, when each is compared with so many targets."""
+    most = min(MOST_FACETS, max(LEAST_FACETS, MOST_PAIRS // max(1, targets)))
+    return np.arange(0, count, max(1, -(-count // most)), dtype=np.int64)
 
 
 def _diagonal(side: Side) -> float:

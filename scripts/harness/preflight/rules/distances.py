@@ -19,7 +19,7 @@ COARSER = 3.0
 
 def search_radius(joint: Joint) -> Iterator[Finding]:
     """Surfaces farther apart, or overlapping by more, than contact is looked for."""
-    known = joint.gaps.distance[np.isfinite(joint.gaps.distance)]
+    known = joint.gaps[np.isfinite(joint.gaps)]
     radius = joint.search_radius
     if not len(known) or (np.abs(known) <= radius).any():
         return

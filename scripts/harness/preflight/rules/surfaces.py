@@ -11,7 +11,7 @@ from scipy.sparse.csgraph import connected_components
 
 from harness.preflight import rays
 from harness.preflight.finding import Finding
-from harness.preflight.joint import MOST_FACETS, Joint, Side
+from harness.preflight.joint import Joint, Side, sample
 from harness.preflight.rules.tools import error, warning
 
 SHARP = np.cos(np.radians(60.0))
@@ -145,7 +145,7 @@ def facing(joint: Joint) -> Iterator[Finding]:
     """Surfaces that do not face each other anywhere."""
     if not all(len(side.surface.corners) for side in joint.sides) or any(side.inverted.any() for side in joint.sides):
         return
-    if _sees(joint.primary, joint.secondary).any() or _sees(joint.secondary, joint.primary).any():
+    if any(_sees(side, other)[1].any() for side, other in (joint.sides, joint.sides[::-1])):
         return
     pair = joint.contact.pair
     one, two = (side.areas.sum(axis=0) for side in joint.sides)
@@ -163,11 +163,10 @@ def facing(joint: Joint) -> Iterator[Finding]:
 def side_faces(joint: Joint) -> Iterator[Finding]:
     """Faces of a body beyond a sharp edge that never look at the other body."""
     for side, other in (joint.sides, joint.sides[::-1]):
-        if not len(side.surface.corners) or not len(other.surface.corners) or len(side.area) > 50 * MOST_FACETS:
+        if not len(side.surface.corners) or not len(other.surface.corners):
             continue
         patches = _patches(side)
-        seen = _sees(side, other)
-        counted = _looked_at(side)
+        counted, seen = _sees(side, other)
         share = [float(seen[patches[counted] == patch].mean()) for patch in np.unique(patches[counted])]
         blind = [k for k, part in enumerate(share) if part < 0.1]
         if blind and max(share) > 0.5:
@@ -185,17 +184,12 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
 # ---- geometry ----
 
 
-def _looked_at(side: Side) -> NDArray[np.int64]:
-    """The facets that rays start from."""
-    count = len(side.centres)
-    return np.arange(0, count, max(1, -(-count // MOST_FACETS)))
-
-
-def _sees(side: Side, other: Side) -> NDArray[np.bool_]:
-    """Which facets of `_looked_at` have a facet of the other side in front of them, or behind where they overlap."""
-    pick = _looked_at(side)
-    hits = rays.nearest_facing(side.centres[pick], side.normals[pick], rays.triangles(other.corners))
-    return np.asarray(hits.triangle >= 0)
+def _sees(side: Side, other: Side) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+    """Some facets of a side, and which of them have a facet of the other side in front, or behind in overlap."""
+    targets = rays.triangles(other.corners)
+    pick = sample(len(side.centres), len(targets))
+    hits = rays.nearest_facing(side.centres[pick], side.normals[pick], targets)
+    return pick, np.asarray(hits.triangle >= 0)
 
 
 def _patches(side: Side) -> NDArray[np.int64]:
