@@ -248,7 +248,8 @@ class Joint:
     @cached_property
     def gaps(self) -> Array:
         """Gaps of facets of the primary surface along their normals, negative where they overlap; NaN where a facet
-        sees nothing. At the centres of facets, and at the corners of the nearest ones."""
+        sees nothing. At the centres of facets, and at the corners of the nearest ones.
+        """
         side, targets = self.primary, rays.triangles(self.secondary.corners)
         pick = sample(len(side.centres), len(targets))
         centres = rays.nearest_facing(side.centres[pick], side.normals[pick], targets).distance
