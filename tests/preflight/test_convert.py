@@ -11,10 +11,11 @@ from harness.contact_types import CONVERTIBLE, TYPES
 from harness.conversion.convert import convert
 from harness.conversion.parameters import DROPPED, Action
 from harness.errors import ModelError
+from harness.models.bath import Apart
 from harness.models.confined import Confined
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
-from harness.models.parts import Param
+from harness.models.parts import Param, concentration, pressure
 from harness.paths import REPOSITORY
 from harness.preflight.rules.parameters import CHOICES
 
@@ -109,6 +110,12 @@ def test_contacts_in_steps(converted):
     assert b'type="sliding-mixture"' in converted(old).data
 
 
+def test_nodes_held_at_the_value_of_the_bath_are_spoken_of(converted):
+    made = converted(Apart(Join.SOLUTE, held=(pressure("lower-top", -1e-3, 1),)).model().text())
+    assert [change.name for change in made.changes["boundary conditions"]] == ["fluid pressure"]
+    assert "4 nodes" in made.changes["boundary conditions"][0].reason
+
+
 def test_the_plot_file_is_spoken_of(converted):
     old = text().replace("</Output>", '<plotfile type="febio"><var type="concentration gap"/></plotfile></Output>')
     made = converted(old)
@@ -133,6 +140,14 @@ REFUSED = {
     "a material that the type takes for a solid": (
         in_module(SOLUTE, "sliding-biphasic-solute").replace(' type="biphasic-solute">', ' type="multiphasic">'),
         "takes it for a solid without fluid",
+    ),
+    "nodes held at another pressure": (
+        Apart(Join.SOLUTE, held=(pressure("lower-top", 1.0),)).model().text(),
+        "prescribes the fluid pressure of 4 nodes",
+    ),
+    "nodes held at another concentration": (
+        Apart(Join.SOLUTE, held=(concentration("upper-bottom", 0.7),)).model().text(),
+        "prescribes the concentration of solute 1 of 4 nodes",
     ),
     "a penalty of zero": (text(Param("pressure_penalty", 0.0)), "<pressure_penalty> is '0'"),
     "a radius of zero": (text(Param("search_radius", 0.0)), "<search_radius> is '0'"),

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
 from harness.models.mesh import Box, assemble
@@ -211,6 +212,11 @@ FAULTS = {
         ),
         "load-curve",
         "does not exist",
+    ),
+    "load curve that FEBio does not take": (
+        lambda: Apart(Join.MULTIPHASIC).model(),
+        "load-curve",
+        "takes no load curve",
     ),
     "load curve of a penalty": (
         lambda: text_of(replace(with_params(Param("penalty", 1e4, 1)), curves=(Curve(((0, 0), (1, 1))),))),

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from harness.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.conversion import spans
+from harness.conversion.held_nodes import held_nodes
 from harness.conversion.parameters import DEFAULT, WRITTEN, Action, Change, fate, missing
 from harness.conversion.refusals import refusals
 from harness.conversion.spans import Edit, Span
@@ -16,6 +17,7 @@ from harness.preflight import document as documents
 from harness.preflight import model as models
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
+from harness.preflight.joint import Joint
 from harness.preflight.model import Model
 
 NOT_OURS = {
@@ -86,6 +88,8 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
             own.append(change)
             edits += edit
         changes[f'contact "{name}"'] = own
+    for change in _held(model):
+        changes.setdefault("boundary conditions", []).append(change)
     for change in _output(root):
         changes.setdefault("output", []).append(change)
     return edits, changes
@@ -110,6 +114,15 @@ def _parameters(data: bytes, contact: Span, model: Model) -> Iterator[tuple[list
     for place, name in enumerate(names):
         change = Change(Action.MAPPED, name, contact.line, f"{DEFAULT}: {WRITTEN[name]}")
         yield spans.insertion(data, contact, lines) if place == 0 else [], change
+
+
+def _held(model: Model) -> Iterator[Change]:
+    """Nodes that a boundary condition holds at the bath's value: they stay so in contact as well."""
+    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
+        for held in held_nodes(Joint(model, contact)):
+            where = f"{held.nodes} nodes of the contact are held at the bath's value by this condition"
+            why = f"{where}; {contact.kind.name} frees them where they touch, sliding-mixture keeps them"
+            yield Change(Action.KEPT, held.field, documents.place(held.tag).line, why)
 
 
 def _output(root: Span) -> Iterator[Change]:

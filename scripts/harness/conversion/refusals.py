@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.contact_types import CONVERTIBLE, MIXTURE
+from harness.conversion.held_nodes import held_nodes
 from harness.preflight.document import place
 from harness.preflight.joint import Joint
 from harness.preflight.model import Model
@@ -17,6 +18,7 @@ def refusals(model: Model) -> Iterator[str]:
     for contact in model.contacts:
         if contact.kind.name in CONVERTIBLE:
             yield from _of_materials(Joint(model, contact))
+            yield from _of_held_nodes(Joint(model, contact))
     yield from _of_neighbours(model)
     for contact in model.contacts:
         if contact.kind.name in CONVERTIBLE and place(contact.tag).file != model.path:
@@ -46,6 +48,17 @@ def _of_materials(joint: Joint) -> Iterator[str]:
 
 def _unknown_to_solute(kind: str) -> bool:
     return kind not in ("biphasic", "biphasic-solute")
+
+
+def _of_held_nodes(joint: Joint) -> Iterator[str]:
+    """Prescribed values which FEBio's interfaces replace by the bath's."""
+    for held in held_nodes(joint):
+        if not held.as_the_bath:
+            yield (
+                f"{place(held.tag)}: prescribes the {held.field} of {held.nodes} nodes of the contact; "
+                f"{joint.contact.kind.name} replaces it by the bath's value, or frees it in contact, and "
+                "sliding-mixture keeps it. Leave these nodes out of the condition, or give the bath that value"
+            )
 
 
 def _of_neighbours(model: Model) -> Iterator[str]:

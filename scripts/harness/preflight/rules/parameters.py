@@ -115,6 +115,13 @@ def load_curve(joint: Joint) -> Iterator[Finding]:
                 f"<{tag.tag}> refers to load controller {curve}, which does not exist; there is {there}",
                 "Add the controller to <LoadData>, or delete the attribute lc.",
             )
+        elif curve and joint.contact.kind.name == "sliding-multiphasic" and tag.tag == "ambient_concentration":
+            yield error(
+                "load-curve",
+                tag,
+                "sliding-multiphasic takes no load curve on <ambient_concentration>; FEBio stops",
+                "Give a value without a load curve, or use sliding-mixture, which follows it.",
+            )
         elif curve and joint.contact.kind.is_mixture and not str(tag.tag).startswith("ambient_"):
             yield error(
                 "load-curve",
