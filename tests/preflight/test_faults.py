@@ -12,7 +12,7 @@ from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
 from harness.models.mesh import Box, assemble
-from harness.models.parts import Control, Curve, Param, fluid_flux
+from harness.models.parts import Control, Curve, Param, fluid_flux, pressure
 from harness.paths import DOCS, REPOSITORY
 from harness.preflight.finding import Severity
 
@@ -189,6 +189,11 @@ FAULTS = {
         lambda: text_of(diffusion(), ("<value>-0.002477572</value>", "<value>0</value>")),
         "bath-pressure",
         "prescribed",
+    ),
+    "nodes held against the bath": (
+        lambda: Apart(Join.SOLUTE, held=(pressure("lower-top", 1.0),)).model(),
+        "held-nodes",
+        "of 4 nodes",
     ),
     "body not held before touch": (
         lambda: loose({("prescribed displacement", "top")}, 0.01),

@@ -8,7 +8,6 @@ from pathlib import Path
 
 from harness.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.conversion import spans
-from harness.conversion.held_nodes import held_nodes
 from harness.conversion.parameters import DEFAULT, WRITTEN, Action, Change, fate, missing
 from harness.conversion.refusals import refusals
 from harness.conversion.spans import Edit, Span
@@ -17,6 +16,7 @@ from harness.preflight import document as documents
 from harness.preflight import model as models
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
+from harness.preflight.held_nodes import held_nodes
 from harness.preflight.joint import Joint
 from harness.preflight.model import Model
 

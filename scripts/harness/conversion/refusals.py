@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.contact_types import CONVERTIBLE, MIXTURE
-from harness.conversion.held_nodes import held_nodes
 from harness.preflight.document import place
+from harness.preflight.held_nodes import held_nodes
 from harness.preflight.joint import Joint
 from harness.preflight.model import Model
 

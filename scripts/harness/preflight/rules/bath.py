@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from harness.preflight import levels
 from harness.preflight.document import Element
 from harness.preflight.finding import Finding
+from harness.preflight.held_nodes import held_nodes
 from harness.preflight.joint import Joint
 from harness.preflight.levels import Level
 from harness.preflight.rules.tools import short, warning
@@ -109,4 +110,19 @@ def _has_curve(tag: Element) -> bool:
     return bool(tag.get("lc"))
 
 
-RULES = (ambient, prescribed, initial)
+def overwritten(joint: Joint) -> Iterator[Finding]:
+    """Prescribed values at nodes of the contact, which FEBio's interfaces replace by the bath's."""
+    if joint.contact.kind.is_mixture:
+        return
+    for held in held_nodes(joint):
+        if not held.as_the_bath:
+            yield warning(
+                "held-nodes",
+                held.tag,
+                f"this condition holds the {held.field} of {held.nodes} nodes of the contact, but "
+                f"{joint.contact.kind.name} writes the bath's value over it, and frees it where they touch",
+                "Leave these nodes out of the condition, or use sliding-mixture, which keeps it.",
+            )
+
+
+RULES = (ambient, prescribed, initial, overwritten)
