@@ -49,6 +49,14 @@ class Outcome:
         """The element data over time; the model must ask for some."""
         return logdata.read_history(self.folder / self.model.element_file, self.model.element_columns)
 
+    def surface(self, name: str) -> logdata.History:
+        """The data of a contact surface over time, one item; the model must ask for some."""
+        return logdata.read_history(self.folder / self.model.surface_file(name), self.model.surface_columns)
+
+    def part(self, name: str) -> logdata.History:
+        """The element data of one part over time; the model must ask for some."""
+        return logdata.read_history(self.folder / self.model.part_file(name), self.model.part_columns[name])
+
     @property
     def log(self) -> str:
         """The text of the engine's log."""

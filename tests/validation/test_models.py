@@ -115,7 +115,7 @@ def test_names_that_lead_nowhere_are_refused():
     model = Diffusion(Join.MIXTURE, elements=1).model()
     with pytest.raises(ModelError, match=r"refers to 'roof'; there is .*bottom"):
         replace(model, conditions=(fix("roof", "z"),)).text()
-    with pytest.raises(ModelError, match="module 'salt' is not one of biphasic, solute, multiphasic"):
+    with pytest.raises(ModelError, match="module 'salt' is not one of solid, biphasic, solute, multiphasic"):
         replace(model, module="salt").text()
     contact = replace(model.contacts[0], params=(Param("ambient_pressure", 1.0, 3),))
     with pytest.raises(ModelError, match=r"<ambient_pressure> = 1 refers to load curve 3, but there are 0"):

@@ -12,6 +12,7 @@ from lxml import etree
 from harness.errors import ModelError
 from harness.models.mesh import Mesh
 from harness.models.parts import (
+    FARADAY,
     GAS_CONSTANT,
     TEMPERATURE,
     Condition,
@@ -21,11 +22,12 @@ from harness.models.parts import (
     Element,
     Material,
     Mixture,
+    Rigid,
     child,
     text_of,
 )
 
-MODULES = ("biphasic", "solute", "multiphasic")
+MODULES = ("solid", "biphasic", "solute", "multiphasic")
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,13 @@ class Model:
         Whether a plot file is written.
     further_columns : tuple of str
         FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
+    charges : tuple of int
+        Charge number of each solute of the model; without it all are neutral.
+    surface_columns : tuple of str
+        FEBio's names of the data to log of both surfaces of each contact pair, if any.
+    part_columns : mapping of str to tuple of str
+        FEBio's names of the element data to log of one part alone, by the part's name; FEBio numbers the solutes of
+        element data as the material lists them.
     """
 
     name: str
@@ -67,6 +76,9 @@ class Model:
     element_columns: tuple[str, ...] = ()
     plot: bool = False
     further_columns: tuple[str, ...] = ()
+    charges: tuple[int, ...] = ()
+    surface_columns: tuple[str, ...] = ()
+    part_columns: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @property
     def n_solutes(self) -> int:
@@ -79,18 +91,19 @@ class Model:
         Raises
         ------
         ModelError
-            Where the material is elastic.
+            Where the material is elastic or rigid.
         """
         material = self.materials[name]
         if not isinstance(material, Mixture):
-            raise ModelError(f"model '{self.name}': material '{name}' is elastic and holds no solute")
+            raise ModelError(f"model '{self.name}': material '{name}' is not porous and holds no solute")
         return material
 
     @property
     def node_columns(self) -> tuple[str, ...]:
         """Names of the logged node data, in the order of the columns."""
         solutes = (f"c{k + 1}" for k in range(self.n_solutes))
-        return ("x", "y", "z", "ux", "uy", "uz", "p", *solutes, *self.further_columns)
+        pressure = () if self.module == "solid" else ("p",)
+        return ("x", "y", "z", "ux", "uy", "uz", *pressure, *solutes, *self.further_columns)
 
     @property
     def node_file(self) -> str:
@@ -101,6 +114,14 @@ class Model:
     def element_file(self) -> str:
         """Name of the file into which febio4 writes the element data."""
         return f"{self.name}-elements.txt"
+
+    def surface_file(self, surface: str) -> str:
+        """Name of the file into which febio4 writes the data of a surface."""
+        return f"{self.name}-{surface}.txt"
+
+    def part_file(self, part: str) -> str:
+        """Name of the file into which febio4 writes the element data of a part."""
+        return f"{self.name}-part-{part}.txt"
 
     def text(self) -> str:
         """The model as FEBio 4 XML.
@@ -139,12 +160,14 @@ def _globals(model: Model, root: Element) -> None:
     constants = child(section, "Constants")
     child(constants, "R", GAS_CONSTANT)
     child(constants, "T", TEMPERATURE)
-    child(constants, "Fc", 0.0)
+    child(constants, "Fc", FARADAY if any(model.charges) else 0.0)
+    if model.charges and len(model.charges) != model.n_solutes:
+        raise ModelError(f"model '{model.name}': {len(model.charges)} charges for {model.n_solutes} solutes")
     if model.n_solutes:
         solutes = child(section, "Solutes")
         for number in range(1, model.n_solutes + 1):
             made = child(solutes, "solute", id=str(number), name=f"s{number}")
-            child(made, "charge_number", 0)
+            child(made, "charge_number", model.charges[number - 1] if model.charges else 0)
             child(made, "molar_mass", 1.0)
             child(made, "density", 1.0)
 
@@ -182,7 +205,7 @@ def _sections(model: Model, root: Element) -> None:
     for condition in model.conditions:
         if condition.tag == "bc":
             condition.write(boundary)
-    for title, tag in (("Initial", "ic"), ("Loads", "surface_load")):
+    for title, tag in (("Rigid", "rigid_bc"), ("Initial", "ic"), ("Loads", "surface_load")):
         chosen = [condition for condition in model.conditions if condition.tag == tag]
         section = child(root, title) if chosen else boundary
         for condition in chosen:
@@ -204,10 +227,31 @@ def _output(model: Model, root: Element) -> None:
     child(log, "node_data", data=";".join(model.node_columns), file=model.node_file, delim=" ")
     if model.element_columns:
         child(log, "element_data", data=";".join(model.element_columns), file=model.element_file, delim=" ")
+    _log_surfaces(model, log)
+    _log_parts(model, log)
     if model.plot:
         plot = child(output, "plotfile", type="febio")
         for variable in _plot_variables(model):
             child(plot, "var", type=variable)
+
+
+def _log_surfaces(model: Model, log: Element) -> None:
+    if not model.surface_columns:
+        return
+    for surface in dict.fromkeys(name for pair in model.mesh.pairs.values() for name in pair):
+        data, file = ";".join(model.surface_columns), model.surface_file(surface)
+        child(log, "surface_data", surface=surface, data=data, file=file, delim=" ")
+
+
+def _log_parts(model: Model, log: Element) -> None:
+    first = 1
+    for part in model.mesh.parts:
+        columns = model.part_columns.get(part.name)
+        if columns:
+            ids = tuple(range(first, first + len(part.elements)))
+            data, file = ";".join(columns), model.part_file(part.name)
+            child(log, "element_data", ids, data=data, file=file, delim=" ")
+        first += len(part.elements)
 
 
 def _plot_variables(model: Model) -> tuple[str, ...]:
@@ -222,8 +266,7 @@ def _check(model: Model) -> None:
     if model.module not in MODULES:
         raise ModelError(f"model '{model.name}': module '{model.module}' is not one of {', '.join(MODULES)}")
     for condition in model.conditions:
-        known = model.mesh.node_sets if condition.on_nodes else model.mesh.surfaces
-        _known(model, condition.kind, condition.where, known)
+        _known(model, condition.kind, condition.where, _places(model, condition))
     for contact in model.contacts:
         _known(model, f"contact {contact.kind}", contact.pair, model.mesh.pairs)
     for part in model.mesh.parts:
@@ -235,6 +278,13 @@ def _check(model: Model) -> None:
                 f"model '{model.name}': <{param.tag}> = {text_of(param.value)} refers to load curve {param.curve}, "
                 f"but there are {len(model.curves)}"
             )
+
+
+def _places(model: Model, condition: Condition) -> Iterable[str]:
+    """What a condition of this kind may name."""
+    if condition.tag == "rigid_bc":
+        return [name for name, material in model.materials.items() if isinstance(material, Rigid)]
+    return model.mesh.node_sets if condition.on_nodes else model.mesh.surfaces
 
 
 def _known(model: Model, who: str, name: str, known: Iterable[str]) -> None:

@@ -15,6 +15,8 @@ GAS_CONSTANT = 8.314e-6
 """mJ/(nmol K), with mm, N, s, nmol."""
 TEMPERATURE = 298.0
 """K."""
+FARADAY = 9.64853321e-5
+"""C/nmol; the electric potential is then in mV."""
 
 
 def text_of(value: Value) -> str:
@@ -106,7 +108,7 @@ class Solute:
 
 @dataclass(frozen=True)
 class Mixture:
-    """Porous material: biphasic without solutes, biphasic-solute or multiphasic with them.
+    """Porous material: biphasic without solutes, biphasic-solute, triphasic or multiphasic with them.
 
     Attributes
     ----------
@@ -118,6 +120,10 @@ class Mixture:
     solutes : tuple of Solute
     osmotic : float
         Osmotic coefficient Phi.
+    fixed_charge : float
+        Charge density of the solid matrix, mM (mEq/L); for triphasic and multiphasic.
+    febio_type : str, optional
+        FEBio's name of the material; without it, multiphasic in the module of that name and biphasic-solute otherwise.
     """
 
     solid: Solid
@@ -125,9 +131,13 @@ class Mixture:
     porosity: float = 0.8
     solutes: tuple[Solute, ...] = ()
     osmotic: float = 1.0
+    fixed_charge: float = 0.0
+    febio_type: str | None = None
 
     def kind(self, module: str) -> str:
         """FEBio's name of the material in `module`."""
+        if self.febio_type:
+            return self.febio_type
         if not self.solutes:
             return "biphasic"
         return "multiphasic" if module == "multiphasic" else "biphasic-solute"
@@ -136,8 +146,8 @@ class Mixture:
         """Append the material to the section `parent`."""
         made = child(parent, "material", id=str(number), name=name, type=self.kind(module))
         child(made, "phi0", 1.0 - self.porosity)
-        if self.kind(module) == "multiphasic":
-            child(made, "fixed_charge_density", 0.0)
+        if self.kind(module) in ("triphasic", "multiphasic"):
+            child(made, "fixed_charge_density", self.fixed_charge)
         self.solid.write(made)
         child(child(made, "permeability", type="perm-const-iso"), "perm", self.permeability)
         if self.solutes:
@@ -160,7 +170,19 @@ class Elastic:
         made.set("name", name)
 
 
-Material: TypeAlias = Mixture | Elastic
+@dataclass(frozen=True)
+class Rigid:
+    """Rigid body: neither solvent nor solutes pass. Held and moved by `hold_rigid` and `move_rigid`."""
+
+    solutes: ClassVar[tuple[Solute, ...]] = ()
+
+    def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
+        """Append the material to the section `parent`."""
+        made = child(parent, "material", id=str(number), name=name, type="rigid body")
+        child(made, "density", 1.0)
+
+
+Material: TypeAlias = Mixture | Elastic | Rigid
 
 
 @dataclass(frozen=True)
@@ -182,14 +204,14 @@ class Curve:
 
 @dataclass(frozen=True)
 class Condition:
-    """A boundary or initial condition on a node set, or a load on a surface.
+    """A boundary or initial condition on a node set, a load on a surface, or a constraint of a rigid body.
 
     Attributes
     ----------
     tag, kind : str
-        ``bc``, ``ic`` or ``surface_load``, and FEBio's type.
+        ``bc``, ``ic``, ``surface_load`` or ``rigid_bc``, and FEBio's type.
     where : str
-        Name of the node set or surface.
+        Name of the node set, surface, or material of the rigid body.
     params : tuple of Param
     """
 
@@ -200,14 +222,16 @@ class Condition:
 
     @property
     def on_nodes(self) -> bool:
-        """Whether `where` is a node set; otherwise it is a surface."""
+        """Whether `where` is a node set."""
         return self.tag in ("bc", "ic")
 
     def write(self, parent: Element) -> None:
         """Append the condition to the section `parent`."""
-        place = "node_set" if self.on_nodes else "surface"
         made = child(parent, self.tag, name=f"{self.kind} {self.where}", type=self.kind)
-        made.set(place, self.where)
+        if self.tag == "rigid_bc":
+            child(made, "rb", self.where)
+        else:
+            made.set("node_set" if self.on_nodes else "surface", self.where)
         for param in self.params:
             param.write(made)
 
@@ -221,6 +245,17 @@ def displace(where: str, axis: str, value: float, curve: int | None = None) -> C
     """Prescribe the displacement (mm) along one axis on a node set."""
     params = (Param("dof", axis), Param("value", value, curve), Param("relative", False))
     return Condition("bc", "prescribed displacement", where, params)
+
+
+def hold_rigid(material: str, dofs: str) -> Condition:
+    """Hold a rigid body: translations x, y, z and rotations u, v, w about these axes, by the letters in `dofs`."""
+    return Condition("rigid_bc", "rigid_fixed", material, tuple(Param(f"R{d}_dof", d in dofs) for d in "xyzuvw"))
+
+
+def move_rigid(material: str, axis: str, value: float, curve: int | None = None) -> Condition:
+    """Prescribe the displacement (mm) of a rigid body along one axis."""
+    params = (Param("dof", axis), Param("value", value, curve), Param("relative", False))
+    return Condition("rigid_bc", "rigid_displacement", material, params)
 
 
 def pressure(where: str, value: float, curve: int | None = None) -> Condition:
@@ -336,7 +371,7 @@ class Control:
     def write(self, parent: Element, module: str, plot: bool) -> None:
         """Append the control section to the model `parent`."""
         made = child(parent, "Control")
-        child(made, "analysis", "TRANSIENT")
+        child(made, "analysis", "STATIC" if module == "solid" else "TRANSIENT")
         child(made, "time_steps", self.steps)
         child(made, "step_size", self.step)
         child(made, "plot_level", "PLOT_MAJOR_ITRS" if plot else "PLOT_NEVER")
@@ -348,8 +383,9 @@ class Control:
         child(solver, "dtol", self.displacement_tolerance)
         child(solver, "etol", self.energy_tolerance)
         child(solver, "rtol", self.residual_tolerance)
-        child(solver, "ptol", self.pressure_tolerance)
-        if module != "biphasic":
+        if module != "solid":
+            child(solver, "ptol", self.pressure_tolerance)
+        if module in ("solute", "multiphasic"):
             child(solver, "ctol", self.concentration_tolerance)
         for param in self.solver:
             param.write(solver)

@@ -1,4 +1,4 @@
-"""Fixtures of the hard cases: a runner of models with the plugin loaded."""
+"""Fixtures shared by the model tests: a runner of models with the plugin loaded."""
 
 from __future__ import annotations
 
