@@ -61,6 +61,7 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
     // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
     const double gap = loads.traction[node] < 0 ? loads.gap[node] : 0.0;
     traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
+    if (!loads.sealed[static_cast<std::size_t>(node)]) continue;
     for (int k = 0; k < effects.scalar_fields(); ++k) {
       flux[static_cast<std::size_t>(k)].add(loads.flux_area(k, node), base.conductance(k, node), loads.jump(k, node),
                                             loads.flux(k, node), primary.scalar(node, k));

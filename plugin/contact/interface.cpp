@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace mixture_contact {
 namespace {
@@ -34,6 +35,9 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
     : mesh_(std::move(mesh)), effects_(std::move(effects)), settings_(settings) {
   for (const Side side : both_sides) {
     if (side == Side::secondary && !settings_.two_pass) continue;
+    if (side == Side::secondary && settings_.enforcement == Enforcement::lagrange_multipliers) {
+      throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
+    }
     passes_.push_back({side, std::make_unique<ContactPass>(mesh_[side], mesh_[other(side)], effects_, settings_)});
   }
 }
@@ -92,9 +96,10 @@ void ContactInterface::end_iterations() {
 }
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
-  return std::all_of(passes_.begin(), passes_.end(), [&](const Pass& pass) {
+  const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const Pass& pass) {
     return pass.integral->is_solution(fields[pass.side], fields[other(pass.side)]);
   });
+  return agrees && (settings_.enforcement != Enforcement::lagrange_multipliers || converged(gaps(fields)));
 }
 
 Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) const {
@@ -141,6 +146,15 @@ GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   }
   return worst;
 }
+
+MultiplierLayout ContactInterface::multiplier_layout() const {
+  const ContactPass& pass = *passes_[0].integral;
+  return pass.has_unknown_multipliers() ? pass.multiplier_layout() : MultiplierLayout(0, 0);
+}
+
+VectorXd ContactInterface::unknown_multipliers() const { return passes_[0].integral->unknown_multipliers(); }
+
+void ContactInterface::set_unknown_multipliers(const VectorXd& mu) { passes_[0].integral->set_unknown_multipliers(mu); }
 
 void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
   for (const Pass& pass : passes_) {

@@ -55,6 +55,7 @@ class ContactInterface {
   using AddResidual = std::function<void(const Location&, const VectorXd&)>;
   using AddTangent = std::function<void(const Location&, const MatrixXd&)>;
 
+  /// Throws std::invalid_argument for two passes with unknown multipliers: twice as many conditions as can be met.
   ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings);
   ContactInterface(const ContactInterface&) = delete;
   ContactInterface& operator=(const ContactInterface&) = delete;
@@ -88,6 +89,13 @@ class ContactInterface {
   /// Gaps at the current state, and whether they meet the tolerances; the worst of both passes.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
   bool converged(const GapReport& report) const { return meets(report, settings_.tolerances, effects_); }
+
+  /// Unknown multipliers (see ContactPass::has_unknown_multipliers): none unless the enforcement says so, and then in
+  /// one pass only. The host gives each an equation, and sets them with every trial state before residual() or
+  /// tangent().
+  MultiplierLayout multiplier_layout() const;
+  VectorXd unknown_multipliers() const;
+  void set_unknown_multipliers(const VectorXd& mu);
 
   /// One augmentation: multipliers take the current loads, and slow fields a larger penalty.
   void augment(const PerSide<SurfaceFields>& fields);

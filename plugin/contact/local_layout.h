@@ -7,25 +7,51 @@ namespace mixture_contact {
 
 /// Layout of the unknowns of a pair of facets: node by node (primary nodes first), each with its three displacements,
 /// if any, and then its exchanged scalar fields. No other place in the code knows the order.
+///
+/// Multipliers of one node, where they are unknowns, follow as one more block: that of the traction in place of the
+/// first displacement, those of the fluxes in place of the fields. The places of the other two displacements are void.
 class LocalLayout {
  public:
-  LocalLayout(Index primary_nodes, Index secondary_nodes, Index scalar_fields)
-      : primary_nodes_(primary_nodes), secondary_nodes_(secondary_nodes), scalar_fields_(scalar_fields) {}
+  LocalLayout(Index primary_nodes, Index secondary_nodes, Index scalar_fields, bool multipliers = false)
+      : primary_nodes_(primary_nodes),
+        secondary_nodes_(secondary_nodes),
+        scalar_fields_(scalar_fields),
+        multipliers_(multipliers) {}
 
   Index primary_nodes() const { return primary_nodes_; }
   Index nodes() const { return primary_nodes_ + secondary_nodes_; }
   Index scalar_fields() const { return scalar_fields_; }
   Index per_node() const { return 3 + scalar_fields_; }
-  Index size() const { return nodes() * per_node(); }
+  bool has_multipliers() const { return multipliers_; }
+  /// Nodes, and the block of multipliers.
+  Index blocks() const { return nodes() + (multipliers_ ? 1 : 0); }
+  Index size() const { return blocks() * per_node(); }
 
   /// Entry of component i (0, 1, 2) of a node's displacement.
   Index displacement(Index node, Index i) const { return node * per_node() + i; }
   /// Entry of a node's scalar field k, in the order of Effects.
   Index scalar(Index node, Index k) const { return node * per_node() + 3 + k; }
+  Index traction_multiplier() const { return displacement(nodes(), 0); }
+  Index flux_multiplier(Index k) const { return scalar(nodes(), k); }
 
  private:
   Index primary_nodes_;
   Index secondary_nodes_;
+  Index scalar_fields_;
+  bool multipliers_;
+};
+
+/// Order of all multipliers of a surface, where they are unknowns: node by node, traction first, then the fields'.
+class MultiplierLayout {
+ public:
+  MultiplierLayout(Index nodes, Index scalar_fields) : nodes_(nodes), scalar_fields_(scalar_fields) {}
+
+  Index size() const { return nodes_ * (1 + scalar_fields_); }
+  Index traction(Index node) const { return node * (1 + scalar_fields_); }
+  Index flux(Index node, Index k) const { return traction(node) + 1 + k; }
+
+ private:
+  Index nodes_;
   Index scalar_fields_;
 };
 

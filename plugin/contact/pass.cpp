@@ -156,14 +156,15 @@ NodalLoads ContactPass::averages(const SurfaceFields& primary, const SurfaceFiel
 void ContactPass::apply_laws(NodalLoads& loads) const {
   loads.traction.setZero(primary_.nodes);
   loads.flux.setZero(effects_.scalar_fields(), primary_.nodes);
+  const bool penalised = !has_unknown_multipliers();  // multipliers that are unknowns are the loads
   for (Index node = 0; node < primary_.nodes; ++node) {
     if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
-    loads.traction[node] = multipliers.traction[node] + traction_penalty(node) * loads.gap[node];
+    loads.traction[node] = multipliers.traction[node];
+    if (penalised) loads.traction[node] += traction_penalty(node) * loads.gap[node];
     for (int field = 0; field < effects_.scalar_fields(); ++field) {
-      if (!loads.sealed[static_cast<std::size_t>(node)] || !(loads.flux_area(field, node) > 0)) continue;
-      loads.flux(
-          field,
-          node) = normal_flux(multipliers.flux(field, node), flux_penalty(field, node), loads.jump(field, node)).value;
+      if (!passes(loads, field, node)) continue;
+      const double penalty = penalised ? flux_penalty(field, node) : 0.0;
+      loads.flux(field, node) = normal_flux(multipliers.flux(field, node), penalty, loads.jump(field, node)).value;
     }
   }
 }
@@ -200,6 +201,11 @@ std::vector<bool> ContactPass::sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd
 
 NodalLoads ContactPass::predicted_loads(const Held& held, const SurfaceFields& primary,
                                         const SurfaceFields& secondary) const {
+  if (has_unknown_multipliers()) {
+    NodalLoads loads = averages(primary, secondary, held.loads.in_contact, held.loads.sealed);
+    apply_laws(loads);
+    return loads;
+  }
   NodalLoads loads = held.loads;
   for (Index node = 0; node < primary_.nodes; ++node) {
     const NodeLinearisation& linear = held.nodes[static_cast<std::size_t>(node)];
@@ -244,8 +250,11 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   next.loads = averages(primary, secondary, status, sealed);
   apply_laws(next.loads);
   next.nodes = linearise(next.loads, primary, secondary);
-  next.geometric_traction = predicted ? before.traction : next.loads.traction;
-  next.geometric_flux = predicted ? before.flux : next.loads.flux;
+  // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
+  const NodalLoads& geometric = predicted && !has_unknown_multipliers() ? before : next.loads;
+  next.geometric_traction = geometric.traction;
+  next.geometric_flux = geometric.flux;
+  if (has_unknown_multipliers()) next.multiplier_weights = multiplier_weights(next.loads, primary.position);
   const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
                        loads_differ(before, next.loads, load_rounding, primary, secondary);
   held_ = std::move(next);
@@ -255,6 +264,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
 bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const {
   if (!held_) return true;
   if (next_status(primary, secondary) != held_->loads.in_contact) return false;
+  if (has_unknown_multipliers()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   const NodalLoads predicted = predicted_loads(*held_, primary, secondary);
   NodalLoads now = averages(primary, secondary, held_->loads.in_contact, held_->loads.sealed);
   apply_laws(now);
@@ -340,6 +350,11 @@ void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& se
     }
     add(patch, sum);
   }
+  if (!has_unknown_multipliers()) return;
+  const VectorXd weights = present_multiplier_weights(loads, primary.position);
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    add(node_patch(node, {}), multiplier_residual(node, loads, weights, dt));
+  }
 }
 
 // ------------------------------------------------------------ tangent
@@ -353,9 +368,13 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
   std::vector<NodeLinearisation> present;
   if (!held_) present = linearise(loads, primary, secondary);
   const std::vector<NodeLinearisation>& nodes = held_ ? held_->nodes : present;
+  const VectorXd weights = present_multiplier_weights(loads, primary.position);
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     if (nodes[node].unknowns.size() == 0) continue;
-    add_full_or_symmetric(nodes[node].patch, law_tangent(static_cast<Index>(node), nodes[node], loads, dt));
+    const auto index = static_cast<Index>(node);
+    add_full_or_symmetric(nodes[node].patch, has_unknown_multipliers()
+                                                 ? multiplier_tangent(index, nodes[node], loads, weights, dt)
+                                                 : law_tangent(index, nodes[node], loads, dt));
   }
   if (held_) {
     loads.traction = held_->geometric_traction;
@@ -378,8 +397,9 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
 void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
                                     const std::function<void(const Patch&)>& use) const {
   // A node's patch holds the facet pairs of all points that its loads act at.
-  for (const auto& pairs : pairs_around_nodes(held_ ? held_->loads.in_contact : natural_status(x1, x2))) {
-    if (!pairs.empty()) use(node_patch(pairs));
+  const auto around = pairs_around_nodes(held_ ? held_->loads.in_contact : natural_status(x1, x2));
+  for (std::size_t node = 0; node < around.size(); ++node) {
+    if (!around[node].empty() || has_unknown_multipliers()) use(node_patch(static_cast<Index>(node), around[node]));
   }
 }
 
@@ -421,8 +441,12 @@ std::vector<Index> places(const Patch& pair, const Patch& patch) {
 
 }  // namespace
 
-Patch ContactPass::node_patch(const std::vector<const FacetPair*>& pairs) const {
+Patch ContactPass::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {
   Patch patch;
+  if (has_unknown_multipliers()) {
+    patch.multiplier_node = static_cast<int>(node);
+    for (int field = 0; field < effects_.scalar_fields(); ++field) patch.fields.push_back(field);
+  }
   for (const FacetPair* pair : pairs) {
     const Patch facets = facet_patch(*pair);
     unite(patch.primary, facets.primary);
@@ -434,7 +458,7 @@ Patch ContactPass::node_patch(const std::vector<const FacetPair*>& pairs) const 
 
 VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) {
   const LocalLayout layout = patch.layout();
-  VectorXd unknowns(layout.size());
+  VectorXd unknowns = VectorXd::Zero(layout.size());
   for (Index place = 0; place < layout.nodes(); ++place) {
     const bool first = place < layout.primary_nodes();
     const SurfaceFields& surface = first ? primary : secondary;
@@ -501,7 +525,9 @@ std::vector<ContactPass::NodeLinearisation> ContactPass::linearise(const NodalLo
   const auto around = pairs_around_nodes(loads.in_contact);
   std::vector<NodeLinearisation> nodes(around.size());
   for (std::size_t node = 0; node < around.size(); ++node) {
-    if (!around[node].empty()) nodes[node] = start_linearisation(node_patch(around[node]), primary, secondary);
+    if (around[node].empty() && !has_unknown_multipliers()) continue;
+    const Patch patch = node_patch(static_cast<Index>(node), around[node]);
+    nodes[node] = start_linearisation(patch, primary, secondary);
   }
   for (const FacetPair& pair : pairs_) {
     if (!carries_load(pair, loads.in_contact)) continue;
@@ -517,7 +543,7 @@ std::vector<ContactPass::NodeLinearisation> ContactPass::linearise(const NodalLo
         const auto corner = static_cast<Index>(a);
         const int node = facets.primary[a];
         NodeLinearisation& linear = nodes[static_cast<std::size_t>(node)];
-        if (linear.unknowns.size() == 0) continue;
+        if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
         const PointShare share{weight * point.psi[corner],
                                weight * (point.psi[corner] * vary.weight + point.psi_gradient.row(corner) * vary.xi)};
         add_point(linear, node, place[a], loads, point, vary, share);
@@ -533,7 +559,7 @@ MatrixXd ContactPass::law_tangent(Index node, const NodeLinearisation& linear, c
   MatrixXd tangent = traction_penalty(node) * linear.traction_work * linear.gap_variation.transpose();
   for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
     const int field = linear.patch.fields[k];
-    if (!loads.sealed[static_cast<std::size_t>(node)] || !(loads.flux_area(field, node) > 0)) continue;
+    if (!passes(loads, field, node)) continue;
     tangent += dt * flux_penalty(field, node) * linear.flux_work[k] * linear.jump_variation[k].transpose();
   }
   return tangent;

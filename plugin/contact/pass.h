@@ -15,7 +15,8 @@ namespace mixture_contact {
 /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
 inline constexpr int most_status_changes = 3;
 
-/// Multipliers of the nodes of the primary surface: the state that only an augmentation changes.
+/// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
+/// are unknowns, the host with every trial state.
 struct Multipliers {
   VectorXd traction;           ///< lambda_n per node [MPa]
   MatrixXd flux;               ///< lambda per (field, node)
@@ -114,6 +115,15 @@ class ContactPass {
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 
+  /// Whether multipliers are unknowns (Enforcement::lagrange_multipliers). Each has an equation then, in residual() and
+  /// tangent(): gap or jump = 0 in contact, mu = 0 elsewhere (laws.h), weighted such that the equation is in the units
+  /// of the residual of its field, and rows and columns of the tangent are alike.
+  bool has_unknown_multipliers() const { return settings_.enforcement == Enforcement::lagrange_multipliers; }
+  MultiplierLayout multiplier_layout() const { return {primary_.nodes, effects_.scalar_fields()}; }
+  /// The unknowns mu = lambda/k in the order of multiplier_layout() [mm, and the units of the fields].
+  VectorXd unknown_multipliers() const;
+  void set_unknown_multipliers(const VectorXd& mu);
+
   /// The pairs of facets that see each other, with their integration points.
   const std::vector<FacetPair>& pairs() const { return pairs_; }
   /// Penalties of the primary nodes.
@@ -123,6 +133,7 @@ class ContactPass {
 
  private:
   /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
+  /// Where multipliers are unknowns every node has one, out of contact of its multipliers alone.
   struct NodeLinearisation {
     Patch patch;
     VectorXd unknowns;                     ///< of the patch, where the linearisation was taken
@@ -138,7 +149,8 @@ class ContactPass {
     std::vector<NodeLinearisation> nodes;  ///< empty for nodes out of contact
     VectorXd geometric_traction;           ///< predicted t_a, for the geometric part of the tangent
     MatrixXd geometric_flux;
-    std::vector<int> changes;  ///< of each node's status since the iterations began
+    std::vector<int> changes;     ///< of each node's status since the iterations began
+    VectorXd multiplier_weights;  ///< of the equations of unknown multipliers, in the order of multiplier_layout()
   };
 
   const Facet& primary_facet(const FacetPair& pair) const;
@@ -161,6 +173,10 @@ class ContactPass {
                       std::vector<bool> sealed) const;
   NodalLoads predicted_loads(const Held& held, const SurfaceFields& primary, const SurfaceFields& secondary) const;
   void apply_laws(NodalLoads& loads) const;
+  /// Whether a node exchanges a field with the other side.
+  static bool passes(const NodalLoads& loads, int field, Index node) {
+    return loads.sealed[static_cast<std::size_t>(node)] && loads.flux_area(field, node) > 0;
+  }
   static bool seen(const NodalLoads& loads, Index node);
   bool loads_differ(const NodalLoads& one, const NodalLoads& other, double part, const SurfaceFields& primary,
                     const SurfaceFields& secondary) const;
@@ -170,7 +186,7 @@ class ContactPass {
                        const SurfaceFields& primary, const SurfaceFields& secondary, double dt) const;
   bool carries_load(const FacetPair& pair, const std::vector<bool>& in_contact) const;
   std::vector<std::vector<const FacetPair*>> pairs_around_nodes(const std::vector<bool>& in_contact) const;
-  Patch node_patch(const std::vector<const FacetPair*>& pairs) const;
+  Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
   std::vector<NodeLinearisation> linearise(const NodalLoads& loads, const SurfaceFields& primary,
                                            const SurfaceFields& secondary) const;
   NodeLinearisation start_linearisation(const Patch& patch, const SurfaceFields& primary,
@@ -179,6 +195,17 @@ class ContactPass {
                  const PointContact& contact, const KinematicVariations& vary, const PointShare& share) const;
   static VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary);
   MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
+
+  // Multipliers as unknowns
+  double traction_unit(Index node) const;
+  double flux_unit(int field, Index node) const;
+  VectorXd multiplier_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
+  VectorXd present_multiplier_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
+  ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
+  ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
+  VectorXd multiplier_residual(Index node, const NodalLoads& loads, const VectorXd& weights, double dt) const;
+  MatrixXd multiplier_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                              const VectorXd& weights, double dt) const;
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;

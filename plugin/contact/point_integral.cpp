@@ -98,8 +98,8 @@ WeightedVariation jump_variation(const PointKinematics& point, const KinematicVa
 
 MatrixXd symmetric_part(const MatrixXd& tangent, const LocalLayout& layout) {
   MatrixXd symmetric = 0.5 * (tangent + tangent.transpose());
-  for (Index node = 0; node < layout.nodes(); ++node) {
-    for (Index column = 0; column < layout.nodes(); ++column) {
+  for (Index node = 0; node < layout.blocks(); ++node) {
+    for (Index column = 0; column < layout.blocks(); ++column) {
       for (Index k = 0; k < layout.scalar_fields(); ++k) {
         symmetric.block<1, 3>(layout.scalar(node, k), layout.displacement(column, 0)).setZero();
         symmetric.block<3, 1>(layout.displacement(column, 0), layout.scalar(node, k)).setZero();

@@ -22,7 +22,9 @@
 using namespace mixture_contact;
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
-  ADD_PARAMETER(parameters_.laugon, "laugon")->setLongName("Enforcement method")->setEnums("PENALTY\0AUGLAG\0");
+  ADD_PARAMETER(parameters_.laugon, "laugon")
+      ->setLongName("Enforcement method")
+      ->setEnums("PENALTY\0AUGLAG\0LAGMULT\0");
   ADD_PARAMETER(parameters_.tolerance, "tolerance");
   ADD_PARAMETER(parameters_.traction_tolerance, "traction_tolerance", parameters_.traction_tolerance_given);
   ADD_PARAMETER(parameters_.solvent_tolerance, "solvent_tolerance", parameters_.solvent_tolerance_given);
@@ -187,7 +189,16 @@ bool FEMixtureContact::read_materials() {
         "to a value [force/length^3] and <auto_penalty> to 0.",
         GetName().c_str());
   }
-  return penalty.allFinite();
+  return penalty.allFinite() && check_multipliers();
+}
+
+bool FEMixtureContact::check_multipliers() {
+  if (core_->multiplier_layout().size() == 0 || multiplier_node() >= 0) return true;
+  feLogError(
+      "sliding-mixture \"%s\": both surfaces are rigid, so there is nothing that <laugon>LAGMULT</laugon> could be solved for. "
+      "Use PENALTY or AUGLAG.",
+      GetName().c_str());
+  return false;
 }
 
 void FEMixtureContact::build_core(PerSide<SurfaceMesh> meshes) {
@@ -318,6 +329,11 @@ bool FEMixtureContact::check_ambient() {
   return true;
 }
 
+int FEMixtureContact::InitEquations(int first) {
+  first_equation_ = first;
+  return static_cast<int>(core_->multiplier_layout().size());
+}
+
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
   update_properties();
@@ -344,6 +360,7 @@ void FEMixtureContact::PrepStep() {
   disputes_ = 0;
   ambient_.synchronise();
   if (parameters_.update_penalty) update_properties();
+  if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();
 }
 
 // ------------------------------------------------------------ state of the
@@ -412,10 +429,27 @@ void FEMixtureContact::Update() {
   if (begin_iteration()) GetFEModel()->SetMeshUpdateFlag(true);
 }
 
-void FEMixtureContact::Update(const std::vector<double>& /*total*/, const std::vector<double>& /*increment*/) {
+void FEMixtureContact::Update(const std::vector<double>& total, const std::vector<double>& increment) {
   // A trial: status and linearised gaps are those that the iteration began with.
+  set_multipliers(total, increment);
   project();
   in_trial_ = tried_ = true;
+}
+
+void FEMixtureContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {
+  const Index count = core_->multiplier_layout().size();
+  if (count == 0) return;
+  const auto of_contact = [&](const std::vector<double>& all) {
+    return Eigen::Map<const VectorXd>(all.data() + first_equation_, count);
+  };
+  core_->set_unknown_multipliers(step_start_ + of_contact(total) + of_contact(increment));
+}
+
+void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
+  // FEBio's solver for solids leaves equations that are not nodes' to their owners.
+  const auto first = static_cast<std::size_t>(first_equation_);
+  const auto count = static_cast<std::size_t>(core_->multiplier_layout().size());
+  for (std::size_t n = first; n < first + count; ++n) total[n] += increment[n];
 }
 
 FENewtonSolver* FEMixtureContact::newton_solver() {
@@ -518,7 +552,20 @@ std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at
   std::vector<int> nodes;
   for (const int node : at.patch.primary) nodes.push_back(surface(at.first).NodeIndex(node));
   for (const int node : at.patch.secondary) nodes.push_back(surface(other(at.first)).NodeIndex(node));
+  if (at.patch.multiplier_node) nodes.push_back(multiplier_node());
   return nodes;
+}
+
+int FEMixtureContact::multiplier_node() {
+  // Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out of
+  // the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for it.
+  for (const Side side : both_sides) {
+    FEMixtureSurface& s = surface(side);
+    for (int i = 0; i < s.Nodes(); ++i) {
+      if (s.Node(i).m_rid < 0) return s.NodeIndex(i);
+    }
+  }
+  return -1;
 }
 
 std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& at, const std::vector<int>& nodes) {
@@ -527,6 +574,15 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
   const std::array<int, 3> displacement{GetFEModel()->GetDOFIndex("x"), GetFEModel()->GetDOFIndex("y"),
                                         GetFEModel()->GetDOFIndex("z")};
   std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
+  if (layout.has_multipliers()) {
+    const MultiplierLayout own = core_->multiplier_layout();
+    const int node = *at.patch.multiplier_node;
+    const auto equation = [&](Index multiplier) { return first_equation_ + static_cast<int>(multiplier); };
+    ids[static_cast<std::size_t>(layout.traction_multiplier())] = equation(own.traction(node));
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      ids[static_cast<std::size_t>(layout.flux_multiplier(k))] = equation(own.flux(node, k));
+    }
+  }
   for (Index node = 0; node < layout.nodes(); ++node) {
     const std::vector<int>& id = mesh.Node(nodes[static_cast<std::size_t>(node)]).m_ID;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -592,11 +648,12 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
     keep_prediction_ = true;
     return false;
   }
-  if (core_->settings().enforcement == Enforcement::penalty) return true;
   const Settings& settings = core_->settings();
+  if (settings.enforcement == Enforcement::penalty) return true;
   const PerSide<SurfaceFields> current = fields();
   const GapReport report = core_->gaps(current);
   log_gaps(augmentation, report);
+  if (settings.enforcement == Enforcement::lagrange_multipliers) return true;  // is_solution() has seen to the gaps
   const bool met = core_->converged(report);
   if (met && augmentation >= settings.min_augmentations) return true;
   if (augmentation >= settings.max_augmentations) {
@@ -686,7 +743,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   primary_.Serialize(ar);
   secondary_.Serialize(ar);
   if (!ar.IsShallow()) {
-    ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_;
+    ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_ & first_equation_;
+    archive(ar, step_start_);
     ar & effects_.solvent & effects_.solutes;
     ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given &
         parameters_.solute_tolerance_given;

@@ -23,11 +23,13 @@ class FEMixtureContact : public FEContactInterface {
   explicit FEMixtureContact(FEModel* fem);
 
   bool Init() override;
+  int InitEquations(int first) override;
   void Activate() override;
   void PrepStep() override;
   using FEContactInterface::Update;
   void Update() override;
   void Update(const std::vector<double>& total, const std::vector<double>& increment) override;
+  void UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) override;
   void BuildMatrixProfile(FEGlobalMatrix& matrix) override;
   void LoadVector(FEGlobalVector& residual, const FETimeInfo& time) override;
   void StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) override;
@@ -56,6 +58,7 @@ class FEMixtureContact : public FEContactInterface {
   bool check_surfaces();
   bool read_materials();
   bool check_ambient();
+  bool check_multipliers();
   void decide_effects(const PerSide<std::vector<struct FacetMaterial>>& materials);
   mixture_contact::SurfaceMesh surface_mesh(Side side, const std::vector<FacetMaterial>& materials);
   bool update_properties();
@@ -81,6 +84,10 @@ class FEMixtureContact : public FEContactInterface {
   double ambient_value(int dof) const;
   std::vector<FEMixtureContact*> active_contacts();
 
+  // Multipliers with equations of their own
+  void set_multipliers(const std::vector<double>& total, const std::vector<double>& increment);
+  int multiplier_node();
+
   // Local to global
   void add_to_profile(FEGlobalMatrix& matrix);
   std::vector<int> node_ids(const mixture_contact::ContactInterface::Location& at);
@@ -99,8 +106,10 @@ class FEMixtureContact : public FEContactInterface {
   mixture_contact::Effects effects_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
   int pressure_dof_ = -1;
-  int concentration_dof_ = -1;  ///< of solute 0; the others follow
-  int concentrations_ = 0;      ///< number of solutes in the model
+  int concentration_dof_ = -1;            ///< of solute 0; the others follow
+  int concentrations_ = 0;                ///< number of solutes in the model
+  int first_equation_ = -1;               ///< of the multipliers, where they are unknowns; the others follow
+  mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way
   bool tried_ = false;              ///< a trial has been evaluated since the iterations began

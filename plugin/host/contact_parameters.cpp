@@ -29,6 +29,14 @@ void require_unused(std::vector<std::string>& list, const char* name, bool used,
   if (used) list.emplace_back("<" + std::string(name) + "> is set, but " + why + ". Leave it out or set it to 0.");
 }
 
+constexpr int lagmult = 2;
+
+mixture_contact::Enforcement enforcement(int laugon) {
+  using mixture_contact::Enforcement;
+  if (laugon == lagmult) return Enforcement::lagrange_multipliers;
+  return laugon == 1 ? Enforcement::augmented_lagrangian : Enforcement::penalty;
+}
+
 }  // namespace
 
 std::vector<std::string> complaints(const ContactParameters& p) {
@@ -49,6 +57,11 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   if (p.integration_order < 0 || p.integration_order > mixture_contact::max_quadrature_order) {
     list.emplace_back("<integration_order> is " + std::to_string(p.integration_order) + "; it must lie between 1 and " +
                       std::to_string(mixture_contact::max_quadrature_order) + ", or be 0 for the default.");
+  }
+  if (p.laugon == lagmult && p.two_pass) {
+    list.emplace_back(
+        "<two_pass> is set with <laugon>LAGMULT</laugon>: conditions on both surfaces would be twice as many as can be "
+        "met. Leave <two_pass> out, or use AUGLAG.");
   }
   if (p.seg_up < 0) list.emplace_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
   if (p.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
@@ -77,7 +90,7 @@ std::vector<std::string> notices(const ContactParameters& p) {
 mixture_contact::Settings core_settings(const ContactParameters& p) {
   using namespace mixture_contact;
   Settings settings;
-  settings.enforcement = p.laugon == 1 ? Enforcement::augmented_lagrangian : Enforcement::penalty;
+  settings.enforcement = enforcement(p.laugon);
   settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, default_traction_factor);
   settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, default_flux_factor);
   settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty,

@@ -111,12 +111,14 @@ GROUPS = (
 
 NOTES = {
     "laugon": Note(
-        "Enforcement: `PENALTY` or `AUGLAG` (0 or 1). `AUGLAG` drives gaps and jumps to their tolerances.",
-        "each augmentation costs at least one iteration",
+        "Enforcement: `PENALTY`, `AUGLAG` or `LAGMULT` (0, 1 or 2). `AUGLAG` drives gaps and jumps to their tolerances, "
+        "`LAGMULT` makes the loads unknowns of the solve and leaves neither.",
+        "`AUGLAG`: each augmentation costs at least one iteration; `LAGMULT`: one equation per primary node and load",
+        "`PENALTY` or `AUGLAG`",
     ),
     "tolerance": Note(
-        "`AUGLAG`: relative gap or jump of every field: rms gap or jump over the drop across the adjoining elements. "
-        "0: no such criterion.",
+        "`AUGLAG`, `LAGMULT`: relative gap or jump of every field: rms gap or jump over the drop across the adjoining "
+        "elements. 0: no such criterion.",
         "smaller: more augmentations",
         "default 0.1, on the change of the multipliers and on jumps that depend on units",
     ),
@@ -128,19 +130,19 @@ NOTES = {
         "The same for the jumps of all solutes.", "as `tolerance`", "not there", default="`tolerance`"
     ),
     "gaptol": Note(
-        "`AUGLAG`: largest gap or overlap of a node in contact. 0: none.",
+        "`AUGLAG`, `LAGMULT`: largest gap or overlap of a node in contact. 0: none.",
         "smaller: more augmentations",
         "same; at integration points",
         "mm",
     ),
     "ptol": Note(
-        "`AUGLAG`: largest jump of effective pressure. 0: none.",
+        "`AUGLAG`, `LAGMULT`: largest jump of effective pressure. 0: none.",
         "smaller: more augmentations",
         "same; at integration points",
         "MPa",
     ),
     "ctol": Note(
-        "`AUGLAG`: largest jump of effective concentration, each solute. 0: none.",
+        "`AUGLAG`, `LAGMULT`: largest jump of effective concentration, each solute. 0: none.",
         "smaller: more augmentations",
         "same; at integration points",
         "mM",

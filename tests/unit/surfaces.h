@@ -149,17 +149,21 @@ inline Settings explicit_settings(double traction, double solvent, double solute
   return settings;
 }
 
-/// Numbering of all unknowns of a scene: primary nodes first, each with its displacements and its fields.
+/// Numbering of all unknowns of a scene: primary nodes first, each with its displacements and its fields; then the
+/// multipliers, where they are unknowns.
 struct GlobalLayout {
   PerSide<Index> nodes;
   Index fields;
+  MultiplierLayout multipliers;
 
   explicit GlobalLayout(const Scene& scene)
       : nodes{{scene.mesh[Side::primary].nodes, scene.mesh[Side::secondary].nodes}},
-        fields(scene.effects.scalar_fields()) {}
+        fields(scene.effects.scalar_fields()),
+        multipliers(scene.contact()->multiplier_layout()) {}
 
   Index per_node() const { return 3 + fields; }
-  Index size() const { return (nodes[Side::primary] + nodes[Side::secondary]) * per_node(); }
+  Index nodal_size() const { return (nodes[Side::primary] + nodes[Side::secondary]) * per_node(); }
+  Index size() const { return nodal_size() + multipliers.size(); }
   /// Component 0 to 2: a displacement; 3 + k: field k.
   Index entry(Side side, Index node, Index component) const {
     return (node + (side == Side::primary ? 0 : nodes[Side::primary])) * per_node() + component;
@@ -168,7 +172,14 @@ struct GlobalLayout {
   /// Global entries of a local vector, in its order.
   std::vector<Index> entries(const ContactInterface::Location& location) const {
     const LocalLayout local = location.patch.layout();
-    std::vector<Index> result(static_cast<std::size_t>(local.size()));
+    std::vector<Index> result(static_cast<std::size_t>(local.size()), size());
+    if (local.has_multipliers()) {
+      const Index node = *location.patch.multiplier_node;
+      result[static_cast<std::size_t>(local.traction_multiplier())] = nodal_size() + multipliers.traction(node);
+      for (Index k = 0; k < local.scalar_fields(); ++k) {
+        result[static_cast<std::size_t>(local.flux_multiplier(k))] = nodal_size() + multipliers.flux(node, k);
+      }
+    }
     for (Index a = 0; a < local.nodes(); ++a) {
       const bool first = a < local.primary_nodes();
       const Side side = first ? location.first : other(location.first);
@@ -184,7 +195,7 @@ struct GlobalLayout {
   }
 
   VectorXd pack(const PerSide<SurfaceFields>& values) const {
-    VectorXd q(size());
+    VectorXd q(nodal_size());
     for (const Side side : both_sides) {
       for (Index node = 0; node < nodes[side]; ++node) {
         q.segment<3>(entry(side, node, 0)) = values[side].position.col(node);
@@ -209,21 +220,21 @@ struct GlobalLayout {
 
 inline VectorXd assembled_residual(const ContactInterface& contact, const GlobalLayout& layout,
                                    const PerSide<SurfaceFields>& fields, double dt) {
-  VectorXd sum = VectorXd::Zero(layout.size());
+  VectorXd sum = VectorXd::Zero(layout.size() + 1);
   contact.residual(fields, dt, [&](const ContactInterface::Location& location, const VectorXd& values) {
     sum(layout.entries(location)) += values;
   });
-  return sum;
+  return sum.head(layout.size());
 }
 
 inline MatrixXd assembled_tangent(const ContactInterface& contact, const GlobalLayout& layout,
                                   const PerSide<SurfaceFields>& fields, double dt) {
-  MatrixXd sum = MatrixXd::Zero(layout.size(), layout.size());
+  MatrixXd sum = MatrixXd::Zero(layout.size() + 1, layout.size() + 1);
   contact.tangent(fields, dt, [&](const ContactInterface::Location& location, const MatrixXd& values) {
     const std::vector<Index> entries = layout.entries(location);
     sum(entries, entries) += values;
   });
-  return sum;
+  return sum.topLeftCorner(layout.size(), layout.size());
 }
 
 }  // namespace test

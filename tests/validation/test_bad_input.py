@@ -60,6 +60,12 @@ def test_friction_does_not_exist_yet(complaint):
     assert "fric_coeff" in complaint(_model(Param("fric_coeff", 0.1)))
 
 
+def test_multipliers_on_both_surfaces(complaint):
+    said = complaint(_model(Param("laugon", "LAGMULT"), Param("two_pass", True)))
+    assert "two_pass" in said
+    assert "LAGMULT" in said
+
+
 def test_ambient_concentration_of_an_unknown_solute(complaint):
     said = complaint(_model(Param("ambient_concentration", 1.0, None, {"sol": "3"})))
     assert "ambient_concentration" in said

@@ -19,13 +19,14 @@ SETTINGS = {
     "two passes": ContactSettings(two_pass=True),
     "paper": PAPER,
     "augmented": augmented(PAPER, 1e-4),
+    "multipliers": ContactSettings(laugon="LAGMULT"),
 }
 
 
 @pytest.fixture(params=SETTINGS)
 def settings(request, join):
-    if request.param == "two passes" and join is not Join.MIXTURE:
-        pytest.skip("FEBio's own interfaces do not run with two passes and no penalties")
+    if request.param in ("two passes", "multipliers") and join is not Join.MIXTURE:
+        pytest.skip("FEBio's own interfaces do not run with two passes and no penalties, nor with multipliers")
     return SETTINGS[request.param]
 
 

@@ -16,6 +16,8 @@ from harness.models.parts import Control
 pytestmark = pytest.mark.mixture_only
 
 SEGMENTS = ContactSettings(integration="segments", laugon="AUGLAG", tolerance=1e-11, maxaug=12)
+MULTIPLIERS = ContactSettings(integration="segments", laugon="LAGMULT")
+EXACT = {"augmented": SEGMENTS, "multipliers": MULTIPLIERS}
 STRICT = Control(
     5,
     400.0,
@@ -46,12 +48,13 @@ def relative_errors(outcome, exact):
 
 def patch(name, settings):
     slug = "".join(letter if letter.isalnum() else "-" for letter in name)
-    return NonMatching(**{**vars(PATCHES[name]), "settings": settings, "name": f"{slug}-{settings.integration}"})
+    return NonMatching(**{**vars(PATCHES[name]), "settings": settings, "name": f"{slug}-{settings.integration}-{settings.laugon}"})
 
 
+@pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
 @pytest.mark.parametrize("name", PATCHES)
-def test_uniform_traction_and_linear_fields_are_exact(runner, name):
-    chosen = patch(name, SEGMENTS)
+def test_uniform_traction_and_linear_fields_are_exact(runner, name, settings):
+    chosen = patch(name, settings)
     outcome = runner(chosen.model())
     errors = relative_errors(outcome, chosen.exact(outcome.model.mesh.nodes[:, 2]))
     assert max(errors.values()) <= 1e-10, errors
@@ -64,18 +67,19 @@ def test_gauss_points_are_not(runner):
     assert min(errors.values()) >= 1e-3, errors
 
 
+@pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
 @pytest.mark.parametrize("divisions", [(2, 3), (3, 2)])
 @pytest.mark.parametrize("problem", [Diffusion, Convection])
-def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, divisions):
+def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, divisions, settings):
     one, two = divisions
     common = {"elements": 4, "control": STRICT, "module": "multiphasic"}
     whole = runner(problem(join=Join.UNSPLIT, name=f"whole-{problem.__name__}", **common).model())
     cut = runner(
         problem(
-            settings=SEGMENTS,
+            settings=settings,
             section=Section(elements=(one, one)),
             upper_divided=(two, two),
-            name=f"cut-{problem.__name__}-{one}-{two}",
+            name=f"cut-{problem.__name__}-{one}-{two}-{settings.laugon}",
             **common,
         ).model()
     )
@@ -85,6 +89,8 @@ def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, di
         expected = whole.nodes[name][:, place]
         difference = np.max(np.abs(cut.nodes[name] - expected)) / np.max(np.abs(expected))
         assert difference <= 1e-8, name
+    if settings is MULTIPLIERS:
+        assert cut.report.iterations <= 1.05 * whole.report.iterations
 
 
 @pytest.mark.parametrize(("nodes", "levels", "order"), [(8, (2, 4), 1.95), (20, (2, 3), 2.85)])

@@ -47,7 +47,7 @@ class ContactSettings:
     Attributes
     ----------
     laugon : str
-        ``PENALTY`` or ``AUGLAG``.
+        ``PENALTY``, ``AUGLAG`` or ``LAGMULT``.
     penalty, pressure_penalty, concentration_penalty : float
         eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
     auto_penalty, update_penalty, two_pass : bool

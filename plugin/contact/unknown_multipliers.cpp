@@ -1,0 +1,133 @@
+/// Multipliers as unknowns of the Newton solve: their equations, a part of ContactPass.
+#include "pass.h"
+#include "quadrature.h"
+
+#include <cmath>
+
+namespace mixture_contact {
+namespace {
+
+/// INT |psi_a| da over all facets around each node, seen or not [mm^2].
+VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position) {
+  VectorXd areas = VectorXd::Zero(mesh.nodes);
+  for (const Facet& facet : mesh.facets) {
+    const FacetCoordinates x = facet_coordinates(facet, position);
+    for (const QuadraturePoint& q : quadrature(facet.type, default_quadrature_order(facet.type))) {
+      const ShapeFunctions shape = shape_functions(facet.type, q.xi);
+      const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
+      const FacetVector psi = multiplier_shape(facet.type, shape.value);
+      const double area = q.weight * tangents.col(0).cross(tangents.col(1)).norm();
+      for (Index a = 0; a < psi.size(); ++a) {
+        areas[facet.nodes[static_cast<std::size_t>(a)]] += area * std::abs(psi[a]);
+      }
+    }
+  }
+  return areas;
+}
+
+/// A node's value; where it is zero (sealed facets around it), any of the surface's that is not.
+double unit_of(const Eigen::Ref<const VectorXd>& values, Index node) {
+  if (values[node] > 0) return values[node];
+  const double largest = values.maxCoeff();
+  return largest > 0 ? largest : 1.0;
+}
+
+}  // namespace
+
+double ContactPass::traction_unit(Index node) const { return unit_of(penalties_.stiffness, node); }
+
+double ContactPass::flux_unit(int field, Index node) const {
+  return unit_of(penalties_.conductance.row(field).transpose(), node);
+}
+
+VectorXd ContactPass::unknown_multipliers() const {
+  const MultiplierLayout layout = multiplier_layout();
+  VectorXd mu(layout.size());
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    mu[layout.traction(node)] = multipliers.traction[node] / traction_unit(node);
+    for (int k = 0; k < effects_.scalar_fields(); ++k) {
+      mu[layout.flux(node, k)] = multipliers.flux(k, node) / flux_unit(k, node);
+    }
+  }
+  return mu;
+}
+
+void ContactPass::set_unknown_multipliers(const VectorXd& mu) {
+  const MultiplierLayout layout = multiplier_layout();
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    multipliers.traction[node] = mu[layout.traction(node)] * traction_unit(node);
+    for (int k = 0; k < effects_.scalar_fields(); ++k) {
+      multipliers.flux(k, node) = mu[layout.flux(node, k)] * flux_unit(k, node);
+    }
+  }
+}
+
+VectorXd ContactPass::multiplier_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
+  // Row k A dg_a against column k T_a, with A dg_a = -T_a.dx where the surfaces are flat, and A djump_a = F_a.dphi:
+  // the sign of the traction's weight makes the two alike.
+  const MultiplierLayout layout = multiplier_layout();
+  const VectorXd whole = nodal_areas(primary_, x1);
+  VectorXd weights(layout.size());
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    const bool in_contact = loads.in_contact[static_cast<std::size_t>(node)];
+    weights[layout.traction(node)] = -traction_unit(node) * (in_contact ? loads.area[node] : whole[node]);
+    for (int k = 0; k < effects_.scalar_fields(); ++k) {
+      const double area = passes(loads, k, node) ? loads.flux_area(k, node) : whole[node];
+      weights[layout.flux(node, k)] = flux_unit(k, node) * area;
+    }
+  }
+  return weights;
+}
+
+VectorXd ContactPass::present_multiplier_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
+  if (!has_unknown_multipliers()) return {};
+  return held_ ? held_->multiplier_weights : multiplier_weights(loads, x1);
+}
+
+ConditionValue ContactPass::traction_condition(Index node, const NodalLoads& loads) const {
+  const double mu = multipliers.traction[node] / traction_unit(node);
+  return multiplier_condition(loads.in_contact[static_cast<std::size_t>(node)], mu, loads.gap[node]);
+}
+
+ConditionValue ContactPass::flux_condition(int field, Index node, const NodalLoads& loads) const {
+  const double mu = multipliers.flux(field, node) / flux_unit(field, node);
+  return multiplier_condition(passes(loads, field, node), mu, loads.jump(field, node));
+}
+
+VectorXd ContactPass::multiplier_residual(Index node, const NodalLoads& loads, const VectorXd& weights,
+                                          double dt) const {
+  const MultiplierLayout all = multiplier_layout();
+  const LocalLayout layout = node_patch(node, {}).layout();
+  VectorXd residual = VectorXd::Zero(layout.size());
+  residual[layout.traction_multiplier()] = weights[all.traction(node)] * traction_condition(node, loads).value;
+  for (int k = 0; k < effects_.scalar_fields(); ++k) {
+    residual[layout.flux_multiplier(k)] = dt * weights[all.flux(node, k)] * flux_condition(k, node, loads).value;
+  }
+  return residual;
+}
+
+MatrixXd ContactPass::multiplier_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                         const VectorXd& weights, double dt) const {
+  // The residual holds lambda_a traction_work + dt lambda_k flux_work, with lambda = k mu, and the conditions.
+  const MultiplierLayout all = multiplier_layout();
+  const LocalLayout layout = linear.patch.layout();
+  MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
+  const auto add = [&](Index own, const ConditionValue& condition, double weight, const VectorXd& variation) {
+    tangent(own, own) += weight * condition.with_multiplier;
+    if (condition.with_gap != 0) tangent.row(own) += weight * condition.with_gap * variation.transpose();
+  };
+  const Index traction = layout.traction_multiplier();
+  add(traction, traction_condition(node, loads), weights[all.traction(node)], linear.gap_variation);
+  if (loads.in_contact[static_cast<std::size_t>(node)]) {
+    tangent.col(traction) += traction_unit(node) * linear.traction_work;
+  }
+  for (int k = 0; k < effects_.scalar_fields(); ++k) {
+    const Index flux = layout.flux_multiplier(k);
+    const auto field = static_cast<std::size_t>(k);
+    add(flux, flux_condition(k, node, loads), dt * weights[all.flux(node, k)], linear.jump_variation[field]);
+    if (passes(loads, k, node)) tangent.col(flux) += dt * flux_unit(k, node) * linear.flux_work[field];
+  }
+  return tangent;
+}
+
+}  // namespace mixture_contact

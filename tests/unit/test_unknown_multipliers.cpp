@@ -1,0 +1,188 @@
+#include "contact/quadrature.h"
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+using namespace test;
+
+namespace {
+
+Settings lagrange_settings() {
+  Settings settings;
+  settings.enforcement = Enforcement::lagrange_multipliers;
+  return settings;
+}
+
+/// A contact with multipliers as unknowns at a state, with status held, as a function of all unknowns.
+struct Held {
+  Scene scene;
+  std::unique_ptr<ContactInterface> contact;
+  GlobalLayout layout;
+
+  explicit Held(Scene what) : scene(std::move(what)), contact(scene.contact()), layout(scene) {}
+
+  VectorXd residual(const VectorXd& q) {
+    const PerSide<SurfaceFields> fields = layout.unpack(q);
+    contact->project({{fields[Side::primary].position, fields[Side::secondary].position}});
+    contact->set_unknown_multipliers(q.tail(layout.multipliers.size()));
+    return assembled_residual(*contact, layout, fields, 0.3);
+  }
+
+  MatrixXd tangent(const VectorXd& q) {
+    const PerSide<SurfaceFields> fields = layout.unpack(q);
+    contact->project({{fields[Side::primary].position, fields[Side::secondary].position}});
+    contact->set_unknown_multipliers(q.tail(layout.multipliers.size()));
+    return assembled_tangent(*contact, layout, fields, 0.3);
+  }
+
+  VectorXd unknowns() const {
+    VectorXd q(layout.size());
+    q << layout.pack(scene.fields), contact->unknown_multipliers();
+    return q;
+  }
+};
+
+VectorXd random_values(Index size, double low, double high, std::mt19937& random) {
+  std::uniform_real_distribution<double> value(low, high);
+  return VectorXd::NullaryExpr(size, [&] { return value(random); });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_tangent_with_multipliers_matches_differences_for_every_pair_of_meshes) {
+  std::mt19937 random(11);
+  double worst = 0;
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      for (const Integration integration : {Integration::gauss, Integration::segments}) {
+        Scene scene(facing_grids(one, two, 0.08, 1, 2), effects_of(true, 1), lagrange_settings());
+        scene.settings.integration = integration;
+        scene.disturb(0.02, random);
+        Held held(scene);
+        held.contact->set_unknown_multipliers(random_values(held.layout.multipliers.size(), -0.5, 0, random));
+        held.contact->begin_iteration(scene.fields);
+        const VectorXd q = held.unknowns();
+        const MatrixXd approximate = differences([&](const VectorXd& at) { return held.residual(at); }, q);
+        const double difference = relative_error(held.tangent(q), approximate);
+        BOOST_TEST_MESSAGE(static_cast<int>(one) << " " << static_cast<int>(two) << " " << static_cast<int>(integration)
+                                                 << ": " << difference);
+        worst = std::max(worst, difference);
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE("largest relative difference " << worst);
+  BOOST_TEST(worst <= difference_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_with_some_nodes_out_of_contact) {
+  std::mt19937 random(5);
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 2), effects_of(true, 1), lagrange_settings());
+  // Tilted, so that the overlap ends within the surface.
+  scene.fields[Side::primary].position.row(2) -= 0.15 * scene.fields[Side::primary].position.row(0);
+  scene.disturb(0.002, random);
+  Held held(scene);
+  held.contact->set_unknown_multipliers(random_values(held.layout.multipliers.size(), -0.5, 0, random));
+  held.contact->begin_iteration(scene.fields);
+  const NodalLoads loads = held.contact->pass(0).nodal_loads(scene.fields[Side::primary],
+                                                             scene.fields[Side::secondary]);
+  const auto touching = std::count(loads.in_contact.begin(), loads.in_contact.end(), true);
+  BOOST_TEST(touching > 0);
+  BOOST_TEST(touching < scene.mesh[Side::primary].nodes);
+  const VectorXd q = held.unknowns();
+  const MatrixXd approximate = differences([&](const VectorXd& at) { return held.residual(at); }, q);
+  BOOST_TEST(relative_error(held.tangent(q), approximate) <= difference_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(rows_and_columns_of_multipliers_are_alike_on_flat_surfaces) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad8, 0.0, 3, 2), effects_of(true, 1), lagrange_settings());
+  Held held(scene);
+  held.contact->begin_iteration(scene.fields);
+  const MatrixXd tangent = held.tangent(held.unknowns());
+  const Index nodal = held.layout.nodal_size();
+  const Index own = held.layout.multipliers.size();
+  BOOST_TEST(relative_error(tangent.bottomLeftCorner(own, nodal), tangent.topRightCorner(nodal, own).transpose()) <=
+             rounding);
+}
+
+BOOST_AUTO_TEST_CASE(the_symmetric_tangent_is_symmetric) {
+  std::mt19937 random(3);
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.05, 2, 3), effects_of(true, 1), lagrange_settings());
+  scene.settings.symmetric = true;
+  scene.disturb(0.02, random);
+  Held held(scene);
+  held.contact->begin_iteration(scene.fields);
+  const MatrixXd tangent = held.tangent(held.unknowns());
+  BOOST_TEST(relative_error(tangent, tangent.transpose()) <= rounding);
+  BOOST_TEST(held.layout.multipliers.size() > 0);
+}
+
+namespace {
+
+/// Least singular value of the transmission operator b(mu, phi) = INT mu (phi1 - phi2) da between multipliers and
+/// fields of the primary and secondary surface, all measured by their L2 norms: the inf-sup constant of the multiplier
+/// space.
+double inf_sup_constant(FacetType one, FacetType two, int cells_one, int cells_two) {
+  Scene scene(facing_grids(one, two, 0.0, cells_one, cells_two), effects_of(false, 1), lagrange_settings());
+  Held held(scene);
+  held.contact->begin_iteration(scene.fields);
+  const MatrixXd tangent = held.tangent(held.unknowns());
+  const GlobalLayout& layout = held.layout;
+  const auto mass = [&](Side side, bool of_multipliers) {
+    const SurfaceMesh& mesh = scene.mesh[side];
+    MatrixXd sum = MatrixXd::Zero(mesh.nodes, mesh.nodes);
+    for (const Facet& facet : mesh.facets) {
+      const FacetCoordinates x = facet_coordinates(facet, scene.fields[side].position);
+      for (const QuadraturePoint& q : quadrature(facet.type, 4)) {
+        const ShapeFunctions shape = shape_functions(facet.type, q.xi);
+        const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
+        const double area = q.weight * tangents.col(0).cross(tangents.col(1)).norm();
+        const FacetVector n = of_multipliers ? multiplier_shape(facet.type, shape.value) : shape.value;
+        for (Index a = 0; a < n.size(); ++a) {
+          for (Index b = 0; b < n.size(); ++b) {
+            sum(facet.nodes[static_cast<std::size_t>(a)], facet.nodes[static_cast<std::size_t>(b)]) += area * n[a] *
+                                                                                                       n[b];
+          }
+        }
+      }
+    }
+    return sum;
+  };
+  const Index n1 = layout.nodes[Side::primary];
+  const Index n2 = layout.nodes[Side::secondary];
+  MatrixXd transmission(n1, n1 + n2);
+  for (Index a = 0; a < n1; ++a) {
+    const Index row = layout.nodal_size() + layout.multipliers.flux(a, 0);
+    for (Index b = 0; b < n1; ++b) transmission(a, b) = tangent(row, layout.entry(Side::primary, b, 3));
+    for (Index b = 0; b < n2; ++b) transmission(a, n1 + b) = tangent(row, layout.entry(Side::secondary, b, 3));
+  }
+  // In coordinates in which the L2 norms are Euclidean: L1^-1 B L^-T with M = L L^T. Rows carry dt.
+  const auto lower = [](const MatrixXd& matrix) -> MatrixXd { return matrix.llt().matrixL(); };
+  MatrixXd fields = MatrixXd::Zero(n1 + n2, n1 + n2);
+  fields.topLeftCorner(n1, n1) = lower(mass(Side::primary, false));
+  fields.bottomRightCorner(n2, n2) = lower(mass(Side::secondary, false));
+  const MatrixXd scaled = lower(mass(Side::primary, true)).inverse() * transmission * fields.inverse().transpose() /
+                          0.3;
+  return Eigen::JacobiSVD<MatrixXd>(scaled).singularValues().minCoeff();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_multiplier_space_is_stable_on_finer_and_coarser_surfaces) {
+  // The primary field alone controls its multipliers: they span the same space, so the constant is 1 at least, up to
+  // the quadrature of the secondary field, whatever the ratio of the meshes and however fine they are.
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : {FacetType::tri3, FacetType::quad4, FacetType::quad8}) {
+      for (const auto& [cells_one, cells_two] :
+           {std::pair(2, 2), std::pair(2, 3), std::pair(4, 1), std::pair(1, 4), std::pair(6, 4), std::pair(4, 6)}) {
+        const double constant = inf_sup_constant(one, two, cells_one, cells_two);
+        BOOST_TEST_MESSAGE(static_cast<int>(one) << " " << static_cast<int>(two) << ", " << cells_one << " to "
+                                                 << cells_two << ": " << constant);
+        BOOST_TEST(constant >= 0.99);
+      }
+    }
+  }
+}
