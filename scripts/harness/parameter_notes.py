@@ -111,8 +111,8 @@ GROUPS = (
 
 NOTES = {
     "laugon": Note(
-        "Enforcement: `PENALTY`, `AUGLAG` or `LAGMULT` (0, 1 or 2). `AUGLAG` drives gaps and jumps to their tolerances, "
-        "`LAGMULT` makes the loads unknowns of the solve and leaves neither.",
+        "Enforcement: `PENALTY`, `AUGLAG` or `LAGMULT` (0, 1 or 2). `AUGLAG` drives gaps and jumps to their "
+        "tolerances, `LAGMULT` makes the loads unknowns of the solve and leaves neither.",
         "`AUGLAG`: each augmentation costs at least one iteration; `LAGMULT`: one equation per primary node and load",
         "`PENALTY` or `AUGLAG`",
     ),

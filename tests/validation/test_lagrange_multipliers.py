@@ -1,4 +1,4 @@
-"""Multipliers as unknowns of the Newton solve: no gap, no jump, and no more iterations than the body that is not cut."""
+"""Multipliers as unknowns of the Newton solve: no gap, no jump, and no more iterations than an uncut body."""
 
 from __future__ import annotations
 

@@ -48,7 +48,9 @@ def relative_errors(outcome, exact):
 
 def patch(name, settings):
     slug = "".join(letter if letter.isalnum() else "-" for letter in name)
-    return NonMatching(**{**vars(PATCHES[name]), "settings": settings, "name": f"{slug}-{settings.integration}-{settings.laugon}"})
+    return NonMatching(
+        **{**vars(PATCHES[name]), "settings": settings, "name": f"{slug}-{settings.integration}-{settings.laugon}"}
+    )
 
 
 @pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
