@@ -14,7 +14,8 @@ from harness import indentation_figures, indentation_results, indentation_study
 from harness.indentation_results import Curves
 from harness.indentation_study import Case, Configuration, Row
 from harness.models.indentation import END, TIMES, Variant
-from harness.models.interface import Join
+from harness.models.interface import ContactSettings, Join
+from harness.models.parts import Param
 from harness.paths import RESULTS
 from harness.runner import Outcome, Runner
 
@@ -46,6 +47,8 @@ def indentation(
     configuration: Annotated[
         Configuration | None, typer.Option(help="A configuration of the study; the interface's defaults without it.")
     ] = None,
+    segments: Annotated[bool, typer.Option("--segments", help="Segment integration (sliding-mixture only).")] = False,
+    free_top: Annotated[bool, typer.Option("--free-top", help="Let the round body's flat top slide.")] = False,
     folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
 ) -> None:
     """Run problem 3.3, a semi-cylinder driven into a slab, and draw figure 3.4 and its curves.
@@ -55,6 +58,12 @@ def indentation(
     problem = replace(variant.problem, join=interface, module=solver.module, clamp=solver.clamp)
     if configuration is not None:
         problem = replace(problem, settings=configuration.settings(), primary=configuration.primary)
+    if segments:
+        settings = problem.settings or ContactSettings()
+        problem = replace(
+            problem, settings=replace(settings, extra=(Param("integration", "segments"), *settings.extra))
+        )
+    problem = replace(problem, gripped=not free_top)
     outcome = Runner(folder / "runs", timeout=None)(problem.model(), check=False)
     curves = indentation_results.curves(outcome)
     console.print(_summary(outcome, curves), markup=False)

@@ -74,6 +74,9 @@ class Indentation:
         Whether FEBio's multiphasic solver sets negative concentrations to zero; its solute solver always does.
     sliding : bool
         Whether the slab's bottom can slide along x (and z).
+    gripped : bool
+        Whether the round body's flat top is held along x (and z). Its edge is then a singular corner, where a fine mesh
+        turns inside out.
     control : Control
     module : str, optional
         The module that `join` asks for without it.
@@ -86,6 +89,7 @@ class Indentation:
     primary: Primary = Primary.CYLINDER
     clamp: bool = True
     sliding: bool = True
+    gripped: bool = True
     control: Control = CONTROL
     module: str | None = None
     name: str = "indentation"
@@ -117,11 +121,12 @@ class Indentation:
     def _conditions(self) -> tuple[Condition, ...]:
         """With the initial p~ = -R T Phi c the actual fluid pressure is zero at the start, as in the bath."""
         plane = fix("symmetry-z", "z") if self.grid.solid else fix("all", "z")
+        grip = (fix("top", "xz"),) if self.gripped else ()
         return (
             plane,
             fix("symmetry", "x"),
             fix("bottom", "y" if self.sliding else "xyz"),
-            fix("top", "xz"),
+            *grip,
             displace("top", "y", -DEPTH, RAMP_CURVE),
             initial_concentration("slab", CONCENTRATION),
             initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * GEL.osmotic * CONCENTRATION),
