@@ -277,7 +277,7 @@ FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& position
   return coordinates;
 }
 
-FacetVector facet_values(const Facet& facet, const Eigen::Ref<const VectorXd>& field) {
+FacetVector facet_values(const Facet& facet, const NodalField& field) {
   const int n = node_count(facet.type);
   FacetVector values(n);
   for (int a = 0; a < n; ++a) values[a] = field[facet.nodes[static_cast<std::size_t>(a)]];

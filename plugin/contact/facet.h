@@ -64,7 +64,10 @@ struct Facet {
 /// Columns of a per-node array that belong to a facet's nodes, shape (3, n).
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions);
 
+/// A scalar field, one value per node: a vector, or a column or row of a matrix, seen in place.
+using NodalField = Eigen::Ref<const VectorXd, 0, Eigen::InnerStride<>>;
+
 /// Entries of a per-node scalar field that belong to a facet's nodes, shape (n).
-FacetVector facet_values(const Facet& facet, const Eigen::Ref<const VectorXd>& field);
+FacetVector facet_values(const Facet& facet, const NodalField& field);
 
 }  // namespace mixture_contact

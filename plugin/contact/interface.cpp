@@ -108,8 +108,9 @@ Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) 
   const FacetTree tree(facets, x2, box_margin);
   Matrix3Xd moved = position[Side::primary];
   const Matrix3Xd normals = nodal_normals(mesh_[Side::primary], moved);
+  const double reach = search_radius(position);
   for (Index node = 0; node < moved.cols(); ++node) {
-    const Ray ray{moved.col(node), normals.col(node), search_radius(position), settings_.search_tolerance};
+    const Ray ray{moved.col(node), normals.col(node), reach, settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, x2, ray);
     if (hit && hit->gap < 0) moved.col(node) += hit->gap * normals.col(node);
   }
@@ -186,9 +187,10 @@ std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<
   const VectorXd other_share = VectorXd::NullaryExpr(static_cast<Index>(other_in_contact.size()), [&](Index node) {
     return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
   });
+  const double reach = search_radius(position_);
   std::vector<bool> in_contact(static_cast<std::size_t>(mesh_[side].nodes), false);
   for (Index node = 0; node < mesh_[side].nodes; ++node) {
-    const Ray ray{position_[side].col(node), normals.col(node), search_radius(position_), settings_.search_tolerance};
+    const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
     if (!hit) continue;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];

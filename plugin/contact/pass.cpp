@@ -305,8 +305,9 @@ PointContact ContactPass::contact(const FacetPair& pair, const IntegrationPoint&
   contact.fields = exchanged_fields(pair);
   const auto fields = static_cast<Index>(contact.fields.size());
   contact.values.resize(contact.kinematics.nodes(), fields);
-  contact.loads.traction = {contact.psi.dot(facet_values(primary_facet(pair), loads.traction)), 0.0};
-  contact.loads.traction_slope = contact.psi_gradient.transpose() * facet_values(primary_facet(pair), loads.traction);
+  const FacetVector traction = facet_values(primary_facet(pair), loads.traction);
+  contact.loads.traction = {contact.psi.dot(traction), 0.0};
+  contact.loads.traction_slope = contact.psi_gradient.transpose() * traction;
   contact.loads.weight = place.weight;
   contact.loads.time_increment = dt;
   contact.loads.flux.resize(fields);
@@ -314,9 +315,9 @@ PointContact ContactPass::contact(const FacetPair& pair, const IntegrationPoint&
   for (Index k = 0; k < fields; ++k) {
     const int field = contact.fields[static_cast<std::size_t>(k)];
     contact.values.col(k) = pair_values(pair, field, primary, secondary);
-    const VectorXd nodal = loads.flux.row(field).transpose();
-    contact.loads.flux[k] = {contact.psi.dot(facet_values(primary_facet(pair), nodal)), 0.0};
-    contact.loads.flux_slope.row(k) = facet_values(primary_facet(pair), nodal).transpose() * contact.psi_gradient;
+    const FacetVector nodal = facet_values(primary_facet(pair), loads.flux.row(field).transpose());
+    contact.loads.flux[k] = {contact.psi.dot(nodal), 0.0};
+    contact.loads.flux_slope.row(k) = nodal.transpose() * contact.psi_gradient;
   }
   return contact;
 }
