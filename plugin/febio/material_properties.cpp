@@ -138,3 +138,11 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   }
   return result;
 }
+
+std::vector<std::string> solute_names(FEModel& fem) {
+  std::vector<std::string> names;
+  for (int i = 0; i < fem.GlobalDataItems(); ++i) {
+    if (const auto* solute = dynamic_cast<FESoluteData*>(fem.GetGlobalData(i))) names.push_back(solute->GetName());
+  }
+  return names;
+}

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 class FEModel;
 
@@ -23,3 +24,6 @@ struct FacetMaterial {
 /// are.
 std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet,
                                             std::string& problem);
+
+/// Names of the model's solutes, in the order of their concentrations.
+std::vector<std::string> solute_names(FEModel& fem);

@@ -22,6 +22,7 @@
 using namespace mixture_contact;
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
+  ADD_PARAMETER(parameters_.effects, "effects");
   ADD_PARAMETER(parameters_.laugon, "laugon")
       ->setLongName("Enforcement method")
       ->setEnums("PENALTY\0AUGLAG\0LAGMULT\0");
@@ -173,13 +174,12 @@ bool FEMixtureContact::read_materials() {
       materials[side].push_back(*material);
     }
   }
-  decide_effects(materials);
+  if (!decide_effects(materials)) return false;
   if (effects_.scalar_fields() > max_scalar_fields) {
     feLogError("sliding-mixture \"%s\": the surfaces share %d fields; at most %d are supported.", GetName().c_str(),
                effects_.scalar_fields(), max_scalar_fields);
     return false;
   }
-  log_effects(materials);
   build_core({{surface_mesh(Side::primary, materials[Side::primary]),
                surface_mesh(Side::secondary, materials[Side::secondary])}});
   const VectorXd& penalty = core_->pass(0).penalty().traction;
@@ -205,21 +205,36 @@ void FEMixtureContact::build_core(PerSide<SurfaceMesh> meshes) {
   core_ = std::make_unique<ContactInterface>(std::move(meshes), effects_, core_settings(parameters_));
 }
 
-void FEMixtureContact::decide_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
-  PerSide<bool> permeable{{false, false}};
-  PerSide<std::set<int>> solutes;
-  for (const Side side : both_sides) {
-    for (const FacetMaterial& material : materials[side]) {
-      permeable[side] = permeable[side] || material.permeable;
-      for (const auto& entry : material.solutes) solutes[side].insert(entry.first);
+std::vector<FieldAtContact> FEMixtureContact::fields_of_model(const PerSide<std::vector<FacetMaterial>>& materials) {
+  const auto obstacles = [&](const auto& has, const char* lacking) {
+    std::vector<std::string> list;
+    for (const Side side : both_sides) {
+      if (std::none_of(materials[side].begin(), materials[side].end(), has))
+        list.push_back("\"" + surface(side).GetName() + "\" " + lacking);
     }
+    return list;
+  };
+  std::vector<FieldAtContact> fields;
+  fields.push_back({-1, "", {"the module has no fluid pressure"}});
+  if (pressure_dof_ >= 0)
+    fields.back().obstacles = obstacles([](const FacetMaterial& m) { return m.permeable; }, "is impermeable");
+  std::vector<std::string> names = solute_names(*GetFEModel());
+  names.resize(static_cast<std::size_t>(concentrations_));
+  for (int solute = 0; solute < concentrations_; ++solute) {
+    const auto has_it = [solute](const FacetMaterial& m) { return m.solutes.count(solute) > 0; };
+    fields.push_back({solute, names[static_cast<std::size_t>(solute)], obstacles(has_it, "does not have it")});
   }
-  effects_ = {};
-  effects_.solvent = pressure_dof_ >= 0 && permeable[Side::primary] && permeable[Side::secondary];
-  const auto& two = solutes[Side::secondary];
-  for (const int solute : solutes[Side::primary]) {
-    if (concentration_dof_ >= 0 && two.count(solute) > 0) effects_.solutes.push_back(solute);
-  }
+  return fields;
+}
+
+bool FEMixtureContact::decide_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
+  const Exchange exchange = decide_exchange(parameters_.effects, fields_of_model(materials));
+  for (const std::string& sentence : exchange.complaints)
+    feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
+  if (!exchange.complaints.empty()) return false;
+  effects_ = exchange.effects;
+  feLog("sliding-mixture \"%s\" exchanges %s\n", GetName().c_str(), exchange.summary.c_str());
+  return true;
 }
 
 SurfaceMesh FEMixtureContact::surface_mesh(Side side, const std::vector<FacetMaterial>& materials) {
@@ -275,39 +290,6 @@ bool FEMixtureContact::update_properties() {
   }
   core_->update_properties(stiffness, conductance);
   return true;
-}
-
-void FEMixtureContact::log_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
-  const auto permeable = [&](Side side) {
-    return std::any_of(materials[side].begin(), materials[side].end(),
-                       [](const FacetMaterial& m) { return m.permeable; });
-  };
-  std::string line = "traction";
-  std::string absent;
-  if (effects_.solvent) {
-    line += ", solvent";
-  } else if (pressure_dof_ < 0) {
-    absent += " No solvent: the module has no fluid pressure.";
-  } else {
-    for (const Side side : both_sides) {
-      if (!permeable(side)) absent += " No solvent: \"" + surface(side).GetName() + "\" is impermeable.";
-    }
-  }
-  for (int solute = 0; solute < concentrations_; ++solute) {
-    const auto has = [&](Side side) {
-      return std::any_of(materials[side].begin(), materials[side].end(),
-                         [&](const FacetMaterial& m) { return m.solutes.count(solute) > 0; });
-    };
-    const std::string name = "solute " + std::to_string(solute + 1);
-    if (has(Side::primary) && has(Side::secondary)) {
-      line += ", " + name;
-      continue;
-    }
-    for (const Side side : both_sides) {
-      if (!has(side)) absent += " No " + name + ": \"" + surface(side).GetName() + "\" does not have it.";
-    }
-  }
-  feLog("sliding-mixture \"%s\" exchanges %s.%s\n", GetName().c_str(), line.c_str(), absent.c_str());
 }
 
 bool FEMixtureContact::check_ambient() {

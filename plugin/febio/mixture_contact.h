@@ -6,6 +6,7 @@
 #include "clamped_concentrations.h"
 #include "contact/interface.h"
 #include "host/contact_parameters.h"
+#include "host/exchange.h"
 #include "mixture_surface.h"
 
 #include <FEBioMech/FEContactInterface.h>
@@ -59,10 +60,10 @@ class FEMixtureContact : public FEContactInterface {
   bool read_materials();
   bool check_ambient();
   bool check_multipliers();
-  void decide_effects(const PerSide<std::vector<struct FacetMaterial>>& materials);
+  std::vector<FieldAtContact> fields_of_model(const PerSide<std::vector<struct FacetMaterial>>& materials);
+  bool decide_effects(const PerSide<std::vector<FacetMaterial>>& materials);
   mixture_contact::SurfaceMesh surface_mesh(Side side, const std::vector<FacetMaterial>& materials);
   bool update_properties();
-  void log_effects(const PerSide<std::vector<FacetMaterial>>& materials);
   void add_callbacks();
   void ask_for_nonsymmetric_matrix();
   void build_core(PerSide<mixture_contact::SurfaceMesh> meshes);

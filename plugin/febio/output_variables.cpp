@@ -1,8 +1,8 @@
 #include "output_variables.h"
 
+#include "material_properties.h"
 #include "mixture_contact.h"
 
-#include <FEBioMix/FESolute.h>
 #include <FECore/FECoreFactory.h>
 #include <FECore/FECoreKernel.h>
 #include <FECore/FEModel.h>
@@ -57,10 +57,7 @@ FEMixtureSurface* contact_surface(FEModel& fem, FESurface& surface) {
 }
 
 void name_solutes(FEPlotData& data, FEModel& fem) {
-  std::vector<std::string> names;
-  for (int i = 0; i < fem.GlobalDataItems(); ++i) {
-    if (const auto* solute = dynamic_cast<FESoluteData*>(fem.GetGlobalData(i))) names.push_back(solute->GetName());
-  }
+  std::vector<std::string> names = solute_names(fem);
   data.SetArraySize(static_cast<int>(names.size()));
   data.SetArrayNames(names);
 }

@@ -9,8 +9,9 @@
 
 /// Values under FEBio's own names. A `_given` flag tells whether the model sets the parameter.
 struct ContactParameters {
-  int laugon = 0;           ///< 0: PENALTY, 1: AUGLAG, 2: LAGMULT
-  double tolerance = 2e-3;  ///< relative tolerance of every field [-]
+  std::string effects = "all";  ///< see decide_exchange()
+  int laugon = 0;               ///< 0: PENALTY, 1: AUGLAG, 2: LAGMULT
+  double tolerance = 2e-3;      ///< relative tolerance of every field [-]
   double traction_tolerance = 0;
   double solvent_tolerance = 0;
   double solute_tolerance = 0;

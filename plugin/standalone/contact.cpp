@@ -39,8 +39,6 @@ Vector3d area_vector(const Facet& facet, const Matrix3Xd& position) {
 
 Contact::Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies)
     : model_(model), definition_(definition), bodies_(bodies) {
-  PerSide<bool> permeable{{false, false}};
-  PerSide<std::set<int>> solutes;
   for (const Side side : both_sides) {
     facets_[side] = model.mesh.surfaces.at(definition.surfaces[static_cast<std::size_t>(side)]);
     const bool flip = side == Side::primary ? definition.parameters.flip_primary : definition.parameters.flip_secondary;
@@ -49,15 +47,10 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
       if (flip) facet.facet = inverted(facet.facet);
       nodes.insert(facet.facet.nodes.begin(),
                    facet.facet.nodes.begin() + mixture_contact::node_count(facet.facet.type));
-      const Material& material = bodies.material(static_cast<std::size_t>(facet.element));
-      permeable[side] = permeable[side] || material.porous;
-      for (const Solute& solute : material.solutes) solutes[side].insert(solute.index);
     }
     nodes_[side].assign(nodes.begin(), nodes.end());
   }
-  effects_.solvent = permeable[Side::primary] && permeable[Side::secondary];
-  std::set_intersection(solutes[Side::primary].begin(), solutes[Side::primary].end(), solutes[Side::secondary].begin(),
-                        solutes[Side::secondary].end(), std::back_inserter(effects_.solutes));
+  decide_effects();
   const MatrixXd start = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
   core_ = std::make_unique<mixture_contact::ContactInterface>(
       PerSide<mixture_contact::SurfaceMesh>{{surface_mesh(Side::primary, start), surface_mesh(Side::secondary, start)}},
@@ -70,11 +63,37 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
   }
 }
 
-std::string Contact::effects_line() const {
-  std::string line = "sliding-mixture \"" + definition_.name + "\" exchanges traction";
-  if (effects_.solvent) line += ", solvent";
-  for (const int solute : effects_.solutes) line += ", solute " + std::to_string(solute + 1);
-  return line + ".";
+std::vector<FieldAtContact> Contact::fields_of_model() const {
+  const auto obstacles = [&](const auto& has, const char* lacking) {
+    std::vector<std::string> list;
+    for (const Side side : both_sides) {
+      const auto behind = [&](const SurfaceFacet& facet) {
+        return has(bodies_.material(static_cast<std::size_t>(facet.element)));
+      };
+      if (std::none_of(facets_[side].begin(), facets_[side].end(), behind))
+        list.push_back("\"" + definition_.surfaces[static_cast<std::size_t>(side)] + "\" " + lacking);
+    }
+    return list;
+  };
+  std::vector<FieldAtContact> fields;
+  fields.push_back({-1, "", obstacles([](const Material& m) { return m.porous; }, "is impermeable")});
+  for (int solute = 0; solute < model_.solutes; ++solute) {
+    const auto has_it = [solute](const Material& m) {
+      return std::any_of(m.solutes.begin(), m.solutes.end(), [solute](const Solute& s) { return s.index == solute; });
+    };
+    const auto name = model_.solute_names.find(solute);
+    fields.push_back(
+        {solute, name == model_.solute_names.end() ? "" : name->second, obstacles(has_it, "does not have it")});
+  }
+  return fields;
+}
+
+void Contact::decide_effects() {
+  const Exchange exchange = decide_exchange(definition_.parameters.effects, fields_of_model());
+  if (!exchange.complaints.empty())
+    throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
+  effects_ = exchange.effects;
+  effects_line_ = "sliding-mixture \"" + definition_.name + "\" exchanges " + exchange.summary;
 }
 
 mixture_contact::SurfaceMesh Contact::surface_mesh(Side side, const MatrixXd& values) const {

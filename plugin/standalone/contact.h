@@ -4,6 +4,7 @@
 
 #include "bodies.h"
 #include "contact/interface.h"
+#include "host/exchange.h"
 
 namespace standalone {
 
@@ -21,8 +22,8 @@ class Contact {
   const ContactDefinition& definition() const { return definition_; }
   mixture_contact::ContactInterface& core() { return *core_; }
   const std::vector<int>& nodes(Side side) const { return nodes_[side]; }
-  /// A line that says which effects the contact exchanges.
-  std::string effects_line() const;
+  /// A line that says which effects the contact exchanges, and why others are absent.
+  const std::string& effects_line() const { return effects_line_; }
 
   /// Stiffness and conductance behind each facet, for the automatic penalties; the convective part follows the current
   /// flow.
@@ -47,6 +48,8 @@ class Contact {
   void restore(const Saved& saved);
 
  private:
+  std::vector<FieldAtContact> fields_of_model() const;
+  void decide_effects();
   mixture_contact::SurfaceMesh surface_mesh(Side side, const MatrixXd& values) const;
   PerSide<Matrix3Xd> positions(const MatrixXd& values) const;
   int field_dof(int field) const;
@@ -58,6 +61,7 @@ class Contact {
   PerSide<std::vector<SurfaceFacet>> facets_;  ///< with nodes of the mesh
   PerSide<std::vector<int>> nodes_;            ///< mesh nodes of each surface, in the order of the core
   mixture_contact::Effects effects_;
+  std::string effects_line_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
 };
 

@@ -160,6 +160,7 @@ struct Model {
   double gas_constant = 0;  ///< R [mJ/(nmol K)]
   double temperature = 0;   ///< [K]
   int solutes = 0;
+  std::map<int, std::string> solute_names;  ///< of the solutes that have one
   std::vector<Material> materials;
   Mesh mesh;
   std::vector<Condition> prescribed;

@@ -80,6 +80,8 @@ void read_parameter_of(const Tag& tag, const Model& model, ContactDefinition& co
     const bool segments = tag.text() == "segments" || tag.text() == "1";
     contact.parameters.integration = segments ? 1 : 0;
     if (!segments && tag.text() != "gauss" && tag.text() != "0") tag.fail(R"(allowed: "gauss", "segments")");
+  } else if (name == "effects") {
+    contact.parameters.effects = tag.text();
   } else if (name == "ambient_pressure") {
     contact.ambient_pressure = read_parameter(tag, model);
   } else if (name == "ambient_concentration") {

@@ -104,6 +104,7 @@ void read_globals(const Tag& section, Model& model) {
   for (const Tag& tag : solutes->children()) {
     tag.allow_children({"charge_number", "molar_mass", "density"});
     if (tag.integer_attribute("id") != ++model.solutes) tag.fail("ids must count up from 1");
+    if (const auto name = tag.find_attribute("name")) model.solute_names[model.solutes - 1] = *name;
     if (model.solutes > 100) tag.fail("there may be up to 100 solutes");
     if (const auto charge = tag.find("charge_number")) {
       if (charge->number() != 0) charge->fail("charged solutes are not supported");

@@ -47,7 +47,14 @@ class ContactType:
 _ANY = ("solid", "biphasic", "solute", "multiphasic")
 _POROUS = _ANY[1:]
 
-_OWN = ("traction_tolerance", "solvent_tolerance", "solute_tolerance", "integration", "integration_order")
+_OWN = (
+    "effects",
+    "traction_tolerance",
+    "solvent_tolerance",
+    "solute_tolerance",
+    "integration",
+    "integration_order",
+)
 _MIXTURE_PARAMETERS = frozenset(
     [*_BASE, "symmetric_stiffness", *_SOLVENT, *_SOLUTE, *_FRICTION, *_SHELLS, "offset", "tension", *_OWN]
 )

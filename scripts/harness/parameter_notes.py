@@ -44,6 +44,12 @@ AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_rad
 
 GROUPS = (
     Group(
+        "Effects",
+        "What is exchanged, of that which the materials on both sides allow; "
+        "see [the log](user-guide.md#the-contact-in-a-model-file).",
+        ("effects",),
+    ),
+    Group(
         "Enforcement",
         "How exactly overlap and jumps are closed; see [penalties](user-guide.md#penalties) and "
         "[which enforcement](user-guide.md#which-enforcement).",
@@ -128,6 +134,13 @@ NOTES = {
     ),
     "solute_tolerance": Note(
         "The same for the jumps of all solutes.", "as `tolerance`", "not there", default="`tolerance`"
+    ),
+    "effects": Note(
+        "`all`, or names with commas between them: `traction`, `solvent`, `solute 1` or the solute's own name. What is "
+        "left out is sealed: no flux, no memory, no matrix entries. Traction is always exchanged, also where it is not "
+        "named. Asking for what the materials do not allow is an error that says why.",
+        "none; fewer effects cost less",
+        "not there",
     ),
     "gaptol": Note(
         "`AUGLAG`, `LAGMULT`: largest gap or overlap of a node in contact. 0: none.",

@@ -18,7 +18,7 @@ DECLARATION = REPOSITORY / "plugin" / "host" / "contact_parameters.h"
 PAGE = "parameters.md"
 
 _REGISTERED = re.compile(r'ADD_(?P<what>PARAMETER|PROPERTY)\(\w+(?:\.(?P<member>\w+))?, "(?P<name>\w+)"(?P<rest>[^;]*)')
-_DECLARED = re.compile(r"^  (?P<kind>bool|int|double) (?P<member>\w+) = (?P<value>[^;]+);", re.MULTILINE)
+_DECLARED = re.compile(r"^  (?P<kind>bool|int|double|std::string) (?P<member>\w+) = (?P<value>[^;]+);", re.MULTILINE)
 _CHOICES = re.compile(r'setEnums\("([^"]+)"\)')
 
 
@@ -30,7 +30,7 @@ class Parameter:
     ----------
     name : str
     kind : str
-        ``bool``, ``int`` or ``double``; ``property`` for what has values of its own.
+        ``bool``, ``int``, ``double`` or ``std::string``; ``property`` for what has values of its own.
     default : str
     choices : tuple of str
         Names of the values, if they have names.
@@ -75,6 +75,8 @@ def _parameter(match: re.Match[str], declared: dict[str, re.Match[str]]) -> Para
 def _shown(kind: str, value: str, choices: tuple[str, ...]) -> str:
     if choices:
         return f"`{choices[int(value)]}`"
+    if kind == "std::string":
+        return f"`{value.strip(chr(34))}`"
     return {"false": "0", "true": "1"}[value] if kind == "bool" else value
 
 

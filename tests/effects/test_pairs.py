@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ import pytest
 from harness import compare
 from harness.models import pairs
 from harness.models.pairs import Kind, Pair
-from harness.models.parts import Mixture
+from harness.models.parts import Mixture, Param
 
 BODIES = ("lower", "upper")
 SURFACES = ("lower-top", "upper-bottom")
@@ -72,12 +73,16 @@ def check_reaction(run, end, force):
     assert abs(reaction) == pytest.approx(abs(force), rel=CONVERGED)
 
 
-def check_fluxes(run, pair):
+def shared_flows(pair):
+    shared = {f"contact solute flow {sol}" for sol in shared_solutes(pair)}
+    porous = isinstance(pair.lower, Mixture) and isinstance(pair.upper, Mixture)
+    return shared | {"contact solvent flow"} if porous else shared
+
+
+def check_fluxes(run, pair, shared=None):
     """The flow over the contact is the flux in each body; a field that is not shared stands still on either side."""
     below, above = (flows(run, surface) for surface in SURFACES)
-    shared = {f"contact solute flow {sol}" for sol in shared_solutes(pair)}
-    if isinstance(pair.lower, Mixture) and isinstance(pair.upper, Mixture):
-        shared.add("contact solvent flow")
+    shared = shared_flows(pair) if shared is None else shared
     for what, flow in below.items():
         assert above[what] == pytest.approx(-flow, rel=1e-12, abs=0.0)
         assert (flow > 0.0) == (what in shared), what
@@ -144,3 +149,56 @@ def test_solutes_in_another_order_and_one_that_one_side_lacks(runner, lower, upp
     check_forces(run)
     check_fluxes(run, pair)
     check_jumps(run, pair)
+
+
+def three_on_two(effects, name):
+    """Solutes {1, 2, 3} on {3, 1}, all neutral, with the parameter <effects>."""
+    settings = pairs.ContactSettings(extra=(Param("effects", effects),))
+    bodies = (pairs.mixture(Kind.MULTIPHASIC, sols) for sols in LISTS[0])
+    return Pair(*bodies, "multiphasic", name, settings, charges=(0, 0, 0))
+
+
+CHOICES = {
+    "traction": set(),
+    "solvent": {"contact solvent flow"},
+    "traction, solvent , solute 1": {"contact solvent flow", "contact solute flow 1"},
+    "s3": {"contact solute flow 3"},
+    "all": {"contact solvent flow", "contact solute flow 1", "contact solute flow 3"},
+}
+
+
+@pytest.mark.parametrize("effects", CHOICES)
+def test_what_is_left_out_is_sealed(runner, effects):
+    pair = three_on_two(effects, f"effects-{list(CHOICES).index(effects)}")
+    run = runner(pair.model())
+    check_forces(run)
+    check_fluxes(run, pair, CHOICES[effects])
+    left_out = shared_flows(pair) - CHOICES[effects]
+    assert run.log.count("<effects> leaves it out") == len(left_out)
+
+
+@pytest.mark.parametrize(
+    ("effects", "said"),
+    [
+        (
+            "solvent, solute 2",
+            '<effects> asks for solute 2, which this contact cannot exchange: "upper-bottom" does not have it',
+        ),
+        ("s2", '<effects> asks for s2, which this contact cannot exchange: "upper-bottom" does not have it'),
+        ("solvent, salt", '<effects> names "salt"; allowed: "all", or names out of traction, solvent, solute 1 (s1)'),
+        ("solvent,,s1", '<effects> names ""; allowed'),
+    ],
+)
+def test_what_cannot_be_exchanged_is_refused(runner, effects, said):
+    run = runner(three_on_two(effects, "refused").model(), check=False)
+    assert not run.report.normal
+    assert run.report.steps == 0
+    assert said in " ".join(run.report.errors)
+
+
+def test_the_solvent_is_refused_where_one_side_is_impermeable(runner):
+    pair = pairs.of_kinds(Kind.BIPHASIC, Kind.ELASTIC)
+    settings = pairs.ContactSettings(extra=(Param("effects", "solvent"),))
+    run = runner(replace(pair, settings=settings, name="refused-solvent").model(), check=False)
+    assert not run.report.normal
+    assert '"upper-bottom" is impermeable' in " ".join(run.report.errors)

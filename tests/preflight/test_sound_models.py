@@ -23,9 +23,10 @@ from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.indentation import Variant
-from harness.models.interface import PAPER, Join
+from harness.models.interface import PAPER, ContactSettings, Join
 from harness.models.layers import Layers
 from harness.models.mesh import Section
+from harness.models.parts import Param
 from harness.paths import MODELS, REPOSITORY
 from harness.preflight import elements
 from harness.preflight.check import check
@@ -366,3 +367,19 @@ def test_converting_from_the_command_line(tmp_path):
     assert command("convert", path, "--in-place").exit_code == 0
     assert path.read_bytes() == made
     assert "nothing to convert" in str(command("convert", path, "--output", tmp_path / "new.feb").exception)
+
+
+@pytest.mark.parametrize(
+    ("effects", "names"),
+    [
+        ("all", ["traction", "fluid pressure", "concentration of solute 1"]),
+        ("traction", ["traction"]),
+        ("solvent", ["traction", "fluid pressure"]),
+        ("solute 1", ["traction", "concentration of solute 1"]),
+        (" s1 ", ["traction", "concentration of solute 1"]),
+    ],
+)
+def test_what_a_contact_exchanges(effects, names, tmp_path):
+    settings = ContactSettings(extra=(Param("effects", effects),))
+    model = read(Diffusion(Join.MIXTURE, settings, elements=1).model().write(tmp_path))
+    assert [field.name for field in Joint(model, model.contacts[0]).fields] == names

@@ -87,6 +87,16 @@ def test_a_loaded_biphasic_layer_agrees(runs):
     assert max(found.values()) <= BAR, found
 
 
+@pytest.mark.parametrize("effects", ["solvent", "s1"])
+def test_an_effect_left_out_agrees(runs, effects):
+    settings = ContactSettings(extra=(Param("effects", effects),))
+    one, two = runs(strict(Diffusion(settings=settings, control=Control(20, 50.0)).model(), FLOORS[10.0]))
+    found = differences(one, two)
+    assert max(found.values()) <= BAR, found
+    assert "<effects> leaves it out" in one.log
+    assert "<effects> leaves it out" in two.log
+
+
 def test_a_body_without_contact_agrees(runs):
     found = differences(*runs(strict(Diffusion(Join.UNSPLIT, control=Control(20, 50.0)).model(), FLOORS[10.0])))
     assert max(found.values()) <= BAR, found
@@ -105,13 +115,29 @@ def test_the_log_is_read_like_febios(runs):
     assert abs(one.report.iterations - two.report.iterations) <= 2
 
 
-def test_a_model_that_cannot_be_read_says_why_and_ends_with_1(tmp_path: Path):
-    try:
-        command = STANDALONE.command(tmp_path / "bad.feb", False)
-    except EngineNotFoundError as error:
-        pytest.skip(str(error))
+@pytest.fixture
+def complaints(tmp_path: Path):
+    """What the embedded engine says of a model's text that it refuses."""
+
+    def run(text: str) -> list[str]:
+        try:
+            command = STANDALONE.command(tmp_path / "bad.feb", False)
+        except EngineNotFoundError as error:
+            pytest.skip(str(error))
+        (tmp_path / "bad.feb").write_text(text)
+        finished = engine.execute(command, tmp_path, check=False)
+        assert not finished.report.normal
+        return finished.report.errors
+
+    return run
+
+
+def test_a_model_that_cannot_be_read_says_why_and_ends_with_1(complaints):
     text = Diffusion(control=Control(2, 50.0)).model().text()
-    (tmp_path / "bad.feb").write_text(text.replace("<E>10</E>", "<E>ten</E>"))
-    finished = engine.execute(command, tmp_path, check=False)
-    assert not finished.report.normal
-    assert any("line" in said and "<E>" in said for said in finished.report.errors)
+    assert any("line" in said and "<E>" in said for said in complaints(text.replace("<E>10</E>", "<E>ten</E>")))
+
+
+def test_an_effect_that_cannot_be_is_refused(complaints):
+    settings = ContactSettings(extra=(Param("effects", "salt"),))
+    said = complaints(Diffusion(settings=settings, control=Control(2, 50.0)).model().text())
+    assert any('<effects> names "salt"; allowed' in sentence for sentence in said)

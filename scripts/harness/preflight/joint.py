@@ -236,14 +236,19 @@ class Joint:
 
     @cached_property
     def fields(self) -> tuple[Field, ...]:
-        """What it exchanges: it follows from the type and from the materials on both sides."""
+        """What it exchanges: it follows from the type, the materials on both sides, and <effects>."""
         kind = self.contact.kind
         found = [TRACTION]
-        if kind.solvent and all(side.porous for side in self.sides):
+        if kind.solvent and all(side.porous for side in self.sides) and self.contact.asks_for("solvent"):
             found.append(SOLVENT)
         if kind.solutes:
-            found += [solute(number) for number in sorted(self.primary.solutes & self.secondary.solutes)]
+            shared = sorted(self.primary.solutes & self.secondary.solutes)
+            found += [solute(number) for number in shared if self._asks_for_solute(number)]
         return tuple(found)
+
+    def _asks_for_solute(self, number: int) -> bool:
+        own = [name for name, known in self.model.solutes.items() if known == number and not name.isdigit()]
+        return self.contact.asks_for(f"solute {number}", *own)
 
     @cached_property
     def gaps(self) -> Array:

@@ -51,6 +51,12 @@ class Contact:
         """Whether a switch is on."""
         return documents.flag(self.tag, name)
 
+    def asks_for(self, *names: str) -> bool:
+        """Whether <effects> names one of these, or leaves the choice to the materials."""
+        asked = self.given("effects")
+        words = {"all"} if asked is None else {word.strip() for word in text(asked).split(",")}
+        return "all" in words or not words.isdisjoint(names)
+
     @property
     def augmented(self) -> bool:
         """Whether it uses the augmented Lagrangian."""

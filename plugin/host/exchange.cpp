@@ -1,0 +1,83 @@
+#include "exchange.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace {
+
+std::string number_of(const FieldAtContact& field) {
+  return field.solute < 0 ? "solvent" : "solute " + std::to_string(field.solute + 1);
+}
+
+bool is_called(const FieldAtContact& field, const std::string& word) {
+  return word == number_of(field) || (!field.name.empty() && word == field.name);
+}
+
+std::string trimmed(const std::string& text) {
+  const char* const blank = " \t\r\n";
+  const auto first = text.find_first_not_of(blank);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+std::vector<std::string> words(const std::string& list) {
+  std::vector<std::string> found;
+  std::istringstream rest(list);
+  for (std::string word; std::getline(rest, word, ',');) found.push_back(trimmed(word));
+  return found;
+}
+
+std::string allowed(const std::vector<FieldAtContact>& fields) {
+  std::string list = "\"all\", or names out of traction";
+  for (const FieldAtContact& field : fields) {
+    list += ", " + number_of(field);
+    if (!field.name.empty()) list += " (" + field.name + ")";
+  }
+  return list + " with commas between them";
+}
+
+void check_word(const std::string& word, const std::vector<FieldAtContact>& fields, std::vector<std::string>& list) {
+  if (word == "traction") return;
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return is_called(f, word); });
+  if (field == fields.end()) {
+    list.push_back("<effects> names \"" + word + "\"; allowed: " + allowed(fields) + ".");
+    return;
+  }
+  const std::string refusal = "<effects> asks for " + word + ", which this contact cannot exchange: ";
+  for (const std::string& obstacle : field->obstacles) list.push_back(refusal + obstacle + ".");
+}
+
+void exchange(const FieldAtContact& field, mixture_contact::Effects& effects) {
+  if (field.solute < 0) {
+    effects.solvent = true;
+  } else {
+    effects.solutes.push_back(field.solute);
+  }
+}
+
+}  // namespace
+
+Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields) {
+  Exchange result;
+  const bool everything = trimmed(asked) == "all";
+  const std::vector<std::string> names = everything ? std::vector<std::string>{} : words(asked);
+  for (const std::string& name : names) check_word(name, fields, result.complaints);
+  if (!everything && names.empty())
+    result.complaints.push_back("<effects> is empty; allowed: " + allowed(fields) + ".");
+
+  std::string present = "traction";
+  std::string absent;
+  for (const FieldAtContact& field : fields) {
+    const auto means_it = [&](const std::string& name) { return is_called(field, name); };
+    const bool wanted = everything || std::any_of(names.begin(), names.end(), means_it);
+    for (const std::string& obstacle : field.obstacles) absent += " No " + number_of(field) + ": " + obstacle + ".";
+    if (!field.obstacles.empty()) continue;
+    if (wanted) {
+      exchange(field, result.effects);
+      present += ", " + number_of(field);
+    } else {
+      absent += " No " + number_of(field) + ": <effects> leaves it out.";
+    }
+  }
+  result.summary = present + "." + absent;
+  return result;
+}

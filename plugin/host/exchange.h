@@ -1,0 +1,25 @@
+/// What a contact exchanges: what the materials on both sides allow, and of that what the model asks for.
+#pragma once
+
+#include "contact/effects.h"
+
+#include <string>
+#include <vector>
+
+/// A scalar field of a model, as one contact finds it.
+struct FieldAtContact {
+  int solute = -1;                     ///< index of the solute; -1: the solvent
+  std::string name;                    ///< the solute's own name in the model, if it has one
+  std::vector<std::string> obstacles;  ///< why this contact cannot exchange it, a clause each; empty if it can
+};
+
+/// The outcome of decide_exchange().
+struct Exchange {
+  mixture_contact::Effects effects;
+  std::string summary;                  ///< "traction, solvent. No solute 1: ..."
+  std::vector<std::string> complaints;  ///< what is wrong with the request, one sentence each
+};
+
+/// Decides which of the fields, ordered solvent first and solutes ascending, a contact exchanges. `asked` is the
+/// parameter <effects>: "all", or names with commas between them. Traction is always exchanged.
+Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields);
