@@ -208,6 +208,11 @@ FAULTS = {
     ),
     "negative tolerance": (lambda: with_params(Param("tolerance", -1.0)), "bad-value", "not negative"),
     "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "positive number"),
+    "FEBio's enforcement": (
+        lambda: with_params(Param("laugon", "LAGMULT"), join=Join.SOLUTE),
+        "bad-value",
+        "must be PENALTY or AUGLAG",
+    ),
     "augmentations": (lambda: with_params(Param("minaug", 5), Param("maxaug", 2)), "bad-value", "minaug"),
     "friction": (lambda: with_params(Param("fric_coeff", 0.1)), "unsupported", "friction"),
     "offset": (lambda: with_params(Param("offset", 0.1)), "unsupported", "offset"),

@@ -13,7 +13,9 @@ from harness.preflight.rules.tools import error, note, warning
 
 NOT_NEGATIVE, POSITIVE = "a number that is not negative", "a positive number"
 COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
-CHOICES = {"laugon": ("PENALTY", "AUGLAG"), "integration": ("gauss", "segments")}
+CHOICES = {"laugon": ("PENALTY", "AUGLAG", "LAGMULT"), "integration": ("gauss", "segments")}
+OWN_CHOICES = ("LAGMULT",)
+"""Last of their list, and not in FEBio's sliding interfaces."""
 ALLOWED = {
     **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance"), NOT_NEGATIVE),
     **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
@@ -22,7 +24,6 @@ ALLOWED = {
     **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
     **dict.fromkeys(("ambient_pressure", "ambient_concentration"), NUMBER),
-    **{name: " or ".join(words) for name, words in CHOICES.items()},
 }
 """What each parameter may be, in words; the others may be anything."""
 UNSUPPORTED = {
@@ -65,6 +66,8 @@ def bad_value(joint: Joint) -> Iterator[Finding]:
 
 def _allowed(name: str, strict: bool) -> str:
     """What a parameter may be; empty where anything goes. FEBio's types take a penalty or a radius of zero."""
+    if name in CHOICES:
+        return " or ".join(word for word in CHOICES[name] if strict or word not in OWN_CHOICES)
     allowed = ALLOWED.get(name, "")
     return NOT_NEGATIVE if allowed == POSITIVE and not strict else allowed
 
@@ -72,7 +75,8 @@ def _allowed(name: str, strict: bool) -> str:
 def _fits(tag: Element, name: str, allowed: str) -> bool:
     value = _number(tag)
     if name in CHOICES:
-        return text(tag) in (*CHOICES[name], "0", "1")
+        words = allowed.split(" or ")
+        return text(tag) in (*words, *map(str, range(len(words))))
     if allowed == SWITCH:
         return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
     if not math.isfinite(value) or (allowed == COUNT and value != int(value)):
