@@ -13,6 +13,7 @@
 #include <FECore/FEModel.h>
 #include <FECore/FESolidElement.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -41,10 +42,17 @@ vec3d centre(FEModel& fem, const FEElement& element) {
   return sum / element.Nodes();
 }
 
-/// Young's modulus along n of an elasticity tensor: the inverse of the normal component of its compliance.
+/// Young's modulus along n of an elasticity tensor: the inverse of the compliance's component (n n):S:(n n). What FEBio
+/// calls the inverse is S in Voigt's notation, from stresses to engineering strains, so it takes n n as a stress.
 double modulus_along(const vec3d& n, const tens4ds& elasticity) {
   const tens4ds compliance = elasticity.inverse();
-  return 1.0 / (n * (vdotTdotv(n, compliance, n) * n));
+  const std::array<double, 6> stress{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
+  double component = 0;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j)
+      component += stress[static_cast<std::size_t>(i)] * compliance(i, j) * stress[static_cast<std::size_t>(j)];
+  }
+  return 1.0 / component;
 }
 
 /// Porosity of any mixture material.

@@ -36,7 +36,7 @@ class LinearSystem {
   Matrix bodies_;
   std::vector<Eigen::Triplet<double>> others_;
   Matrix matrix_;
-  Eigen::SparseLU<Matrix, Eigen::AMDOrdering<int>> factors_;
+  Eigen::SparseLU<Matrix> factors_;
   std::vector<int> analysed_;  ///< pattern of the last symbolic analysis
 };
 

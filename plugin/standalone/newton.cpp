@@ -38,15 +38,20 @@ VectorXd Newton::field_norms(const VectorXd& vector) const {
   return norms;
 }
 
-VectorXd Newton::reform() {
+void Newton::begin_iteration(bool evaluated) {
+  const bool changed = problem_.begin_iteration();
   log_.print("Reforming stiffness matrix: reformation #%d\n\n", control_.max_reformations - allowed_reformations_ + 1);
   if (allowed_reformations_-- == 0) throw StepFailure("Max nr of reformations reached.");
-  VectorXd correction = problem_.assemble(system_);
+  const VectorXd correction = problem_.assemble(system_);
   system_.factorise(problem_.held());
   ++effort_.reformations;
   log_.print("\tNr of equations ........................... : %d\n", problem_.equations().count());
   log_.print("\tNr of nonzeroes in stiffness matrix ....... : %ld\n", static_cast<long>(system_.entries()));
-  return correction;
+  if (changed || !evaluated) {
+    end_ = problem_.residual();
+    ++effort_.residuals;
+  }
+  start_ = end_ + correction;
 }
 
 void Newton::evaluate(const VectorXd& trial) {
@@ -146,7 +151,6 @@ bool Newton::augment(Contact& contact) {
     return true;
   }
   core.augment(fields);
-  core.end_iterations();
   return false;
 }
 
@@ -158,13 +162,20 @@ bool Newton::augment() {
   const bool contact_holds = std::all_of(contacts.begin(), contacts.end(), is_solution);
   if (!settled) log_.print(" Concentrations held at zero have to change.\n");
   if (!contact_holds) log_.print(" Contact has to change.\n");
-  if (!settled || !contact_holds) return false;
+  if (!settled || !contact_holds) {
+    problem_.begin_iteration();
+    return false;
+  }
   if (contacts.empty()) return true;
   log_.print("\n........................ augmentation # %d\n", augmentations_ + 1);
   bool done = true;
   for (Contact& contact : contacts) done = augment(contact) && done;
   ++augmentations_;
   allowed_reformations_ = control_.max_reformations;
+  if (!done) {
+    problem_.end_iterations();
+    problem_.begin_iteration();
+  }
   return done;
 }
 
@@ -174,9 +185,8 @@ void Newton::solve_step(double time, double dt) {
   allowed_reformations_ = control_.max_reformations;
   increment_ = VectorXd::Zero(problem_.equations().count());
   problem_.start_step(time, dt);
-  const VectorXd correction = reform();
-  start_ = problem_.residual() + correction;
-  ++effort_.residuals;
+  problem_.begin_iteration();
+  begin_iteration(false);
   for (bool done = false; !done; ++effort_.iterations) {
     log_.print(" %d\n", effort_.iterations + 1);
     const VectorXd change = system_.solve(start_);
@@ -192,13 +202,7 @@ void Newton::solve_step(double time, double dt) {
     done = balanced && augment();
     if (done) continue;
     if (!balanced) restart_norms_if_diverging(change, step);
-    if (problem_.begin_iteration(effort_.iterations) || balanced) {
-      start_ = problem_.residual();
-      ++effort_.residuals;
-    } else {
-      start_ = end_;
-    }
-    reform();
+    begin_iteration(!balanced);
   }
   problem_.accept_step();
 }

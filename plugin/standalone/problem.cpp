@@ -9,6 +9,13 @@ namespace standalone {
 
 using mixture_contact::both_sides;
 
+namespace {
+
+/// Concentrations below this part of the largest one, and reactions likewise, do not decide what is clamped.
+constexpr double negligible = 1e-6;
+
+}  // namespace
+
 Problem::Problem(const Model& model) : model_(model), equations_(model), bodies_(model) {
   contacts_.reserve(model.contacts.size());
   for (const ContactDefinition& definition : model.contacts) contacts_.emplace_back(model, definition, bodies_);
@@ -55,12 +62,10 @@ void Problem::start_step(double time, double dt) {
       pending_(condition.dof, node) = value - state_.values(condition.dof, node);
     }
   }
-  for (Contact& contact : contacts_) contact.core().end_iterations();
-  release_clamps();
-  begin_iteration(0);
   for (Contact& contact : contacts_) {
     if (contact.definition().parameters.update_penalty) contact.update_properties(state_.values);
   }
+  end_iterations();
 }
 
 void Problem::accept_step() {
@@ -72,14 +77,23 @@ void Problem::accept_step() {
 // ----------------------------------------------------------------------------------------------------------------
 // contact status
 
-bool Problem::begin_iteration(int iteration) {
+void Problem::end_iterations() {
+  for (Contact& contact : contacts_) contact.core().end_iterations();
+  for (int i = 0; i < equations_.count(); ++i) {
+    if (hold(i) == Hold::clamp) release(i);
+  }
+  freed_.clear();
+  tried_ = false;
+}
+
+bool Problem::begin_iteration() {
   bool changed = false;
   for (Contact& contact : contacts_) {
     const bool contact_changed = contact.begin_iteration(state_.values);
     changed = changed || contact_changed;
   }
   const bool ambient_changed = switch_ambient();
-  const bool clamps_changed = iteration > 0 && clamp_concentrations();
+  const bool clamps_changed = tried_ && clamp_concentrations();
   return changed || ambient_changed || clamps_changed;
 }
 
@@ -91,51 +105,46 @@ std::vector<bool> Problem::held() const {
 }
 
 void Problem::release(int equation) {
-  state_.hold[static_cast<std::size_t>(equation)] = Hold::none;
+  hold(equation) = Hold::none;
   state_.total[equation] = value(equation) - state_.increment[equation];
 }
 
-bool Problem::negative(int equation) const {
-  if (!model_.control.clamp || equations_.dof(equation) <= pressure_dof) return false;
-  if (state_.hold[static_cast<std::size_t>(equation)] != Hold::none) return false;
-  constexpr double rounding = 1e-12;  // of the largest concentration: less than that counts as zero
-  const double largest = state_.values.row(equations_.dof(equation)).lpNorm<Eigen::Infinity>();
-  return state_.total[equation] + state_.increment[equation] < -rounding * largest;
-}
-
-bool Problem::wants_to_rise(int equation) const {
+Problem::ClampChanges Problem::clamp_changes() const {
+  ClampChanges changes;
+  if (!model_.control.clamp) return changes;
+  const VectorXd solution = state_.total + state_.increment;
+  const VectorXd largest = state_.values.cwiseAbs().rowwise().maxCoeff();
   // The force on a concentration is what leaves the node less what it stores: negative where solute comes in.
-  return state_.hold[static_cast<std::size_t>(equation)] == Hold::clamp &&
-         forces_(equations_.dof(equation), equations_.node(equation)) < 0;
-}
-
-bool Problem::clamp_concentrations() {
-  bool changed = false;
+  VectorXd largest_force = VectorXd::Zero(model_.dofs());
+  const auto force = [&](int i) { return forces_(equations_.dof(i), equations_.node(i)); };
   for (int i = 0; i < equations_.count(); ++i) {
-    if (wants_to_rise(i)) {
-      release(i);
-    } else if (negative(i)) {
-      state_.hold[static_cast<std::size_t>(i)] = Hold::clamp;
-      value(i) = 0;
-    } else {
-      continue;
-    }
-    changed = true;
+    double& most = largest_force[equations_.dof(i)];
+    if (hold(i) == Hold::clamp) most = std::max(most, std::abs(force(i)));
   }
-  return changed;
+  for (int i = 0; i < equations_.count(); ++i) {
+    const int dof = equations_.dof(i);
+    if (dof <= pressure_dof) continue;
+    if (hold(i) == Hold::none && solution[i] < -negligible * largest[dof]) changes.hold.push_back(i);
+    const bool rises = hold(i) == Hold::clamp && -force(i) > negligible * largest_force[dof];
+    if (rises && freed_.count(i) == 0) changes.free.push_back(i);
+  }
+  return changes;
 }
 
 bool Problem::clamps_settled() const {
-  for (int i = 0; i < equations_.count(); ++i) {
-    if (wants_to_rise(i) || negative(i)) return false;
-  }
-  return true;
+  const ClampChanges changes = clamp_changes();
+  return changes.hold.empty() && changes.free.empty();
 }
 
-void Problem::release_clamps() {
-  for (int i = 0; i < equations_.count(); ++i) {
-    if (state_.hold[static_cast<std::size_t>(i)] == Hold::clamp) release(i);
+bool Problem::clamp_concentrations() {
+  const ClampChanges changes = clamp_changes();
+  for (const int equation : changes.free) release(equation);
+  freed_.insert(changes.free.begin(), changes.free.end());
+  for (const int equation : changes.hold) {
+    hold(equation) = Hold::clamp;
+    value(equation) = 0;
   }
+  return !changes.hold.empty() || !changes.free.empty();
 }
 
 double Problem::ambient_value(const ContactDefinition& contact, int dof) const {
@@ -173,14 +182,13 @@ bool Problem::switch_ambient() {
 }
 
 bool Problem::set_ambient(int equation, bool in_contact, double bath) {
-  Hold& hold = state_.hold[static_cast<std::size_t>(equation)];
-  const bool was_ambient = hold == Hold::ambient;
+  const bool was_ambient = hold(equation) == Hold::ambient;
   if (in_contact) {
     if (was_ambient) release(equation);
     return was_ambient;
   }
   const bool changed = !was_ambient || value(equation) != bath;
-  hold = Hold::ambient;
+  hold(equation) = Hold::ambient;
   value(equation) = bath;
   return changed;
 }
@@ -189,9 +197,10 @@ bool Problem::set_ambient(int equation, bool in_contact, double bath) {
 // evaluations
 
 void Problem::set_trial(const VectorXd& trial, int iteration) {
+  tried_ = true;
   const VectorXd solution = state_.total + state_.increment + trial;
   for (int i = 0; i < equations_.count(); ++i) {
-    if (state_.hold[static_cast<std::size_t>(i)] != Hold::none) continue;
+    if (hold(i) != Hold::none) continue;
     const int dof = equations_.dof(i);
     const bool clamped = model_.control.clamp && dof > pressure_dof && solution[i] < 0;
     state_.values(dof, equations_.node(i)) = clamped ? 0.0 : solution[i];
@@ -226,7 +235,7 @@ VectorXd Problem::residual() {
   if (!forces.allFinite()) throw StepFailure("a residual is not a finite number");
   VectorXd free = VectorXd::Zero(equations_.count());
   for (int i = 0; i < equations_.count(); ++i) {
-    if (state_.hold[static_cast<std::size_t>(i)] == Hold::none) free[i] = forces(equations_.dof(i), equations_.node(i));
+    if (hold(i) == Hold::none) free[i] = forces(equations_.dof(i), equations_.node(i));
   }
   return free;
 }
@@ -236,7 +245,7 @@ VectorXd Problem::assemble(LinearSystem& system) {
   const auto correct = [&](const std::vector<int>& numbers, const VectorXd& force) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const int row = numbers[i];
-      if (row >= 0 && state_.hold[static_cast<std::size_t>(row)] == Hold::none)
+      if (row >= 0 && hold(row) == Hold::none)
         correction[row] -= force[static_cast<Index>(i)];
     }
   };

@@ -5,6 +5,8 @@
 #include "equations.h"
 #include "linear_system.h"
 
+#include <set>
+
 namespace standalone {
 
 /// Bodies, contacts and conditions with the current nodal values.
@@ -33,13 +35,14 @@ class Problem {
   /// Keeps the current state as what the next step starts from.
   void accept_step();
 
+  /// Forgets what iterations hold: contact status, linearised gaps and clamped concentrations.
+  void end_iterations();
   /// Begins a Newton iteration at the current state: decides what is in contact, holds that, switches the nodes that
-  /// are not to ambient values and, after the first iteration, concentrations that want to be negative to zero. Returns
+  /// are not to ambient values and, once a trial was made, concentrations that want to be negative to zero. Returns
   /// whether the residual has changed.
-  bool begin_iteration(int iteration);
+  bool begin_iteration();
   /// Whether no concentration that is held at zero wants to rise, and no other is negative.
   bool clamps_settled() const;
-  void release_clamps();
 
   /// Sets the nodal values to total + increment + trial and prescribed values. `keep_facets`: contact keeps to known
   /// facets.
@@ -74,9 +77,15 @@ class Problem {
   double ambient_value(const ContactDefinition& contact, int dof) const;
   bool switch_ambient();
   bool set_ambient(int equation, bool in_contact, double bath);
+  /// Equations whose concentration is to be held at zero because it is negative, or to be freed because the balance
+  /// drives it up.
+  struct ClampChanges {
+    std::vector<int> hold, free;
+  };
+  ClampChanges clamp_changes() const;
   bool clamp_concentrations();
-  bool negative(int equation) const;
-  bool wants_to_rise(int equation) const;
+  Hold& hold(int equation) { return state_.hold[static_cast<std::size_t>(equation)]; }
+  Hold hold(int equation) const { return state_.hold[static_cast<std::size_t>(equation)]; }
   double& value(int equation) { return state_.values(equations_.dof(equation), equations_.node(equation)); }
   /// Frees an equation, which goes on from the value that it has.
   void release(int equation);
@@ -91,6 +100,8 @@ class Problem {
   MatrixXd pending_;  ///< prescribed increments that are not yet in the nodal values
   MatrixXd forces_;   ///< at the last residual(), on all degrees of freedom
   Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> reported_;  ///< whether a reaction is output
+  std::set<int> freed_;  ///< equations that were clamped before in these iterations
+  bool tried_ = false;   ///< whether a trial was made since the iterations began
   double time_ = 0, dt_ = 0;
 };
 
