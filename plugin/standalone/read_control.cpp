@@ -43,7 +43,7 @@ void read_solver(const Tag& section, Model& model) {
   Control& control = model.control;
   section.allow_attributes({"type"});
   section.allow_children({"symmetric_stiffness", "max_refs", "dtol", "etol", "rtol", "ptol", "ctol", "lstol", "lsmin",
-                          "lsiter", "min_residual", "qn_method"});
+                          "lsiter", "min_residual", "qn_method", "force_positive_concentrations"});
   if (section.attribute("type") != control.module)
     section.fail("the type must be that of the module, \"" + control.module + "\"");
   if (const auto tag = section.find("symmetric_stiffness")) {
@@ -59,6 +59,10 @@ void read_solver(const Tag& section, Model& model) {
   if (const auto tag = section.find("lsmin")) control.least_search = not_negative(*tag);
   if (const auto tag = section.find("lsiter")) control.max_searches = tag->integer(1, 1000);
   if (const auto tag = section.find("min_residual")) control.least_residual = not_negative(*tag);
+  if (const auto tag = section.find("force_positive_concentrations")) {
+    if (control.module != "multiphasic") tag->fail("only the module \"multiphasic\" has this choice");
+    control.clamp = tag->flag();
+  }
   const auto method = section.find("qn_method");
   if (method) {
     method->allow_attributes({"type"});

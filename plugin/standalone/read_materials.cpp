@@ -51,10 +51,15 @@ Solute read_solute(const Tag& tag, const Model& model) {
 }
 
 void read_mixture(const Tag& tag, const Model& model, Material& material) {
-  const bool solute = tag.attribute("type") == "biphasic-solute";
+  const bool multiphasic = tag.attribute("type") == "multiphasic";
+  const bool solute = multiphasic || tag.attribute("type") == "biphasic-solute";
   if (solute) {
-    tag.allow_children({"phi0", "fluid_density", "solid", "permeability", "osmotic_coefficient", "solute"});
-    if (model.control.module != "solute") tag.fail("this material needs the module \"solute\"");
+    tag.allow_children(
+        {"phi0", "fluid_density", "fixed_charge_density", "solid", "permeability", "osmotic_coefficient", "solute"});
+    const std::string module = multiphasic ? "multiphasic" : "solute";
+    if (model.control.module != module) tag.fail("this material needs the module \"" + module + "\"");
+    if (const auto charge = tag.find("fixed_charge_density"); charge && charge->number() != 0)
+      charge->fail("charged mixtures are not supported: the value must be 0");
     if (model.gas_constant <= 0 || model.temperature <= 0)
       tag.fail("positive constants R and T are missing in <Globals>");
   } else {
@@ -80,11 +85,12 @@ Material read_material(const Tag& tag, const Model& model) {
   } else if (type == "rigid body") {
     tag.allow_children({"density", "center_of_mass", "E", "v"});
     material.rigid = true;
-  } else if (type == "biphasic" || type == "biphasic-solute") {
+  } else if (type == "biphasic" || type == "biphasic-solute" || type == "multiphasic") {
     read_mixture(tag, model, material);
   } else {
-    tag.fail("the type \"" + type +
-             R"(" is not supported; allowed: "neo-Hookean", "rigid body", "biphasic", "biphasic-solute")");
+    tag.fail(
+        "the type \"" + type +
+        R"(" is not supported; allowed: "neo-Hookean", "rigid body", "biphasic", "biphasic-solute", "multiphasic")");
   }
   return material;
 }

@@ -12,10 +12,10 @@ void read_module(const Tag& module, Model& model) {
   module.allow_attributes({"type"});
   module.allow_children({"units"});
   model.control.module = module.attribute("type");
-  if (model.control.module != "biphasic" && model.control.module != "solute") {
-    module.fail(R"(the module ")" + model.control.module + R"(" is not supported; allowed: "biphasic", "solute")");
-  }
-  model.control.clamp = model.control.module == "solute";
+  const std::string& type = model.control.module;
+  if (type != "biphasic" && type != "solute" && type != "multiphasic")
+    module.fail(R"(the module ")" + type + R"(" is not supported; allowed: "biphasic", "solute", "multiphasic")");
+  model.control.clamp = type != "biphasic";
 }
 
 /// Every porous material has the solutes' nodal values that it needs, and every element a material.

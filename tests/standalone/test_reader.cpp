@@ -66,7 +66,7 @@ const std::vector<Mistake> mistakes{
     {"<v>0.1", "<v>0.5", "v", "less than 0.5"},
     {"<perm>0.001", "<perm>-1", "perm", "must be positive"},
     {"type=\"perm-const-iso\"", "type=\"perm-Holmes-Mow\"", "permeability", "perm-const-iso"},
-    {"type=\"biphasic-solute\"", "type=\"multiphasic\"", "material", "not supported"},
+    {"type=\"biphasic-solute\"", "type=\"triphasic\"", "material", "not supported"},
     {"<solute sol=\"1\">", "<solute sol=\"2\">", "solute", "does not exist"},
     {"<charge_number>0", "<charge_number>1", "charge_number", "not supported"},
     {"<node id=\"3\">", "<node id=\"2\">", "node", "used twice"},
