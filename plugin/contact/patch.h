@@ -15,7 +15,7 @@ struct Patch {
   std::vector<int> primary;
   std::vector<int> secondary;
   std::vector<int> fields;
-  std::optional<int> multiplier_node{};  ///< the primary node whose multipliers are unknowns of the patch
+  std::optional<int> multiplier_node = std::nullopt;  ///< the primary node whose multipliers are unknowns of the patch
 
   LocalLayout layout() const {
     return {static_cast<Index>(primary.size()), static_cast<Index>(secondary.size()), static_cast<Index>(fields.size()),

@@ -556,7 +556,7 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
   const std::array<int, 3> displacement{GetFEModel()->GetDOFIndex("x"), GetFEModel()->GetDOFIndex("y"),
                                         GetFEModel()->GetDOFIndex("z")};
   std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
-  if (layout.has_multipliers()) {
+  if (at.patch.multiplier_node) {
     const MultiplierLayout own = core_->multiplier_layout();
     const int node = *at.patch.multiplier_node;
     const auto equation = [&](Index multiplier) { return first_equation_ + static_cast<int>(multiplier); };
