@@ -113,7 +113,8 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   n.unit();
   if (dynamic_cast<FESolidElement*>(element) && n * (centre(fem, facet) - centre(fem, *element)) < 0) {
     problem = "the facet on element " + std::to_string(element->GetID()) +
-              " is inverted: its nodes must run counter-clockwise seen from outside the body";
+              " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
+              "<flip_secondary> turn the surfaces round)";
     return std::nullopt;
   }
 

@@ -27,7 +27,10 @@ from harness import (
 )
 from harness.checks import CHECKS, Check, Context
 from harness.compare import Measure
+from harness.cost import command as cost_command
 from harness.errors import HarnessError
+from harness.fuzz import command as fuzz_command
+from harness.hard_cases import command as hard_cases_command
 from harness.models.interface import Join
 from harness.paths import MODELS, RESULTS
 from harness.runner import Runner
@@ -44,6 +47,12 @@ app.command("report")(pages_command.report_command)
 app.command("indentation-study")(indentation_command.indentation_study_command)
 app.command()(preflight_command.check)
 app.command()(preflight_command.convert)
+app.command()(hard_cases_command.hard_cases)
+app.command()(hard_cases_command.hard_case)
+app.command()(fuzz_command.fuzz)
+app.command()(fuzz_command.fuzz_seeds)
+app.command()(cost_command.cost)
+app.command()(cost_command.cost_sweep)
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 

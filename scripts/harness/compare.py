@@ -72,7 +72,12 @@ def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:
 
 
 def largest_difference(split: Outcome, whole: Outcome, column: str) -> float:
-    """Largest difference of one nodal variable between a cut body and the whole one, over all nodes and times.
+    """Largest of `differences`."""
+    return float(np.max(differences(split, whole, column)))
+
+
+def differences(split: Outcome, whole: Outcome, column: str) -> Array:
+    """Differences of one nodal variable between a cut body and the whole one, shape (n_times, n_nodes).
 
     Raises
     ------
@@ -83,7 +88,7 @@ def largest_difference(split: Outcome, whole: Outcome, column: str) -> float:
     if a.times.shape != b.times.shape or not np.allclose(a.times, b.times, rtol=1e-8, atol=0.0):
         raise ModelError(f"'{split.model.name}' and '{whole.model.name}' were not written at the same times")
     same = counterparts(split.model.mesh, whole.model.mesh)
-    return float(np.max(np.abs(a[column] - b[column][:, same])))
+    return np.abs(a[column] - b[column][:, same])
 
 
 def jump(outcome: Outcome, column: str, pair: str, time: float | None = None) -> float:

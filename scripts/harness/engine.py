@@ -24,12 +24,13 @@ _THREADS = "OMP_NUM_THREADS"
 
 @dataclass(frozen=True)
 class Run:
-    """A finished run: where its files are, what febio4 said, and how long it took (s)."""
+    """A finished run: where its files are, what febio4 said, how long it took, and its processor time (both s)."""
 
     folder: Path
     report: febio_log.Report
     output: str
     wall: float
+    cpu: float
 
 
 class Host(Protocol):
@@ -139,7 +140,7 @@ def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()
     return [str(find_engine()), "-i", model.name, *options, *load]
 
 
-def restart(archive: Path, *, plugin: Path | None = None, check: bool = True) -> Run:
+def restart(archive: Path, *, plugin: Path | None = None, check: bool = True, timeout: float | None = None) -> Run:
     """Continue from a dump file, in its folder; data and plot files are continued as well.
 
     Parameters
@@ -150,6 +151,8 @@ def restart(archive: Path, *, plugin: Path | None = None, check: bool = True) ->
         Library to load with ``-import``.
     check : bool
         Whether a run that does not end normally is an error.
+    timeout : float, optional
+        s after which the run is ended.
 
     Raises
     ------
@@ -159,7 +162,7 @@ def restart(archive: Path, *, plugin: Path | None = None, check: bool = True) ->
     command = [str(find_engine()), "-r", archive.name]
     if plugin is not None:
         command += ["-import", str(plugin)]
-    return execute(command, archive.resolve().parent, check=check)
+    return execute(command, archive.resolve().parent, check=check, timeout=timeout)
 
 
 def execute(
@@ -190,10 +193,12 @@ def execute(
         if watch:
             watch.start()
         output = _follow(process, progress)
-        code = process.wait()
+        _, status, usage = os.wait4(process.pid, 0)  # as process.wait(), but with the processor time of this run alone
+        process.returncode = code = os.waitstatus_to_exitcode(status)
         if watch:
             watch.cancel()
-    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start)
+    cpu = usage.ru_utime + usage.ru_stime
+    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu)
     if check and (code != 0 or not finished.report.normal):
         raise EngineFailedError(_complaint(command, finished, code))
     return finished

@@ -32,12 +32,15 @@ class Outcome:
     report : febio_log.Report
     wall : float
         s, of the run itself.
+    cpu : float
+        Its processor time, s.
     """
 
     model: Model
     folder: Path
     report: febio_log.Report
     wall: float
+    cpu: float
 
     @property
     def nodes(self) -> logdata.History:
@@ -56,6 +59,10 @@ class Outcome:
     def part(self, name: str) -> logdata.History:
         """The element data of one part over time; the model must ask for some."""
         return logdata.read_history(self.folder / self.model.part_file(name), self.model.part_columns[name])
+
+    def facets(self, name: str) -> logdata.History:
+        """The data of the facets of a contact surface over time; the model must ask for some."""
+        return logdata.read_history(self.folder / self.model.facet_file(name), self.model.facet_columns)
 
     @property
     def log(self) -> str:
@@ -124,14 +131,14 @@ class Runner:
         progress = self._progress(model)
         finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
-        done = {"report": asdict(finished.report), "wall": finished.wall}
+        done = {"report": asdict(finished.report), "wall": finished.wall, "cpu": finished.cpu}
         (folder / "done.json").write_text(json.dumps(done))
-        return Outcome(model, folder, finished.report, finished.wall)
+        return Outcome(model, folder, finished.report, finished.wall, finished.cpu)
 
     def _progress(self, model: Model) -> engine.Progress | None:
         if self.announce is None:
             return None
-        announce, end = self.announce, model.control.steps * model.control.step
+        announce, end = self.announce, model.control.end or model.control.steps * model.control.step
         announce(model.name, 0.0)
         return lambda time: announce(model.name, min(1.0, time / end))
 
@@ -154,6 +161,8 @@ def _read_back(model: Model, folder: Path) -> Outcome | None:
         done = json.loads((folder / "done.json").read_text())
     except FileNotFoundError:
         return None
+    if "cpu" not in done:
+        return None
     report = done["report"]
     report["errors"], report["warnings"] = tuple(report["errors"]), tuple(report["warnings"])
-    return Outcome(model, folder, febio_log.Report(**report), done["wall"])
+    return Outcome(model, folder, febio_log.Report(**report), done["wall"], done["cpu"])

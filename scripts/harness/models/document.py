@@ -57,11 +57,13 @@ class Model:
         FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
     charges : tuple of int
         Charge number of each solute of the model; without it all are neutral.
-    surface_columns : tuple of str
-        FEBio's names of the data to log of both surfaces of each contact pair, if any.
+    surface_columns, facet_columns : tuple of str
+        FEBio's names of ``surface_data`` and ``face_data`` to log for both surfaces of each contact.
     part_columns : mapping of str to tuple of str
         FEBio's names of the element data to log of one part alone, by the part's name; FEBio numbers the solutes of
         element data as the material lists them.
+    gas_constant : float
+        R in the units of the model.
     """
 
     name: str
@@ -78,7 +80,9 @@ class Model:
     further_columns: tuple[str, ...] = ()
     charges: tuple[int, ...] = ()
     surface_columns: tuple[str, ...] = ()
+    facet_columns: tuple[str, ...] = ()
     part_columns: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    gas_constant: float = GAS_CONSTANT
 
     @property
     def n_solutes(self) -> int:
@@ -115,9 +119,18 @@ class Model:
         """Name of the file into which febio4 writes the element data."""
         return f"{self.name}-elements.txt"
 
+    @property
+    def contact_surfaces(self) -> tuple[str, ...]:
+        """Names of the surfaces of all contacts, each once."""
+        return tuple(dict.fromkeys(name for contact in self.contacts for name in self.mesh.pairs[contact.pair]))
+
     def surface_file(self, surface: str) -> str:
-        """Name of the file into which febio4 writes the data of a surface."""
+        """Name of the file into which febio4 writes the data of a contact surface as a whole."""
         return f"{self.name}-{surface}.txt"
+
+    def facet_file(self, surface: str) -> str:
+        """Name of the file into which febio4 writes the data of the facets of a contact surface."""
+        return f"{self.name}-{surface}-facets.txt"
 
     def part_file(self, part: str) -> str:
         """Name of the file into which febio4 writes the element data of a part."""
@@ -158,7 +171,7 @@ class Model:
 def _globals(model: Model, root: Element) -> None:
     section = child(root, "Globals")
     constants = child(section, "Constants")
-    child(constants, "R", GAS_CONSTANT)
+    child(constants, "R", model.gas_constant)
     child(constants, "T", TEMPERATURE)
     child(constants, "Fc", FARADAY if any(model.charges) else 0.0)
     if model.charges and len(model.charges) != model.n_solutes:
@@ -236,11 +249,14 @@ def _output(model: Model, root: Element) -> None:
 
 
 def _log_surfaces(model: Model, log: Element) -> None:
-    if not model.surface_columns:
-        return
-    for surface in dict.fromkeys(name for pair in model.mesh.pairs.values() for name in pair):
-        data, file = ";".join(model.surface_columns), model.surface_file(surface)
-        child(log, "surface_data", surface=surface, data=data, file=file, delim=" ")
+    for surface in model.contact_surfaces:
+        logged = (
+            ("surface_data", model.surface_columns, model.surface_file(surface)),
+            ("face_data", model.facet_columns, model.facet_file(surface)),
+        )
+        for tag, columns, file in logged:
+            if columns:
+                child(log, tag, surface=surface, data=";".join(columns), file=file, delim=" ")
 
 
 def _log_parts(model: Model, log: Element) -> None:

@@ -355,6 +355,8 @@ class Control:
         Adaptive steps; fixed ones without it. The analysis ends at `steps` times `step` all the same.
     solver : tuple of Param
         Further parameters of the solver.
+    end : float, optional
+        End of the analysis, s, instead of `steps` times `step`: FEBio's number of steps has 32 bits.
     """
 
     steps: int
@@ -367,12 +369,15 @@ class Control:
     reformations: int = 15
     stepper: TimeStepper | None = None
     solver: tuple[Param, ...] = ()
+    end: float | None = None
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
         """Append the control section to the model `parent`."""
         made = child(parent, "Control")
         child(made, "analysis", "STATIC" if module == "solid" else "TRANSIENT")
-        child(made, "time_steps", self.steps)
+        child(made, "time_steps", self.steps if self.end is None else -1)
+        if self.end is not None:
+            child(made, "final_time", self.end)
         child(made, "step_size", self.step)
         child(made, "plot_level", "PLOT_MAJOR_ITRS" if plot else "PLOT_NEVER")
         if self.stepper:

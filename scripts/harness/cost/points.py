@@ -1,0 +1,201 @@
+"""The points of the sweep: a problem, an interface, and one knob away from the defaults."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+
+from harness.models import indentation
+from harness.models.convection import Convection
+from harness.models.diffusion import Diffusion
+from harness.models.document import Model
+from harness.models.indentation import Indentation
+from harness.models.indentation_mesh import LEVELS
+from harness.models.interface import ContactSettings, Join, automatic, default_settings
+from harness.models.parts import Control, Curve, Param
+
+INTERFACES = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
+ELEMENTS, STEPS = 5, 20
+"""Elements of each cube and time steps, unless these are the knob: 3.1 to 2000 s and 3.2 to 20000 s."""
+END_33 = 100.0
+"""s up to which problem 3.3 is run: first touch, the moving edge of contact, and the first diffusion."""
+TIMES_33 = (1.0, END_33)
+AUGLAG_START = 10.0
+"""Factor of the automatic penalties from which the augmentations start."""
+
+
+class Problem(str, Enum):
+    """The article's problems."""
+
+    DIFFUSION = "3.1"
+    CONVECTION = "3.2"
+    INDENTATION = "3.3"
+
+
+class Knob(str, Enum):
+    """What is varied; the value of `integration` is 1 for segments."""
+
+    DEFAULT = "default"
+    MESH = "elements"
+    STEP = "steps"
+    ORDER = "integration_order"
+    INTEGRATION = "integration"
+    PENALTY = "penalty factor"
+    AUGLAG = "AUGLAG tolerance"
+    NEWTON = "Newton tolerance"
+
+
+VALUES: dict[Knob, tuple[float, ...]] = {
+    Knob.DEFAULT: (0.0,),
+    Knob.MESH: (3, 10, 20),
+    Knob.STEP: (10, 40, 80),
+    Knob.ORDER: (1, 3, 5),
+    Knob.INTEGRATION: (1,),
+    Knob.PENALTY: tuple(10.0**k for k in range(7)),
+    Knob.AUGLAG: (1e-1, 1e-3, 1e-5, 1e-7),
+    Knob.NEWTON: (1e-1, 1e-3, 1e-6),
+}
+VALUES_33: dict[Knob, tuple[float, ...]] = {
+    Knob.DEFAULT: (0.0,),
+    Knob.MESH: (18,),
+    Knob.STEP: (0.5, 2.0),
+    Knob.ORDER: (3,),
+    Knob.INTEGRATION: (1,),
+    Knob.PENALTY: (1.0, 10.0, 100.0, 1000.0),
+    Knob.AUGLAG: (1e-1, 1e-2),
+    Knob.NEWTON: (1e-2, 1e-4),
+}
+"""Of problem 3.3: elements over the half-width of the slab (else 9), and a factor on the number of steps."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """One run of the sweep."""
+
+    problem: Problem
+    interface: Join
+    knob: Knob
+    value: float
+
+    @property
+    def name(self) -> str:
+        """Part of file names."""
+        knob = self.knob.value.replace(" ", "-")
+        return f"{self.problem.value}-{self.interface.slug}-{knob}-{self.value:g}"
+
+    @property
+    def settings(self) -> ContactSettings:
+        """Parameters of the contact."""
+        base = default_settings(self.interface)
+        if self.knob is Knob.PENALTY:
+            return automatic(self.value)
+        if self.knob is Knob.AUGLAG:
+            return replace(automatic(AUGLAG_START), laugon="AUGLAG", tolerance=self.value)
+        if self.knob is Knob.ORDER:
+            return replace(base, extra=(Param("integration_order", int(self.value)),))
+        if self.knob is Knob.INTEGRATION:
+            return replace(base, extra=(Param("integration", "segments"),))
+        return base
+
+    def model(self, interface: Join | None = None) -> Model:
+        """The model; with `interface` joined otherwise, all else being the same."""
+        return _BUILDERS[self.problem](self, interface or self.interface)
+
+    def _control(self, control: Control) -> Control:
+        """The same with the tolerances of this point."""
+        if self.knob is not Knob.NEWTON:
+            return control
+        return replace(
+            control,
+            displacement_tolerance=self.value,
+            pressure_tolerance=self.value,
+            concentration_tolerance=self.value,
+        )
+
+    def _steps(self, end: float) -> Control:
+        steps = int(self.value) if self.knob is Knob.STEP else STEPS
+        return self._control(Control(steps, end / steps))
+
+    @property
+    def _elements(self) -> int:
+        return int(self.value) if self.knob is Knob.MESH else ELEMENTS
+
+
+def _diffusion(point: Point, join: Join) -> Model:
+    settings = point.settings if join.is_contact else None
+    return Diffusion(
+        join,
+        settings,
+        elements=point._elements,
+        control=point._steps(2000.0),
+        module=point.interface.module,
+        name=f"cost-{point.name}-{join.slug}",
+    ).model()
+
+
+def _convection(point: Point, join: Join) -> Model:
+    settings = point.settings if join.is_contact else None
+    return Convection(
+        1,
+        join,
+        settings,
+        elements=point._elements,
+        control=point._steps(20000.0),
+        module=point.interface.module,
+        name=f"cost-{point.name}-{join.slug}",
+    ).model()
+
+
+def _indentation(point: Point, join: Join) -> Model:
+    coarse, medium, _ = LEVELS
+    control = replace(indentation.CONTROL, steps=round(END_33 / indentation.CONTROL.step))
+    model = Indentation(
+        join,
+        point.settings,
+        grid=medium if point.knob is Knob.MESH else coarse,
+        control=point._control(control),
+        name=f"cost-{point.name}",
+    ).model()
+    factor = point.value if point.knob is Knob.STEP else 1.0
+    return in_more_steps(model, factor)
+
+
+def in_more_steps(model: Model, factor: float) -> Model:
+    """Problem 3.3 with its largest time steps divided by `factor`."""
+    ramp, steps = model.curves
+    shorter = Curve(tuple((time, step / factor) for time, step in steps.points))
+    return replace(model, curves=(ramp, shorter))
+
+
+def finest() -> Model:
+    """Problem 3.3 on the medium mesh in steps half as long, with Newton's tolerances a hundredth."""
+    point = Point(Problem.INDENTATION, Join.MIXTURE, Knob.MESH, LEVELS[1].across)
+    control = replace(
+        indentation.CONTROL,
+        steps=round(END_33 / indentation.CONTROL.step),
+        displacement_tolerance=1e-5,
+        pressure_tolerance=1e-4,
+        concentration_tolerance=1e-4,
+    )
+    model = point.model()
+    return replace(in_more_steps(model, 2.0), control=control, name="cost-3.3-finest")
+
+
+_BUILDERS: dict[Problem, Callable[[Point, Join], Model]] = {
+    Problem.DIFFUSION: _diffusion,
+    Problem.CONVECTION: _convection,
+    Problem.INDENTATION: _indentation,
+}
+
+
+def points(problems: Sequence[Problem]) -> list[Point]:
+    """All points of the sweep; quadrature is a parameter of the plugin's interface alone."""
+    return [
+        Point(problem, interface, knob, float(value))
+        for problem in problems
+        for interface in INTERFACES
+        for knob, values in (VALUES_33 if problem is Problem.INDENTATION else VALUES).items()
+        for value in values
+        if knob not in (Knob.ORDER, Knob.INTEGRATION) or interface is Join.MIXTURE
+    ]

@@ -1,0 +1,75 @@
+"""What the data of `mixcontact cost` say; no run is needed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from harness.cost import command, measure, report
+from harness.cost.measure import Datum
+from harness.cost.points import Knob, Problem, points
+from harness.errors import DataFileError
+from harness.models.interface import Join
+
+BASE = Datum("3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 1.0)
+CHEAP = replace(BASE, knob="penalty factor", value=10.0, contact_error=1e-2, iterations=22, ratio=0.9)
+POOR = replace(BASE, knob="AUGLAG tolerance", value=0.1, contact_error=1e-3, iterations=31, ratio=1.3)
+FAILED = replace(BASE, knob="penalty factor", value=1.0, ended=False, contact_error=math.nan, ratio=math.nan)
+MESH = replace(BASE, knob="elements", value=3.0, contact_error=1e-9, ratio=0.1)
+DATA = [BASE, CHEAP, POOR, FAILED, MESH]
+
+
+def test_the_front_holds_what_nothing_else_beats():
+    assert report.pareto(report.comparable(DATA, Problem.CONVECTION)) == [CHEAP, BASE]
+
+
+def test_runs_that_failed_and_other_meshes_are_not_compared():
+    assert report.comparable(DATA, Problem.CONVECTION) == [BASE, CHEAP, POOR]
+    assert report.comparable(DATA, Problem.DIFFUSION) == []
+
+
+def test_the_answer_is_the_cheapest_that_is_good_enough():
+    own = report.comparable(DATA, Problem.CONVECTION)
+    assert report.cheapest(own, 1e-1) is CHEAP
+    assert report.cheapest(own, 1e-3) is BASE
+    assert report.cheapest(own, 1e-9) is None
+    text = command.answer(DATA, 1e-1, [Problem.CONVECTION])
+    assert "<penalty>10</penalty>" in text
+    assert "sliding-biphasic-solute: no setting that was measured reaches it" in text
+    assert "leave the defaults" in command.answer(DATA, 1e-3, [Problem.CONVECTION])
+
+
+def test_a_table_is_read_back(tmp_path):
+    measure.write_csv(DATA, tmp_path / "cost.csv", "a comment")
+    found = measure.read_csv(tmp_path / "cost.csv")
+    assert [replace(d, contact_error=0.0, ratio=0.0) for d in found] == [
+        replace(d, contact_error=0.0, ratio=0.0) for d in DATA
+    ]
+    (tmp_path / "bad.csv").write_text("problem,knob\n3.1,default\n")
+    with pytest.raises(DataFileError, match=r"bad\.csv is no table of `cost`"):
+        measure.read_csv(tmp_path / "bad.csv")
+
+
+def test_what_comes_with_the_documentation_can_be_asked():
+    data = measure.read_csv(command.DATA)
+    assert {d.problem for d in data} == {problem.value for problem in Problem}
+    for problem in Problem:
+        assert "leave the defaults" in command.answer(data, 1.0, [problem]) or "set " in command.answer(
+            data, 1.0, [problem]
+        )
+
+
+def test_every_point_has_a_model_and_a_name_of_its_own():
+    chosen = points(list(Problem))
+    names = {point.name for point in chosen}
+    assert len(names) == len(chosen)
+    for point in chosen:
+        assert point.model().contacts[0].kind == point.interface.value
+    quadrature = {p.interface for p in chosen if p.knob in (Knob.ORDER, Knob.INTEGRATION)}
+    assert quadrature == {Join.MIXTURE}
+
+
+def test_the_pictures_are_drawn(tmp_path):
+    assert [path.name for path in report.draw(DATA, tmp_path)] == ["cost-3.2.png"]
