@@ -8,6 +8,7 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
 from harness.cost.measure import Datum
 from harness.cost.points import Knob, Problem
@@ -82,8 +83,16 @@ def draw(data: Sequence[Datum], folder: Path) -> list[Path]:
     return written
 
 
-def _panel(axes: Axes, data: Sequence[Datum]) -> None:
+def _logarithmic(axes: Axes) -> None:
+    """Both axes logarithmic; the times span little, so some digits between the powers of ten are written."""
     axes.set(xscale="log", yscale="log")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0)))
+    axes.xaxis.set_major_formatter(FormatStrFormatter("%g"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+
+
+def _panel(axes: Axes, data: Sequence[Datum]) -> None:
+    _logarithmic(axes)
     for interface, colour in COLOURS.items():
         own = [d for d in data if d.interface == interface]
         for datum in own:
@@ -110,7 +119,7 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
 
 
 def _total(axes: Axes, data: Sequence[Datum]) -> None:
-    axes.set(xscale="log", yscale="log")
+    _logarithmic(axes)
     for interface, colour in COLOURS.items():
         for knob in DISCRETISATION:
             own = [d for d in data if d.interface == interface and d.knob in (knob.value, Knob.DEFAULT.value)]

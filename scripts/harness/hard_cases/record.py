@@ -10,7 +10,7 @@ from pathlib import Path
 
 from harness import diagnosis
 from harness.compare import Measure
-from harness.errors import DataFileError, EngineFailedError, HarnessError
+from harness.errors import DataFileError, HarnessError
 from harness.hard_cases import checks
 from harness.hard_cases.catalogue import CASES
 from harness.hard_cases.scene import Fineness, Interface
@@ -79,7 +79,7 @@ def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Rec
         try:
             measures = [*case.scene.check(run, runner), *checks.of_any_run(run, case)]
             measures += checks.of_the_plugin(run, runner, case) if interface is Interface.MIXTURE else []
-        except (EngineFailedError, DataFileError) as error:
+        except HarnessError as error:
             measures.append(Measure("a further run that a check needs", float("nan"), 0.0, note=str(error)))
     return Record(
         name,
