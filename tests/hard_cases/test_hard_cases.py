@@ -18,13 +18,15 @@ LISTED = {
     "peclet-1e4": ("c1, cut against whole, relative",),
 }
 """Measures that a case is known to miss; docs/hard-cases.md gives the causes."""
+RETRIES = {"cutback-at-touch": 1, "corner-on-face": 1, "curved-1-to-8": 1}
+"""Retries of a case: forced in the first, at touch of a feature smaller than a primary facet in the others."""
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_it_ends_and_passes(runner, name):
     made = record.make(runner, name, Fineness.COARSE, Interface.MIXTURE)
     assert made.ended, made.failures
-    assert made.retries <= (1 if name == "cutback-at-touch" else 0)
+    assert made.retries == RETRIES.get(name, 0)
     known = LISTED.get(name, ())
     assert missed(m for m in made.measures if m.name not in known) == []
     assert sorted(m.name for m in made.missed) == sorted(known), "a listed failure is cured: take it off the list"
