@@ -245,8 +245,7 @@ VectorXd Problem::assemble(LinearSystem& system) {
   const auto correct = [&](const std::vector<int>& numbers, const VectorXd& force) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const int row = numbers[i];
-      if (row >= 0 && hold(row) == Hold::none)
-        correction[row] -= force[static_cast<Index>(i)];
+      if (row >= 0 && hold(row) == Hold::none) correction[row] -= force[static_cast<Index>(i)];
     }
   };
   const bool pending = (pending_.array() != 0).any();
