@@ -474,7 +474,7 @@ VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& pr
 }
 
 ContactPass::NodeLinearisation ContactPass::start_linearisation(const Patch& patch, const SurfaceFields& primary,
-                                                                const SurfaceFields& secondary) const {
+                                                                const SurfaceFields& secondary) {
   NodeLinearisation linear;
   linear.patch = patch;
   linear.unknowns = patch_unknowns(patch, primary, secondary);
@@ -487,7 +487,7 @@ ContactPass::NodeLinearisation ContactPass::start_linearisation(const Patch& pat
 
 void ContactPass::add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place,
                             const NodalLoads& loads, const PointContact& contact, const KinematicVariations& vary,
-                            const PointShare& share) const {
+                            const PointShare& share) {
   // g_a = INT psi_a g da / A_a, so dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a; jumps alike, with
   // their fields' own part.
   const PointKinematics& point = contact.kinematics;

@@ -189,10 +189,10 @@ class ContactPass {
   Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
   std::vector<NodeLinearisation> linearise(const NodalLoads& loads, const SurfaceFields& primary,
                                            const SurfaceFields& secondary) const;
-  NodeLinearisation start_linearisation(const Patch& patch, const SurfaceFields& primary,
-                                        const SurfaceFields& secondary) const;
-  void add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place, const NodalLoads& loads,
-                 const PointContact& contact, const KinematicVariations& vary, const PointShare& share) const;
+  static NodeLinearisation start_linearisation(const Patch& patch, const SurfaceFields& primary,
+                                               const SurfaceFields& secondary);
+  static void add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place, const NodalLoads& loads,
+                        const PointContact& contact, const KinematicVariations& vary, const PointShare& share);
   static VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary);
   MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
 
