@@ -40,6 +40,13 @@ SMALL = {
     "cmake --build --preset default": "cmake --build {build}",
     "ctest --preset default": "ctest --test-dir {build} --no-tests=error -R laws",
     "cpack --config build/CPackConfig.cmake": "cpack --config {build}/CPackConfig.cmake -B packed",
+    # Without installing Snakemake: the same command of the harness, or its help where it would make many runs.
+    "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
+    "scripts/mixcontact cost --error 1e-3 --problem 3.2": "{harness} cost --error 1e-3 --problem 3.2",
+    "scripts/mixcontact cost": "{harness} cost --help",
+    "scripts/mixcontact hard-cases": "{harness} hard-cases --help",
+    "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
+    "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",
     # No network, and no second virtual environment.
     "git clone <address of this repository> FEBioMixtureContact": "git clone -q {root} FEBioMixtureContact",
     "cd FEBioMixtureContact": "cd FEBioMixtureContact && rm -r scripts && ln -s {root}/scripts scripts",
@@ -93,7 +100,14 @@ def scratch(runner, tmp_path) -> Path:
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: page.name)
 def test_the_commands_of_a_page_run(scratch, page):
     plugin, febio = plugin_library().resolve(), engine.find_engine()
-    places = {"root": REPOSITORY, "build": plugin.parents[1], "plugin": plugin, "febio": febio.parents[1]}
+    harness = f"env PYTHONPATH={REPOSITORY / 'scripts'} python -m harness"
+    places = {
+        "root": REPOSITORY,
+        "harness": harness,
+        "build": plugin.parents[1],
+        "plugin": plugin,
+        "febio": febio.parents[1],
+    }
     environment = {**os.environ, "PATH": os.pathsep.join([str(VENV), str(febio.parent), os.environ["PATH"]])}
     scripts = ["\n".join(small(line) for line in block.splitlines()) for block in blocks(page)]
     for script in dict.fromkeys(scripts):
