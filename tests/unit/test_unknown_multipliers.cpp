@@ -173,8 +173,9 @@ double inf_sup_constant(FacetType one, FacetType two, int cells_one, int cells_t
   MatrixXd fields = MatrixXd::Zero(n1 + n2, n1 + n2);
   fields.topLeftCorner(n1, n1) = lower(mass(Side::primary, false));
   fields.bottomRightCorner(n2, n2) = lower(mass(Side::secondary, false));
-  const MatrixXd scaled = lower(mass(Side::primary, true)).inverse() * transmission * fields.inverse().transpose() /
-                          0.3;
+  const MatrixXd rows = lower(mass(Side::primary, true)).triangularView<Eigen::Lower>().solve(transmission);
+  const MatrixXd columns = rows.transpose() / 0.3;
+  const MatrixXd scaled = fields.triangularView<Eigen::Lower>().solve(columns);
   return Eigen::JacobiSVD<MatrixXd>(scaled).singularValues().minCoeff();
 }
 
