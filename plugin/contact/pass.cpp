@@ -96,8 +96,7 @@ std::vector<int> ContactPass::exchanged_fields(const FacetPair& pair) const {
   return fields;
 }
 
-// ------------------------------------------------------------ laws at the
-// nodes
+// ------------------------------------------------------------ laws at nodes
 
 void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
   loads.area.setZero(primary_.nodes);

@@ -27,10 +27,15 @@ bool AmbientNodes::hold_at(FENode& node, int dof, double value) {
   return changed;
 }
 
-bool AmbientNodes::release_with_value(FENewtonSolver& newton, FENode& node, int dof) {
+bool AmbientNodes::make_free(FENode& node, int dof) {
   int& id = node.m_ID[static_cast<std::size_t>(dof)];
   if (id >= 0) return false;
   id = prescribed(id);
+  return true;
+}
+
+bool AmbientNodes::release_with_value(FENewtonSolver& newton, FENode& node, int dof) {
+  if (!make_free(node, dof)) return false;
   synchronise(newton, node, dof);
   return true;
 }

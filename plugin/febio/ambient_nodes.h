@@ -21,6 +21,9 @@ class AmbientNodes {
   /// Whether ambient conditions may act on a degree of freedom: it exists and no boundary condition holds it.
   static bool is_free(const FENode& node, int dof);
 
+  /// Makes a held degree of freedom free; the solver's solution vector is left as it is. Returns whether it was held.
+  static bool make_free(FENode& node, int dof);
+
   /// Makes a held degree of freedom free, with the value it has now, in the node and in the solver's solution vector.
   /// Returns whether it was held.
   static bool release_with_value(FENewtonSolver& newton, FENode& node, int dof);

@@ -116,11 +116,10 @@ void ClampedConcentrations::release() {
 void ClampedConcentrations::end_step() {
   const ClampingSolver solver = clamping_solver(fem_);
   for (const auto& [node, dof] : held_) {
-    int& id = node->m_ID[static_cast<std::size_t>(dof)];
-    if (solver.newton == nullptr || id >= 0) continue;
-    id = -id - 2;
+    if (solver.newton == nullptr || !AmbientNodes::make_free(*node, dof)) continue;
     // FEBio has added the step's increments to its solution vector already.
-    solver.newton->m_Ut[static_cast<std::size_t>(id)] = node->get(dof);
+    const int equation = node->m_ID[static_cast<std::size_t>(dof)];
+    solver.newton->m_Ut[static_cast<std::size_t>(equation)] = node->get(dof);
   }
   held_.clear();
   freed_.clear();

@@ -79,6 +79,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
 
 bool FEMixtureContact::Init() {
   FEModel& fem = *GetFEModel();
+  displacement_dofs_ = {fem.GetDOFIndex("x"), fem.GetDOFIndex("y"), fem.GetDOFIndex("z")};
   pressure_dof_ = fem.GetDOFIndex("p");
   concentration_dof_ = fem.GetDOFIndex("concentration", 0);
   concentrations_ = std::max(0, fem.GetDOFS().GetVariableSize("concentration"));
@@ -193,7 +194,7 @@ bool FEMixtureContact::read_materials() {
 }
 
 bool FEMixtureContact::check_multipliers() {
-  if (core_->multiplier_layout().size() == 0 || multiplier_node() >= 0) return true;
+  if (core_->multiplier_layout().size() == 0 || deformable_node() >= 0) return true;
   feLogError(
       "sliding-mixture \"%s\": both surfaces are rigid, so there is nothing that <laugon>LAGMULT</laugon> could be solved for. "
       "Use PENALTY or AUGLAG.",
@@ -313,6 +314,7 @@ bool FEMixtureContact::check_ambient() {
 
 int FEMixtureContact::InitEquations(int first) {
   first_equation_ = first;
+  multiplier_node_ = deformable_node();
   return static_cast<int>(core_->multiplier_layout().size());
 }
 
@@ -345,8 +347,7 @@ void FEMixtureContact::PrepStep() {
   if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();
 }
 
-// ------------------------------------------------------------ state of the
-// model
+// ------------------------------------------------------------ model state
 
 int FEMixtureContact::field_dof(int field) const {
   if (effects_.solvent && field == 0) return pressure_dof_;
@@ -527,20 +528,17 @@ bool FEMixtureContact::apply_ambient(const std::vector<FEMixtureContact*>& conta
   return changed;
 }
 
-// ------------------------------------------------------------ local to
-// global
+// ------------------------------------------------------------ assembly
 
 std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at) {
   std::vector<int> nodes;
   for (const int node : at.patch.primary) nodes.push_back(surface(at.first).NodeIndex(node));
   for (const int node : at.patch.secondary) nodes.push_back(surface(other(at.first)).NodeIndex(node));
-  if (at.patch.multiplier_node) nodes.push_back(multiplier_node());
+  if (at.patch.multiplier_node) nodes.push_back(multiplier_node_);
   return nodes;
 }
 
-int FEMixtureContact::multiplier_node() {
-  // Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out of
-  // the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for it.
+int FEMixtureContact::deformable_node() {
   for (const Side side : both_sides) {
     FEMixtureSurface& s = surface(side);
     for (int i = 0; i < s.Nodes(); ++i) {
@@ -553,8 +551,6 @@ int FEMixtureContact::multiplier_node() {
 std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& at, const std::vector<int>& nodes) {
   const LocalLayout layout = at.patch.layout();
   FEMesh& mesh = GetFEModel()->GetMesh();
-  const std::array<int, 3> displacement{GetFEModel()->GetDOFIndex("x"), GetFEModel()->GetDOFIndex("y"),
-                                        GetFEModel()->GetDOFIndex("z")};
   std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
   if (at.patch.multiplier_node) {
     const MultiplierLayout own = core_->multiplier_layout();
@@ -569,7 +565,7 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
     const std::vector<int>& id = mesh.Node(nodes[static_cast<std::size_t>(node)]).m_ID;
     for (std::size_t i = 0; i < 3; ++i) {
       ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(
-          displacement[i])];
+          displacement_dofs_[i])];
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
       const int dof = field_dof(at.patch.fields[static_cast<std::size_t>(k)]);
@@ -666,8 +662,7 @@ void FEMixtureContact::log_gaps(int augmentation, const GapReport& report) {
   }
 }
 
-// ------------------------------------------------------------ output and
-// restart
+// ------------------------------------------------------------ output, restart
 
 void FEMixtureContact::store_output() {
   const PerSide<SurfaceFields> current = fields();
@@ -725,7 +720,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   primary_.Serialize(ar);
   secondary_.Serialize(ar);
   if (!ar.IsShallow()) {
-    ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_ & first_equation_;
+    ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_ & first_equation_ & multiplier_node_;
+    for (int& dof : displacement_dofs_) ar & dof;
     archive(ar, step_start_);
     ar & effects_.solvent & effects_.solutes;
     ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given &

@@ -11,6 +11,7 @@
 
 #include <FEBioMech/FEContactInterface.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -87,7 +88,7 @@ class FEMixtureContact : public FEContactInterface {
 
   // Multipliers with equations of their own
   void set_multipliers(const std::vector<double>& total, const std::vector<double>& increment);
-  int multiplier_node();
+  int deformable_node();
 
   // Local to global
   void add_to_profile(FEGlobalMatrix& matrix);
@@ -106,10 +107,15 @@ class FEMixtureContact : public FEContactInterface {
 
   mixture_contact::Effects effects_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
+  std::array<int, 3> displacement_dofs_{-1, -1, -1};
   int pressure_dof_ = -1;
   int concentration_dof_ = -1;            ///< of solute 0; the others follow
   int concentrations_ = 0;                ///< number of solutes in the model
   int first_equation_ = -1;               ///< of the multipliers, where they are unknowns; the others follow
+  /// Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out of
+  /// the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for the
+  /// block of multipliers.
+  int multiplier_node_ = -1;
   mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way

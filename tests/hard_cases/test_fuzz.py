@@ -7,8 +7,8 @@ import pytest
 from harness.fuzz.draws import Kind, draw
 from harness.fuzz.trial import attempt
 
-FOUND: dict[Kind, tuple[int, ...]] = {Kind.SCENES: (), Kind.PARAMETERS: (72, 141, 283, 288, 365, 380, 398)}
-"""Of `PARAMETERS`: a flip turned a sound surface round, and the message named the element alone."""
+FOUND: dict[Kind, tuple[int, ...]] = {Kind.SCENES: (), Kind.PARAMETERS: ()}
+"""Seeds with faults. A flip whose message named the element alone stands in `test_bad_input.py`."""
 
 
 @pytest.mark.parametrize("kind", Kind)

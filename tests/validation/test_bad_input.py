@@ -56,6 +56,11 @@ def test_unknown_enforcement(complaint):
     assert "laugon" in complaint(_model(Param("laugon", "MAGIC")))
 
 
+@pytest.mark.parametrize("tag", ["flip_primary", "flip_secondary"])
+def test_a_sound_surface_turned_round(complaint, tag):
+    assert tag in complaint(_model(Param(tag, True)))
+
+
 def test_friction_does_not_exist_yet(complaint):
     assert "fric_coeff" in complaint(_model(Param("fric_coeff", 0.1)))
 

@@ -15,6 +15,7 @@ from harness.hard_cases.scene import Fineness, Interface
 from harness.models.document import Model
 from harness.models.interface import ContactSettings
 from harness.models.parts import Mixture, Param, Solid, Solute
+from harness.parameters import registered
 
 Random = np.random.Generator
 
@@ -130,42 +131,7 @@ _ANYTHING: tuple[Value, ...] = (
         random.choice(["nan", "inf", "-inf", "", " ", "AUGLAG", "penalty", "1,2,3", "0x10", "1e999", "é"])
     ),
 )
-PARAMETERS = [
-    "laugon",
-    "tolerance",
-    "traction_tolerance",
-    "solvent_tolerance",
-    "solute_tolerance",
-    "gaptol",
-    "ptol",
-    "ctol",
-    "penalty",
-    "pressure_penalty",
-    "concentration_penalty",
-    "auto_penalty",
-    "update_penalty",
-    "two_pass",
-    "symmetric_stiffness",
-    "integration_order",
-    "search_tol",
-    "search_radius",
-    "seg_up",
-    "node_reloc",
-    "minaug",
-    "maxaug",
-    "ambient_pressure",
-    "ambient_concentration",
-    "flip_primary",
-    "flip_secondary",
-    "fric_coeff",
-    "contact_frac",
-    "offset",
-    "tension",
-    "knmult",
-    "smooth_aug",
-    "smooth_fls",
-    "penalti",
-]
+PARAMETERS = [*(parameter.name for parameter in registered()), "penalti"]
 """What may be set; the last does not exist."""
 
 
