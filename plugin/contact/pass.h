@@ -207,6 +207,11 @@ class ContactPass {
   MatrixXd multiplier_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                               const VectorXd& weights, double dt) const;
 
+  /// Surfaces closer than this part of their size touch to rounding.
+  static constexpr double touch_fraction = 1e-10;
+  /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
+  static constexpr double rounding_fraction = 1e-13;
+
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
   const Effects& effects_;

@@ -1,0 +1,137 @@
+/// Which nodes are in contact, and what holds during a Newton iteration: a part of ContactPass.
+#include "pass.h"
+
+#include <algorithm>
+
+namespace mixture_contact {
+namespace {
+
+/// Of quadratic facets psi_a changes sign. An average over points that see the other surface only where it does would
+/// divide by next to nothing: its area must be this part of that of |psi_a|.
+constexpr double least_area = 0.1;
+/// Loads below this part of the largest one do not decide about contact: rounding, and what Newton leaves.
+constexpr double status_tolerance = 1e-6;
+/// Loads that differ by less than this part of the largest one are the same; and are near enough for a solution.
+constexpr double load_rounding = 1e-9;
+constexpr double load_tolerance = 1e-2;
+
+/// Whether two arrays of loads (fields, nodes) differ by more than a part of a field's largest entry, and by more than
+/// `rounding` of the field.
+bool differs(const MatrixXd& one, const MatrixXd& other, double part, const VectorXd& rounding) {
+  for (Index field = 0; field < one.rows(); ++field) {
+    const double size = std::max(one.row(field).cwiseAbs().maxCoeff(), other.row(field).cwiseAbs().maxCoeff());
+    if (!((one.row(field) - other.row(field)).cwiseAbs().maxCoeff() <= part * size + rounding[field])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool ContactPass::seen(const NodalLoads& loads, Index node) {
+  return loads.area[node] > least_area * loads.absolute_area[node];
+}
+
+std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  NodalLoads loads;
+  average_gaps(x1, x2, loads);
+  std::vector<bool> status;
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    const LawValue law = normal_traction(multipliers.traction[node], traction_penalty(node), loads.gap[node], touch_);
+    status.push_back(seen(loads, node) && law.derivative > 0);
+  }
+  return status;
+}
+
+std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  if (!held_) return natural_status(primary.position, secondary.position);
+  const NodalLoads predicted = predicted_loads(*held_, primary, secondary);
+  NodalLoads now;
+  average_gaps(primary.position, secondary.position, now);
+  const double negligible = status_tolerance * predicted.traction.cwiseAbs().maxCoeff();
+  std::vector<bool> status;
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    const bool was = predicted.in_contact[static_cast<std::size_t>(node)];
+    const double overlap_load = multipliers.traction[node] + traction_penalty(node) * (now.gap[node] - touch_);
+    const bool stays = predicted.traction[node] <= negligible;
+    status.push_back(seen(now, node) && (was ? stays : overlap_load < -negligible));
+  }
+  return status;
+}
+
+std::vector<bool> ContactPass::sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  return held_ ? held_->loads.sealed : natural_status(x1, x2);
+}
+
+NodalLoads ContactPass::predicted_loads(const Held& held, const SurfaceFields& primary,
+                                        const SurfaceFields& secondary) const {
+  if (has_unknown_multipliers()) {
+    NodalLoads loads = averages(primary, secondary, held.loads.in_contact, held.loads.sealed);
+    apply_laws(loads);
+    return loads;
+  }
+  NodalLoads loads = held.loads;
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    const NodeLinearisation& linear = held.nodes[static_cast<std::size_t>(node)];
+    if (linear.unknowns.size() == 0) continue;
+    const VectorXd change = patch_unknowns(linear.patch, primary, secondary) - linear.unknowns;
+    loads.gap[node] += linear.gap_variation.dot(change);
+    for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
+      loads.jump(linear.patch.fields[k], node) += linear.jump_variation[k].dot(change);
+    }
+  }
+  apply_laws(loads);
+  return loads;
+}
+
+bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
+  const NodalLoads before = nodal_loads(primary, secondary);
+  const bool predicted = held_.has_value();
+  Held next;
+  const std::vector<bool> status = next_status(primary, secondary);
+  next.changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
+  std::vector<bool> sealed = status;
+  for (std::size_t node = 0; node < status.size(); ++node) {
+    if (predicted && status[node] != before.in_contact[node]) ++next.changes[node];
+    if (next.changes[node] > most_status_changes) sealed[node] = false;
+  }
+  next.loads = averages(primary, secondary, status, sealed);
+  apply_laws(next.loads);
+  next.nodes = linearise(next.loads, primary, secondary);
+  // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
+  const NodalLoads& geometric = predicted && !has_unknown_multipliers() ? before : next.loads;
+  next.geometric_traction = geometric.traction;
+  next.geometric_flux = geometric.flux;
+  if (has_unknown_multipliers()) next.multiplier_weights = multiplier_weights(next.loads, primary.position);
+  const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
+                       loads_differ(before, next.loads, load_rounding, primary, secondary);
+  held_ = std::move(next);
+  return changed;
+}
+
+bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  if (!held_) return true;
+  if (next_status(primary, secondary) != held_->loads.in_contact) return false;
+  if (has_unknown_multipliers()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
+  const NodalLoads predicted = predicted_loads(*held_, primary, secondary);
+  NodalLoads now = averages(primary, secondary, held_->loads.in_contact, held_->loads.sealed);
+  apply_laws(now);
+  return !loads_differ(predicted, now, load_tolerance, primary, secondary);
+}
+
+bool ContactPass::loads_differ(const NodalLoads& one, const NodalLoads& other, double part,
+                               const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  // A large penalty turns the rounding of gaps and jumps into loads.
+  const VectorXd traction_rounding = VectorXd::Constant(
+      1, multipliers.traction_growth * penalties_.traction.maxCoeff() * rounding_fraction / touch_fraction * touch_);
+  VectorXd flux_rounding(effects_.scalar_fields());
+  for (int field = 0; field < effects_.scalar_fields(); ++field) {
+    const double size = std::max(primary.scalar.col(field).cwiseAbs().maxCoeff(),
+                                 secondary.scalar.col(field).cwiseAbs().maxCoeff());
+    flux_rounding[field] = rounding_fraction * size * multipliers.flux_growth[field] *
+                           penalties_.flux.row(field).maxCoeff();
+  }
+  return differs(one.traction.transpose(), other.traction.transpose(), part, traction_rounding) ||
+         differs(one.flux, other.flux, part, flux_rounding);
+}
+
+}  // namespace mixture_contact
