@@ -6,13 +6,13 @@ The bars marked "paper" in the notes are those of problems 3.1 and 3.2 of Ateshi
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from harness import compare
+from harness import compare, indentation_measures, indentation_results
 from harness.closed_forms import (
     composite_slab,
     confined_compression,
@@ -23,7 +23,9 @@ from harness.closed_forms import (
 )
 from harness.compare import Measure
 from harness.models import composite, confined, convection, diffusion, layers
-from harness.models.interface import PAPER, ContactSettings, Join, augmented
+from harness.models.indentation import Variant
+from harness.models.indentation_mesh import Primary
+from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
 from harness.models.parts import Control
 from harness.runner import Outcome, Runner
 
@@ -106,6 +108,21 @@ def exact_convection(run: Outcome, peclet: float) -> NDArray[np.float64]:
     """Closed form of 3.2 at the nodes of a run."""
     z = run.model.mesh.nodes[:, 2]
     return steady_convection.concentration(z, height=diffusion.HEIGHT, peclet=peclet, upstream=convection.UPSTREAM)
+
+
+def indentation_pair(context: Context) -> tuple[Outcome, Outcome]:
+    """Problem 3.3 with the primary surface on the cylinder and on the slab; FEBio's own penalties for its interface."""
+    join, settings = (context.join, None) if context.join is Join.MIXTURE else (Join.MULTIPHASIC, automatic(1.0))
+    problem = replace(Variant.PLAIN.problem, join=join, settings=settings, module="multiphasic", clamp=False)
+    other = replace(problem, primary=Primary.SLAB, name=Variant.SLAB_PRIMARY.problem.name)
+    return context.runner(problem.model()), context.runner(other.model())
+
+
+def indentation_balances(context: Context) -> list[Measure]:
+    """3.3 to 6000 s: balance of solute, bounds, bath, contact conditions, and the same with the other body primary."""
+    run, other = indentation_pair(context)
+    curves, others = (indentation_results.curves(each) for each in (run, other))
+    return [*indentation_measures.of_a_run(run, curves), *indentation_measures.of_both_primaries(curves, others)]
 
 
 def leak_of_a_penalty(context: Context) -> list[Measure]:
@@ -271,6 +288,7 @@ CHECKS = (
     Check("diffusion", diffusion_against_whole),
     Check("diffusion-closed-form", diffusion_against_closed_form),
     Check("convection", convection_against_closed_form),
+    Check("indentation", indentation_balances),
     Check("leak", leak_of_a_penalty),
     Check("augmentation", augmentation),
     Check("orders", orders),

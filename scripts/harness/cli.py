@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -15,6 +17,7 @@ from rich.table import Table
 from harness import (
     catalogue,
     engine,
+    engines_command,
     febfile,
     figures,
     gallery_command,
@@ -33,7 +36,7 @@ from harness.fuzz import command as fuzz_command
 from harness.hard_cases import command as hard_cases_command
 from harness.models.interface import Join
 from harness.paths import MODELS, RESULTS
-from harness.runner import Runner
+from harness.runner import Announce, Runner
 
 MISSED, BAD_INPUT, LEFT_OUT = 1, 2, 3
 """Exit codes: a bar was missed; the input cannot be used; nothing was missed, but checks were left out."""
@@ -41,6 +44,7 @@ MISSED, BAD_INPUT, LEFT_OUT = 1, 2, 3
 _ABOUT = "Make, run and check models of contact between mixtures."
 app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
 app.command()(indentation_command.indentation)
+app.command()(engines_command.engines)
 app.command("gallery")(gallery_command.gallery_command)
 app.command()(pages_command.pages)
 app.command("report")(pages_command.report_command)
@@ -87,7 +91,7 @@ def validate(
         hosts.Engine | None, typer.Option("--engine", help="What runs the models: febio4 if it is there.")
     ] = None,
 ) -> None:
-    """Run the paper's problems, compare with the closed forms, and draw figures 3.2 and 3.3.
+    """Run the paper's problems, compare with the closed forms, and draw figures 3.2 to 3.4.
 
     Without febio4 the embedded engine runs the models. Exit code 0: every bar is met; 1: one is missed; 3: none is
     missed, but checks were left out.
@@ -98,12 +102,15 @@ def validate(
     engines = hosts.engines(chosen, interface)
     if chosen is None and engines == (hosts.STANDALONE,):
         console.print(f"[yellow]The embedded engine runs the models:[/] {_plain(hosts.why_not_febio(interface))}")
-    found = {host.name: _with_progress(checks, interface, _folder(folder, host), jobs, host) for host in engines}
-    console.print(_table(found))
+    found = {}
     for host in engines:
         own = _folder(folder, host)
-        written = [found[host.name].write(own), *figures.draw(found[host.name].profiles, own)]
+        with _progress(checks) as (announce, finished):
+            context = Context(Runner(own / "runs", announce, host=host), interface)
+            found[host.name] = validation.validate(context, checks, jobs=jobs, finished=finished)
+        written = [found[host.name].write(own), *validation.draw(context, found[host.name], own)]
         console.print("Written: " + ", ".join(str(path) for path in written))
+    console.print(_table(found))
     _conclude(list(found.values()))
 
 
@@ -111,7 +118,9 @@ def _folder(folder: Path, host: engine.Host) -> Path:
     return folder / host.name if host is hosts.STANDALONE else folder
 
 
-def _with_progress(checks: list[Check], interface: Join, folder: Path, jobs: int, host: engine.Host) -> results.Results:
+@contextmanager
+def _progress(checks: list[Check]) -> Iterator[tuple[Announce, validation.Finished]]:
+    """Bars of all checks and of each run: what to call as a run goes on, and when a check is done."""
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
         overall = progress.add_task("checks", total=len(checks))
@@ -122,8 +131,7 @@ def _with_progress(checks: list[Check], interface: Join, folder: Path, jobs: int
                 tasks[name] = progress.add_task(name, total=100)
             progress.update(tasks[name], completed=round(100 * fraction), visible=fraction < 1.0)
 
-        context = Context(Runner(folder / "runs", announce, host=host), interface)
-        return validation.validate(context, checks, jobs=jobs, finished=lambda _: progress.advance(overall))
+        yield announce, lambda _: progress.advance(overall)
 
 
 def _table(found: dict[str, results.Results]) -> Table:

@@ -119,7 +119,7 @@ def _curves(
 
 def _save(figure: Figure, axes: Axes, path: Path) -> Path:
     axes.plot([], [], "-", color="0.3", label="closed form")
-    axes.plot([], [], "o", color="0.3", markerfacecolor="white", markersize=3.6, label="febio4")
+    axes.plot([], [], "o", color="0.3", markerfacecolor="white", markersize=3.6, label="simulation")
     figure.legend(loc="outside right upper", fontsize=8, frameon=False)
     figure.savefig(path, dpi=160)
     return path

@@ -8,12 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness import contact_line, solute_balance
-from harness.logdata import History
 from harness.models.document import Model
 from harness.models.mesh import Ids
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE
 from harness.runner import Outcome
-from harness.solute_balance import State
+from harness.solute_balance import State, state_at
 
 Array = NDArray[np.float64]
 NEAR = 1e-6
@@ -80,18 +79,13 @@ class Curves:
 def curves(outcome: Outcome) -> Curves:
     """All numbers of a run, finished or not, from its node data."""
     model, history = outcome.model, outcome.nodes
-    states = [_state(history, index) for index in range(len(history.times))]
+    states = [state_at(history, index) for index in range(len(history.times))]
     rows = [_instant(model, state) for state in states]
     flows = _flows(model, states, history.times)
     top = model.mesh.node_sets["top"] - 1
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
     made = columns | flows | {"times": history.times, "force": history["Ry"][:, top].sum(axis=1)}
     return Curves(**{field.name: made[field.name] for field in fields(Curves)})
-
-
-def _state(history: History, index: int) -> State:
-    positions = np.stack([history[axis][index] for axis in "xyz"], axis=1)
-    return State(positions, history["p"][index], history["c1"][index])
 
 
 def _instant(model: Model, state: State) -> dict[str, float]:
@@ -132,11 +126,11 @@ def _flows(model: Model, states: list[State], times: Array) -> dict[str, Array]:
     surface = {body: np.unique(model.mesh.surfaces[f"{body}-contact"]) - 1 for body in ("slab", "cylinder")}
     for before, after, step in zip(states, states[1:], np.diff(times), strict=False):
         entered = {p.name: solute_balance.inflow(model, p, before, after, float(step)) for p in model.mesh.parts}
-        rows.append(_split(entered, surface, _open(after)))
+        rows.append(_split(entered, surface, is_open(after)))
     return {name: np.cumsum([row[name] for row in rows]) for name in names}
 
 
-def _open(state: State) -> NDArray[np.bool_]:
+def is_open(state: State) -> NDArray[np.bool_]:
     """Nodes at the bath's p~ = 0 and c~ = 0, to the last digit."""
     return np.asarray((state.pressure == 0.0) & (state.concentration == 0.0))
 

@@ -98,7 +98,7 @@ def _run(outcome: Outcome) -> Run:
     return Run(
         model=model.name,
         mesh=f"{elements} {kinds}, {len(model.mesh.nodes)} nodes",
-        steps=f"{control.steps} of {control.step:g} s",
+        steps=f"{outcome.report.steps} adaptive" if control.stepper else f"{control.steps} of {control.step:g} s",
         contact="; ".join(_settings(model)) or "none: one body",
         tolerances=", ".join(f"{name} {value:g}" for name, value in tolerances.items()),
         iterations=outcome.report.iterations,

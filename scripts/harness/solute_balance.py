@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.hexahedra import Geometry, geometry
+from harness.logdata import History
 from harness.models.document import Model
 from harness.models.mesh import Part
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Mixture
@@ -32,6 +33,12 @@ class State:
     positions: Array
     pressure: Array
     concentration: Array
+
+
+def state_at(history: History, index: int) -> State:
+    """The state of one time, counted from 0, of the node data of a run with one solute."""
+    positions = np.stack([history[axis][index] for axis in "xyz"], axis=1)
+    return State(positions, history["p"][index], history["c1"][index])
 
 
 def referential(material: Mixture, reference: Geometry, current: Geometry, concentration: Array) -> Array:

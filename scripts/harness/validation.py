@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from pathlib import Path
 
-from harness import figures
-from harness.checks import Check, Context
+from harness import figures, indentation_figures, indentation_results
+from harness.checks import Check, Context, indentation_pair
 from harness.compare import Measure
 from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoundError
 from harness.results import Profile, Results
@@ -51,6 +53,16 @@ def validate(context: Context, checks: Sequence[Check], *, jobs: int = 1, finish
     results.left_out = {check.name: results.left_out[check.name] for check in checks if check.name in results.left_out}
     results.checks = {check.name: results.checks[check.name] for check in checks if check.name in results.checks}
     return results
+
+
+def draw(context: Context, results: Results, folder: Path) -> list[Path]:
+    """Draw what was found: figures 3.2 and 3.3 of profiles, figure 3.4 and its curves of the run of problem 3.3."""
+    pictures = figures.draw(results.profiles, folder)
+    if "indentation" in results.checks:
+        with suppress(EngineFailedError):  # the check says why
+            run, _ = indentation_pair(context)
+            pictures += indentation_figures.draw(run, indentation_results.curves(run), folder)
+    return pictures
 
 
 def _profiles(context: Context, check: Check) -> list[Profile]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness import contact_line, diagnosis, solute_balance
+from harness import contact_line, diagnosis, indentation_measures, solute_balance
 from harness.diagnosis import Ailment
 from harness.hexahedra import geometry, rule
 from harness.indentation_study import Configuration, febio_cases, mixture_cases
@@ -210,3 +210,27 @@ def test_summary_counts_failed_attempts_and_names_the_unmet_norm():
     text = diagnosis.summary(converged + attempt([1e-9] * 20, ls=0.06))
     assert text == "line search stalls x 1; the last, to t = 0.5 s: line search stalls (unmet: concentration)"
     assert diagnosis.summary(converged) == "no failed attempt"
+
+
+def test_a_node_off_the_other_body_has_to_be_at_the_bath():
+    model = Indentation().model()
+    lines, n = indentation_measures.contact_lines(model), len(model.mesh.nodes)
+    bath = State(model.mesh.nodes, np.zeros(n), np.zeros(n))
+    assert indentation_measures.not_at_bath(bath, lines) == 0
+    outermost = lines[0][-1]
+    apart = State(model.mesh.nodes, np.zeros(n), np.eye(n)[outermost])
+    assert indentation_measures.not_at_bath(apart, lines) == 1
+
+
+def test_means_over_the_contact_are_of_what_is_closed():
+    model = Indentation().model()
+    lines, n = indentation_measures.contact_lines(model), len(model.mesh.nodes)
+    slab, cylinder = lines
+    closed = np.zeros(n)
+    closed[slab[:1]] = closed[cylinder[:1]] = 1.0
+    gap, jump = indentation_measures.mean_gap_and_jump(State(model.mesh.nodes, closed, closed), lines)
+    assert (gap, jump) == (pytest.approx(0.0, abs=1e-12), pytest.approx(0.0, abs=1e-12))
+    lowered = model.mesh.nodes - 0.1 * np.isin(np.arange(n), slab)[:, None] * [0.0, 1.0, 0.0]
+    gap, jump = indentation_measures.mean_gap_and_jump(State(lowered, closed, closed + closed * lowered[:, 1]), lines)
+    assert gap == pytest.approx(0.1, rel=1e-3)
+    assert jump == pytest.approx(-0.1)

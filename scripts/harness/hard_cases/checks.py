@@ -9,11 +9,10 @@ from harness import solute_balance
 from harness.compare import Measure
 from harness.hard_cases import variants
 from harness.hard_cases.scene import NEWTON, Case, prescribed
-from harness.logdata import History
 from harness.models.document import Model
 from harness.models.mesh import Ids
 from harness.runner import Outcome, Runner
-from harness.solute_balance import State
+from harness.solute_balance import state_at
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-12
@@ -87,7 +86,7 @@ def mass(run: Outcome) -> list[Measure]:
     if model.n_solutes != 1 or any(len(m.solutes) != 1 for m in model.materials.values()):
         return []
     history = run.nodes
-    states = [_state(history, index) for index in range(len(history.times))]
+    states = [state_at(history, index) for index in range(len(history.times))]
     fed = np.zeros(len(model.mesh.nodes), dtype=bool)
     for name in prescribed(model.conditions, "prescribed concentration"):
         fed[model.mesh.node_sets[name] - 1] = True
@@ -102,11 +101,6 @@ def mass(run: Outcome) -> list[Measure]:
         appeared += float(np.sum(np.asarray(entered)[counted]))
         content = max(content, sum(solute_balance.content(model, part, after) for part in model.mesh.parts))
     return [Measure("solute that appears, relative", abs(appeared) / content if content else abs(appeared), MASS)]
-
-
-def _state(history: History, index: int) -> State:
-    positions = np.stack([history[axis][index] for axis in "xyz"], axis=1)
-    return State(positions, history["p"][index], history["c1"][index])
 
 
 def contact_conditions(run: Outcome, bar: float) -> list[Measure]:
