@@ -178,6 +178,8 @@ class ContactPass {
     return loads.sealed[static_cast<std::size_t>(node)] && loads.flux_area(field, node) > 0;
   }
   static bool seen(const NodalLoads& loads, Index node);
+  /// What a large penalty makes of the rounding of gaps [MPa].
+  double traction_rounding() const;
   bool loads_differ(const NodalLoads& one, const NodalLoads& other, double part, const SurfaceFields& primary,
                     const SurfaceFields& secondary) const;
   std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;

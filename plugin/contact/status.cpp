@@ -47,11 +47,11 @@ std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const S
   const NodalLoads predicted = predicted_loads(*held_, primary, secondary);
   NodalLoads now;
   average_gaps(primary.position, secondary.position, now);
-  const double negligible = status_tolerance * predicted.traction.cwiseAbs().maxCoeff();
+  const double negligible = std::max(status_tolerance * predicted.traction.cwiseAbs().maxCoeff(), traction_rounding());
   std::vector<bool> status;
   for (Index node = 0; node < primary_.nodes; ++node) {
     const bool was = predicted.in_contact[static_cast<std::size_t>(node)];
-    const double overlap_load = multipliers.traction[node] + traction_penalty(node) * (now.gap[node] - touch_);
+    const double overlap_load = multipliers.traction[node] + traction_penalty(node) * now.gap[node];
     const bool stays = predicted.traction[node] <= negligible;
     status.push_back(seen(now, node) && (was ? stays : overlap_load < -negligible));
   }
@@ -118,11 +118,12 @@ bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields&
   return !loads_differ(predicted, now, load_tolerance, primary, secondary);
 }
 
+double ContactPass::traction_rounding() const {
+  return multipliers.traction_growth * penalties_.traction.maxCoeff() * rounding_fraction / touch_fraction * touch_;
+}
+
 bool ContactPass::loads_differ(const NodalLoads& one, const NodalLoads& other, double part,
                                const SurfaceFields& primary, const SurfaceFields& secondary) const {
-  // A large penalty turns the rounding of gaps and jumps into loads.
-  const VectorXd traction_rounding = VectorXd::Constant(
-      1, multipliers.traction_growth * penalties_.traction.maxCoeff() * rounding_fraction / touch_fraction * touch_);
   VectorXd flux_rounding(effects_.scalar_fields());
   for (int field = 0; field < effects_.scalar_fields(); ++field) {
     const double size = std::max(primary.scalar.col(field).cwiseAbs().maxCoeff(),
@@ -130,7 +131,8 @@ bool ContactPass::loads_differ(const NodalLoads& one, const NodalLoads& other, d
     flux_rounding[field] = rounding_fraction * size * multipliers.flux_growth[field] *
                            penalties_.flux.row(field).maxCoeff();
   }
-  return differs(one.traction.transpose(), other.traction.transpose(), part, traction_rounding) ||
+  return differs(one.traction.transpose(), other.traction.transpose(), part,
+                 VectorXd::Constant(1, traction_rounding())) ||
          differs(one.flux, other.flux, part, flux_rounding);
 }
 

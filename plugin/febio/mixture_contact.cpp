@@ -410,6 +410,7 @@ void FEMixtureContact::Update() {
     tried_ = false;
   }
   if (begin_iteration()) GetFEModel()->SetMeshUpdateFlag(true);
+  begun_ = true;
 }
 
 void FEMixtureContact::Update(const std::vector<double>& total, const std::vector<double>& increment) {
@@ -417,6 +418,7 @@ void FEMixtureContact::Update(const std::vector<double>& total, const std::vecto
   set_multipliers(total, increment);
   project();
   in_trial_ = tried_ = true;
+  begun_ = false;
 }
 
 void FEMixtureContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {
@@ -453,8 +455,10 @@ bool FEMixtureContact::begin_iteration() {
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   // A matrix is about to be formed for the next iteration, at an accepted state. FEBio has evaluated the residual of
-  // that state already, with the loads that were held then; it is to be evaluated again when the matrix is done.
-  if (begin_iteration()) {
+  // that state already, with the loads that were held then; it is to be evaluated again when the matrix is done. At the
+  // start of a step and after an augmentation Update() has begun the iteration: FEBio's residual is the right one, and
+  // of what the last iteration predicted nothing is left to decide by.
+  if (!std::exchange(begun_, false) && begin_iteration()) {
     for (FEMixtureContact* contact : active_contacts()) contact->in_trial_ = true;
     newton_solver()->UpdateModel();
     residual_outdated_ = true;
@@ -738,7 +742,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   for (std::size_t pass = 0; pass < core_->passes(); ++pass) archive_multipliers(ar, core_->multipliers(pass));
   if (ar.IsSaving()) return;
   core_->end_iterations();
-  in_trial_ = keep_prediction_ = false;  // a trial that was cut back is over
+  in_trial_ = keep_prediction_ = begun_ = false;  // a trial that was cut back is over
   residual_outdated_ = false;
   add_callbacks();
 }

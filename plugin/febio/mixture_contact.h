@@ -109,17 +109,18 @@ class FEMixtureContact : public FEContactInterface {
   std::unique_ptr<mixture_contact::ContactInterface> core_;
   std::array<int, 3> displacement_dofs_{-1, -1, -1};
   int pressure_dof_ = -1;
-  int concentration_dof_ = -1;            ///< of solute 0; the others follow
-  int concentrations_ = 0;                ///< number of solutes in the model
-  int first_equation_ = -1;               ///< of the multipliers, where they are unknowns; the others follow
-  /// Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out of
-  /// the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for the
-  /// block of multipliers.
+  int concentration_dof_ = -1;  ///< of solute 0; the others follow
+  int concentrations_ = 0;      ///< number of solutes in the model
+  int first_equation_ = -1;     ///< of the multipliers, where they are unknowns; the others follow
+  /// Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out
+  /// of the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for
+  /// the block of multipliers.
   int multiplier_node_ = -1;
   mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way
   bool tried_ = false;              ///< a trial has been evaluated since the iterations began
+  bool begun_ = false;              ///< an iteration has begun at this state
   bool keep_prediction_ = false;    ///< the next iteration goes on from what the last one predicts
   bool loads_changed_ = false;      ///< at the beginning of this iteration
   int disputes_ = 0;                ///< solutions of FEBio's in this step that were none

@@ -29,7 +29,7 @@ struct ContactParameters {
   bool pressure_penalty_given = false;
   bool concentration_penalty_given = false;
   bool auto_penalty = false;
-  bool update_penalty = false;
+  bool update_penalty = true;
 
   bool two_pass = false;
   bool symmetric_stiffness = false;

@@ -38,8 +38,7 @@ VectorXd Newton::field_norms(const VectorXd& vector) const {
   return norms;
 }
 
-void Newton::begin_iteration(bool evaluated) {
-  const bool changed = problem_.begin_iteration();
+void Newton::form_matrix(bool evaluated) {
   log_.print("Reforming stiffness matrix: reformation #%d\n\n", control_.max_reformations - allowed_reformations_ + 1);
   if (allowed_reformations_-- == 0) throw StepFailure("Max nr of reformations reached.");
   const VectorXd correction = problem_.assemble(system_);
@@ -47,7 +46,7 @@ void Newton::begin_iteration(bool evaluated) {
   ++effort_.reformations;
   log_.print("\tNr of equations ........................... : %d\n", problem_.equations().count());
   log_.print("\tNr of nonzeroes in stiffness matrix ....... : %ld\n", static_cast<long>(system_.entries()));
-  if (changed || !evaluated) {
+  if (!evaluated) {
     end_ = problem_.residual();
     ++effort_.residuals;
   }
@@ -186,7 +185,7 @@ void Newton::solve_step(double time, double dt) {
   increment_ = VectorXd::Zero(problem_.equations().count());
   problem_.start_step(time, dt);
   problem_.begin_iteration();
-  begin_iteration(false);
+  form_matrix(false);
   for (bool done = false; !done; ++effort_.iterations) {
     log_.print(" %d\n", effort_.iterations + 1);
     const VectorXd change = system_.solve(start_);
@@ -201,8 +200,12 @@ void Newton::solve_step(double time, double dt) {
     const bool balanced = converged(change, step, time);
     done = balanced && augment();
     if (done) continue;
-    if (!balanced) restart_norms_if_diverging(change, step);
-    begin_iteration(!balanced);
+    if (balanced) {
+      form_matrix(false);  // augment() has begun the iteration
+    } else {
+      restart_norms_if_diverging(change, step);
+      form_matrix(!problem_.begin_iteration());
+    }
   }
   problem_.accept_step();
 }

@@ -30,8 +30,8 @@ class Newton {
  private:
   /// Squared norms of displacements, pressures and each concentration in a vector over the equations.
   VectorXd field_norms(const VectorXd& vector) const;
-  /// Contact status, matrix and residual of the state reached; the residual is known if `evaluated`.
-  void begin_iteration(bool evaluated);
+  /// Matrix and residual of the state at which an iteration has begun; the residual is known if `evaluated`.
+  void form_matrix(bool evaluated);
   void evaluate(const VectorXd& trial);
   double line_search(const VectorXd& change);
   bool converged(const VectorXd& change, double step, double time);

@@ -16,7 +16,6 @@ from harness.models.mesh import Mesh
 from harness.models.parts import Control, Mixture
 from harness.runner import Outcome
 from harness.section_figures import Section
-from harness.solute_balance import State
 
 Array = NDArray[np.float64]
 
@@ -157,7 +156,7 @@ def _platens() -> Entry:
 def curves(entry: Entry, outcome: Outcome) -> Curves:
     """What is shown of a run over time."""
     history, mesh = outcome.nodes, outcome.model.mesh
-    states = [_state(history, index) for index in range(len(history.times))]
+    states = solute_balance.states(history)
     porous = [part for part in mesh.parts if _has_solute(outcome.model, part.material)]
     wet = np.unique(np.concatenate([part.elements.ravel() for part in porous]))
     contents = {
@@ -166,11 +165,6 @@ def curves(entry: Entry, outcome: Outcome) -> Curves:
     surfaces = {name: np.unique(mesh.surfaces[name]) for pair in mesh.pairs.values() for name in pair}
     sides = {name: history["c1"][:, ids - 1].mean(axis=1) for name, ids in surfaces.items() if np.isin(ids, wet).all()}
     return Curves(history.times, contents, sides, _force(entry, history, mesh))
-
-
-def _state(history: History, index: int) -> State:
-    positions = np.stack([history[axis][index] for axis in "xyz"], axis=1)
-    return State(positions, history["p"][index], history["c1"][index])
 
 
 def _has_solute(model: Model, material: str) -> bool:

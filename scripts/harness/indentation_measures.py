@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from harness import contact_line
+from harness import contact_line, solute_balance
 from harness.compare import Measure
 from harness.indentation_results import Curves, is_open
 from harness.models.document import Model
@@ -12,7 +12,7 @@ from harness.models.indentation import CONCENTRATION, TIMES
 from harness.models.indentation_mesh import Grid
 from harness.models.mesh import Ids
 from harness.runner import Outcome
-from harness.solute_balance import State, state_at
+from harness.solute_balance import State
 
 BALANCE = 1e-6
 """Solute out of nowhere, relative to the initial content; Newton's tolerance on increments is 1e-3."""
@@ -28,7 +28,7 @@ def of_a_run(outcome: Outcome, curves: Curves) -> list[Measure]:
     total = curves.slab + curves.cylinder
     outside = max(0.0, -float(curves.lowest[late].min()), float(curves.highest[late].max()) - CONCENTRATION)
     history, lines = outcome.nodes, contact_lines(outcome.model)
-    states = [state_at(history, index) for index in range(1, len(history.times))]
+    states = solute_balance.states(history)[1:]
     not_at_bath = sum(not_at_bath(state, lines) for state in states)
     gaps, jumps = np.abs([mean_gap_and_jump(state, lines) for state in states])[late[1:]].max(axis=0)
     sagitta = _sagitta(outcome.model)

@@ -12,7 +12,7 @@ from harness.models.document import Model
 from harness.models.mesh import Ids
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE
 from harness.runner import Outcome
-from harness.solute_balance import State, state_at
+from harness.solute_balance import State
 
 Array = NDArray[np.float64]
 NEAR = 1e-6
@@ -79,7 +79,7 @@ class Curves:
 def curves(outcome: Outcome) -> Curves:
     """All numbers of a run, finished or not, from its node data."""
     model, history = outcome.model, outcome.nodes
-    states = [state_at(history, index) for index in range(len(history.times))]
+    states = solute_balance.states(history)
     rows = [_instant(model, state) for state in states]
     flows = _flows(model, states, history.times)
     top = model.mesh.node_sets["top"] - 1

@@ -12,6 +12,7 @@ what was left over in the nodes that should balance.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,50 +29,78 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class State:
-    """Node data at one time: positions (n_nodes, 3) in mm, p~ in MPa, c~ in mM (= nmol/mm^3)."""
+    """Node data at one time.
+
+    Attributes
+    ----------
+    positions : ndarray, shape (n_nodes, 3)
+        mm.
+    pressure : ndarray, shape (n_nodes,)
+        p~, MPa.
+    concentrations : ndarray, shape (n_solutes, n_nodes)
+        c~, mM (= nmol/mm^3).
+    """
 
     positions: Array
     pressure: Array
-    concentration: Array
+    concentrations: Array
+
+    @property
+    def concentration(self) -> Array:
+        """That of the first solute."""
+        return np.asarray(self.concentrations[0])
 
 
-def state_at(history: History, index: int) -> State:
-    """The state of one time, counted from 0, of the node data of a run with one solute."""
-    positions = np.stack([history[axis][index] for axis in "xyz"], axis=1)
-    return State(positions, history["p"][index], history["c1"][index])
+def states(history: History) -> list[State]:
+    """The states of a run of a model with solutes."""
+    solutes = [name for name in history.columns if re.fullmatch(r"c\d+", name)]
+    positions = np.stack([history[axis] for axis in "xyz"], axis=2)
+    concentrations = np.stack([history[name] for name in solutes], axis=1)
+    return [State(*at) for at in zip(positions, history["p"], concentrations, strict=True)]
 
 
-def referential(material: Mixture, reference: Geometry, current: Geometry, concentration: Array) -> Array:
-    """J phi_w c at the integration points, nmol per mm^3 of the reference configuration.
+def referential(material: Mixture, reference: Geometry, current: Geometry, concentrations: Array) -> Array:
+    """J phi_w c of each solute at the integration points, nmol per mm^3 of the reference configuration.
 
     Parameters
     ----------
     material : Mixture
-        With one solute. phi_w = 1 - phi_0/J, not less than 0, and c = kappa~ c~.
+        phi_w = 1 - phi_0/J, not less than 0, and c = kappa~ c~.
     reference, current : Geometry
-    concentration : ndarray, shape (n_elements, n_nodes)
-        Effective concentration c~ of the elements' nodes, mM.
+    concentrations : ndarray, shape (n_solutes, n_elements, n_nodes)
+        Effective concentrations c~ of the elements' nodes, mM.
+
+    Returns
+    -------
+    ndarray, shape (n_solutes, n_elements, n_points)
     """
     stretch = current.volumes / reference.volumes
     pores = np.maximum(stretch - (1.0 - material.porosity), 0.0)
-    return np.asarray(pores * material.solutes[0].solubility * current.at_points(concentration))
+    pairs = zip(material.solutes, concentrations, strict=True)
+    return np.stack([pores * solute.solubility * current.at_points(c) for solute, c in pairs])
 
 
-def content(model: Model, part: Part, state: State) -> float:
-    """Amount of solute in a part, nmol."""
+def contents(model: Model, part: Part, state: State) -> Array:
+    """Amount of each solute in a part, shape (n_solutes,), nmol."""
     nodes = part.elements - 1
     reference = geometry(model.mesh.nodes, nodes)
     current = geometry(state.positions, nodes)
-    amount = referential(model.mixture(part.material), reference, current, state.concentration[nodes])
-    return float(np.sum(amount * reference.volumes))
+    amount = referential(model.mixture(part.material), reference, current, state.concentrations[:, nodes])
+    return np.asarray(np.sum(amount * reference.volumes, axis=(1, 2)))
 
 
-def inflow(model: Model, part: Part, before: State, after: State, step: float) -> Array:
+def content(model: Model, part: Part, state: State) -> float:
+    """Amount of the first solute in a part, nmol."""
+    return float(contents(model, part, state)[0])
+
+
+def inflows(model: Model, part: Part, before: State, after: State, step: float) -> Array:
     """Solute that enters a part at each node during a step, nmol; zero at a node that balances.
 
     Parameters
     ----------
     model : Model
+        All of whose mixtures have all its solutes.
     part : Part
     before, after : State
         At the start and the end of the step.
@@ -80,35 +109,50 @@ def inflow(model: Model, part: Part, before: State, after: State, step: float) -
 
     Returns
     -------
-    ndarray, shape (n_nodes,)
+    ndarray, shape (n_solutes, n_nodes)
         Over all nodes of the mesh.
     """
     nodes, material = part.elements - 1, model.mixture(part.material)
     reference, old, new = (geometry(x, nodes) for x in (model.mesh.nodes, before.positions, after.positions))
-    stored = referential(material, reference, new, after.concentration[nodes])
-    stored -= referential(material, reference, old, before.concentration[nodes])
-    moved = step * _flux(material, reference, new, after, part) * new.volumes[..., None]
-    entries = np.einsum("qa,eq->ea", new.rule.values, stored * reference.volumes)
-    entries -= np.einsum("eqai,eqi->ea", new.gradients, moved)
-    total = np.zeros(len(model.mesh.nodes))
-    np.add.at(total, nodes, entries)
+    stored = referential(material, reference, new, after.concentrations[:, nodes])
+    stored -= referential(material, reference, old, before.concentrations[:, nodes])
+    moved = step * _fluxes(material, reference, new, after, part) * new.volumes[..., None]
+    entries = np.einsum("qa,keq->kea", new.rule.values, stored * reference.volumes)
+    entries -= np.einsum("eqai,keqi->kea", new.gradients, moved)
+    total = np.zeros((len(entries), len(model.mesh.nodes)))
+    for row, values in zip(total, entries, strict=True):
+        np.add.at(row, nodes, values)
     return total
 
 
-def _flux(material: Mixture, reference: Geometry, current: Geometry, state: State, part: Part) -> Array:
-    """Solute flux j at the integration points, nmol/(mm^2 s).
+def inflow(model: Model, part: Part, before: State, after: State, step: float) -> Array:
+    """`inflows` of the first solute, shape (n_nodes,)."""
+    return np.asarray(inflows(model, part, before, after, step)[0])
+
+
+def _fluxes(material: Mixture, reference: Geometry, current: Geometry, state: State, part: Part) -> Array:
+    """Flux j of each solute at the integration points, (n_solutes, n_elements, n_points, 3), nmol/(mm^2 s).
 
     Equations of Mauck, Hung and Ateshian, J Biomech Eng 125:602-614 (2003), as FEBio's materials evaluate them, for
-    constant isotropic permeability k and diffusivities d, d0:
-    w = -[1/k + (1 - d/d0) R T kappa c~ / (phi_w d0)]^-1 (grad p~ + R T kappa d/d0 grad c~),
+    constant isotropic permeability k and diffusivities d, d0, and neutral solutes:
+    w = -[1/k + SUM (1 - d/d0) R T kappa c~ / (phi_w d0)]^-1 (grad p~ + SUM R T kappa d/d0 grad c~),
     j = kappa d (w c~/d0 - phi_w grad c~).
     """
-    nodes, solute = part.elements - 1, material.solutes[0]
-    thermal = GAS_CONSTANT * TEMPERATURE * solute.solubility
-    ratio = solute.diffusivity / solute.free_diffusivity
+    nodes = part.elements - 1
     porosity = 1.0 - (1.0 - material.porosity) * reference.volumes / current.volumes
-    c, slope = (f(state.concentration[nodes]) for f in (current.at_points, current.gradient))
-    drag = 1.0 / material.permeability + (1.0 - ratio) * thermal * c / (porosity * solute.free_diffusivity)
-    solvent = -(current.gradient(state.pressure[nodes]) + thermal * ratio * slope) / drag[..., None]
-    convected = solvent * c[..., None] / solute.free_diffusivity
-    return np.asarray(solute.solubility * solute.diffusivity * (convected - porosity[..., None] * slope))
+    drag = np.full(porosity.shape, 1.0 / material.permeability)
+    drive = current.gradient(state.pressure[nodes])
+    values = [current.at_points(c[nodes]) for c in state.concentrations]
+    slopes = [current.gradient(c[nodes]) for c in state.concentrations]
+    for solute, c, slope in zip(material.solutes, values, slopes, strict=True):
+        thermal = GAS_CONSTANT * TEMPERATURE * solute.solubility
+        ratio = solute.diffusivity / solute.free_diffusivity
+        drag += (1.0 - ratio) * thermal * c / (porosity * solute.free_diffusivity)
+        drive = drive + thermal * ratio * slope
+    solvent = -drive / drag[..., None]
+    return np.stack(
+        [
+            s.solubility * s.diffusivity * (solvent * c[..., None] / s.free_diffusivity - porosity[..., None] * slope)
+            for s, c, slope in zip(material.solutes, values, slopes, strict=True)
+        ]
+    )

@@ -102,20 +102,20 @@ def test_content_of_a_squeezed_slab(model):
     """phi_w = 1 - phi_0/J: with J = 0.7 and phi_0 = 0.2 the pores hold 0.5 of the reference volume."""
     x = model.mesh.nodes[:, 0]
     slab = model.mesh.parts[0]
-    amount = solute_balance.content(model, slab, State(squeezed(model, 0.7), 0.0 * x, 1.0 + x))
+    amount = solute_balance.content(model, slab, State(squeezed(model, 0.7), 0.0 * x, 1.0 + x[None]))
     assert amount == pytest.approx((0.7 - 0.2) * (3.0 * 2.0 * 0.25) * (1.0 + 1.5), rel=1e-12)
 
 
 def test_pores_that_are_squeezed_shut_hold_nothing(model):
     x = model.mesh.nodes[:, 0]
-    state = State(squeezed(model, 0.15), 0.0 * x, 1.0 + 0.0 * x)
+    state = State(squeezed(model, 0.15), 0.0 * x, 1.0 + 0.0 * x[None])
     assert solute_balance.content(model, model.mesh.parts[0], state) == 0.0
 
 
 def test_inflow_is_the_change_of_the_content(model):
     part, x = model.mesh.parts[0], model.mesh.nodes
-    before = State(x, 0.01 * x[:, 0], np.ones(len(x)))
-    after = State(squeezed(model, 0.8), 0.02 * x[:, 1], 1.0 - 0.1 * x[:, 0])
+    before = State(x, 0.01 * x[:, 0], np.ones((1, len(x))))
+    after = State(squeezed(model, 0.8), 0.02 * x[:, 1], 1.0 - 0.1 * x[None, :, 0])
     entered = solute_balance.inflow(model, part, before, after, 3.0)
     contents = [solute_balance.content(model, part, state) for state in (before, after)]
     assert entered.sum() == pytest.approx(contents[1] - contents[0], rel=1e-12)
@@ -128,7 +128,7 @@ def test_inflow_of_steady_diffusion(model):
     thermal = solute_balance.GAS_CONSTANT * solute_balance.TEMPERATURE
     ratio = solute.diffusivity / solute.free_diffusivity
     concentration = x[:, 1]
-    state = State(x, -thermal * ratio * concentration, concentration)
+    state = State(x, -thermal * ratio * concentration, concentration[None])
     entered = solute_balance.inflow(model, part, state, state, 10.0)
     expected = 10.0 * 0.8 * solute.diffusivity * 3.0 * 0.25
     top, bottom = np.abs(x[:, 1] - 2.0) < 1e-9, np.abs(x[:, 1]) < 1e-9
@@ -140,7 +140,7 @@ def test_inflow_of_steady_diffusion(model):
 def test_initial_content_is_that_of_the_slab(model):
     concentration = np.zeros(len(model.mesh.nodes))
     concentration[model.mesh.node_sets["slab"] - 1] = CONCENTRATION
-    state = State(model.mesh.nodes, 0.0 * concentration, concentration)
+    state = State(model.mesh.nodes, 0.0 * concentration, concentration[None])
     contents = [solute_balance.content(model, part, state) for part in model.mesh.parts]
     assert contents == pytest.approx([0.8 * 3.0 * 2.0 * 0.25, 0.0])
 

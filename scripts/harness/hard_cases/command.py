@@ -26,6 +26,7 @@ TIMEOUT = 120.0
 def hard_cases(
     only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
     mesh: Annotated[list[Fineness] | None, typer.Option(help="On this mesh alone.")] = None,
+    interface: Annotated[list[Interface] | None, typer.Option(help="With this interface alone.")] = None,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "hard-cases",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
@@ -38,8 +39,18 @@ def hard_cases(
     for name in only or []:
         if name not in CASES:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(CASES)}")
-    chosen = [(case, mesh.value) for mesh, case in product(mesh or Fineness, only or CASES)]
-    wanted = {f"{case}-{mesh}": ("hard-case", case, mesh, "--timeout", str(timeout)) for case, mesh in chosen}
+    wanted = {
+        f"{case}-{made.value}-{each.value}": (
+            "hard-case",
+            case,
+            made.value,
+            "--interface",
+            each.value,
+            "--timeout",
+            str(timeout),
+        )
+        for made, case, each in product(mesh or Fineness, only or CASES, interface or Interface)
+    }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=snakemake or ())
     records = [entry for path in paths for entry in record.read(path)]
     text = f"{record.summary(records)}\n\n{record.table(records)}\n"

@@ -16,7 +16,7 @@ from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.indentation_mesh import Grid, cylinder_body
 from harness.models.mesh import Ids, Mesh, Part
-from harness.models.parts import Condition, Curve, displace, fix
+from harness.models.parts import Condition, Curve, Param, displace, fix
 from harness.runner import Outcome, Runner
 
 Array = NDArray[np.float64]
@@ -117,6 +117,8 @@ class Pushed:
         Whether x = 0 is a plane of symmetry at which the model ends.
     base_is_primary : bool
         Whether the base has the primary surface.
+    extra : tuple of Param
+        Further parameters of every interface.
     """
 
     base: Callable[[int], Shape]
@@ -128,6 +130,7 @@ class Pushed:
     name: str = "pushed"
     half: bool = False
     base_is_primary: bool = False
+    extra: tuple[Param, ...] = ()
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
         """The model."""
@@ -145,7 +148,7 @@ class Pushed:
         moved = {f"grip-{n}": np.array([n]) for n in made.node_sets["grip"].tolist()}
         made = replace(made, node_sets=made.node_sets | moved)
         text = f"Hard case {self.name}: a body pushed into another one."
-        joined = interface.contacts("multiphasic", made)
+        joined = interface.contacts("multiphasic", made, self.extra)
         model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, (*curves, steps))
         return finished(model, interface)
 
