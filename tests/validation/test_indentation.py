@@ -215,10 +215,10 @@ def test_summary_counts_failed_attempts_and_names_the_unmet_norm():
 def test_a_node_off_the_other_body_has_to_be_at_the_bath():
     model = Indentation().model()
     lines, n = indentation_measures.contact_lines(model), len(model.mesh.nodes)
-    bath = State(model.mesh.nodes, np.zeros(n), np.zeros(n))
+    bath = State(model.mesh.nodes, np.zeros(n), np.zeros((1, n)))
     assert indentation_measures.not_at_bath(bath, lines) == 0
     outermost = lines[0][-1]
-    apart = State(model.mesh.nodes, np.zeros(n), np.eye(n)[outermost])
+    apart = State(model.mesh.nodes, np.zeros(n), np.eye(n)[[outermost]])
     assert indentation_measures.not_at_bath(apart, lines) == 1
 
 
@@ -228,9 +228,11 @@ def test_means_over_the_contact_are_of_what_is_closed():
     slab, cylinder = lines
     closed = np.zeros(n)
     closed[slab[:1]] = closed[cylinder[:1]] = 1.0
-    gap, jump = indentation_measures.mean_gap_and_jump(State(model.mesh.nodes, closed, closed), lines)
+    gap, jump = indentation_measures.mean_gap_and_jump(State(model.mesh.nodes, closed, closed[None]), lines)
     assert (gap, jump) == (pytest.approx(0.0, abs=1e-12), pytest.approx(0.0, abs=1e-12))
     lowered = model.mesh.nodes - 0.1 * np.isin(np.arange(n), slab)[:, None] * [0.0, 1.0, 0.0]
-    gap, jump = indentation_measures.mean_gap_and_jump(State(lowered, closed, closed + closed * lowered[:, 1]), lines)
+    gap, jump = indentation_measures.mean_gap_and_jump(
+        State(lowered, closed, (closed + closed * lowered[:, 1])[None]), lines
+    )
     assert gap == pytest.approx(0.1, rel=1e-3)
     assert jump == pytest.approx(-0.1)
