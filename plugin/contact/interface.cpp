@@ -1,5 +1,6 @@
 #include "interface.h"
 
+#include "parallel.h"
 #include "search.h"
 
 #include <algorithm>
@@ -126,8 +127,9 @@ void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt,
 
 void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
   for (const Pass& pass : passes_) {
-    pass.integral->tangent(fields[pass.side], fields[other(pass.side)], dt,
-                           [&](const Patch& patch, const MatrixXd& values) { add({pass.side, patch}, values); });
+    pass.integral->tangent(fields[pass.side], fields[other(pass.side)], dt, [&](const TangentBlock& block) {
+      add({pass.side, block.rows}, {pass.side, block.columns}, block.values);
+    });
   }
 }
 
@@ -189,14 +191,16 @@ std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<
   });
   const double reach = search_radius(position_);
   std::vector<bool> in_contact(static_cast<std::size_t>(mesh_[side].nodes), false);
-  for (Index node = 0; node < mesh_[side].nodes; ++node) {
+  const auto is_faced = [&](std::size_t index) {
+    const auto node = static_cast<Index>(index);
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
-    if (!hit) continue;
+    if (!hit) return char{false};
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
     const FacetVector shape = multiplier_shape(facet.type, shape_functions(facet.type, hit->eta).value);
-    in_contact[static_cast<std::size_t>(node)] = shape.dot(facet_values(facet, other_share)) >= covered;
-  }
+    return static_cast<char>(shape.dot(facet_values(facet, other_share)) >= covered);
+  };
+  in_order(in_contact.size(), is_faced, [&](std::size_t node, char faced) { in_contact[node] = faced != 0; });
   return in_contact;
 }
 

@@ -53,7 +53,7 @@ class ContactInterface {
     const Patch& patch;  ///< nodes and fields
   };
   using AddResidual = std::function<void(const Location&, const VectorXd&)>;
-  using AddTangent = std::function<void(const Location&, const MatrixXd&)>;
+  using AddTangent = std::function<void(const Location& rows, const Location& columns, const MatrixXd&)>;
 
   /// Throws std::invalid_argument for two passes with unknown multipliers: twice as many conditions as can be met.
   ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings);

@@ -1,4 +1,5 @@
 /// First variations of the averages and works of each node: a part of ContactPass.
+#include "parallel.h"
 #include "pass.h"
 
 #include <algorithm>
@@ -29,6 +30,38 @@ std::vector<Index> places(const Patch& pair, const Patch& patch) {
 }
 
 }  // namespace
+
+ContactPass::NodeLinearisation ContactPass::zero_linearisation(const Patch& patch) {
+  NodeLinearisation linear;
+  linear.patch = patch;
+  linear.gap_variation.setZero(patch.of_displacements().layout().size());
+  linear.traction_work = linear.gap_variation;
+  for (const int field : patch.fields) {
+    linear.jumps.push_back({linear.gap_variation, VectorXd::Zero(patch.of_field(field, false).layout().size())});
+  }
+  return linear;
+}
+
+void ContactPass::add(NodeLinearisation& sum, const NodeLinearisation& pair) {
+  const std::vector<Index> place = places(pair.patch, sum.patch);
+  const LocalLayout layout = sum.patch.of_displacements().layout();
+  const LocalLayout own = pair.patch.of_displacements().layout();
+  const auto add_variation = [&](VectorXd& variation, const VectorXd& part) {
+    for (std::size_t n = 0; n < place.size(); ++n) {
+      variation.segment<3>(layout.displacement(place[n], 0)) += part.segment<3>(
+          own.displacement(static_cast<Index>(n), 0));
+    }
+  };
+  add_variation(sum.gap_variation, pair.gap_variation);
+  add_variation(sum.traction_work, pair.traction_work);
+  for (std::size_t f = 0; f < pair.patch.fields.size(); ++f) {
+    const Index k = position_in(sum.patch.fields, pair.patch.fields[f]);
+    NodeLinearisation::Jump& jump = sum.jumps[static_cast<std::size_t>(k)];
+    add_variation(jump.drift, pair.jumps[f].drift);
+    for (std::size_t n = 0; n < place.size(); ++n)
+      jump.weights[place[n]] += pair.jumps[f].weights[static_cast<Index>(n)];
+  }
+}
 
 Patch ContactPass::facet_patch(const FacetPair& pair) const {
   const auto nodes = [](const Facet& facet) {
@@ -64,66 +97,56 @@ Patch ContactPass::node_patch(Index node, const std::vector<const FacetPair*>& p
   return patch;
 }
 
-VectorXd ContactPass::patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) {
-  const LocalLayout layout = patch.layout();
-  VectorXd unknowns = VectorXd::Zero(layout.size());
-  for (Index place = 0; place < layout.nodes(); ++place) {
-    const bool first = place < layout.primary_nodes();
-    const SurfaceFields& surface = first ? primary : secondary;
-    const int node = first ? patch.primary[static_cast<std::size_t>(place)]
-                           : patch.secondary[static_cast<std::size_t>(place - layout.primary_nodes())];
-    unknowns.segment<3>(layout.displacement(place, 0)) = surface.position.col(node);
-    for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      unknowns[layout.scalar(place, k)] = surface.scalar(node, patch.fields[static_cast<std::size_t>(k)]);
+Patch ContactPass::field_columns(const Patch& patch, int field) const {
+  return patch.of_field(field, !settings_.symmetric);
+}
+
+std::vector<ContactPass::NodeLinearisation> ContactPass::linearise_corners(const FacetPair& pair,
+                                                                           const NodalLoads& loads,
+                                                                           const SurfaceFields& primary,
+                                                                           const SurfaceFields& secondary) const {
+  std::vector<NodeLinearisation> corners;
+  if (!carries_load(pair, loads.in_contact)) return corners;
+  const Patch patch = facet_patch(pair);
+  corners.assign(patch.primary.size(), zero_linearisation(patch));
+  const std::vector<PointMotion> motions = points_->motions(pair, primary.position, secondary.position);
+  for (std::size_t q = 0; q < pair.points.size(); ++q) {
+    const double weight = pair.points[q].weight;
+    const PointContact point = contact(pair, pair.points[q], loads, primary, secondary, 1.0);
+    const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
+    for (std::size_t a = 0; a < corners.size(); ++a) {
+      const int node = patch.primary[a];
+      if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
+      const auto corner = static_cast<Index>(a);
+      const PointShare share{weight * point.psi[corner],
+                             weight * (point.psi[corner] * vary.weight + point.psi_gradient.row(corner) * vary.xi)};
+      add_point(corners[a], loads, node, point, vary, share);
     }
   }
-  return unknowns;
+  return corners;
 }
 
-ContactPass::NodeLinearisation ContactPass::start_linearisation(const Patch& patch, const SurfaceFields& primary,
-                                                                const SurfaceFields& secondary) {
-  NodeLinearisation linear;
-  linear.patch = patch;
-  linear.unknowns = patch_unknowns(patch, primary, secondary);
-  const VectorXd zero = VectorXd::Zero(patch.layout().size());
-  linear.gap_variation = linear.traction_work = zero;
-  linear.jump_variation.assign(patch.fields.size(), zero);
-  linear.flux_work = linear.jump_variation;
-  return linear;
-}
-
-void ContactPass::add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place,
-                            const NodalLoads& loads, const PointContact& contact, const KinematicVariations& vary,
-                            const PointShare& share) {
+void ContactPass::add_point(NodeLinearisation& linear, const NodalLoads& loads, Index node, const PointContact& contact,
+                            const KinematicVariations& vary, const PointShare& share) {
   // g_a = INT psi_a g da / A_a, so dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a; jumps alike, with
   // their fields' own part.
   const PointKinematics& point = contact.kinematics;
-  const LocalLayout layout = linear.patch.layout();
+  const LocalLayout layout = linear.patch.of_displacements().layout();
   const PairVector h = point.jump_weights();
-  const auto add_variation = [&](VectorXd& variation, const WeightedVariation& varied, double mean, double area) {
-    const PairVariation<1> row = (varied.integral - mean * varied.area) / area;
-    for (std::size_t n = 0; n < place.size(); ++n) {
-      variation.segment<3>(layout.displacement(place[n], 0)) += row.segment<3>(static_cast<Index>(3 * n)).transpose();
-    }
+  const auto mean_variation = [](const WeightedVariation& varied, double mean, double area) {
+    return PairVariation<1>((varied.integral - mean * varied.area) / area);
   };
-  add_variation(linear.gap_variation, gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
-  for (std::size_t n = 0; n < place.size(); ++n) {
-    linear.traction_work.segment<3>(layout.displacement(place[n], 0)) += share.value * h[static_cast<Index>(n)] *
-                                                                         point.area_vector;
+  linear.gap_variation += mean_variation(gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    linear.traction_work.segment<3>(layout.displacement(n, 0)) += share.value * h[n] * point.area_vector;
   }
-  for (std::size_t f = 0; f < contact.fields.size(); ++f) {
-    const int field = contact.fields[f];
-    const auto k = position_in(linear.patch.fields, field);
+  for (std::size_t k = 0; k < contact.fields.size(); ++k) {
+    const int field = contact.fields[k];
     const double area = loads.flux_area(field, node);
-    VectorXd& variation = linear.jump_variation[static_cast<std::size_t>(k)];
-    VectorXd& work = linear.flux_work[static_cast<std::size_t>(k)];
-    const PairVector values = contact.values.col(static_cast<Index>(f));
-    add_variation(variation, jump_variation(point, vary, share, values), loads.jump(field, node), area);
-    for (std::size_t n = 0; n < place.size(); ++n) {
-      const double entry = share.value * point.area * h[static_cast<Index>(n)];
-      variation[layout.scalar(place[n], k)] += entry / area;
-      work[layout.scalar(place[n], k)] += entry;
-    }
+    const PairVector values = contact.values.col(static_cast<Index>(k));
+    const WeightedVariation varied = jump_variation(point, vary, share, values);
+    linear.jumps[k].drift += mean_variation(varied, loads.jump(field, node), area);
+    linear.jumps[k].weights += share.value * point.area / area * h;
   }
 }
 
@@ -132,32 +155,19 @@ std::vector<ContactPass::NodeLinearisation> ContactPass::linearise(const NodalLo
                                                                    const SurfaceFields& secondary) const {
   const auto around = pairs_around_nodes(loads.in_contact);
   std::vector<NodeLinearisation> nodes(around.size());
-  for (std::size_t node = 0; node < around.size(); ++node) {
-    if (around[node].empty() && !has_unknown_multipliers()) continue;
-    const Patch patch = node_patch(static_cast<Index>(node), around[node]);
-    nodes[node] = start_linearisation(patch, primary, secondary);
-  }
-  for (const FacetPair& pair : pairs_) {
-    if (!carries_load(pair, loads.in_contact)) continue;
-    const Patch facets = facet_patch(pair);
-    std::vector<std::vector<Index>> place;  // of the pair's nodes in the patch of each of its primary nodes
-    for (const int node : facets.primary) place.push_back(places(facets, nodes[static_cast<std::size_t>(node)].patch));
-    const std::vector<PointMotion> motions = points_->motions(pair, primary.position, secondary.position);
-    for (std::size_t q = 0; q < pair.points.size(); ++q) {
-      const double weight = pair.points[q].weight;
-      const PointContact point = contact(pair, pair.points[q], loads, primary, secondary, 1.0);
-      const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
-      for (std::size_t a = 0; a < facets.primary.size(); ++a) {
-        const auto corner = static_cast<Index>(a);
-        const int node = facets.primary[a];
-        NodeLinearisation& linear = nodes[static_cast<std::size_t>(node)];
-        if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
-        const PointShare share{weight * point.psi[corner],
-                               weight * (point.psi[corner] * vary.weight + point.psi_gradient.row(corner) * vary.xi)};
-        add_point(linear, node, place[a], loads, point, vary, share);
-      }
+  in_parallel(around.size(), [&](std::size_t node) {
+    if (around[node].empty() && !has_unknown_multipliers()) return;
+    nodes[node] = zero_linearisation(node_patch(static_cast<Index>(node), around[node]));
+  });
+  const auto corners_of = [&](std::size_t index) {
+    return linearise_corners(pairs_[index], loads, primary, secondary);
+  };
+  in_order(pairs_.size(), corners_of, [&](std::size_t /*index*/, const std::vector<NodeLinearisation>& corners) {
+    for (std::size_t a = 0; a < corners.size(); ++a) {
+      const auto node = static_cast<std::size_t>(corners[a].patch.primary[a]);
+      if (loads.in_contact[node]) add(nodes[node], corners[a]);
     }
-  }
+  });
   return nodes;
 }
 

@@ -12,25 +12,28 @@ namespace mixture_contact {
 /// first displacement, those of the fluxes in place of the fields. The places of the other two displacements are void.
 class LocalLayout {
  public:
-  LocalLayout(Index primary_nodes, Index secondary_nodes, Index scalar_fields, bool multipliers = false)
+  LocalLayout(Index primary_nodes, Index secondary_nodes, Index scalar_fields, bool multipliers = false,
+              bool displacements = true)
       : primary_nodes_(primary_nodes),
         secondary_nodes_(secondary_nodes),
         scalar_fields_(scalar_fields),
-        multipliers_(multipliers) {}
+        multipliers_(multipliers),
+        displacements_(displacements ? 3 : 0) {}
 
   Index primary_nodes() const { return primary_nodes_; }
   Index nodes() const { return primary_nodes_ + secondary_nodes_; }
   Index scalar_fields() const { return scalar_fields_; }
-  Index per_node() const { return 3 + scalar_fields_; }
+  Index per_node() const { return displacements_ + scalar_fields_; }
+  bool has_displacements() const { return displacements_ > 0; }
   bool has_multipliers() const { return multipliers_; }
   /// Nodes, and the block of multipliers.
   Index blocks() const { return nodes() + (multipliers_ ? 1 : 0); }
   Index size() const { return blocks() * per_node(); }
 
-  /// Entry of component i (0, 1, 2) of a node's displacement.
+  /// Entry of component i (0, 1, 2) of a node's displacement, if there are any.
   Index displacement(Index node, Index i) const { return node * per_node() + i; }
   /// Entry of a node's scalar field k, in the order of Effects.
-  Index scalar(Index node, Index k) const { return node * per_node() + 3 + k; }
+  Index scalar(Index node, Index k) const { return node * per_node() + displacements_ + k; }
   Index traction_multiplier() const { return displacement(nodes(), 0); }
   Index flux_multiplier(Index k) const { return scalar(nodes(), k); }
 
@@ -39,6 +42,7 @@ class LocalLayout {
   Index secondary_nodes_;
   Index scalar_fields_;
   bool multipliers_;
+  Index displacements_;  ///< per node
 };
 
 /// Order of all multipliers of a surface, where they are unknowns: node by node, traction first, then the fields'.

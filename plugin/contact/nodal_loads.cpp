@@ -1,51 +1,82 @@
 /// What the laws say at the nodes, from averages around each: a part of ContactPass.
+#include "parallel.h"
 #include "pass.h"
 
-#include <cmath>
-
 namespace mixture_contact {
+namespace {
+
+/// Of one pair of facets, per node of the primary one: INT psi_a da, INT |psi_a| da and INT psi_a g da.
+using GapSums = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, max_facet_nodes>;
+
+/// The same for the jumps of the fields that a pair exchanges; no fields where it carries no load.
+struct JumpSums {
+  std::vector<int> fields;
+  FacetVector area;  ///< INT psi_a da
+  MatrixXd jump;     ///< (fields, nodes): INT psi_a jump da
+};
+
+}  // namespace
 
 void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
   loads.area.setZero(primary_.nodes);
   loads.absolute_area.setZero(primary_.nodes);
   loads.gap.setZero(primary_.nodes);
-  for (const FacetPair& pair : pairs_) {
-    const Facet& facet = primary_facet(pair);
+  const auto sums_of = [&](std::size_t index) {
+    const FacetPair& pair = pairs_[index];
+    GapSums sums = GapSums::Zero(3, node_count(primary_facet(pair).type));
     for (const IntegrationPoint& place : pair.points) {
       const PointKinematics point = kinematics(pair, place, x1, x2);
       const FacetVector share = place.weight * point.area * multiplier_shape(pair, point);
-      for (Index a = 0; a < share.size(); ++a) {
-        const int node = facet.nodes[static_cast<std::size_t>(a)];
-        loads.area[node] += share[a];
-        loads.absolute_area[node] += std::abs(share[a]);
-        loads.gap[node] += share[a] * point.gap;
-      }
+      sums.row(0) += share;
+      sums.row(1) += share.cwiseAbs();
+      sums.row(2) += point.gap * share;
     }
-  }
+    return sums;
+  };
+  in_order(pairs_.size(), sums_of, [&](std::size_t index, const GapSums& sums) {
+    const Facet& facet = primary_facet(pairs_[index]);
+    for (Index a = 0; a < sums.cols(); ++a) {
+      const int node = facet.nodes[static_cast<std::size_t>(a)];
+      loads.area[node] += sums(0, a);
+      loads.absolute_area[node] += sums(1, a);
+      loads.gap[node] += sums(2, a);
+    }
+  });
   loads.gap = (loads.area.array() > 0).select(loads.gap.array() / loads.area.array(), 0.0);
 }
 
 void ContactPass::average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const {
   loads.flux_area.setZero(effects_.scalar_fields(), primary_.nodes);
   loads.jump.setZero(effects_.scalar_fields(), primary_.nodes);
-  for (const FacetPair& pair : pairs_) {
-    if (effects_.scalar_fields() == 0 || !carries_load(pair, loads.in_contact)) continue;
-    const Facet& facet = primary_facet(pair);
-    const std::vector<int> fields = exchanged_fields(pair);
+  if (effects_.scalar_fields() == 0) return;
+  const auto sums_of = [&](std::size_t index) {
+    const FacetPair& pair = pairs_[index];
+    JumpSums sums;
+    if (!carries_load(pair, loads.in_contact)) return sums;
+    sums.fields = exchanged_fields(pair);
+    sums.area.setZero(node_count(primary_facet(pair).type));
+    sums.jump.setZero(static_cast<Index>(sums.fields.size()), sums.area.size());
     for (const IntegrationPoint& place : pair.points) {
       const PointKinematics point = kinematics(pair, place, primary.position, secondary.position);
       const FacetVector share = place.weight * point.area * multiplier_shape(pair, point);
       const PairVector h = point.jump_weights();
-      for (const int field : fields) {
-        const double jump = h.dot(pair_values(pair, field, primary, secondary));
-        for (Index a = 0; a < share.size(); ++a) {
-          const int node = facet.nodes[static_cast<std::size_t>(a)];
-          loads.flux_area(field, node) += share[a];
-          loads.jump(field, node) += share[a] * jump;
-        }
+      sums.area += share;
+      for (std::size_t k = 0; k < sums.fields.size(); ++k) {
+        sums.jump.row(static_cast<Index>(k)) += h.dot(pair_values(pair, sums.fields[k], primary, secondary)) * share;
       }
     }
-  }
+    return sums;
+  };
+  in_order(pairs_.size(), sums_of, [&](std::size_t index, const JumpSums& sums) {
+    const Facet& facet = primary_facet(pairs_[index]);
+    for (std::size_t k = 0; k < sums.fields.size(); ++k) {
+      for (Index a = 0; a < sums.area.size(); ++a) {
+        const int node = facet.nodes[static_cast<std::size_t>(a)];
+        loads.flux_area(sums.fields[k], node) += sums.area[a];
+        loads.jump(sums.fields[k], node) += sums.jump(static_cast<Index>(k), a);
+      }
+    }
+  });
   loads.jump = (loads.flux_area.array() > 0).select(loads.jump.array() / loads.flux_area.array(), 0.0);
 }
 

@@ -101,10 +101,10 @@ class ContactPass {
   void residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                 const std::function<void(const Patch&, const VectorXd&)>& add) const;
 
-  /// Tangent (2.6): the geometric part per pair of facets that carries load, and per node in contact the part of its
-  /// laws, which couples all nodes that its averages are taken over.
+  /// Tangent (2.6), effect by effect: the geometric part per pair of facets that carries load, and per node in contact
+  /// the part of its laws, which couples all nodes that its averages are taken over.
   void tangent(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
-               const std::function<void(const Patch&, const MatrixXd&)>& add) const;
+               const std::function<void(const TangentBlock&)>& add) const;
 
   /// The patches that tangent() would fill: what a matrix profile has to hold.
   void for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2, const std::function<void(const Patch&)>& use) const;
@@ -135,19 +135,26 @@ class ContactPass {
   /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
   /// Where multipliers are unknowns every node has one, out of contact of its multipliers alone.
   struct NodeLinearisation {
+    /// Of the jump of one field; the virtual work of its flux is weights times the node's flux_area.
+    struct Jump {
+      VectorXd drift;    ///< with the displacements, as gap_variation
+      VectorXd weights;  ///< with the field's nodal values, in the order of patch.of_field(field, false)
+    };
     Patch patch;
-    VectorXd unknowns;                     ///< of the patch, where the linearisation was taken
-    VectorXd gap_variation;                ///< dg_a
-    VectorXd traction_work;                ///< sum_q w psi_a h a
-    std::vector<VectorXd> jump_variation;  ///< per field of the patch
-    std::vector<VectorXd> flux_work;       ///< sum_q w psi_a |a| h, per field of the patch
+    VectorXd gap_variation;   ///< dg_a, in the order of patch.of_displacements()
+    VectorXd traction_work;   ///< sum_q w psi_a h a, in the same order
+    std::vector<Jump> jumps;  ///< per field of the patch
+
+    bool empty() const { return gap_variation.size() == 0; }
   };
 
   /// What holds during a Newton iteration.
   struct Held {
     NodalLoads loads;                      ///< at the beginning of the iteration
     std::vector<NodeLinearisation> nodes;  ///< empty for nodes out of contact
-    VectorXd geometric_traction;           ///< predicted t_a, for the geometric part of the tangent
+    SurfaceFields primary;                 ///< where the linearisation was taken
+    SurfaceFields secondary;
+    VectorXd geometric_traction;  ///< predicted t_a, for the geometric part of the tangent
     MatrixXd geometric_flux;
     std::vector<int> changes;     ///< of each node's status since the iterations began
     VectorXd multiplier_weights;  ///< of the equations of unknown multipliers, in the order of multiplier_layout()
@@ -191,12 +198,20 @@ class ContactPass {
   Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
   std::vector<NodeLinearisation> linearise(const NodalLoads& loads, const SurfaceFields& primary,
                                            const SurfaceFields& secondary) const;
-  static NodeLinearisation start_linearisation(const Patch& patch, const SurfaceFields& primary,
-                                               const SurfaceFields& secondary);
-  static void add_point(NodeLinearisation& linear, Index node, const std::vector<Index>& place, const NodalLoads& loads,
-                        const PointContact& contact, const KinematicVariations& vary, const PointShare& share);
-  static VectorXd patch_unknowns(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary);
-  MatrixXd law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) const;
+  static NodeLinearisation zero_linearisation(const Patch& patch);
+  static void add(NodeLinearisation& sum, const NodeLinearisation& pair);
+  static void add_point(NodeLinearisation& linear, const NodalLoads& loads, Index node, const PointContact& contact,
+                        const KinematicVariations& vary, const PointShare& share);
+  std::vector<NodeLinearisation> linearise_corners(const FacetPair& pair, const NodalLoads& loads,
+                                                   const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  std::vector<TangentBlock> law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                        double dt) const;
+  std::vector<TangentBlock> geometric_tangent(const FacetPair& pair, const NodalLoads& loads,
+                                              const SurfaceFields& primary, const SurfaceFields& secondary,
+                                              double dt) const;
+  Patch field_columns(const Patch& patch, int field) const;
+  TangentBlock traction_block(const Patch& patch, MatrixXd values) const;
+  static VectorXd jump_row(const NodeLinearisation::Jump& jump, const Patch& columns);
 
   // Multipliers as unknowns
   double traction_unit(Index node) const;
@@ -206,8 +221,12 @@ class ContactPass {
   ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
   ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
   VectorXd multiplier_residual(Index node, const NodalLoads& loads, const VectorXd& weights, double dt) const;
-  MatrixXd multiplier_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                              const VectorXd& weights, double dt) const;
+  TangentBlock traction_multiplier_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                           const VectorXd& weights) const;
+  TangentBlock flux_multiplier_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                       const VectorXd& weights, double dt) const;
+  std::vector<TangentBlock> multiplier_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                               const VectorXd& weights, double dt) const;
 
   /// Surfaces closer than this part of their size touch to rounding.
   static constexpr double touch_fraction = 1e-10;

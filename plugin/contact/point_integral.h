@@ -26,10 +26,16 @@ struct PointLoads {
 /// Displacement rows: w t_n h_a a  [N]; row of field k: w dt |a| q_k h_a  [mm^3 or nmol], with h = (N1, -N2).
 VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout);
 
-/// Exact derivative of point_residual with the nodal positions and fields, shape (layout.size(), layout.size()), eq
-/// (2.6): every block, including the changes of da1, of n1, of the projected position and of the fields sampled there.
-MatrixXd point_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                       const PairFields& fields, const LocalLayout& layout);
+/// Exact derivative of the displacement rows of point_residual with the nodal positions, eq (2.6), including the
+/// changes of da1, of n1, of the projected position and of the tractions there; rows and columns in the order of
+/// `layout`, which has no fields.
+MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                          const LocalLayout& layout);
+
+/// Exact derivative of the rows of field k of point_residual, one per node, with the nodal positions and that field's
+/// nodal values; columns in the order of `layout`, which has one field.
+MatrixXd flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
+                      const PairVector& values, const LocalLayout& layout);
 
 /// Share of a point in an average, w psi_a, with its variation.
 struct PointShare {
@@ -48,9 +54,5 @@ WeightedVariation gap_variation(const PointKinematics& point, const KinematicVar
 /// The same for the jump of a field with the given nodal values; its variation with those values is w psi_a |a| h.
 WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share,
                                  const PairVector& values);
-
-/// A symmetric approximation of point_tangent for symmetric solvers: the symmetric part of the displacement block, the
-/// field blocks as they are, no coupling between them.
-MatrixXd symmetric_part(const MatrixXd& tangent, const LocalLayout& layout);
 
 }  // namespace mixture_contact

@@ -1,5 +1,6 @@
 #include "points.h"
 
+#include "parallel.h"
 #include "quadrature.h"
 #include "segments.h"
 
@@ -52,13 +53,16 @@ GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Fa
 std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   std::vector<FacetPair> pairs;
   const FacetTree tree(secondary_, x2, box_margin);
-  for (std::size_t q = 0; q < points_.size(); ++q) {
+  const auto hit_of = [&](std::size_t q) {
     const Point& point = points_[q];
     const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
-    const std::optional<SurfaceHit> hit = nearest_facing(tree, secondary_, x2, ray);
+    return nearest_facing(tree, secondary_, x2, ray);
+  };
+  in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<SurfaceHit>& hit) {
+    const Point& point = points_[q];
     seen_[q] = hit ? hit->facet : nothing_seen;
     if (hit) add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight});
-  }
+  });
   return pairs;
 }
 
@@ -71,14 +75,16 @@ std::vector<PointMotion> GaussPoints::motions(const FacetPair& pair, const Matri
 
 std::vector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   std::vector<FacetPair> pairs;
-  for (std::size_t q = 0; q < points_.size(); ++q) {
-    if (seen_[q] == nothing_seen) continue;
+  const auto hit_of = [&](std::size_t q) -> std::optional<RayHit> {
+    if (seen_[q] == nothing_seen) return std::nullopt;
     const Point& point = points_[q];
     const Facet& facet = secondary_[static_cast<std::size_t>(seen_[q])];
     const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, 0, tolerance_);
-    const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
-    if (hit) add_point(pairs, point.facet, seen_[q], {point.xi, hit->eta, point.weight});
-  }
+    return intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
+  };
+  in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<RayHit>& hit) {
+    if (hit) add_point(pairs, points_[q].facet, seen_[q], {points_[q].xi, hit->eta, points_[q].weight});
+  });
   return pairs;
 }
 

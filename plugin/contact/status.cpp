@@ -1,4 +1,5 @@
 /// Which nodes are in contact, and what holds during a Newton iteration: a part of ContactPass.
+#include "parallel.h"
 #include "pass.h"
 
 #include <algorithm>
@@ -23,6 +24,33 @@ bool differs(const MatrixXd& one, const MatrixXd& other, double part, const Vect
     if (!((one.row(field) - other.row(field)).cwiseAbs().maxCoeff() <= part * size + rounding[field])) return true;
   }
   return false;
+}
+
+SurfaceFields change(const SurfaceFields& from, const SurfaceFields& to) {
+  return {to.position - from.position, to.scalar - from.scalar};
+}
+
+/// Displacements of a patch's nodes in the order of patch.of_displacements(), given those of both surfaces.
+VectorXd displacements_at(const Patch& patch, const SurfaceFields& primary, const SurfaceFields& secondary) {
+  const LocalLayout layout = patch.of_displacements().layout();
+  VectorXd values(layout.size());
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    const bool first = n < layout.primary_nodes();
+    values.segment<3>(layout.displacement(n, 0)) = first ? primary.position.col(patch.node(n))
+                                                         : secondary.position.col(patch.node(n));
+  }
+  return values;
+}
+
+/// The same for a field, in the order of patch.of_field(field, false).
+VectorXd field_at(const Patch& patch, int field, const SurfaceFields& primary, const SurfaceFields& secondary) {
+  const LocalLayout layout = patch.of_field(field, false).layout();
+  VectorXd values(layout.size());
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    const bool first = n < layout.primary_nodes();
+    values[layout.scalar(n, 0)] = (first ? primary : secondary).scalar(patch.node(n), field);
+  }
+  return values;
 }
 
 }  // namespace
@@ -70,15 +98,20 @@ NodalLoads ContactPass::predicted_loads(const Held& held, const SurfaceFields& p
     return loads;
   }
   NodalLoads loads = held.loads;
-  for (Index node = 0; node < primary_.nodes; ++node) {
-    const NodeLinearisation& linear = held.nodes[static_cast<std::size_t>(node)];
-    if (linear.unknowns.size() == 0) continue;
-    const VectorXd change = patch_unknowns(linear.patch, primary, secondary) - linear.unknowns;
-    loads.gap[node] += linear.gap_variation.dot(change);
-    for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
-      loads.jump(linear.patch.fields[k], node) += linear.jump_variation[k].dot(change);
+  const SurfaceFields first = change(held.primary, primary);
+  const SurfaceFields second = change(held.secondary, secondary);
+  in_parallel(held.nodes.size(), [&](std::size_t index) {
+    const NodeLinearisation& linear = held.nodes[index];
+    if (linear.empty()) return;
+    const auto node = static_cast<Index>(index);
+    const VectorXd moved = displacements_at(linear.patch, first, second);
+    loads.gap[node] += linear.gap_variation.dot(moved);
+    for (std::size_t k = 0; k < linear.jumps.size(); ++k) {
+      const int field = linear.patch.fields[k];
+      loads.jump(field, node) += linear.jumps[k].drift.dot(moved) +
+                                 linear.jumps[k].weights.dot(field_at(linear.patch, field, first, second));
     }
-  }
+  });
   apply_laws(loads);
   return loads;
 }
@@ -97,6 +130,8 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   next.loads = averages(primary, secondary, status, sealed);
   apply_laws(next.loads);
   next.nodes = linearise(next.loads, primary, secondary);
+  next.primary = primary;
+  next.secondary = secondary;
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && !has_unknown_multipliers() ? before : next.loads;
   next.geometric_traction = geometric.traction;

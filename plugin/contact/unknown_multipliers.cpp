@@ -106,28 +106,49 @@ VectorXd ContactPass::multiplier_residual(Index node, const NodalLoads& loads, c
   return residual;
 }
 
-MatrixXd ContactPass::multiplier_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                         const VectorXd& weights, double dt) const {
-  // The residual holds lambda_a traction_work + dt lambda_k flux_work, with lambda = k mu, and the conditions.
-  const MultiplierLayout all = multiplier_layout();
-  const LocalLayout layout = linear.patch.layout();
+TangentBlock ContactPass::traction_multiplier_tangent(Index node, const NodeLinearisation& linear,
+                                                      const NodalLoads& loads, const VectorXd& weights) const {
+  // The residual holds lambda_a traction_work, with lambda = k mu, and the condition.
+  const LocalLayout layout = linear.patch.of_displacements().layout();
+  const Index own = layout.traction_multiplier();
+  const double weight = weights[multiplier_layout().traction(node)];
+  const ConditionValue condition = traction_condition(node, loads);
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
-  const auto add = [&](Index own, const ConditionValue& condition, double weight, const VectorXd& variation) {
-    tangent(own, own) += weight * condition.with_multiplier;
-    if (condition.with_gap != 0) tangent.row(own) += weight * condition.with_gap * variation.transpose();
-  };
-  const Index traction = layout.traction_multiplier();
-  add(traction, traction_condition(node, loads), weights[all.traction(node)], linear.gap_variation);
   if (loads.in_contact[static_cast<std::size_t>(node)]) {
-    tangent.col(traction) += traction_unit(node) * linear.traction_work;
+    tangent.row(own) = weight * condition.with_gap * linear.gap_variation.transpose();
+    tangent.col(own) = traction_unit(node) * linear.traction_work;
   }
-  for (int k = 0; k < effects_.scalar_fields(); ++k) {
-    const Index flux = layout.flux_multiplier(k);
-    const auto field = static_cast<std::size_t>(k);
-    add(flux, flux_condition(k, node, loads), dt * weights[all.flux(node, k)], linear.jump_variation[field]);
-    if (passes(loads, k, node)) tangent.col(flux) += dt * flux_unit(k, node) * linear.flux_work[field];
+  tangent(own, own) += weight * condition.with_multiplier;
+  return traction_block(linear.patch, std::move(tangent));
+}
+
+TangentBlock ContactPass::flux_multiplier_tangent(int field, Index node, const NodeLinearisation& linear,
+                                                  const NodalLoads& loads, const VectorXd& weights, double dt) const {
+  // The residual holds dt lambda_k A_a weights, with lambda = k mu, and the condition.
+  const Patch rows = linear.patch.of_field(field, false);
+  const Patch columns = field_columns(linear.patch, field);
+  const Index own = rows.layout().flux_multiplier(0);
+  const Index with = columns.layout().flux_multiplier(0);
+  const double weight = dt * weights[multiplier_layout().flux(node, field)];
+  const ConditionValue condition = flux_condition(field, node, loads);
+  const NodeLinearisation::Jump& jump = linear.jumps[static_cast<std::size_t>(field)];
+  MatrixXd tangent = MatrixXd::Zero(rows.layout().size(), columns.layout().size());
+  if (passes(loads, field, node)) {
+    tangent.row(own) = weight * condition.with_gap * jump_row(jump, columns).transpose();
+    tangent.col(with) = dt * flux_unit(field, node) * loads.flux_area(field, node) * jump.weights;
   }
-  return tangent;
+  tangent(own, with) += weight * condition.with_multiplier;
+  return {rows, columns, tangent};
+}
+
+std::vector<TangentBlock> ContactPass::multiplier_tangent(Index node, const NodeLinearisation& linear,
+                                                          const NodalLoads& loads, const VectorXd& weights,
+                                                          double dt) const {
+  std::vector<TangentBlock> blocks{traction_multiplier_tangent(node, linear, loads, weights)};
+  for (int field = 0; field < effects_.scalar_fields(); ++field) {
+    blocks.push_back(flux_multiplier_tangent(field, node, linear, loads, weights, dt));
+  }
+  return blocks;
 }
 
 }  // namespace mixture_contact

@@ -560,14 +560,16 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
     const MultiplierLayout own = core_->multiplier_layout();
     const int node = *at.patch.multiplier_node;
     const auto equation = [&](Index multiplier) { return first_equation_ + static_cast<int>(multiplier); };
-    ids[static_cast<std::size_t>(layout.traction_multiplier())] = equation(own.traction(node));
+    if (layout.has_displacements())
+      ids[static_cast<std::size_t>(layout.traction_multiplier())] = equation(own.traction(node));
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      ids[static_cast<std::size_t>(layout.flux_multiplier(k))] = equation(own.flux(node, k));
+      const int field = at.patch.fields[static_cast<std::size_t>(k)];
+      ids[static_cast<std::size_t>(layout.flux_multiplier(k))] = equation(own.flux(node, field));
     }
   }
   for (Index node = 0; node < layout.nodes(); ++node) {
     const std::vector<int>& id = mesh.Node(nodes[static_cast<std::size_t>(node)]).m_ID;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; layout.has_displacements() && i < 3; ++i) {
       ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(
           displacement_dofs_[i])];
     }
@@ -588,7 +590,8 @@ void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
     std::vector<int> ids = equations(at, nodes);
     for (const int node : nodes) {
       for (const int dof : rotation) {
-        if (dof >= 0) ids.push_back(fem.GetMesh().Node(node).m_ID[static_cast<std::size_t>(dof)]);
+        if (dof >= 0 && at.patch.displacements)
+          ids.push_back(fem.GetMesh().Node(node).m_ID[static_cast<std::size_t>(dof)]);
       }
     }
     matrix.build_add(ids);
@@ -604,20 +607,57 @@ void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& ti
   });
 }
 
+namespace {
+
+/// Where the entries of a layout stand in another over the same nodes and fields that has displacements, too.
+std::vector<Index> places(const LocalLayout& layout, const LocalLayout& all) {
+  std::vector<Index> places(static_cast<std::size_t>(layout.size()));
+  for (Index block = 0; block < layout.blocks(); ++block) {
+    for (Index i = 0; layout.has_displacements() && i < 3; ++i) {
+      places[static_cast<std::size_t>(layout.displacement(block, i))] = all.displacement(block, i);
+    }
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      places[static_cast<std::size_t>(layout.scalar(block, k))] = all.scalar(block, k);
+    }
+  }
+  return places;
+}
+
+/// Equations at their places in a larger layout, and none elsewhere.
+std::vector<int> spread(const std::vector<int>& equations, const std::vector<Index>& places, const LocalLayout& all) {
+  std::vector<int> result(static_cast<std::size_t>(all.size()), -1);
+  for (std::size_t i = 0; i < equations.size(); ++i) result[static_cast<std::size_t>(places[i])] = equations[i];
+  return result;
+}
+
+}  // namespace
+
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
-  core_->tangent(fields(), time.timeIncrement, [&](const ContactInterface::Location& at, const MatrixXd& values) {
-    const std::vector<int> nodes = node_ids(at);
+  const auto add = [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns,
+                       const MatrixXd& values) {
+    // FEBio takes square matrices alone, with blocks of one size per node that begin with displacements. What a block
+    // lacks of them has no equations.
+    Patch all = columns.patch;
+    all.displacements = true;
+    const LocalLayout layout = all.layout();
+    const std::vector<int> nodes = node_ids(columns);
+    const std::vector<Index> row_places = places(rows.patch.layout(), layout);
+    const std::vector<Index> column_places = places(columns.patch.layout(), layout);
+    const int size = static_cast<int>(layout.size());
     FEElementMatrix stiffness;
-    const int size = static_cast<int>(values.rows());
     stiffness.resize(size, size);
+    stiffness.zero();
     // FEBio solves K du = R with K = -dR/du.
-    for (int i = 0; i < size; ++i) {
-      for (int j = 0; j < size; ++j) stiffness[i][j] = -values(i, j);
+    for (Index i = 0; i < values.rows(); ++i) {
+      double* row = stiffness[static_cast<int>(row_places[static_cast<std::size_t>(i)])];
+      for (Index j = 0; j < values.cols(); ++j) row[column_places[static_cast<std::size_t>(j)]] = -values(i, j);
     }
     stiffness.SetNodes(nodes);
-    stiffness.SetIndices(equations(at, nodes));
+    stiffness.SetIndices(spread(equations(rows, nodes), row_places, layout),
+                         spread(equations(columns, nodes), column_places, layout));
     system.Assemble(stiffness);
-  });
+  };
+  core_->tangent(fields(), time.timeIncrement, add);
 }
 
 // ------------------------------------------------------------ augmentation

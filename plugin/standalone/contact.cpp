@@ -193,7 +193,9 @@ Contact::Dofs Contact::dofs(const mixture_contact::ContactInterface::Location& a
     const auto local = static_cast<std::size_t>(first ? a : a - layout.primary_nodes());
     const int index = first ? patch.primary[local] : patch.secondary[local];
     const int node = nodes_[first ? at.first : other(at.first)][static_cast<std::size_t>(index)];
-    for (int i = 0; i < 3; ++i) all[static_cast<std::size_t>(layout.displacement(a, i))] = {i, node};
+    for (int i = 0; layout.has_displacements() && i < 3; ++i) {
+      all[static_cast<std::size_t>(layout.displacement(a, i))] = {i, node};
+    }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
       const int dof = field_dof(patch.fields[static_cast<std::size_t>(k)]);
       all[static_cast<std::size_t>(layout.scalar(a, k))] = {dof, node};
@@ -211,9 +213,10 @@ void Contact::add_residual(const MatrixXd& values, double dt, MatrixXd& forces) 
 }
 
 void Contact::for_each_tangent(const MatrixXd& values, double dt,
-                               const std::function<void(const Dofs&, const MatrixXd&)>& add) const {
-  core_->tangent(fields(values), dt, [&](const mixture_contact::ContactInterface::Location& at, const MatrixXd& local) {
-    add(dofs(at), local);
+                               const std::function<void(const Dofs&, const Dofs&, const MatrixXd&)>& add) const {
+  using Location = mixture_contact::ContactInterface::Location;
+  core_->tangent(fields(values), dt, [&](const Location& rows, const Location& columns, const MatrixXd& local) {
+    add(dofs(rows), dofs(columns), local);
   });
 }
 

@@ -37,10 +37,10 @@ class Contact {
 
   /// Adds the virtual work (2.5) to nodal forces of shape (dofs, nodes).
   void add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const;
-  /// Calls add(degrees of freedom as (dof, node), tangent) for each pair of facets in contact, eq (2.6).
+  /// Calls add(rows, columns, tangent), degrees of freedom as (dof, node), for each part of the tangent (2.6).
   using Dofs = std::vector<std::pair<int, int>>;
   void for_each_tangent(const MatrixXd& values, double dt,
-                        const std::function<void(const Dofs&, const MatrixXd&)>& add) const;
+                        const std::function<void(const Dofs&, const Dofs&, const MatrixXd&)>& add) const;
 
   /// Multipliers of each pass: what is to be kept for a time step that is tried again.
   using Saved = std::vector<mixture_contact::Multipliers>;

@@ -64,11 +64,11 @@ void LinearSystem::add_element(std::size_t element, const MatrixXd& tangent) {
   }
 }
 
-void LinearSystem::add(const std::vector<int>& equations, const MatrixXd& tangent) {
+void LinearSystem::add(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& tangent) {
   for (Index j = 0; j < tangent.cols(); ++j) {
     for (Index i = 0; i < tangent.rows(); ++i) {
-      const int row = equations[static_cast<std::size_t>(i)];
-      const int column = equations[static_cast<std::size_t>(j)];
+      const int row = rows[static_cast<std::size_t>(i)];
+      const int column = columns[static_cast<std::size_t>(j)];
       if (row >= 0 && column >= 0) others_.emplace_back(row, column, tangent(i, j));
     }
   }

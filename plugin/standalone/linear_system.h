@@ -20,7 +20,7 @@ class LinearSystem {
 
   void clear();
   void add_element(std::size_t element, const MatrixXd& tangent);
-  void add(const std::vector<int>& equations, const MatrixXd& tangent);
+  void add(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& tangent);
 
   /// Puts the matrix together with rows and columns of `held` equations replaced by those of the identity, and factors
   /// it. Throws StepFailure where it is singular.

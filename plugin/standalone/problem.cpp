@@ -264,16 +264,21 @@ VectorXd Problem::assemble(LinearSystem& system) {
     correct(equations_.of_element(bodies_.element(e), material), tangent * given);
   }
   for (const Contact& contact : contacts_) {
-    contact.for_each_tangent(state_.values, dt_, [&](const Contact::Dofs& dofs, const MatrixXd& tangent) {
-      std::vector<int> numbers;
+    const auto numbers = [&](const Contact::Dofs& dofs) {
+      std::vector<int> list;
+      for (const auto& [dof, node] : dofs) list.push_back(equations_.number(dof, node));
+      return list;
+    };
+    const auto add = [&](const Contact::Dofs& rows, const Contact::Dofs& columns, const MatrixXd& tangent) {
       VectorXd given(tangent.cols());
-      for (const auto& [dof, node] : dofs) {
-        given[static_cast<Index>(numbers.size())] = pending_(dof, node);
-        numbers.push_back(equations_.number(dof, node));
+      for (Index j = 0; j < given.size(); ++j) {
+        const auto& [dof, node] = columns[static_cast<std::size_t>(j)];
+        given[j] = pending_(dof, node);
       }
-      system.add(numbers, -tangent);
-      correct(numbers, -tangent * given);
-    });
+      system.add(numbers(rows), numbers(columns), -tangent);
+      correct(numbers(rows), -tangent * given);
+    };
+    contact.for_each_tangent(state_.values, dt_, add);
   }
   return correction;
 }

@@ -165,7 +165,35 @@ struct RandomContact {
 
   MatrixXd tangent(const VectorXd& q) const {
     const PointKinematics point = kinematics(q);
-    return point_tangent(point, kinematic_variations(point), loads(point, q), fields(q), layout);
+    return tangent(point, loads(point, q), q);
+  }
+
+  /// All rows and columns, put together from those of each effect.
+  MatrixXd tangent(const PointKinematics& point, const PointLoads& loads, const VectorXd& q) const {
+    const KinematicVariations vary = kinematic_variations(point);
+    const LocalLayout solid(layout.primary_nodes(), layout.nodes() - layout.primary_nodes(), 0);
+    const LocalLayout one_field(layout.primary_nodes(), layout.nodes() - layout.primary_nodes(), 1);
+    const std::vector<Index> displacements = entries(solid, -1);
+    MatrixXd all = MatrixXd::Zero(layout.size(), layout.size());
+    all(displacements, displacements) = traction_tangent(point, vary, loads, solid);
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      std::vector<Index> rows;
+      for (Index node = 0; node < layout.nodes(); ++node) rows.push_back(layout.scalar(node, k));
+      all(rows, entries(one_field, k)) = flux_tangent(point, vary, loads, k, fields(q).col(k), one_field);
+    }
+    return all;
+  }
+
+  /// Where the entries of a part of the layout stand in all of it: displacements, and field k unless that is negative.
+  std::vector<Index> entries(const LocalLayout& part, Index k) const {
+    std::vector<Index> result(static_cast<std::size_t>(part.size()));
+    for (Index node = 0; node < layout.nodes(); ++node) {
+      for (Index i = 0; i < 3; ++i) {
+        result[static_cast<std::size_t>(part.displacement(node, i))] = layout.displacement(node, i);
+      }
+      if (k >= 0) result[static_cast<std::size_t>(part.scalar(node, 0))] = layout.scalar(node, k);
+    }
+    return result;
   }
 };
 

@@ -175,9 +175,11 @@ struct GlobalLayout {
     std::vector<Index> result(static_cast<std::size_t>(local.size()), size());
     if (local.has_multipliers()) {
       const Index node = *location.patch.multiplier_node;
-      result[static_cast<std::size_t>(local.traction_multiplier())] = nodal_size() + multipliers.traction(node);
+      if (local.has_displacements())
+        result[static_cast<std::size_t>(local.traction_multiplier())] = nodal_size() + multipliers.traction(node);
       for (Index k = 0; k < local.scalar_fields(); ++k) {
-        result[static_cast<std::size_t>(local.flux_multiplier(k))] = nodal_size() + multipliers.flux(node, k);
+        const int field = location.patch.fields[static_cast<std::size_t>(k)];
+        result[static_cast<std::size_t>(local.flux_multiplier(k))] = nodal_size() + multipliers.flux(node, field);
       }
     }
     for (Index a = 0; a < local.nodes(); ++a) {
@@ -185,7 +187,9 @@ struct GlobalLayout {
       const Side side = first ? location.first : other(location.first);
       const std::vector<int>& patch = first ? location.patch.primary : location.patch.secondary;
       const int node = patch[static_cast<std::size_t>(first ? a : a - local.primary_nodes())];
-      for (Index i = 0; i < 3; ++i) result[static_cast<std::size_t>(local.displacement(a, i))] = entry(side, node, i);
+      for (Index i = 0; local.has_displacements() && i < 3; ++i) {
+        result[static_cast<std::size_t>(local.displacement(a, i))] = entry(side, node, i);
+      }
       for (Index k = 0; k < local.scalar_fields(); ++k) {
         result[static_cast<std::size_t>(local.scalar(a, k))] = entry(
             side, node, 3 + location.patch.fields[static_cast<std::size_t>(k)]);
@@ -230,9 +234,9 @@ inline VectorXd assembled_residual(const ContactInterface& contact, const Global
 inline MatrixXd assembled_tangent(const ContactInterface& contact, const GlobalLayout& layout,
                                   const PerSide<SurfaceFields>& fields, double dt) {
   MatrixXd sum = MatrixXd::Zero(layout.size() + 1, layout.size() + 1);
-  contact.tangent(fields, dt, [&](const ContactInterface::Location& location, const MatrixXd& values) {
-    const std::vector<Index> entries = layout.entries(location);
-    sum(entries, entries) += values;
+  using Location = ContactInterface::Location;
+  contact.tangent(fields, dt, [&](const Location& rows, const Location& columns, const MatrixXd& values) {
+    sum(layout.entries(rows), layout.entries(columns)) += values;
   });
   return sum.topLeftCorner(layout.size(), layout.size());
 }

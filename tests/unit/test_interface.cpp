@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(nothing_in_contact_gives_nothing) {
       const VectorXd all = answers(*contact, scene);
       BOOST_TEST(all.norm() == 0.0);  // not a number would fail, too
       contact->residual(scene.fields, dt, [](const auto&, const VectorXd&) { BOOST_TEST(false); });
-      contact->tangent(scene.fields, dt, [](const auto&, const MatrixXd&) { BOOST_TEST(false); });
+      contact->tangent(scene.fields, dt, [](const auto&, const auto&, const MatrixXd&) { BOOST_TEST(false); });
       BOOST_TEST(contact->balance(scene.fields).area == 0.0);
       contact->augment(scene.fields);
       BOOST_TEST(contact->multipliers(0).traction.norm() == 0.0);

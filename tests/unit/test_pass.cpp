@@ -26,8 +26,7 @@ void residual_of(const ContactPass& pass, const Scene& scene,
   pass.residual(scene.fields[Side::primary], scene.fields[Side::secondary], dt, use);
 }
 
-void tangent_of(const ContactPass& pass, const Scene& scene,
-                const std::function<void(const Patch&, const MatrixXd&)>& use) {
+void tangent_of(const ContactPass& pass, const Scene& scene, const std::function<void(const TangentBlock&)>& use) {
   pass.tangent(scene.fields[Side::primary], scene.fields[Side::secondary], dt, use);
 }
 
@@ -82,12 +81,24 @@ VectorXd primary_sum(const Patch& patch, const VectorXd& residual) {
   return sum;
 }
 
-/// Adds all pairs of nodes of a patch; secondary nodes are counted from -1 downwards.
-void add_couplings(std::set<std::pair<int, int>>& couplings, const Patch& patch) {
+/// An unknown: a node (secondary ones are counted from -1 downwards) and -1 for its displacements or one of its fields.
+using Unknown = std::pair<int, int>;
+
+std::vector<Unknown> unknowns(const Patch& patch) {
   std::vector<int> nodes = patch.primary;
   for (const int node : patch.secondary) nodes.push_back(-1 - node);
-  for (const int one : nodes) {
-    for (const int two : nodes) couplings.insert({one, two});
+  std::vector<Unknown> all;
+  for (const int node : nodes) {
+    if (patch.displacements) all.emplace_back(node, -1);
+    for (const int field : patch.fields) all.emplace_back(node, field);
+  }
+  return all;
+}
+
+/// Adds all pairs of an unknown of `rows` and one of `columns`.
+void add_couplings(std::set<std::pair<Unknown, Unknown>>& couplings, const Patch& rows, const Patch& columns) {
+  for (const Unknown& one : unknowns(rows)) {
+    for (const Unknown& two : unknowns(columns)) couplings.insert({one, two});
   }
 }
 
@@ -153,13 +164,14 @@ BOOST_AUTO_TEST_CASE(residuals_come_once_per_pair_of_facets_and_tangents_within_
     BOOST_TEST(residual.size() == patch.layout().size());
   });
   BOOST_TEST(loaded.size() > 9U);
-  std::set<std::pair<int, int>> profile;
-  std::set<std::pair<int, int>> filled;
+  std::set<std::pair<Unknown, Unknown>> profile;
+  std::set<std::pair<Unknown, Unknown>> filled;
   pass.for_each_coupling(scene.fields[Side::primary].position, scene.fields[Side::secondary].position,
-                         [&](const Patch& patch) { add_couplings(profile, patch); });
-  tangent_of(pass, scene, [&](const Patch& patch, const MatrixXd& tangent) {
-    BOOST_TEST(tangent.rows() == patch.layout().size());
-    add_couplings(filled, patch);
+                         [&](const Patch& patch) { add_couplings(profile, patch, patch); });
+  tangent_of(pass, scene, [&](const TangentBlock& block) {
+    BOOST_TEST(block.values.rows() == block.rows.layout().size());
+    BOOST_TEST(block.values.cols() == block.columns.layout().size());
+    add_couplings(filled, block.rows, block.columns);
   });
   BOOST_TEST(!filled.empty());
   BOOST_TEST(std::includes(profile.begin(), profile.end(), filled.begin(), filled.end()));
@@ -192,9 +204,9 @@ BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
     });
     // A tangent of a node's laws couples all facets around the node, and so all fields that any of their pairs
     // exchanges.
-    tangent_of(pass, scene, [&](const Patch& patch, const MatrixXd& tangent) {
-      for (const int field : patch.fields) BOOST_TEST(known.count(field) == 1U);
-      BOOST_TEST(tangent.rows() == patch.layout().size());
+    tangent_of(pass, scene, [&](const TangentBlock& block) {
+      for (const int field : block.rows.fields) BOOST_TEST(known.count(field) == 1U);
+      BOOST_TEST(block.columns.fields == block.rows.fields);
     });
     BOOST_TEST(handed_out > 0);
   }
@@ -292,9 +304,12 @@ BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
   for (const bool symmetric : {true, false}) {
     scene.settings.symmetric = symmetric;
     int handed_out = 0;
-    tangent_of(pass_of(scene), scene, [&](const Patch&, const MatrixXd& tangent) {
+    tangent_of(pass_of(scene), scene, [&](const TangentBlock& block) {
       ++handed_out;
-      BOOST_TEST((tangent == tangent.transpose()) == symmetric);
+      const MatrixXd& tangent = block.values;
+      const bool is_symmetric = tangent.rows() == tangent.cols() &&
+                                relative_error(tangent, tangent.transpose()) <= rounding;
+      BOOST_TEST(is_symmetric == symmetric);
     });
     BOOST_TEST(handed_out > 0);
   }

@@ -141,30 +141,6 @@ BOOST_AUTO_TEST_CASE(loads_are_spread_with_the_shape_functions) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(the_symmetric_part_is_symmetric_and_keeps_the_field_blocks) {
-  for_every_pair(6, 2, [](const RandomContact& contact) {
-    const MatrixXd tangent = contact.tangent(contact.unknowns);
-    const MatrixXd symmetric = symmetric_part(tangent, contact.layout);
-    BOOST_TEST((symmetric == symmetric.transpose()));
-    BOOST_TEST((tangent - tangent.transpose()).norm() > 0.01 * tangent.norm());
-    std::vector<Index> displacements = entries(contact.layout, true, -1);
-    const std::vector<Index> more = entries(contact.layout, false, -1);
-    displacements.insert(displacements.end(), more.begin(), more.end());
-    const MatrixXd uu = tangent(displacements, displacements);
-    BOOST_TEST((MatrixXd(symmetric(displacements, displacements)) == 0.5 * (uu + uu.transpose())));
-    for (int k = 0; k < fields; ++k) {
-      for (const bool side : {true, false}) {
-        const std::vector<Index> rows = entries(contact.layout, side, k);
-        BOOST_TEST(MatrixXd(symmetric(rows, displacements)).norm() == 0.0);
-        const std::vector<Index> opposite = entries(contact.layout, !side, k);
-        // The field blocks are symmetric but for the order in which two factors are multiplied.
-        BOOST_TEST(relative_error(symmetric(rows, opposite), tangent(rows, opposite)) <= rounding);
-        BOOST_TEST(relative_error(symmetric(rows, rows), tangent(rows, rows)) <= rounding);
-      }
-    }
-  });
-}
-
 BOOST_AUTO_TEST_CASE(a_field_without_a_law_has_no_residual_and_no_tangent) {
   for_every_pair(7, 1, [](const RandomContact& contact) {
     const VectorXd& q = contact.unknowns;
@@ -172,8 +148,7 @@ BOOST_AUTO_TEST_CASE(a_field_without_a_law_has_no_residual_and_no_tangent) {
     PointLoads loads = contact.loads(point, q);
     loads.flux[1] = {0, 0};
     const VectorXd residual = point_residual(point, loads, contact.layout);
-    const MatrixXd tangent = point_tangent(point, kinematic_variations(point), loads, contact.fields(q),
-                                           contact.layout);
+    const MatrixXd tangent = contact.tangent(point, loads, q);
     for (const bool side : {true, false}) {
       const std::vector<Index> rows = entries(contact.layout, side, 1);
       BOOST_TEST(VectorXd(residual(rows)).norm() == 0.0);

@@ -1,0 +1,49 @@
+/// Loops that OpenMP's threads share, with results that do not depend on how many threads there are.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <type_traits>
+#include <vector>
+
+namespace mixture_contact {
+
+/// Results of in_order() that are held at once: enough to keep threads busy, few enough for the cache.
+inline constexpr std::size_t batch_size = 512;
+
+/// Calls body(i) for each i below `count`, in any order and on several threads; it may write only to what belongs to i.
+/// Rethrows one of the exceptions that bodies throw.
+template <class Body>
+void in_parallel(std::size_t count, const Body& body) {
+  std::exception_ptr thrown;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static, 8) default(none) shared(count, body, thrown) if (count > 1)
+#endif
+  for (std::size_t i = 0; i < count; ++i) {
+    try {
+      body(i);
+    } catch (...) {
+#ifdef _OPENMP
+#pragma omp critical(mixture_contact_thrown)
+#endif
+      thrown = std::current_exception();
+    }
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+/// Computes make(i) for each i below `count` on several threads, and hands the results on, use(i, make(i)), in
+/// ascending order on the calling thread: sums and calls of a host come in the same order whatever the number of
+/// threads.
+template <class Make, class Use>
+void in_order(std::size_t count, const Make& make, const Use& use) {
+  std::vector<std::decay_t<std::invoke_result_t<const Make&, std::size_t>>> results(std::min(count, batch_size));
+  for (std::size_t first = 0; first < count; first += batch_size) {
+    const std::size_t size = std::min(batch_size, count - first);
+    in_parallel(size, [&](std::size_t i) { results[i] = make(first + i); });
+    for (std::size_t i = 0; i < size; ++i) use(first + i, results[i]);
+  }
+}
+
+}  // namespace mixture_contact
