@@ -11,6 +11,7 @@
 #include <FECore/FELinearSystem.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
+#include <FECore/FESolidDomain.h>
 #include <FECore/FESolver.h>
 #include <FECore/log.h>
 
@@ -320,9 +321,9 @@ int FEMixtureContact::InitEquations(int first) {
 
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
+  if (parameters_.node_reloc && !relocated_) relocate_nodes();
   update_properties();
   ask_for_nonsymmetric_matrix();
-  if (parameters_.node_reloc && !relocated_) relocate_nodes();
   Update();
 }
 
@@ -391,6 +392,12 @@ void FEMixtureContact::relocate_nodes() {
     FENode& node = primary_.Node(i);
     node.m_rt = vec3d(moved(0, i), moved(1, i), moved(2, i));
     node.m_r0 = node.m_rt;
+  }
+  // Elements keep their reference Jacobians, which FEBio evaluates at its start alone.
+  FEMesh& mesh = GetFEModel()->GetMesh();
+  for (int i = 0; i < mesh.Domains(); ++i) {
+    auto* domain = dynamic_cast<FESolidDomain*>(&mesh.Domain(i));
+    if (domain != nullptr) domain->FESolidDomain::Init();
   }
   relocated_ = true;
 }

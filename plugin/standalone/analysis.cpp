@@ -91,7 +91,16 @@ class Steps {
 
 }  // namespace
 
-bool run(const Model& model, Log& log) {
+void relocate_nodes(Model& model) {
+  for (const ContactDefinition& contact : model.contacts) {
+    if (!contact.parameters.node_reloc) continue;
+    const Bodies bodies(model);
+    model.mesh.nodes = Contact(model, contact, bodies, model.dofs()).nodes_without_overlap();
+  }
+}
+
+bool run(Model model, Log& log) {
+  relocate_nodes(model);
   const auto start = std::chrono::steady_clock::now();
   for (const std::string& notice : model.notices) log.print("Note: %s\n", notice.c_str());
   Steps steps(model, log);

@@ -13,6 +13,7 @@ namespace standalone {
 /// Local vectors of an element are field by field: entry field * nodes + node, fields in the order of Material::dof.
 class Bodies {
  public:
+  /// Throws InputError where an element is inverted.
   explicit Bodies(const Model& model);
 
   std::size_t elements() const { return elements_.size(); }

@@ -37,8 +37,8 @@ Vector3d area_vector(const Facet& facet, const Matrix3Xd& position) {
 
 }  // namespace
 
-Contact::Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies)
-    : model_(model), definition_(definition), bodies_(bodies) {
+Contact::Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies, int first_row)
+    : model_(model), definition_(definition), bodies_(bodies), first_row_(first_row) {
   for (const Side side : both_sides) {
     facets_[side] = model.mesh.surfaces.at(definition.surfaces[static_cast<std::size_t>(side)]);
     const bool flip = side == Side::primary ? definition.parameters.flip_primary : definition.parameters.flip_secondary;
@@ -187,7 +187,8 @@ Contact::PerSide<mixture_contact::SurfaceFields> Contact::fields(const MatrixXd&
 Contact::Dofs Contact::dofs(const mixture_contact::ContactInterface::Location& at) const {
   const mixture_contact::Patch& patch = at.patch;
   const mixture_contact::LocalLayout layout = patch.layout();
-  Dofs all(static_cast<std::size_t>(layout.size()));
+  const int own = nodes_[at.first][static_cast<std::size_t>(patch.multiplier_node.value_or(0))];
+  Dofs all(static_cast<std::size_t>(layout.size()), {first_row_, own});  // also the void places beside the multipliers
   for (Index a = 0; a < layout.nodes(); ++a) {
     const bool first = a < layout.primary_nodes();
     const auto local = static_cast<std::size_t>(first ? a : a - layout.primary_nodes());
@@ -201,7 +202,47 @@ Contact::Dofs Contact::dofs(const mixture_contact::ContactInterface::Location& a
       all[static_cast<std::size_t>(layout.scalar(a, k))] = {dof, node};
     }
   }
+  if (!patch.multiplier_node) return all;
+  for (Index k = 0; k < layout.scalar_fields(); ++k) {
+    const int row = first_row_ + 1 + patch.fields[static_cast<std::size_t>(k)];
+    all[static_cast<std::size_t>(layout.flux_multiplier(k))] = {row, own};
+  }
   return all;
+}
+
+int Contact::multiplier_rows() const {
+  return core_->multiplier_layout().size() > 0 ? 1 + effects_.scalar_fields() : 0;
+}
+
+Contact::Dofs Contact::multipliers() const {
+  const mixture_contact::MultiplierLayout layout = core_->multiplier_layout();
+  Dofs all(static_cast<std::size_t>(layout.size()));
+  for (Index i = 0; i < layout.size() / std::max(1, multiplier_rows()); ++i) {
+    const int node = nodes_[Side::primary][static_cast<std::size_t>(i)];
+    all[static_cast<std::size_t>(layout.traction(i))] = {first_row_, node};
+    for (int k = 0; k < effects_.scalar_fields(); ++k) {
+      all[static_cast<std::size_t>(layout.flux(i, k))] = {first_row_ + 1 + k, node};
+    }
+  }
+  return all;
+}
+
+void Contact::take_multipliers(const MatrixXd& values) {
+  const Dofs places = multipliers();
+  if (places.empty()) return;
+  VectorXd mu(places.size());
+  Index entry = 0;
+  for (const auto& [row, node] : places) mu[entry++] = values(row, node);
+  core_->set_unknown_multipliers(mu);
+}
+
+Matrix3Xd Contact::nodes_without_overlap() {
+  const PerSide<Matrix3Xd> start = positions(MatrixXd::Zero(3, model_.mesh.nodes.cols()));
+  core_->project(start);
+  const Matrix3Xd moved = core_->without_overlap(start);
+  Matrix3Xd nodes = model_.mesh.nodes;
+  for (Index i = 0; i < moved.cols(); ++i) nodes.col(nodes_[Side::primary][static_cast<std::size_t>(i)]) = moved.col(i);
+  return nodes;
 }
 
 void Contact::add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const {

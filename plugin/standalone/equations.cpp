@@ -2,6 +2,8 @@
 
 #include "error.h"
 
+#include <algorithm>
+
 namespace standalone {
 namespace {
 
@@ -21,8 +23,11 @@ void check_rigid(const Model& model, const Eigen::MatrixXi& number) {
 
 }  // namespace
 
-Equations::Equations(const Model& model) {
-  number_.setConstant(model.dofs(), model.mesh.nodes.cols(), absent);
+Equations::Equations(const Model& model, const std::vector<Unknown>& others) {
+  int rows = model.dofs();
+  for (const auto& [row, node] : others) rows = std::max(rows, row + 1);
+  number_.setConstant(rows, model.mesh.nodes.cols(), absent);
+  for (const auto& [row, node] : others) number_(row, node) = unnumbered;
   for (const Element& element : model.mesh.elements) {
     const Material& material = model.materials[static_cast<std::size_t>(element.material)];
     for (const int node : element.nodes) {

@@ -8,9 +8,14 @@ namespace standalone {
 /// Equation numbers of the degrees of freedom that exist and are not prescribed.
 class Equations {
  public:
+  /// An unknown beside the fields: its row of nodal values, from Model::dofs() on, and its node.
+  using Unknown = std::pair<int, int>;
+
   /// Throws InputError where a rigid body is not held, or nothing is free. Conditions where no element has the field
   /// are void.
-  explicit Equations(const Model& model);
+  Equations(const Model& model, const std::vector<Unknown>& others);
+
+  int rows() const { return static_cast<int>(number_.rows()); }  ///< of nodal values
 
   int count() const { return static_cast<int>(dof_.size()); }
   /// Equation of a degree of freedom; `prescribed` or `absent` if it has none.
@@ -25,7 +30,7 @@ class Equations {
   static constexpr int absent = -2;
 
  private:
-  Eigen::MatrixXi number_;  ///< shape (dofs, nodes)
+  Eigen::MatrixXi number_;  ///< shape (rows, nodes)
   std::vector<int> dof_, node_;
 };
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <utility>
 
 namespace {
 
@@ -18,13 +19,13 @@ namespace options = boost::program_options;
 int run_model(const std::string& path, bool check_only) {
   standalone::Log log;
   try {
-    const standalone::Model model = standalone::read_model(path);
+    standalone::Model model = standalone::read_model(path);
     if (check_only) {
       log.print("%s: the model is complete and supported.\n", path.c_str());
       return 0;
     }
     log.open(std::filesystem::path(path).replace_extension("log").string());
-    return standalone::run(model, log) ? 0 : 1;
+    return standalone::run(std::move(model), log) ? 0 : 1;
   } catch (const standalone::InputError& error) {
     log.box("ERROR", error.what());
   } catch (const std::bad_alloc&) {

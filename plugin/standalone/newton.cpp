@@ -34,7 +34,10 @@ Newton::Newton(Problem& problem, Log& log)
 
 VectorXd Newton::field_norms(const VectorXd& vector) const {
   VectorXd norms = VectorXd::Zero(problem_.model().dofs() - 2);
-  for (int i = 0; i < vector.size(); ++i) norms[std::max(0, problem_.equations().dof(i) - 2)] += vector[i] * vector[i];
+  for (int i = 0; i < vector.size(); ++i) {
+    const int dof = problem_.equations().dof(i);
+    if (dof < problem_.model().dofs()) norms[std::max(0, dof - 2)] += vector[i] * vector[i];
+  }
   return norms;
 }
 
@@ -143,6 +146,7 @@ bool Newton::augment(Contact& contact) {
   log_.print(" sliding-mixture \"%s\": gap %12.4e", contact.definition().name.c_str(), report.traction.relative);
   for (const mixture_contact::FieldGap& gap : report.flux) log_.print(", jump %12.4e", gap.relative);
   log_.print(" (relative)\n");
+  if (settings.enforcement == mixture_contact::Enforcement::lagrange_multipliers) return true;
   if (core.converged(report) && augmentations_ >= settings.min_augmentations) return true;
   if (augmentations_ >= settings.max_augmentations) {
     log_.box("WARNING", "sliding-mixture \"" + contact.definition().name + "\": " + std::to_string(augmentations_) +

@@ -14,18 +14,37 @@ namespace {
 /// Concentrations below this part of the largest one, and reactions likewise, do not decide what is clamped.
 constexpr double negligible = 1e-6;
 
+std::vector<Contact> contacts_of(const Model& model, const Bodies& bodies) {
+  std::vector<Contact> contacts;
+  int row = model.dofs();
+  for (const ContactDefinition& definition : model.contacts) {
+    contacts.emplace_back(model, definition, bodies, row);
+    row += contacts.back().multiplier_rows();
+  }
+  return contacts;
+}
+
+/// The unknown multipliers of all contacts.
+std::vector<Equations::Unknown> multipliers(const std::vector<Contact>& contacts) {
+  std::vector<Equations::Unknown> all;
+  for (const Contact& contact : contacts) {
+    const Contact::Dofs own = contact.multipliers();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 }  // namespace
 
-Problem::Problem(const Model& model) : model_(model), equations_(model), bodies_(model) {
-  contacts_.reserve(model.contacts.size());
-  for (const ContactDefinition& definition : model.contacts) contacts_.emplace_back(model, definition, bodies_);
+Problem::Problem(const Model& model)
+    : model_(model), bodies_(model), contacts_(contacts_of(model, bodies_)), equations_(model, multipliers(contacts_)) {
   for (const SurfaceLoad& load : model.loads) unit_forces_.push_back(unit_forces(model, load));
-  state_.values = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
+  state_.values = MatrixXd::Zero(equations_.rows(), model.mesh.nodes.cols());
   for (const Condition& condition : model.initial) {
     for (const int node : condition.nodes) state_.values(condition.dof, node) = condition.value.value;
   }
   target_ = state_.values;
-  pending_ = forces_ = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
+  pending_ = forces_ = MatrixXd::Zero(equations_.rows(), model.mesh.nodes.cols());
   state_.total.resize(equations_.count());
   for (int i = 0; i < equations_.count(); ++i) state_.total[i] = state_.values(equations_.dof(i), equations_.node(i));
   state_.increment = VectorXd::Zero(equations_.count());
@@ -115,7 +134,7 @@ Problem::ClampChanges Problem::clamp_changes() const {
   const VectorXd solution = state_.total + state_.increment;
   const VectorXd largest = state_.values.cwiseAbs().rowwise().maxCoeff();
   // The force on a concentration is what leaves the node less what it stores: negative where solute comes in.
-  VectorXd largest_force = VectorXd::Zero(model_.dofs());
+  VectorXd largest_force = VectorXd::Zero(equations_.rows());
   const auto force = [&](int i) { return forces_(equations_.dof(i), equations_.node(i)); };
   for (int i = 0; i < equations_.count(); ++i) {
     double& most = largest_force[equations_.dof(i)];
@@ -123,7 +142,7 @@ Problem::ClampChanges Problem::clamp_changes() const {
   }
   for (int i = 0; i < equations_.count(); ++i) {
     const int dof = equations_.dof(i);
-    if (dof <= pressure_dof) continue;
+    if (!is_concentration(dof)) continue;
     if (hold(i) == Hold::none && solution[i] < -negligible * largest[dof]) changes.hold.push_back(i);
     const bool rises = hold(i) == Hold::clamp && -force(i) > negligible * largest_force[dof];
     if (rises && freed_.count(i) == 0) changes.free.push_back(i);
@@ -202,7 +221,7 @@ void Problem::set_trial(const VectorXd& trial, int iteration) {
   for (int i = 0; i < equations_.count(); ++i) {
     if (hold(i) != Hold::none) continue;
     const int dof = equations_.dof(i);
-    const bool clamped = model_.control.clamp && dof > pressure_dof && solution[i] < 0;
+    const bool clamped = model_.control.clamp && is_concentration(dof) && solution[i] < 0;
     state_.values(dof, equations_.node(i)) = clamped ? 0.0 : solution[i];
   }
   for (const Condition& condition : model_.prescribed) {
@@ -211,6 +230,7 @@ void Problem::set_trial(const VectorXd& trial, int iteration) {
   pending_.setZero();
   for (Contact& contact : contacts_) {
     const int seg_up = contact.definition().parameters.seg_up;
+    contact.take_multipliers(state_.values);
     contact.project(state_.values, seg_up > 0 && iteration > seg_up);
   }
 }
@@ -230,7 +250,8 @@ VectorXd Problem::residual() {
   for (const Contact& contact : contacts_) contact.add_residual(state_.values, dt_, forces);
   for (std::size_t k = 0; k < unit_forces_.size(); ++k) {
     const SurfaceLoad& load = model_.loads[k];
-    forces += load.value.at(time_, model_.curves) * (load.fluid ? dt_ : 1.0) * unit_forces_[k];
+    const double size = load.value.at(time_, model_.curves) * (load.fluid ? dt_ : 1.0);
+    forces.topRows(model_.dofs()) += size * unit_forces_[k];
   }
   if (!forces.allFinite()) throw StepFailure("a residual is not a finite number");
   VectorXd free = VectorXd::Zero(equations_.count());

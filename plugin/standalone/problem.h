@@ -22,7 +22,7 @@ class Problem {
   const Bodies& bodies() const { return bodies_; }
   const Equations& equations() const { return equations_; }
   std::vector<Contact>& contacts() { return contacts_; }
-  /// Current u [mm], p~ [MPa] and c~ [mM], shape (dofs, nodes).
+  /// Current u [mm], p~ [MPa], c~ [mM] and unknown multipliers of contact, shape (rows, nodes).
   const MatrixXd& values() const { return state_.values; }
   /// Force that the last residual() left on a prescribed degree of freedom.
   double reaction(int dof, int node) const { return reported_(dof, node) ? forces_(dof, node) : 0.0; }
@@ -74,6 +74,7 @@ class Problem {
   void restore(const State& state);
 
  private:
+  bool is_concentration(int dof) const { return dof > pressure_dof && dof < model_.dofs(); }
   double ambient_value(const ContactDefinition& contact, int dof) const;
   bool switch_ambient();
   bool set_ambient(int equation, bool in_contact, double bath);
@@ -91,9 +92,9 @@ class Problem {
   void release(int equation);
 
   const Model& model_;
-  Equations equations_;
   Bodies bodies_;
   std::vector<Contact> contacts_;
+  Equations equations_;
   std::vector<MatrixXd> unit_forces_;  ///< per load
   State state_;
   MatrixXd target_;   ///< prescribed values of the current step

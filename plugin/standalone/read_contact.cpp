@@ -61,6 +61,14 @@ void read_slot(const Tag& tag, const Slot& slot) {
   if (slot.given) *slot.given = true;
 }
 
+/// Which of these words, or of their numbers from 0, a text is.
+int choice(const Tag& tag, const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (tag.text() == words[i] || tag.text() == std::to_string(i)) return static_cast<int>(i);
+  }
+  tag.fail("allowed: " + listed(words));
+}
+
 void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefinition& contact) {
   if (!tag.find_attribute("sol") && model.solutes != 1)
     tag.fail("the attribute sol must say which of the solutes this is for");
@@ -73,13 +81,9 @@ void read_parameter_of(const Tag& tag, const Model& model, ContactDefinition& co
   const std::string name = tag.name();
   const auto known = slots(contact.parameters);
   if (name == "laugon") {
-    const bool augmented = tag.text() == "AUGLAG" || tag.text() == "1";
-    contact.parameters.laugon = augmented ? 1 : 0;
-    if (!augmented && tag.text() != "PENALTY" && tag.text() != "0") tag.fail(R"(allowed: "PENALTY", "AUGLAG")");
+    contact.parameters.laugon = choice(tag, {"PENALTY", "AUGLAG", "LAGMULT"});
   } else if (name == "integration") {
-    const bool segments = tag.text() == "segments" || tag.text() == "1";
-    contact.parameters.integration = segments ? 1 : 0;
-    if (!segments && tag.text() != "gauss" && tag.text() != "0") tag.fail(R"(allowed: "gauss", "segments")");
+    contact.parameters.integration = choice(tag, {"gauss", "segments"});
   } else if (name == "effects") {
     contact.parameters.effects = tag.text();
   } else if (name == "ambient_pressure") {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -53,7 +54,7 @@ def test_convection_agrees_at_every_node_and_time(runs, peclet):
     assert max(found.values()) <= BAR, found
 
 
-@pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG"])
+@pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG", "LAGMULT"])
 def test_unlike_materials_agree(runs, laugon):
     # Tighter than what the default penalties leave: at 1e-3 rounding would decide whether there is an augmentation.
     model = Composite(settings=ContactSettings(laugon=laugon, tolerance=1e-4), control=Control(10, 50.0)).model()
@@ -74,6 +75,19 @@ def test_an_effect_left_out_agrees(runs, effects):
     assert max(found.values()) <= BAR, found
     assert "<effects> leaves it out" in one.log
     assert "<effects> leaves it out" in two.log
+
+
+def test_overlapping_nodes_are_moved_alike(runs):
+    model = Diffusion(settings=ContactSettings(extra=(Param("node_reloc", True),)), control=Control(10, 50.0)).model()
+    nodes = model.mesh.nodes.copy()
+    nodes[np.unique(model.mesh.parts[1].elements) - 1, 2] -= 0.01
+    one, two = runs(strict(replace(model, mesh=replace(model.mesh, nodes=nodes)), FLOORS[10.0]))
+    found = differences(one, two)
+    assert max(found.values()) <= BAR, found
+    primary, secondary = (np.unique(model.mesh.surfaces[name]) - 1 for name in model.mesh.pairs["lower/upper"])
+    for run in (one, two):
+        height = run.nodes["z"][0]
+        assert height[primary].max() == pytest.approx(height[secondary].min(), abs=1e-9)
 
 
 def test_a_body_without_contact_agrees(runs):
