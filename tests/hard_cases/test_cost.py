@@ -9,7 +9,7 @@ import pytest
 
 from harness.cost import command, measure, report
 from harness.cost.measure import Datum
-from harness.cost.points import Knob, Problem, points
+from harness.cost.points import OWN, Problem, points
 from harness.errors import DataFileError
 from harness.models.interface import Join
 
@@ -67,8 +67,7 @@ def test_every_point_has_a_model_and_a_name_of_its_own():
     assert len(names) == len(chosen)
     for point in chosen:
         assert point.model().contacts[0].kind == point.interface.value
-    quadrature = {p.interface for p in chosen if p.knob in (Knob.ORDER, Knob.INTEGRATION)}
-    assert quadrature == {Join.MIXTURE}
+    assert {p.interface for p in chosen if p.knob in OWN} == {Join.MIXTURE}
 
 
 def test_the_pictures_are_drawn(tmp_path):

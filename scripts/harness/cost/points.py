@@ -34,7 +34,7 @@ class Problem(str, Enum):
 
 
 class Knob(str, Enum):
-    """What is varied; the value of `integration` is 1 for segments."""
+    """What is varied; the value of `integration` and of `LAGMULT` is 1 for segments, 0 for Gauss points."""
 
     DEFAULT = "default"
     MESH = "elements"
@@ -43,9 +43,12 @@ class Knob(str, Enum):
     INTEGRATION = "integration"
     PENALTY = "penalty factor"
     AUGLAG = "AUGLAG tolerance"
+    LAGMULT = "LAGMULT"
     NEWTON = "Newton tolerance"
 
 
+OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT)
+"""Of the plugin's interface alone."""
 VALUES: dict[Knob, tuple[float, ...]] = {
     Knob.DEFAULT: (0.0,),
     Knob.MESH: (3, 10, 20),
@@ -53,7 +56,8 @@ VALUES: dict[Knob, tuple[float, ...]] = {
     Knob.ORDER: (1, 3, 5),
     Knob.INTEGRATION: (1,),
     Knob.PENALTY: tuple(10.0**k for k in range(7)),
-    Knob.AUGLAG: (1e-1, 1e-3, 1e-5, 1e-7),
+    Knob.AUGLAG: tuple(10.0**-k for k in range(1, 8)),
+    Knob.LAGMULT: (0, 1),
     Knob.NEWTON: (1e-1, 1e-3, 1e-6),
 }
 VALUES_33: dict[Knob, tuple[float, ...]] = {
@@ -64,6 +68,7 @@ VALUES_33: dict[Knob, tuple[float, ...]] = {
     Knob.INTEGRATION: (1,),
     Knob.PENALTY: (1.0, 10.0, 100.0, 1000.0),
     Knob.AUGLAG: (1e-1, 1e-2),
+    Knob.LAGMULT: (0, 1),
     Knob.NEWTON: (1e-2, 1e-4),
 }
 """Of problem 3.3: elements over the half-width of the slab (else 9), and a factor on the number of steps."""
@@ -94,8 +99,12 @@ class Point:
             return replace(automatic(AUGLAG_START), laugon="AUGLAG", tolerance=self.value)
         if self.knob is Knob.ORDER:
             return replace(base, extra=(Param("integration_order", int(self.value)),))
-        if self.knob is Knob.INTEGRATION:
-            return replace(base, extra=(Param("integration", "segments"),))
+        if self.knob in (Knob.INTEGRATION, Knob.LAGMULT):
+            return replace(
+                base,
+                laugon="LAGMULT" if self.knob is Knob.LAGMULT else None,
+                integration="segments" if self.value else None,
+            )
         return base
 
     def model(self, interface: Join | None = None) -> Model:
@@ -122,29 +131,21 @@ class Point:
         return int(self.value) if self.knob is Knob.MESH else ELEMENTS
 
 
-def _diffusion(point: Point, join: Join) -> Model:
-    settings = point.settings if join.is_contact else None
-    return Diffusion(
-        join,
-        settings,
-        elements=point._elements,
-        control=point._steps(2000.0),
-        module=point.interface.module,
-        name=f"cost-{point.name}-{join.slug}",
-    ).model()
+def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Join], Model]:
+    """Builds two cubes of a scene up to `end` (s)."""
 
+    def build(point: Point, join: Join) -> Model:
+        return replace(
+            scene,
+            join=join,
+            settings=point.settings if join.is_contact else None,
+            elements=point._elements,
+            control=point._steps(end),
+            module=point.interface.module,
+            name=f"cost-{point.name}-{join.slug}",
+        ).model()
 
-def _convection(point: Point, join: Join) -> Model:
-    settings = point.settings if join.is_contact else None
-    return Convection(
-        1,
-        join,
-        settings,
-        elements=point._elements,
-        control=point._steps(20000.0),
-        module=point.interface.module,
-        name=f"cost-{point.name}-{join.slug}",
-    ).model()
+    return build
 
 
 def _indentation(point: Point, join: Join) -> Model:
@@ -183,19 +184,19 @@ def finest() -> Model:
 
 
 _BUILDERS: dict[Problem, Callable[[Point, Join], Model]] = {
-    Problem.DIFFUSION: _diffusion,
-    Problem.CONVECTION: _convection,
+    Problem.DIFFUSION: _cubes(Diffusion(), 2000.0),
+    Problem.CONVECTION: _cubes(Convection(1), 20000.0),
     Problem.INDENTATION: _indentation,
 }
 
 
 def points(problems: Sequence[Problem]) -> list[Point]:
-    """All points of the sweep; quadrature is a parameter of the plugin's interface alone."""
+    """All points of the sweep, with what the plugin's interface alone knows for that one alone."""
     return [
         Point(problem, interface, knob, float(value))
         for problem in problems
         for interface in INTERFACES
         for knob, values in (VALUES_33 if problem is Problem.INDENTATION else VALUES).items()
         for value in values
-        if knob not in (Knob.ORDER, Knob.INTEGRATION) or interface is Join.MIXTURE
+        if knob not in OWN or interface is Join.MIXTURE
     ]

@@ -21,6 +21,7 @@ MARKERS = {
     Knob.INTEGRATION: "h",
     Knob.PENALTY: "o",
     Knob.AUGLAG: "^",
+    Knob.LAGMULT: "X",
     Knob.NEWTON: "P",
     Knob.DEFAULT: "*",
 }
