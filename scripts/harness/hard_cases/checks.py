@@ -36,7 +36,7 @@ def of_any_run(run: Outcome, case: Case) -> list[Measure]:
 
 def of_the_plugin(run: Outcome, rerun: Runner, case: Case) -> list[Measure]:
     """Further checks, which need the plugin's output, or more runs."""
-    return [*cancellation(run), *invariance(run, rerun, case.swap)]
+    return [*cancellation(run), *off_the_bath(run), *invariance(run, rerun, case.swap)]
 
 
 def cancellation(run: Outcome) -> list[Measure]:
@@ -155,6 +155,33 @@ def contact_conditions(run: Outcome, bar: float) -> list[Measure]:
         Measure("overlap, relative to a facet", overlap, bar),
         Measure("pressure times gap, relative", _ratio(across, largest), bar),
     ]
+
+
+def off_the_bath(run: Outcome) -> list[Measure]:
+    """Open nodes are at the bath, which is empty in all cases, at each accepted step.
+
+    Open is a primary node all of whose facets bear exactly nothing.
+    """
+    model, history = run.model, run.nodes
+    loaded = np.zeros((len(history.times), len(model.mesh.nodes)), dtype=bool)
+    primary = [model.mesh.pairs[contact.pair][0] for contact in model.contacts]
+    for surface in primary:
+        load, facets = run.facets(surface)["contact pressure"], model.mesh.surfaces[surface]
+        has_node = np.zeros((len(facets), len(model.mesh.nodes)))
+        has_node[np.arange(len(facets))[:, None], facets - 1] = 1.0
+        loaded[-len(load) :] |= (load != 0.0) @ has_node > 0.0
+    of_contact = _nodes_in(model, (model.mesh.surfaces[surface] for surface in primary))
+    found = 0.0
+    for kind, names in (
+        ("prescribed fluid pressure", ["p"]),
+        ("prescribed concentration", [f"c{number + 1}" for number in range(model.n_solutes)]),
+    ):
+        held = _nodes_in(model, (model.mesh.node_sets[name] for name in prescribed(model.conditions, kind)))
+        free = ~loaded & of_contact & ~held & (history.times > 0.0)[:, None]
+        for name in names:
+            values = np.abs(history[name])
+            found = max(found, _ratio(float(values[free].max(initial=0.0)), float(values.max())))
+    return [Measure("open nodes off the bath, relative", found, 0.0)]
 
 
 def _inner(facets: Ids, loaded: Mask) -> Mask:
