@@ -24,7 +24,7 @@ def models() -> list[Model]:
     """Every model of the collection, with the plugin's interface in its default settings and a plot file."""
     validated = [
         Diffusion(plot=True).model(),
-        *(Convection(peclet, plot=True).model() for peclet in PRESSURES),
+        *(Convection(peclet=peclet, plot=True).model() for peclet in PRESSURES),
         Composite(plot=True).model(),
         Layers(plot=True).model(),
         Confined(plot=True).model(),

@@ -56,8 +56,8 @@ def diffusion_pair(context: Context, settings: ContactSettings | None = None) ->
 
 def convection_pair(context: Context, peclet: int, settings: ContactSettings | None = None) -> tuple[Outcome, Outcome]:
     """Problem 3.2 cut and whole."""
-    cut = convection.Convection(peclet, context.join, settings).model()
-    whole = convection.Convection(peclet, Join.UNSPLIT, module=cut.module, name="convection-whole").model()
+    cut = convection.Convection(context.join, settings, peclet=peclet).model()
+    whole = convection.Convection(Join.UNSPLIT, module=cut.module, name="convection-whole", peclet=peclet).model()
     return context.runner(cut), context.runner(whole)
 
 
@@ -127,7 +127,7 @@ def indentation_balances(context: Context) -> list[Measure]:
 
 def leak_of_a_penalty(context: Context) -> list[Measure]:
     """The paper's penalties without augmentation must leave the jump that follows from them, not a smaller one."""
-    steady = convection.Convection(0, context.join, PAPER, control=Control(20, 1000.0), name="leak").model()
+    steady = convection.Convection(context.join, PAPER, control=Control(20, 1000.0), name="leak", peclet=0).model()
     jump = compare.jump(context.runner(steady), "c1", PAIR)
     expected = expected_leak(PAPER)
     name = "Steady jump with the paper's penalties, relative to the leak formula, less 1"

@@ -44,7 +44,7 @@ class Comparison:
 
 COMPARISONS = (
     Comparison("diffusion", Diffusion().model, 1e-22),
-    *(Comparison(f"convection-pe{peclet}", Convection(peclet).model, 1e-18) for peclet in PRESSURES),
+    *(Comparison(f"convection-pe{peclet}", Convection(peclet=peclet).model, 1e-18) for peclet in PRESSURES),
     Comparison(
         "indentation", replace(Variant.PLAIN.problem, module="multiphasic", clamp=False).model, 1e-24, bar=MOVING
     ),

@@ -95,8 +95,8 @@ def _convection() -> Entry:
     return Entry(
         "Convection through two layers (problem 3.2)",
         "Permeation: a pressure difference drives solvent and solute through two layers, to the steady state.",
-        convection.Convection(1, plot=True).model(),
-        convection.Convection(1, elements=5, control=Control(10, 500.0)).model(),
+        convection.Convection(plot=True).model(),
+        convection.Convection(elements=5, control=Control(10, 500.0)).model(),
         UPRIGHT,
         (500.0, 2000.0, 20000.0),
     )

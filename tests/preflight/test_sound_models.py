@@ -46,7 +46,7 @@ def test_the_collection_raises_no_alarm(path):
 
 def generated():
     models = [Diffusion(join, elements=n).model() for join in SOUND for n in (5, 10)]
-    models += [Convection(peclet, join).model() for join in SOUND for peclet in PRESSURES]
+    models += [Convection(join, peclet=peclet).model() for join in SOUND for peclet in PRESSURES]
     models += [cls(join).model() for join in SOUND for cls in (Composite, Layers)]
     models += [Confined(join).model() for join in (Join.MIXTURE, Join.BIPHASIC)]
     return models + [variant.problem.model() for variant in (Variant.COARSE, Variant.HEX20, Variant.SLAB_PRIMARY)]

@@ -105,7 +105,7 @@ CASES = {
     "solute, the paper's penalties": case(diffusion(Join.SOLUTE, PAPER)),
     "solute, AUGLAG": case(diffusion(Join.SOLUTE, augmented(PAPER, 1e-4)), 2e-3),
     "solute, two materials": case(Composite(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
-    "solute, convection": case(Convection(1, Join.SOLUTE, STIFF, elements=4, control=Control(5, 400.0)).model()),
+    "solute, convection": case(Convection(Join.SOLUTE, STIFF, elements=4, control=Control(5, 400.0)).model()),
     "solute, two layers": case(Layers(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
     "solute, along the contact": case(Patches(Join.SOLUTE, STIFF, divided=False).model(), 1e-4),
     "multiphasic, automatic": case(diffusion(Join.MULTIPHASIC, STIFF)),

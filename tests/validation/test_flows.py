@@ -52,7 +52,7 @@ def test_both_sides_receive_the_same_with_opposite_sign(run, option):
 
 def test_what_passes_is_what_the_closed_form_says(run):
     """3.2 at Pe = 1: w0 = k (p_u - p_d)/h, and j = c_u w0/(1 - e^{-Pe}), over 1 mm^2."""
-    model = Convection(1, Join.MIXTURE, control=Control(10, 2000.0)).model()
+    model = Convection(Join.MIXTURE, control=Control(10, 2000.0)).model()
     _, below, above = run(model)
     solvent = convection.PERMEABILITY * convection.PRESSURES[1] / 2.0
     solute = solvent * convection.UPSTREAM / -np.expm1(-1.0)

@@ -45,9 +45,9 @@ def test_diffusion_is_that_of_the_whole_body(context, module):
 
 @pytest.mark.parametrize("peclet", [0, 10])
 def test_convection_is_that_of_the_whole_body(context, peclet):
-    data = {"elements": 10, "control": STRICT}
-    cut = context.runner(Convection(peclet, context.join, LAGMULT, name="multipliers-convection", **data).model())
-    whole = context.runner(Convection(peclet, Join.UNSPLIT, name="multipliers-convection-whole", **data).model())
+    data = {"elements": 10, "control": STRICT, "peclet": peclet}
+    cut = context.runner(Convection(context.join, LAGMULT, name="multipliers-convection", **data).model())
+    whole = context.runner(Convection(Join.UNSPLIT, name="multipliers-convection-whole", **data).model())
     _agree(cut, whole, ("uz", "p", "c1"))
 
 

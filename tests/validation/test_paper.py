@@ -52,7 +52,7 @@ def test_the_leak_follows_the_penalty(context, penalty):
         laugon="PENALTY", auto_penalty=False, penalty=1400.0, pressure_penalty=1e-3, concentration_penalty=penalty
     )
     model = checks.convection.Convection(
-        0, context.join, settings, elements=4, control=Control(20, 2000.0), name="leak"
+        context.join, settings, elements=4, control=Control(20, 2000.0), name="leak", peclet=0
     ).model()
     jump = compare.jump(context.runner(model), "c1", checks.PAIR)
     assert jump == pytest.approx(checks.expected_leak(settings), rel=0.01)

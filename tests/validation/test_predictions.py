@@ -18,7 +18,7 @@ SETTINGS = {"the paper's": PAPER, "factor 1": automatic(1.0), "default": Contact
 @pytest.mark.parametrize("kind", [Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC])
 @pytest.mark.parametrize("name", SETTINGS)
 def test_the_leak_is_the_jump(runner, tmp_path, kind, name):
-    model = Convection(0, kind, SETTINGS[name], elements=5, control=Control(20, 2000.0), name="leak").model()
+    model = Convection(kind, SETTINGS[name], elements=5, control=Control(20, 2000.0), name="leak", peclet=0).model()
     looked = read(model.write(tmp_path))
     joint = Joint(looked, looked.contacts[0])
     predicted = leak(joint, solute(1), penalty(joint, solute(1)).value)

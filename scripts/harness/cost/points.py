@@ -185,7 +185,7 @@ def finest() -> Model:
 
 _BUILDERS: dict[Problem, Callable[[Point, Join], Model]] = {
     Problem.DIFFUSION: _cubes(Diffusion(), 2000.0),
-    Problem.CONVECTION: _cubes(Convection(1), 20000.0),
+    Problem.CONVECTION: _cubes(Convection(), 20000.0),
     Problem.INDENTATION: _indentation,
 }
 

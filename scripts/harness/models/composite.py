@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from harness.closed_forms import composite_slab
-from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
-from harness.models.mesh import Layer, Section
+from harness.models.layered import Layered
+from harness.models.mesh import Layer
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
-    Control,
+    Condition,
+    Material,
     Mixture,
     Solid,
     Solute,
@@ -47,41 +46,41 @@ def _material(index: int, data: composite_slab.Layer) -> Mixture:
 
 
 @dataclass(frozen=True)
-class Composite:
-    """Choices of the composite slab; as in `harness.models.diffusion.Diffusion`."""
+class Composite(Layered):
+    """Choices of the composite slab."""
 
-    join: Join = Join.MIXTURE
-    settings: ContactSettings | None = None
-    elements: int = 20
-    control: Control = Control(100, 20.0)
-    section: Section = Section()
-    module: str | None = None
     name: str = "composite-slab"
-    plot: bool = False
 
-    def model(self) -> Model:
-        """The model of these choices."""
-        layers = [Layer("lower", "first", FIRST.thickness, self.elements)]
-        layers.append(Layer("upper", "second", SECOND.thickness, self.elements))
-        mesh = column(self.join, layers, bottom=0.0, section=self.section)
-        conditions = (
+    @property
+    def about(self) -> str:
+        """What the model shows."""
+        return ABOUT
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """One of each layer."""
+        return {"first": _material(0, FIRST), "second": _material(1, SECOND)}
+
+    @property
+    def layers(self) -> list[Layer]:
+        """The first below, the second above."""
+        return [
+            Layer("lower", "first", FIRST.thickness, self.elements),
+            Layer("upper", "second", SECOND.thickness, self.elements),
+        ]
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Bath below, sealed above."""
+        return (
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -CLOSING),
             pressure("bottom", -GAS_CONSTANT * TEMPERATURE * BATH),
             concentration("bottom", BATH),
         )
-        module = self.module or self.join.module
-        materials = {"first": _material(0, FIRST), "second": _material(1, SECOND)}
-        return Model(
-            name=self.name,
-            header=header(self.name, ABOUT, self.join),
-            module=module,
-            mesh=mesh,
-            materials=materials,
-            conditions=conditions,
-            control=self.control,
-            contacts=contacts(self.join, mesh, self.settings),
-            element_columns=("c", "jz") if module == "solute" else ("c1", "j1z"),
-            plot=self.plot,
-        )
+
+    @property
+    def element_columns(self) -> tuple[str, ...]:
+        """Concentration and flux."""
+        return ("c", "jz") if self.module_used == "solute" else ("c1", "j1z")

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
-from harness.models.mesh import Layer, Section
-from harness.models.parts import Control, Mixture, Solid, fix, normal_load, pressure
+from harness.models.layered import Layered
+from harness.models.mesh import Layer
+from harness.models.parts import Condition, Material, Mixture, Solid, fix, normal_load, pressure
 
 HEIGHT = 2.0
 """mm."""
@@ -31,30 +29,34 @@ creeps as if it were whole: Mow, Kuei, Lai, Armstrong (1980), J Biomech Eng 102(
 
 
 @dataclass(frozen=True)
-class Confined:
-    """Choices of the confined creep problem; as in `harness.models.diffusion.Diffusion`."""
+class Confined(Layered):
+    """Choices of the confined creep problem."""
 
-    join: Join = Join.MIXTURE
-    settings: ContactSettings | None = None
-    elements: int = 20
-    control: Control = Control(100, 20.0)
-    section: Section = Section()
     name: str = "confined-creep"
-    plot: bool = False
 
-    def model(self) -> Model:
-        """The model of these choices."""
-        layers = [Layer("lower", "gel", HEIGHT / 2, self.elements), Layer("upper", "gel", HEIGHT / 2, self.elements)]
-        mesh = column(self.join, layers, bottom=0.0, section=self.section, gap=-OVERLAP)
-        conditions = (fix("all", "xy"), fix("bottom", "z"), pressure("top", 0.0), normal_load("top", LOAD))
-        return Model(
-            name=self.name,
-            header=header(self.name, ABOUT, self.join),
-            module="biphasic",
-            mesh=mesh,
-            materials={"gel": Mixture(Solid(MODULUS), PERMEABILITY)},
-            conditions=conditions,
-            control=self.control,
-            contacts=contacts(self.join, mesh, self.settings),
-            plot=self.plot,
-        )
+    GAP = -OVERLAP
+
+    @property
+    def about(self) -> str:
+        """What the model shows."""
+        return ABOUT
+
+    @property
+    def module_used(self) -> str:
+        """There is no solute."""
+        return "biphasic"
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """The same in both halves."""
+        return {"gel": Mixture(Solid(MODULUS), PERMEABILITY)}
+
+    @property
+    def layers(self) -> list[Layer]:
+        """The two halves."""
+        return [Layer(name, "gel", HEIGHT / 2, self.elements) for name in ("lower", "upper")]
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Loaded and drained above."""
+        return (fix("all", "xy"), fix("bottom", "z"), pressure("top", 0.0), normal_load("top", LOAD))

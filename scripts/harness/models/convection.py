@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from harness.models.diffusion import CLOSING, DIFFUSIVITY, HEIGHT
-from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
-from harness.models.mesh import Layer, Section
+from harness.models.layered import Layered
+from harness.models.mesh import Layer
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
+    Condition,
     Control,
+    Material,
     Mixture,
     Solid,
     Solute,
@@ -41,49 +41,48 @@ pressure that FEBio prescribes is p - R T c. After 20000 s the profile is steady
 
 
 @dataclass(frozen=True)
-class Convection:
-    """Choices of problem 3.2; `peclet` is 0, 1 or 10, the rest as in `harness.models.diffusion.Diffusion`."""
+class Convection(Layered):
+    """Choices of problem 3.2; `peclet` is 0, 1 or 10, `upper_divided` that of `harness.models.diffusion.Diffusion`."""
 
-    peclet: int = 1
-    join: Join = Join.MIXTURE
-    settings: ContactSettings | None = None
-    elements: int = 20
     control: Control = Control(400, 50.0)
-    section: Section = Section()
-    module: str | None = None
     name: str = "convection"
-    plot: bool = False
     upper_divided: tuple[int, int] | None = None
+    peclet: int = 1
 
-    def model(self) -> Model:
-        """The model of these choices."""
-        layers = [
+    BOTTOM = -HEIGHT / 2
+
+    @property
+    def title(self) -> str:
+        """The name with the Peclet number."""
+        return f"{self.name}-pe{self.peclet}"
+
+    @property
+    def about(self) -> str:
+        """What the model shows."""
+        return ABOUT.format(peclet=self.peclet, pressure=PRESSURES[self.peclet])
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """The same in both cubes."""
+        return {"gel": MATERIAL}
+
+    @property
+    def layers(self) -> list[Layer]:
+        """The two cubes."""
+        return [
             Layer("lower", "gel", HEIGHT / 2, self.elements),
             Layer("upper", "gel", HEIGHT / 2, self.elements, self.upper_divided),
         ]
-        mesh = column(self.join, layers, bottom=-HEIGHT / 2, section=self.section)
-        inlet = PRESSURES[self.peclet]
-        conditions = (
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Inlet below, outlet above."""
+        return (
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -CLOSING),
-            pressure("bottom", inlet - GAS_CONSTANT * TEMPERATURE * UPSTREAM),
+            pressure("bottom", PRESSURES[self.peclet] - GAS_CONSTANT * TEMPERATURE * UPSTREAM),
             concentration("bottom", UPSTREAM),
             pressure("top", 0.0),
             concentration("top", 0.0),
-        )
-        about = ABOUT.format(peclet=self.peclet, pressure=inlet)
-        name = f"{self.name}-pe{self.peclet}"
-        module = self.module or self.join.module
-        joined = contacts(self.join, mesh, self.settings)
-        return Model(
-            name,
-            header(name, about, self.join),
-            module,
-            mesh,
-            {"gel": MATERIAL},
-            conditions,
-            self.control,
-            joined,
-            plot=self.plot,
         )

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
-from harness.models.mesh import Layer, Section
+from harness.models.layered import Layered
+from harness.models.mesh import Layer
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
+    Condition,
     Control,
+    Material,
     Mixture,
     Solid,
     Solute,
@@ -41,22 +41,11 @@ interface its concentration follows the closed form of one slab of 2 mm, bath on
 
 
 @dataclass(frozen=True)
-class Diffusion:
+class Diffusion(Layered):
     """Choices of problem 3.1.
 
     Attributes
     ----------
-    join : Join
-    settings : ContactSettings, optional
-        Default settings without it.
-    elements : int
-        Hex8 through the thickness of each cube.
-    control : Control
-    section : Section
-    module : str, optional
-        The module that `join` asks for without it.
-    name : str
-    plot : bool
     lower, upper : Mixture
         Materials of the two cubes.
     bath : tuple of float
@@ -65,46 +54,43 @@ class Diffusion:
         Elements of the upper cube along x and y, where they differ from those of the section.
     """
 
-    join: Join = Join.MIXTURE
-    settings: ContactSettings | None = None
-    elements: int = 20
     control: Control = Control(400, 20.0)
-    section: Section = Section()
-    module: str | None = None
     name: str = "diffusion"
-    plot: bool = False
     lower: Mixture = MATERIAL
     upper: Mixture = MATERIAL
     bath: tuple[float, ...] = (BATH,)
     upper_divided: tuple[int, int] | None = None
 
-    def model(self) -> Model:
-        """The model of these choices."""
-        same = self.lower == self.upper
-        materials = {"gel": self.lower} if same else {"lower-gel": self.lower, "upper-gel": self.upper}
-        names = tuple(materials)
-        layers = [
+    BOTTOM = -HEIGHT / 2
+
+    @property
+    def about(self) -> str:
+        """What the model shows."""
+        return ABOUT
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """One of both cubes, if they are of the same."""
+        if self.lower == self.upper:
+            return {"gel": self.lower}
+        return {"lower-gel": self.lower, "upper-gel": self.upper}
+
+    @property
+    def layers(self) -> list[Layer]:
+        """The two cubes."""
+        names = tuple(self.materials)
+        return [
             Layer("lower", names[0], HEIGHT / 2, self.elements),
             Layer("upper", names[-1], HEIGHT / 2, self.elements, self.upper_divided),
         ]
-        mesh = column(self.join, layers, bottom=-HEIGHT / 2, section=self.section)
-        conditions = (
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Bath below, sealed above."""
+        return (
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -CLOSING),
             pressure("bottom", -GAS_CONSTANT * TEMPERATURE * sum(self.bath)),
             *(concentration("bottom", value, sol=number) for number, value in enumerate(self.bath, 1)),
-        )
-        module = self.module or self.join.module
-        joined = contacts(self.join, mesh, self.settings)
-        return Model(
-            self.name,
-            header(self.name, ABOUT, self.join),
-            module,
-            mesh,
-            materials,
-            conditions,
-            self.control,
-            joined,
-            plot=self.plot,
         )

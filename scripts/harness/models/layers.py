@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from harness.closed_forms import two_layer_convection
-from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
-from harness.models.mesh import Layer, Section
+from harness.models.layered import Layered
+from harness.models.mesh import Layer
 from harness.models.parts import (
+    Condition,
     Control,
+    Material,
     Mixture,
     Solid,
     Solute,
@@ -47,24 +47,34 @@ def _material(data: two_layer_convection.Layer) -> Mixture:
 
 
 @dataclass(frozen=True)
-class Layers:
-    """Choices of the two-layer convection problem; as in `harness.models.diffusion.Diffusion`."""
+class Layers(Layered):
+    """Choices of the two-layer convection problem."""
 
-    join: Join = Join.MIXTURE
-    settings: ContactSettings | None = None
-    elements: int = 20
     control: Control = Control(50, 200.0)
-    section: Section = Section()
-    module: str | None = None
     name: str = "two-layer-convection"
-    plot: bool = False
 
-    def model(self) -> Model:
-        """The model of these choices."""
-        layers = [Layer("lower", "first", FIRST.thickness, self.elements)]
-        layers.append(Layer("upper", "second", SECOND.thickness, self.elements))
-        mesh = column(self.join, layers, bottom=0.0, section=self.section)
-        conditions = (
+    @property
+    def about(self) -> str:
+        """What the model shows."""
+        return ABOUT
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """One of each layer."""
+        return {"first": _material(FIRST), "second": _material(SECOND)}
+
+    @property
+    def layers(self) -> list[Layer]:
+        """The first below, the second above."""
+        return [
+            Layer("lower", "first", FIRST.thickness, self.elements),
+            Layer("upper", "second", SECOND.thickness, self.elements),
+        ]
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Inlet below, outlet above."""
+        return (
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -CLOSING),
@@ -73,16 +83,8 @@ class Layers:
             pressure("top", 0.0),
             fluid_flux("bottom", -FLUX),
         )
-        module = self.module or self.join.module
-        return Model(
-            name=self.name,
-            header=header(self.name, ABOUT, self.join),
-            module=module,
-            mesh=mesh,
-            materials={"first": _material(FIRST), "second": _material(SECOND)},
-            conditions=conditions,
-            control=self.control,
-            contacts=contacts(self.join, mesh, self.settings),
-            element_columns=("wz", "c", "jz") if module == "solute" else ("wz", "c1", "j1z"),
-            plot=self.plot,
-        )
+
+    @property
+    def element_columns(self) -> tuple[str, ...]:
+        """Concentration and flux."""
+        return ("wz", "c", "jz") if self.module_used == "solute" else ("wz", "c1", "j1z")

@@ -1,0 +1,97 @@
+"""What the models of two layers in contact, one above the other, have in common."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, Join, column, contacts
+from harness.models.mesh import Layer, Section
+from harness.models.parts import Condition, Control, Material
+
+
+@dataclass(frozen=True)
+class Layered:
+    """Choices of a model of two layers; a subclass says what they are made of and what is prescribed.
+
+    Attributes
+    ----------
+    join : Join
+    settings : ContactSettings, optional
+        Default settings without it.
+    elements : int
+        Hex8 through the thickness of each layer.
+    control : Control
+    section : Section
+    module : str, optional
+        The module that `join` asks for without it.
+    name : str
+    plot : bool
+    """
+
+    join: Join = Join.MIXTURE
+    settings: ContactSettings | None = None
+    elements: int = 20
+    control: Control = Control(100, 20.0)
+    section: Section = Section()
+    module: str | None = None
+    name: str = "layered"
+    plot: bool = False
+
+    BOTTOM: ClassVar[float] = 0.0
+    """z of the lowest face, mm."""
+    GAP: ClassVar[float] = 0.0
+    """Distance of the layers at first, mm; negative for an overlap."""
+
+    @property
+    def title(self) -> str:
+        """Name of the model."""
+        return self.name
+
+    @property
+    def about(self) -> str:
+        """What the model shows."""
+        raise NotImplementedError
+
+    @property
+    def layers(self) -> list[Layer]:
+        """From the lowest on."""
+        raise NotImplementedError
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """By the names that the layers give."""
+        raise NotImplementedError
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """What is prescribed, on the node sets ``all``, ``bottom`` and ``top``."""
+        raise NotImplementedError
+
+    @property
+    def element_columns(self) -> tuple[str, ...]:
+        """Element data to write."""
+        return ()
+
+    @property
+    def module_used(self) -> str:
+        """The chosen module, or the one of the interface."""
+        return self.module or self.join.module
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = column(self.join, self.layers, bottom=self.BOTTOM, section=self.section, gap=self.GAP)
+        return Model(
+            name=self.title,
+            header=header(self.title, self.about, self.join),
+            module=self.module_used,
+            mesh=mesh,
+            materials=self.materials,
+            conditions=self.conditions,
+            control=self.control,
+            contacts=contacts(self.join, mesh, self.settings),
+            element_columns=self.element_columns,
+            plot=self.plot,
+        )
