@@ -77,6 +77,10 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   return changed;
 }
 
+void ContactInterface::move_iteration(const PerSide<SurfaceFields>& fields) {
+  for (const Pass& pass : passes_) pass.integral->move_iteration(fields[pass.side], fields[other(pass.side)]);
+}
+
 void ContactInterface::hold_facing_contact() {
   if (passes_.size() != 1) return;
   std::vector<bool> next = facing_contact(

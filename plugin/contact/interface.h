@@ -73,6 +73,8 @@ class ContactInterface {
   /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
   /// evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
+  /// Moves what an iteration holds to another state (see ContactPass::move_iteration), after project().
+  void move_iteration(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations();
   /// Whether a state found in iterations is a solution of the true laws.

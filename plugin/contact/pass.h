@@ -83,6 +83,9 @@ class ContactPass {
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
 
+  /// Moves what an iteration holds to another state of the fields, at which project() has been called: gaps and jumps
+  /// are measured and linearised there, while status and predicted loads remain. Nodes that see nothing there open.
+  void move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { held_.reset(); }
 

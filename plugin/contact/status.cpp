@@ -143,6 +143,25 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   return changed;
 }
 
+void ContactPass::move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
+  if (!held_) return;
+  Held next = *held_;
+  NodalLoads now;
+  average_gaps(primary.position, secondary.position, now);
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    if (seen(now, node)) continue;
+    next.loads.in_contact[static_cast<std::size_t>(node)] = false;
+    next.loads.sealed[static_cast<std::size_t>(node)] = false;
+  }
+  next.loads = averages(primary, secondary, next.loads.in_contact, next.loads.sealed);
+  apply_laws(next.loads);
+  next.nodes = linearise(next.loads, primary, secondary);
+  next.geometric_traction = held_->loads.traction;
+  next.geometric_flux = held_->loads.flux;
+  if (has_unknown_multipliers()) next.multiplier_weights = multiplier_weights(next.loads, primary.position);
+  held_ = std::move(next);
+}
+
 bool ContactPass::is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const {
   if (!held_) return true;
   if (next_status(primary, secondary) != held_->loads.in_contact) return false;

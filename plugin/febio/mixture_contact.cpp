@@ -3,6 +3,7 @@
 #include "archive.h"
 #include "material_properties.h"
 
+#include <FEBioMech/FEMechModel.h>
 #include <FECore/DumpStream.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
@@ -46,6 +47,7 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   ADD_PARAMETER(parameters_.search_tol, "search_tol");
   ADD_PARAMETER(parameters_.search_radius, "search_radius", parameters_.search_radius_given)->setUnits(UNIT_LENGTH);
   ADD_PARAMETER(parameters_.seg_up, "seg_up");
+  ADD_PARAMETER(parameters_.extrapolation, "extrapolation");
   ADD_PARAMETER(parameters_.node_reloc, "node_reloc");
   ADD_PARAMETER(parameters_.minaug, "minaug");
   ADD_PARAMETER(parameters_.maxaug, "maxaug");
@@ -66,7 +68,12 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
 END_FECORE_CLASS()
 
 FEMixtureContact::FEMixtureContact(FEModel* fem)
-    : FEContactInterface(fem), primary_(fem, *this), secondary_(fem, *this), ambient_(*fem), clamped_(*fem) {
+    : FEContactInterface(fem),
+      primary_(fem, *this),
+      secondary_(fem, *this),
+      ambient_(*fem),
+      clamped_(*fem),
+      extrapolation_(*fem) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
@@ -111,7 +118,12 @@ bool FEMixtureContact::check_parameters() {
   if (m_psf != 1 || m_psfmax != 0)
     feLog("sliding-mixture \"%s\": <penalty_sf> and <max_penalty_sf> have no effect: penalties grow by themselves.\n",
           GetName().c_str());
-  return wrong.empty();
+  const auto* mechanics = dynamic_cast<const FEMechModel*>(GetFEModel());
+  const bool unfit = parameters_.extrapolation && mechanics != nullptr && mechanics->RigidBodies() > 0;
+  if (unfit)
+    feLogError("sliding-mixture \"%s\": <extrapolation> is not available in models with rigid bodies; set it to 0.",
+               GetName().c_str());
+  return wrong.empty() && !unfit;
 }
 
 namespace {
@@ -460,12 +472,29 @@ bool FEMixtureContact::begin_iteration() {
                      [](const FEMixtureContact* contact) { return contact->loads_changed_; });
 }
 
+bool FEMixtureContact::leads_extrapolation() {
+  // It concerns the whole model: one contact does it for all.
+  const std::vector<FEMixtureContact*> contacts = active_contacts();
+  return !contacts.empty() && contacts.front() == this &&
+         std::any_of(contacts.begin(), contacts.end(),
+                     [](const FEMixtureContact* contact) { return contact->parameters_.extrapolation; });
+}
+
+void FEMixtureContact::begin_at_expected_state() {
+  if (tried_ || !leads_extrapolation() || !extrapolation_.move_to_expected_state(*newton_solver())) return;
+  for (FEMixtureContact* contact : active_contacts()) contact->moved_ = true;
+}
+
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   // A matrix is about to be formed for the next iteration, at an accepted state. FEBio has evaluated the residual of
   // that state already, with the loads that were held then; it is to be evaluated again when the matrix is done. At the
   // start of a step and after an augmentation Update() has begun the iteration: FEBio's residual is the right one, and
   // of what the last iteration predicted nothing is left to decide by.
-  if (!std::exchange(begun_, false) && begin_iteration()) {
+  begin_at_expected_state();
+  const bool begun = std::exchange(begun_, false);
+  if (std::exchange(moved_, false)) {
+    core_->move_iteration(fields());
+  } else if (!begun && begin_iteration()) {
     for (FEMixtureContact* contact : active_contacts()) contact->in_trial_ = true;
     newton_solver()->UpdateModel();
     residual_outdated_ = true;
@@ -476,7 +505,9 @@ void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
 bool FEMixtureContact::on_matrix_reformed(FEModel* /*fem*/, unsigned int /*when*/, void* contact) {
   auto* self = static_cast<FEMixtureContact*>(contact);
   FENewtonSolver* solver = self->newton_solver();
-  if (!self->IsActive() || solver == nullptr || !std::exchange(self->residual_outdated_, false)) return true;
+  if (!self->IsActive() || solver == nullptr) return true;
+  self->extrapolation_.complete_residual(*solver);
+  if (!std::exchange(self->residual_outdated_, false)) return true;
   solver->Residual(solver->m_R0);
   solver->m_R0 += solver->m_Fd;  // what prescribed increments add, at the start of a step
   return true;
@@ -729,6 +760,7 @@ bool FEMixtureContact::on_step_solved(FEModel* /*fem*/, unsigned int /*when*/, v
   if (!self->IsActive()) return true;
   self->store_output();
   self->clamped_.end_step();
+  if (self->leads_extrapolation()) self->extrapolation_.step_solved();
   return true;
 }
 
@@ -790,6 +822,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   if (ar.IsSaving()) return;
   core_->end_iterations();
   in_trial_ = keep_prediction_ = begun_ = false;  // a trial that was cut back is over
-  residual_outdated_ = false;
+  residual_outdated_ = moved_ = false;
+  extrapolation_.skip();
   add_callbacks();
 }

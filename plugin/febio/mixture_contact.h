@@ -8,6 +8,7 @@
 #include "host/contact_parameters.h"
 #include "host/exchange.h"
 #include "mixture_surface.h"
+#include "step_extrapolation.h"
 
 #include <FEBioMech/FEContactInterface.h>
 
@@ -78,6 +79,8 @@ class FEMixtureContact : public FEContactInterface {
 
   // Status: which points are in contact, which nodes at ambient conditions
   bool begin_iteration();
+  bool leads_extrapolation();
+  void begin_at_expected_state();
   FENewtonSolver* newton_solver();
   static bool on_matrix_reformed(FEModel* fem, unsigned int when, void* contact);
 
@@ -104,6 +107,7 @@ class FEMixtureContact : public FEContactInterface {
   FEMixtureSurface secondary_;
   AmbientNodes ambient_;
   ClampedConcentrations clamped_;
+  StepExtrapolation extrapolation_;  ///< of the first active contact
 
   mixture_contact::Effects effects_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
@@ -123,6 +127,7 @@ class FEMixtureContact : public FEContactInterface {
   bool begun_ = false;              ///< an iteration has begun at this state
   bool keep_prediction_ = false;    ///< the next iteration goes on from what the last one predicts
   bool loads_changed_ = false;      ///< at the beginning of this iteration
+  bool moved_ = false;              ///< the model was moved to the expected state
   int disputes_ = 0;                ///< solutions of FEBio's in this step that were none
   bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;

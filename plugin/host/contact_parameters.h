@@ -39,6 +39,7 @@ struct ContactParameters {
   double search_radius = 0;  ///< [length]
   bool search_radius_given = false;
   int seg_up = 0;
+  bool extrapolation = false;
   bool node_reloc = false;
   int minaug = 0;
   int maxaug = 10;

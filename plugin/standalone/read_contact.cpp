@@ -86,6 +86,8 @@ void read_parameter_of(const Tag& tag, const Model& model, ContactDefinition& co
     contact.parameters.integration = choice(tag, {"gauss", "segments"});
   } else if (name == "effects") {
     contact.parameters.effects = tag.text();
+  } else if (name == "extrapolation") {
+    if (tag.flag()) tag.fail("only febio4 can start a step at the extrapolated state; allowed here: 0");
   } else if (name == "ambient_pressure") {
     contact.ambient_pressure = read_parameter(tag, model);
   } else if (name == "ambient_concentration") {

@@ -94,7 +94,7 @@ GROUPS = (
     Group(
         "Solution",
         "What the solver gets.",
-        ("symmetric_stiffness",),
+        ("symmetric_stiffness", "extrapolation"),
     ),
     Group(
         "Accepted for the sake of old models",
@@ -219,6 +219,13 @@ NOTES = {
         "larger than a body's thickness: points may see its far side",
         "default 1; in `sliding-biphasic-solute` partly a multiple of the model's size",
         "mm",
+    ),
+    "extrapolation": Note(
+        "Form the first matrix of a step where the last steps lead to expect the solution, where that would have told "
+        "the last step's change to a third. For the whole model; not with rigid bodies. "
+        "See [theory](theory.md#the-start-of-a-step).",
+        "memory for the nodal values of two steps",
+        "not there",
     ),
     "seg_up": Note(
         "After this many iterations of a step points keep to the facet they see. 0: always search.",

@@ -5,12 +5,16 @@ The iteration counts are exact and repeatable; the bars leave a tenth of room fo
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from harness.indentation_results import curves
-from harness.models.indentation import END, Indentation
-from harness.models.indentation_mesh import Primary
+from harness.models.indentation import CONTROL, END, Indentation
+from harness.models.indentation_mesh import LEVELS, Primary
+from harness.models.interface import ContactSettings
+from harness.models.parts import Param
 
 MEASURED = {
     ("multiphasic", False, Primary.CYLINDER): 314,
@@ -31,3 +35,21 @@ def test_it_runs_to_the_end_without_a_retry(runner, module, clamp, primary):
     assert outcome.report.iterations <= 1.1 * MEASURED[module, clamp, primary]
     if not clamp:  # the solver's clamp creates solute
         assert np.max(np.abs(curves(outcome).imbalance)) <= 1e-6
+
+
+def test_extrapolation_saves_iterations_and_keeps_the_solution(runner):
+    """On the coarse mesh to 20 s; FEBio's tolerance on the change of a step is 1e-3."""
+    short = replace(CONTROL, end=20.0)
+    segments = ContactSettings(integration="segments")
+    base = Indentation(
+        settings=segments, grid=LEVELS[0], module="multiphasic", clamp=False, gripped=False, control=short
+    )
+    plain = runner(replace(base, name="step-start").model())
+    ahead_settings = replace(segments, extra=(Param("extrapolation", True),))
+    ahead = runner(replace(base, settings=ahead_settings, name="step-start-extrapolated").model())
+    assert ahead.report.normal
+    assert ahead.report.retries == plain.report.retries == 0
+    assert ahead.report.iterations <= 0.95 * plain.report.iterations
+    for column in ("ux", "uy", "p", "c1"):
+        size = np.max(np.abs(plain.nodes[column]))
+        np.testing.assert_allclose(ahead.nodes[column][-1], plain.nodes[column][-1], rtol=0.0, atol=1e-3 * size)

@@ -2,6 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+
 using namespace test;
 
 /// Residual of a whole contact with the status of its nodes held, as a function of all unknowns.
@@ -36,4 +38,36 @@ BOOST_AUTO_TEST_CASE(the_assembled_tangent_matches_differences_for_every_pair_of
   }
   BOOST_TEST_MESSAGE("largest relative difference " << worst);
   BOOST_TEST(worst <= 1e-7);
+}
+
+/// A started iteration that is moved to another state keeps its status and measures its loads there.
+BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
+  std::mt19937 random(11);
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 2, 3), effects_of(true, 1),
+              explicit_settings(2.5, 1.5, 0.8));
+  scene.disturb(0.02, random);
+  const auto moved = scene.contact();
+  moved->begin_iteration(scene.fields);
+  scene.disturb(0.02, random);
+  const GlobalLayout layout(scene);
+  moved->project(scene.position());
+  moved->move_iteration(scene.fields);
+
+  const auto started = scene.contact();
+  started->begin_iteration(scene.fields);
+  const VectorXd expected = assembled_residual(*started, layout, scene.fields, 0.3);
+  BOOST_TEST(relative_error(assembled_residual(*moved, layout, scene.fields, 0.3), expected) <= rounding);
+
+  // Apart by 0.2: a new iteration would find no contact.
+  for (Index node = 0; node < scene.fields[Side::secondary].position.cols(); ++node)
+    scene.fields[Side::secondary].position(2, node) += 0.3;
+  moved->project(scene.position());
+  moved->move_iteration(scene.fields);
+  const PerSide<std::vector<bool>> status = moved->nodes_in_contact();
+  BOOST_TEST(std::count(status[Side::primary].begin(), status[Side::primary].end(), false) == 0);
+  const double force = moved->balance(scene.fields).force[2];
+  BOOST_TEST(std::abs(force) > 0.1);
+  started->project(scene.position());
+  started->end_iterations();
+  BOOST_TEST(std::abs(started->balance(scene.fields).force[2]) == 0.0);
 }

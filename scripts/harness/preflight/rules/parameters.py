@@ -21,7 +21,9 @@ ALLOWED = {
     **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
     **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), POSITIVE),
     **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
-    **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
+    **dict.fromkeys(
+        ("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc", "extrapolation"), SWITCH
+    ),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
     **dict.fromkeys(("ambient_pressure", "ambient_concentration"), NUMBER),
 }
