@@ -156,6 +156,8 @@ void ContactPass::move_iteration(const SurfaceFields& primary, const SurfaceFiel
   next.loads = averages(primary, secondary, next.loads.in_contact, next.loads.sealed);
   apply_laws(next.loads);
   next.nodes = linearise(next.loads, primary, secondary);
+  next.primary = primary;
+  next.secondary = secondary;
   next.geometric_traction = held_->loads.traction;
   next.geometric_flux = held_->loads.flux;
   if (has_unknown_multipliers()) next.multiplier_weights = multiplier_weights(next.loads, primary.position);
