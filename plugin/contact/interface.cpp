@@ -33,7 +33,7 @@ void keep_worst(FieldGap& worst, const FieldGap& gap) {
 }  // namespace
 
 ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings)
-    : mesh_(std::move(mesh)), effects_(std::move(effects)), settings_(settings) {
+    : mesh_(std::move(mesh)), effects_(std::move(effects)), settings_(settings), times_(effects_.scalar_fields()) {
   for (const Side side : both_sides) {
     if (side == Side::secondary && !settings_.two_pass) continue;
     if (side == Side::secondary && settings_.enforcement == Enforcement::lagrange_multipliers) {
@@ -49,6 +49,7 @@ double ContactInterface::search_radius(const PerSide<Matrix3Xd>& position) const
 }
 
 void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search) {
+  const TaskClock timed = clock(Task::search);
   const auto same = [&](Side side) {
     return position_[side].cols() == position[side].cols() && position_[side] == position[side];
   };
@@ -68,6 +69,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 }
 
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = clock(Task::stiffness);
   bool changed = false;
   for (const Pass& pass : passes_) {
     const bool pass_changed = pass.integral->begin_iteration(fields[pass.side], fields[other(pass.side)]);
@@ -101,6 +103,7 @@ void ContactInterface::end_iterations() {
 }
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
+  const TaskClock timed = clock(Task::augmentation);
   const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const Pass& pass) {
     return pass.integral->is_solution(fields[pass.side], fields[other(pass.side)]);
   });
@@ -123,28 +126,33 @@ Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) 
 }
 
 void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
+  TaskClock timed = clock(Task::residual);
   for (const Pass& pass : passes_) {
-    pass.integral->residual(fields[pass.side], fields[other(pass.side)], dt,
-                            [&](const Patch& patch, const VectorXd& values) { add({pass.side, patch}, values); });
+    pass.integral->residual(
+        fields[pass.side], fields[other(pass.side)], dt,
+        [&](const Patch& patch, const VectorXd& values) { timed.in_host([&] { add({pass.side, patch}, values); }); });
   }
 }
 
 void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
+  TaskClock timed = clock(Task::stiffness);
   for (const Pass& pass : passes_) {
     pass.integral->tangent(fields[pass.side], fields[other(pass.side)], dt, [&](const TangentBlock& block) {
-      add({pass.side, block.rows}, {pass.side, block.columns}, block.values);
+      timed.in_host([&] { add({pass.side, block.rows}, {pass.side, block.columns}, block.values); });
     });
   }
 }
 
 void ContactInterface::for_each_coupling(const std::function<void(const Location&)>& use) const {
+  TaskClock timed = clock(Task::stiffness);
   for (const Pass& pass : passes_) {
     pass.integral->for_each_coupling(position_[pass.side], position_[other(pass.side)],
-                                     [&](const Patch& patch) { use({pass.side, patch}); });
+                                     [&](const Patch& patch) { timed.in_host([&] { use({pass.side, patch}); }); });
   }
 }
 
 GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
+  const TaskClock timed = clock(Task::augmentation);
   GapReport worst{{}, std::vector<FieldGap>(static_cast<std::size_t>(effects_.scalar_fields()))};
   for (const Pass& pass : passes_) {
     const GapReport report = measure_gaps(*pass.integral, fields[pass.side], fields[other(pass.side)], effects_);
@@ -164,6 +172,7 @@ VectorXd ContactInterface::unknown_multipliers() const { return passes_[0].integ
 void ContactInterface::set_unknown_multipliers(const VectorXd& mu) { passes_[0].integral->set_unknown_multipliers(mu); }
 
 void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = clock(Task::augmentation);
   for (const Pass& pass : passes_) {
     const SurfaceFields& primary = fields[pass.side];
     const SurfaceFields& secondary = fields[other(pass.side)];
@@ -174,6 +183,7 @@ void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
 }
 
 PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
+  const TaskClock timed = clock(Task::stiffness);
   PerSide<std::vector<bool>> in_contact;
   for (const Pass& pass : passes_) {
     in_contact[pass.side] = pass.integral->sealed_nodes(position_[pass.side], position_[other(pass.side)]);
@@ -209,6 +219,7 @@ std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<
 }
 
 Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
+  const TaskClock timed = clock(Task::output);
   Balance balance;
   balance.flow = VectorXd::Zero(effects_.scalar_fields());
   for (const Pass& pass : passes_) {
@@ -228,6 +239,7 @@ Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
 }
 
 NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceFields>& fields) const {
+  const TaskClock timed = clock(Task::output);
   const Index nodes = mesh_[side].nodes;
   const Index scalars = effects_.scalar_fields();
   NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "augmentation.h"
+#include "times.h"
 
 #include <array>
 #include <functional>
@@ -116,6 +117,10 @@ class ContactInterface {
   const SurfaceMesh& mesh(Side side) const { return mesh_[side]; }
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
+  /// Where the time of all calls so far went.
+  const Times& times() const { return times_; }
+  /// Times what a host does for a task around its calls; those are not counted twice.
+  TaskClock clock(Task task) const { return TaskClock(times_[task]); }
   /// Multipliers of a pass: all the state there is between time steps, to be stored and restored by the host.
   Multipliers& multipliers(std::size_t index) { return passes_[index].integral->multipliers; }
 
@@ -138,6 +143,7 @@ class ContactInterface {
       held_facing_;  ///< secondary nodes in contact, while iterations are under way and there is one pass
   std::vector<int> facing_changes_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
+  mutable Times times_;    ///< a measurement, which no result depends on
 };
 
 }  // namespace mixture_contact

@@ -1,6 +1,7 @@
 #include "mixture_contact.h"
 
 #include "archive.h"
+#include "host/price.h"
 #include "material_properties.h"
 
 #include <FEBioMech/FEMechModel.h>
@@ -106,6 +107,7 @@ void FEMixtureContact::add_callbacks() {
   if (has_callbacks_) return;
   GetFEModel()->AddCallback(on_step_solved, CB_TIMESTEP_SOLVED, this);
   GetFEModel()->AddCallback(on_matrix_reformed, CB_MATRIX_REFORM, this);
+  GetFEModel()->AddCallback(on_solved, CB_SOLVED, this);
   has_callbacks_ = true;
 }
 
@@ -392,6 +394,7 @@ PerSide<SurfaceFields> FEMixtureContact::fields() {
 }
 
 void FEMixtureContact::project() {
+  const TaskClock timed = core_->clock(Task::search);
   const FESolver* solver = GetFEModel()->GetCurrentStep()->GetFESolver();
   const bool keep_facets = parameters_.seg_up > 0 && solver->m_niter > parameters_.seg_up;
   core_->project({{positions(Side::primary), positions(Side::secondary)}},
@@ -461,6 +464,7 @@ FENewtonSolver* FEMixtureContact::newton_solver() {
 }
 
 bool FEMixtureContact::begin_iteration() {
+  const TaskClock timed = core_->clock(Task::stiffness);
   loads_changed_ = core_->begin_iteration(fields());
   // Ambient conditions depend on all contacts: the last one applies them.
   const std::vector<FEMixtureContact*> contacts = active_contacts();
@@ -620,6 +624,7 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
 }
 
 void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
+  const TaskClock timed = core_->clock(Task::stiffness);
   // Rigid nodes bring the equations of their body's rotations in as well.
   FEModel& fem = *GetFEModel();
   const std::array<int, 3> rotation{fem.GetDOFIndex("Ru"), fem.GetDOFIndex("Rv"), fem.GetDOFIndex("Rw")};
@@ -637,6 +642,7 @@ void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
 }
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
+  const TaskClock timed = core_->clock(Task::residual);
   core_->residual(fields(), time.timeIncrement, [&](const ContactInterface::Location& at, const VectorXd& values) {
     std::vector<int> nodes = node_ids(at);
     std::vector<int> ids = equations(at, nodes);
@@ -671,6 +677,7 @@ std::vector<int> spread(const std::vector<int>& equations, const std::vector<Ind
 }  // namespace
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
+  const TaskClock timed = core_->clock(Task::stiffness);
   const auto add = [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns,
                        const MatrixXd& values) {
     // FEBio takes square matrices alone, with blocks of one size per node that begin with displacements. What a block
@@ -701,6 +708,7 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 // ------------------------------------------------------------ augmentation
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
+  const TaskClock timed = core_->clock(Task::augmentation);
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
   if (!core_->is_solution(fields()) || !clamped_.settled()) {
     // FEBio counts reformations anew after this: the limit on them is to hold all the same.
@@ -747,6 +755,7 @@ void FEMixtureContact::log_gaps(int augmentation, const GapReport& report) {
 // ------------------------------------------------------------ output, restart
 
 void FEMixtureContact::store_output() {
+  const TaskClock timed = core_->clock(Task::output);
   const PerSide<SurfaceFields> current = fields();
   Balance total = core_->balance(current);
   primary_.store_output(core_->nodal_output(Side::primary, current), total);
@@ -761,6 +770,15 @@ bool FEMixtureContact::on_step_solved(FEModel* /*fem*/, unsigned int /*when*/, v
   self->store_output();
   self->clamped_.end_step();
   if (self->leads_extrapolation()) self->extrapolation_.step_solved();
+  return true;
+}
+
+bool FEMixtureContact::on_solved(FEModel* fem, unsigned int /*when*/, void* contact) {
+  auto* self = static_cast<FEMixtureContact*>(contact);
+  const std::vector<std::string> table = price_table(self->GetName(), self->effects_, self->core_->times(),
+                                                     self->run_.peek());
+  feLogEx(fem, "\n");
+  for (const std::string& line : table) feLogEx(fem, "%s\n", line.c_str());
   return true;
 }
 

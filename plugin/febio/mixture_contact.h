@@ -100,6 +100,7 @@ class FEMixtureContact : public FEContactInterface {
   void log_gaps(int augmentation, const mixture_contact::GapReport& report);
   void store_output();
   static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);
+  static bool on_solved(FEModel* fem, unsigned int when, void* contact);
 
   ContactParameters parameters_;
   std::vector<FEMixtureAmbientConcentration*> ambient_concentrations_;
@@ -131,6 +132,7 @@ class FEMixtureContact : public FEContactInterface {
   int disputes_ = 0;                ///< solutions of FEBio's in this step that were none
   bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;
+  mixture_contact::Stopwatch run_;  ///< since the contact was read
 
   DECLARE_FECORE_CLASS()
 };

@@ -1,5 +1,6 @@
 #include "analysis.h"
 
+#include "host/price.h"
 #include "newton.h"
 #include "output.h"
 #include "time_stepper.h"
@@ -49,6 +50,16 @@ class Steps {
       }
     }
     return true;
+  }
+
+  /// Writes what each contact cost, `seconds` after the run began.
+  void log_prices(double seconds) {
+    for (Contact& contact : problem_.contacts()) {
+      const mixture_contact::ContactInterface& core = contact.core();
+      log_.print("\n");
+      for (const std::string& line : price_table(contact.definition().name, core.effects(), core.times(), seconds))
+        log_.print("%s\n", line.c_str());
+    }
   }
 
   int done() const { return done_; }
@@ -106,6 +117,7 @@ bool run(Model model, Log& log) {
   Steps steps(model, log);
   const bool done = steps.run();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  steps.log_prices(seconds.count());
   log_summary(log, steps.done(), steps.total(), done, seconds.count());
   return done;
 }

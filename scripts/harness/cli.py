@@ -36,6 +36,7 @@ from harness.fuzz import command as fuzz_command
 from harness.hard_cases import command as hard_cases_command
 from harness.models.interface import Join
 from harness.paths import MODELS, RESULTS
+from harness.price import command as price_command
 from harness.runner import Announce, Runner
 
 MISSED, BAD_INPUT, LEFT_OUT = 1, 2, 3
@@ -57,6 +58,7 @@ app.command()(fuzz_command.fuzz)
 app.command()(fuzz_command.fuzz_seeds)
 app.command()(cost_command.cost)
 app.command()(cost_command.cost_sweep)
+app.command()(price_command.price)
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 

@@ -1,0 +1,78 @@
+#include "price.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+using mixture_contact::all_tasks;
+using mixture_contact::Effects;
+using mixture_contact::Spent;
+using mixture_contact::Task;
+
+namespace {
+
+std::string name_of(Task task) {
+  switch (task) {
+    case Task::search:
+      return "search";
+    case Task::residual:
+      return "residual";
+    case Task::stiffness:
+      return "stiffness";
+    case Task::augmentation:
+      return "augmentation";
+    case Task::output:
+      return "output";
+  }
+  return {};
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string row(const std::string& title, const std::vector<std::string>& entries) {
+  std::string line = "    " + title + std::string(14 - std::min<std::size_t>(14, title.size()), ' ');
+  for (const std::string& entry : entries) line += padded(entry, 12);
+  return line;
+}
+
+std::vector<std::string> headings(const Effects& effects) {
+  std::vector<std::string> names{"shared", "traction"};
+  if (effects.solvent) names.emplace_back("solvent");
+  for (const int solute : effects.solutes) names.push_back("solute " + std::to_string(solute + 1));
+  names.emplace_back("host");
+  names.emplace_back("all");
+  return names;
+}
+
+std::string scientific(double value) {
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(3) << value;
+  return text.str();
+}
+
+std::string seconds(const std::string& title, const Spent& spent) {
+  std::vector<double> values{spent.shared, spent.traction};
+  values.insert(values.end(), spent.fields.begin(), spent.fields.end());
+  values.push_back(spent.host);
+  values.push_back(spent.total());
+  std::vector<std::string> entries;
+  for (const double value : values) entries.push_back(scientific(value));
+  return row(title, entries);
+}
+
+}  // namespace
+
+std::vector<std::string> price_table(const std::string& contact, const Effects& effects,
+                                     const mixture_contact::Times& times, double run) {
+  const Spent sum = times.sum();
+  std::vector<std::string> lines{"sliding-mixture \"" + contact + "\": time in the contact [s]",
+                                 row("", headings(effects))};
+  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), times[task]));
+  lines.push_back(seconds("all", sum));
+  std::ostringstream share;
+  share << std::setprecision(3) << "    share of the run: " << 100 * sum.total() / run << " percent of " << run << " s";
+  lines.push_back(share.str());
+  return lines;
+}

@@ -1,0 +1,1 @@
+"""What the contact costs: its times at the end of a run, beside those of FEBio's own interfaces."""

@@ -1,0 +1,176 @@
+"""Two blocks pressed together, with more and more to exchange: the scenes whose price is measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, Join, automatic
+from harness.models.mesh import Layer, Mesh, Section, cut_column, glued_column
+from harness.models.parts import (
+    Condition,
+    Contact,
+    Control,
+    Curve,
+    Elastic,
+    Material,
+    Mixture,
+    Solid,
+    Solute,
+    concentration,
+    displace,
+    fix,
+    initial_concentration,
+    pressure,
+)
+
+HEIGHT = 1.0
+"""mm, of each block; their section is 1 mm x 1 mm."""
+CLOSING = 0.01
+"""mm by which the top is moved down over the run."""
+BELOW, ABOVE = 1.0, 2.0
+"""Effective concentrations at the two ends, mM; 1 mM everywhere at the start."""
+STEPS, STEP = 5, 100.0
+"""Number of steps and their size, s: in one, solutes get about (d STEP)^(1/2) = 0.22 mm far."""
+PENALTY_FACTOR = 1000.0
+"""Factor of FEBio's automatic penalties, with which their contact is about as accurate as ours with its defaults."""
+SOLID = Solid(10.0)
+PERMEABILITY = 1e-3
+"""mm^4/(N s)."""
+
+ABOUT = """\
+Two blocks of 1 mm x 1 mm x 1 mm with matching meshes, pressed together by 0.01 mm in 500 s.
+
+What they exchange: {what}. The upper end is in a bath without fluid pressure, with 2 mM of each solute; the lower end
+is impermeable to the solvent and held at the initial 1 mM."""
+
+
+class Kind(str, Enum):
+    """What both blocks consist of, by FEBio's name."""
+
+    ELASTIC = "elastic"
+    BIPHASIC = "biphasic"
+    SOLUTE = "biphasic-solute"
+    MULTIPHASIC = "multiphasic"
+
+    @property
+    def module(self) -> str:
+        """FEBio's module for it."""
+        return {Kind.ELASTIC: "solid", Kind.SOLUTE: "solute"}.get(self, self.value)
+
+    @property
+    def rival(self) -> str:
+        """FEBio's own contact for it."""
+        return f"sliding-{self.value}"
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Choices of the scene.
+
+    Attributes
+    ----------
+    kind : Kind
+    contact : str
+        Type of the contact; ``unsplit`` for one body without a contact.
+    solutes : int
+        Number of solutes of both blocks.
+    frozen : bool
+        Whether the solid is held everywhere.
+    section, through : int
+        Elements along x and y, and through each block.
+    """
+
+    kind: Kind
+    contact: str = Join.MIXTURE.value
+    solutes: int = 0
+    frozen: bool = False
+    section: int = 16
+    through: int = 2
+    settings: ContactSettings | None = None
+    control: Control = field(default=Control(STEPS, STEP))
+
+    @property
+    def name(self) -> str:
+        """Stem of the file names."""
+        solutes = f"-{self.solutes}" if self.solutes else ""
+        frozen = "-frozen" if self.frozen else ""
+        return f"{self.kind.value}{solutes}{frozen}-{self.contact}-{self.section}x{self.through}"
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Those of all nodes of the two blocks."""
+        nodes = 2 * (self.section + 1) ** 2 * (self.through + 1)
+        return nodes * (3 + (self.kind is not Kind.ELASTIC) + self.solutes)
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        join = Join.MIXTURE if self.contact == Join.MIXTURE.value else Join.UNSPLIT
+        end = self.control.steps * self.control.step
+        return Model(
+            name=self.name,
+            header=header(self.name, ABOUT.format(what=self._what()), join),
+            module=self.kind.module,
+            mesh=mesh,
+            materials={"tissue": self._material()},
+            conditions=tuple(self._conditions()),
+            control=self.control,
+            contacts=tuple(Contact(self.contact, pair, self._parameters().params()) for pair in mesh.pairs),
+            curves=(Curve(((0.0, 0.0), (end, 1.0))),),
+        )
+
+    def _mesh(self) -> Mesh:
+        layers = [Layer(name, "tissue", HEIGHT, self.through) for name in ("lower", "upper")]
+        make = glued_column if self.contact == Join.UNSPLIT.value else cut_column
+        return make(layers, bottom=-HEIGHT, section=Section(elements=(self.section, self.section)))
+
+    def _material(self) -> Material:
+        if self.kind is Kind.ELASTIC:
+            return Elastic(SOLID)
+        solutes = tuple(Solute(sol, solubility=1.0 - 0.05 * sol) for sol in range(1, self.solutes + 1))
+        return Mixture(SOLID, PERMEABILITY, solutes=solutes)
+
+    def _conditions(self) -> list[Condition]:
+        moved = [fix("all", "xyz")] if self.frozen else [fix("bottom", "xyz"), fix("top", "xy")]
+        if not self.frozen:
+            moved.append(displace("top", "z", -CLOSING, 1))
+        wet = [] if self.kind is Kind.ELASTIC else [pressure("top", 0.0)]
+        for sol in range(1, self.solutes + 1):
+            wet += [concentration("bottom", BELOW, sol=sol), concentration("top", ABOVE, sol=sol)]
+            wet.append(initial_concentration("all", BELOW, sol))
+        return [*moved, *wet]
+
+    def _parameters(self) -> ContactSettings:
+        """Ours with its defaults; FEBio's with automatic penalties times `PENALTY_FACTOR`, of what it exchanges."""
+        if self.settings is not None:
+            return self.settings
+        if self.contact == Join.MIXTURE.value:
+            return ContactSettings()
+        return penalties(self.kind, PENALTY_FACTOR)
+
+    def _what(self) -> str:
+        solvent = [] if self.kind is Kind.ELASTIC else ["solvent"]
+        solutes = [f"{self.solutes} solute{'s' * (self.solutes > 1)}"] if self.solutes else []
+        return ", ".join(["traction", *solvent, *solutes])
+
+
+def penalties(kind: Kind, factor: float) -> ContactSettings:
+    """Automatic penalties times a factor, for what blocks of this kind exchange."""
+    chosen = automatic(factor)
+    dropped = {Kind.ELASTIC: ("pressure_penalty", "concentration_penalty"), Kind.BIPHASIC: ("concentration_penalty",)}
+    return ContactSettings(**{**vars(chosen), **dict.fromkeys(dropped.get(kind, ()))})
+
+
+def effects_added(section: int = 16) -> dict[str, Scene]:
+    """From traction alone to four solutes, by what a picture calls them."""
+    return {
+        "solid": Scene(Kind.ELASTIC, section=section),
+        "+ solvent": Scene(Kind.BIPHASIC, section=section),
+        "+ 1 solute": Scene(Kind.MULTIPHASIC, solutes=1, section=section),
+        "+ 2 solutes": Scene(Kind.MULTIPHASIC, solutes=2, section=section),
+        "+ 4 solutes": Scene(Kind.MULTIPHASIC, solutes=4, section=section),
+        "1 solute, frozen": Scene(Kind.MULTIPHASIC, solutes=1, frozen=True, section=section),
+    }

@@ -1,0 +1,74 @@
+"""Reads the table of times that each contact writes at the end of a run."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from harness.errors import DataFileError
+
+_TITLE = re.compile(r'^sliding-mixture "(?P<name>.*)": time in the contact \[s\]$')
+_SHARE = re.compile(r"^ +share of the run: [-\d.e+]+ percent of (?P<run>[-\d.e+]+) s$")
+_COLUMNS = re.compile(r" {2,}")
+TASKS = ("search", "residual", "stiffness", "augmentation", "output")
+
+
+@dataclass(frozen=True)
+class Times:
+    """What one contact cost in one run.
+
+    Attributes
+    ----------
+    contact : str
+        Its name in the model.
+    seconds : dict of str to dict of str to float
+        By task, one of `TASKS`, and then by effect: ``shared``, ``traction``, ``solvent``, ``solute 1`` and so on,
+        ``host``.
+    run : float
+        s, of the whole run.
+    """
+
+    contact: str
+    seconds: dict[str, dict[str, float]]
+    run: float
+
+    @property
+    def effects(self) -> dict[str, float]:
+        """Seconds by effect, over all tasks."""
+        names = self.seconds[TASKS[0]]
+        return {name: sum(task[name] for task in self.seconds.values()) for name in names}
+
+    @property
+    def total(self) -> float:
+        """s, of everything that the contact does."""
+        return sum(self.effects.values())
+
+    @property
+    def share(self) -> float:
+        """Part of the run's time that the contact takes."""
+        return self.total / self.run
+
+
+def read(log: str) -> list[Times]:
+    """The tables of a log, one per contact; none for a run that was ended before its time.
+
+    Raises
+    ------
+    DataFileError
+        Where a table is incomplete or not one of numbers.
+    """
+    lines = log.splitlines()
+    return [_table(match["name"], lines[i + 1 :]) for i, line in enumerate(lines) if (match := _TITLE.match(line))]
+
+
+def _table(name: str, lines: list[str]) -> Times:
+    try:
+        effects = _COLUMNS.split(lines[0].strip())[:-1]
+        rows = [_COLUMNS.split(line.strip()) for line in lines[1 : len(TASKS) + 1]]
+        seconds = {row[0]: dict(zip(effects, map(float, row[1:-1]), strict=True)) for row in rows}
+        share = _SHARE.match(lines[len(TASKS) + 2])
+        if tuple(seconds) != TASKS or not share:
+            raise ValueError(f"tasks {', '.join(seconds)}")
+        return Times(name, seconds, float(share["run"]))
+    except (IndexError, ValueError) as error:
+        raise DataFileError(f'the log\'s table of times of the contact "{name}" is not one ({error})') from error

@@ -1,0 +1,80 @@
+"""What contacts write about their times at the end of a run, and what is made of it."""
+
+from __future__ import annotations
+
+import pytest
+
+from harness.errors import DataFileError
+from harness.models.interface import Join
+from harness.price import measure, report, table
+from harness.price.measure import Timed
+from harness.price.scenes import Kind, Scene, effects_added
+
+LOG = """
+sliding-mixture "a joint": time in the contact [s]
+                        shared    traction     solvent    solute 2        host         all
+    search           4.000e-03   0.000e+00   0.000e+00   0.000e+00   0.000e+00   4.000e-03
+    residual         6.000e-03   1.000e-03   2.000e-03   1.000e-03   1.000e-03   1.100e-02
+    stiffness        3.000e-02   4.000e-02   0.000e+00   0.000e+00   1.000e-02   8.000e-02
+    augmentation     3.000e-03   0.000e+00   0.000e+00   0.000e+00   0.000e+00   3.000e-03
+    output           2.000e-03   0.000e+00   0.000e+00   0.000e+00   0.000e+00   2.000e-03
+    all              4.500e-02   4.100e-02   2.000e-03   1.000e-03   1.100e-02   1.000e-01
+    share of the run: 8 percent of 1.25 s
+
+ N O R M A L   T E R M I N A T I O N
+"""
+
+
+def test_the_table_of_a_log_is_read():
+    (times,) = table.read(LOG)
+    assert times.contact == "a joint"
+    assert times.seconds["residual"]["solvent"] == 2e-3
+    assert list(times.effects) == ["shared", "traction", "solvent", "solute 2", "host"]
+    assert times.effects["traction"] == pytest.approx(4.1e-2)
+    assert times.total == pytest.approx(0.1)
+    assert times.share == pytest.approx(0.08)
+
+
+@pytest.mark.parametrize("wrong", [("4.000e-02", "many"), ("augmentation", "augury"), ("share", "part")])
+def test_a_table_that_is_none_is_refused(wrong):
+    with pytest.raises(DataFileError, match="a joint"):
+        table.read(LOG.replace(*wrong))
+
+
+def test_a_log_without_a_table_has_no_times():
+    assert table.read("sliding-mixture: stopped") == []
+
+
+def test_times_are_drawn_and_tabulated(tmp_path):
+    (times,) = table.read(LOG)
+    assert report.draw({"one": times, "two": times}, tmp_path / "times.png").stat().st_size > 0
+    text = report.scenes_table({"one": times})
+    assert "| one | 45.0 | 41.0 | 2.0 | 1.0 | 11.0 | 100.0 | 8.0% |" in text
+
+
+def test_what_bodies_take_is_not_the_contacts():
+    whole = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2)
+    # twice the iterations and evaluations: 1 s of stiffness and 0.6 s of update and residual are the bodies'
+    joined = Timed(True, 10, 20, 2.0, update=0.25, profile=0.3, stiffness=1.4, residual=0.5)
+    assert measure.contact_time(joined, whole) == pytest.approx(0.3 + 0.4 + 0.15)
+
+
+@pytest.mark.parametrize("name", effects_added())
+def test_a_scene_lists_its_effects_and_their_times(name, runner):
+    scene = effects_added(section=3)[name]
+    (times,) = table.read(runner(scene.model()).log)
+    wanted = [] if scene.kind is Kind.ELASTIC else ["solvent", *(f"solute {k + 1}" for k in range(scene.solutes))]
+    assert list(times.effects) == ["shared", "traction", *wanted, "host"]
+    assert all(seconds >= 0.0 for task in times.seconds.values() for seconds in task.values())
+    assert 0.0 < times.share < 1.0
+
+
+def test_contacts_are_compared_on_the_same_model():
+    scenes = measure.compared(Scene(Kind.BIPHASIC))
+    assert [scene.contact for scene in scenes.values()] == [
+        "unsplit",
+        Join.MIXTURE.value,
+        "sliding-biphasic",
+        "sliding-biphasic",
+    ]
+    assert len({scene.model().mesh.nodes.shape for scene in scenes.values() if scene.contact != "unsplit"}) == 1
