@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <string_view>
 
 using mixture_contact::all_tasks;
 using mixture_contact::Effects;
@@ -11,7 +12,7 @@ using mixture_contact::Task;
 
 namespace {
 
-std::string name_of(Task task) {
+std::string_view name_of(Task task) {
   switch (task) {
     case Task::search:
       return "search";
@@ -31,8 +32,8 @@ std::string padded(const std::string& text, std::size_t width) {
   return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
-std::string row(const std::string& title, const std::vector<std::string>& entries) {
-  std::string line = "    " + title + std::string(14 - std::min<std::size_t>(14, title.size()), ' ');
+std::string row(std::string_view title, const std::vector<std::string>& entries) {
+  std::string line = "    " + std::string(title) + std::string(14 - std::min<std::size_t>(14, title.size()), ' ');
   for (const std::string& entry : entries) line += padded(entry, 12);
   return line;
 }
@@ -52,7 +53,7 @@ std::string scientific(double value) {
   return text.str();
 }
 
-std::string seconds(const std::string& title, const Spent& spent) {
+std::string seconds(std::string_view title, const Spent& spent) {
   std::vector<double> values{spent.shared, spent.traction};
   values.insert(values.end(), spent.fields.begin(), spent.fields.end());
   values.push_back(spent.host);
