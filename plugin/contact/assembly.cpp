@@ -79,8 +79,10 @@ std::vector<TangentBlock> ContactPass::law_tangent(Index node, const NodeLineari
                                                    double dt) const {
   // The residual holds t_a traction_work + dt phi_a A_a weights; the variation of the works is the geometric part.
   std::vector<TangentBlock> blocks;
+  Laps laps(effect_times_, effects_.scalar_fields());
   blocks.push_back(
       traction_block(linear.patch, traction_penalty(node) * linear.traction_work * linear.gap_variation.transpose()));
+  laps.traction();
   for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
     const int field = linear.patch.fields[k];
     if (!passes(loads, field, node)) continue;
@@ -88,6 +90,7 @@ std::vector<TangentBlock> ContactPass::law_tangent(Index node, const NodeLineari
     const Patch columns = field_columns(linear.patch, field);
     blocks.push_back({linear.patch.of_field(field, false), columns,
                       factor * linear.jumps[k].weights * jump_row(linear.jumps[k], columns).transpose()});
+    laps.field(field);
   }
   return blocks;
 }
@@ -107,16 +110,20 @@ std::vector<TangentBlock> ContactPass::geometric_tangent(const FacetPair& pair, 
           {patch.of_field(field, false), columns, MatrixXd::Zero(displacements.nodes(), columns.layout().size())});
     }
   }
-  const std::vector<PointMotion> motions = points_->motions(pair, primary.position, secondary.position);
-  for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    const PointContact point = contact(pair, pair.points[q], loads, primary, secondary, dt);
-    const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
+  Laps laps(effect_times_, effects_.scalar_fields());
+  const std::vector<VaryingPoint> points = varying_points(pair, loads, primary, secondary, dt);
+  laps.shared();
+  for (const auto& [point, vary] : points) {
     traction += traction_tangent(point.kinematics, vary, point.loads, displacements);
-    for (std::size_t k = 0; k < blocks.size(); ++k) {
-      const auto index = static_cast<Index>(k);
+  }
+  laps.traction();
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const auto index = static_cast<Index>(k);
+    for (const auto& [point, vary] : points) {
       blocks[k].values += flux_tangent(point.kinematics, vary, point.loads, index, point.values.col(index),
                                        blocks[k].columns.layout());
     }
+    laps.field(patch.fields[k]);
   }
   blocks.push_back(traction_block(patch, std::move(traction)));
   return blocks;

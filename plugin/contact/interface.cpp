@@ -69,11 +69,12 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 }
 
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
-  const TaskClock timed = clock(Task::stiffness);
+  TaskClock timed = clock(Task::stiffness);
   bool changed = false;
   for (const Pass& pass : passes_) {
     const bool pass_changed = pass.integral->begin_iteration(fields[pass.side], fields[other(pass.side)]);
     changed = changed || pass_changed;
+    timed.take(pass.integral->effect_times(), thread_count());
   }
   hold_facing_contact();
   return changed;
@@ -138,16 +139,18 @@ void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, 
   TaskClock timed = clock(Task::stiffness);
   for (const Pass& pass : passes_) {
     pass.integral->tangent(fields[pass.side], fields[other(pass.side)], dt, [&](const TangentBlock& block) {
-      timed.in_host([&] { add({pass.side, block.rows}, {pass.side, block.columns}, block.values); });
+      timed.in_host(block.rows, [&] { add({pass.side, block.rows}, {pass.side, block.columns}, block.values); });
     });
+    timed.take(pass.integral->effect_times(), thread_count());
   }
 }
 
 void ContactInterface::for_each_coupling(const std::function<void(const Location&)>& use) const {
   TaskClock timed = clock(Task::stiffness);
   for (const Pass& pass : passes_) {
-    pass.integral->for_each_coupling(position_[pass.side], position_[other(pass.side)],
-                                     [&](const Patch& patch) { timed.in_host([&] { use({pass.side, patch}); }); });
+    pass.integral->for_each_coupling(position_[pass.side], position_[other(pass.side)], [&](const Patch& patch) {
+      timed.in_host(patch, [&] { use({pass.side, patch}); });
+    });
   }
 }
 

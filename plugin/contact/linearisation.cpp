@@ -109,45 +109,82 @@ std::vector<ContactPass::NodeLinearisation> ContactPass::linearise_corners(const
   if (!carries_load(pair, loads.in_contact)) return corners;
   const Patch patch = facet_patch(pair);
   corners.assign(patch.primary.size(), zero_linearisation(patch));
-  const std::vector<PointMotion> motions = points_->motions(pair, primary.position, secondary.position);
-  for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    const double weight = pair.points[q].weight;
-    const PointContact point = contact(pair, pair.points[q], loads, primary, secondary, 1.0);
-    const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
-    for (std::size_t a = 0; a < corners.size(); ++a) {
-      const int node = patch.primary[a];
-      if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
-      const auto corner = static_cast<Index>(a);
-      const PointShare share{weight * point.psi[corner],
-                             weight * (point.psi[corner] * vary.weight + point.psi_gradient.row(corner) * vary.xi)};
-      add_point(corners[a], loads, node, point, vary, share);
+  Laps laps(effect_times_, effects_.scalar_fields());
+  const std::vector<VaryingPoint> points = varying_points(pair, loads, primary, secondary, 1.0);
+  const auto for_each_corner_of_points = [&](const auto& use) {
+    for (const VaryingPoint& point : points) {
+      for (std::size_t a = 0; a < corners.size(); ++a) {
+        const int node = patch.primary[a];
+        if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
+        use(corners[a], node, point, share_of(point, static_cast<Index>(a)));
+      }
     }
+  };
+  laps.shared();
+  for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
+    add_gap(linear, loads, node, point, share);
+  });
+  laps.traction();
+  for (std::size_t k = 0; k < patch.fields.size(); ++k) {
+    for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
+      add_jump(linear, k, loads, node, point, share);
+    });
+    laps.field(patch.fields[k]);
   }
   return corners;
 }
 
-void ContactPass::add_point(NodeLinearisation& linear, const NodalLoads& loads, Index node, const PointContact& contact,
-                            const KinematicVariations& vary, const PointShare& share) {
-  // g_a = INT psi_a g da / A_a, so dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a; jumps alike, with
-  // their fields' own part.
-  const PointKinematics& point = contact.kinematics;
+std::vector<VaryingPoint> ContactPass::varying_points(const FacetPair& pair, const NodalLoads& loads,
+                                                      const SurfaceFields& primary, const SurfaceFields& secondary,
+                                                      double dt) const {
+  const std::vector<PointMotion> motions = points_->motions(pair, primary.position, secondary.position);
+  std::vector<VaryingPoint> points;
+  points.reserve(pair.points.size());
+  for (std::size_t q = 0; q < pair.points.size(); ++q) {
+    PointContact point = contact(pair, pair.points[q], loads, primary, secondary, dt);
+    const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
+    points.push_back({std::move(point), vary});
+  }
+  return points;
+}
+
+PointShare ContactPass::share_of(const VaryingPoint& point, Index corner) {
+  const double weight = point.contact.loads.weight;
+  const double psi = point.contact.psi[corner];
+  return {weight * psi, weight * (psi * point.vary.weight + point.contact.psi_gradient.row(corner) * point.vary.xi)};
+}
+
+namespace {
+
+/// First variation of an average over a node, g_a = INT psi_a g da / A_a:
+/// dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
+PairVariation<1> mean_variation(const WeightedVariation& varied, double mean, double area) {
+  return (varied.integral - mean * varied.area) / area;
+}
+
+}  // namespace
+
+void ContactPass::add_gap(NodeLinearisation& linear, const NodalLoads& loads, Index node, const VaryingPoint& point,
+                          const PointShare& share) {
+  const PointKinematics& kinematics = point.contact.kinematics;
   const LocalLayout layout = linear.patch.of_displacements().layout();
-  const PairVector h = point.jump_weights();
-  const auto mean_variation = [](const WeightedVariation& varied, double mean, double area) {
-    return PairVariation<1>((varied.integral - mean * varied.area) / area);
-  };
-  linear.gap_variation += mean_variation(gap_variation(point, vary, share), loads.gap[node], loads.area[node]);
+  const PairVector h = kinematics.jump_weights();
+  linear.gap_variation += mean_variation(gap_variation(kinematics, point.vary, share), loads.gap[node],
+                                         loads.area[node]);
   for (Index n = 0; n < layout.nodes(); ++n) {
-    linear.traction_work.segment<3>(layout.displacement(n, 0)) += share.value * h[n] * point.area_vector;
+    linear.traction_work.segment<3>(layout.displacement(n, 0)) += share.value * h[n] * kinematics.area_vector;
   }
-  for (std::size_t k = 0; k < contact.fields.size(); ++k) {
-    const int field = contact.fields[k];
-    const double area = loads.flux_area(field, node);
-    const PairVector values = contact.values.col(static_cast<Index>(k));
-    const WeightedVariation varied = jump_variation(point, vary, share, values);
-    linear.jumps[k].drift += mean_variation(varied, loads.jump(field, node), area);
-    linear.jumps[k].weights += share.value * point.area / area * h;
-  }
+}
+
+void ContactPass::add_jump(NodeLinearisation& linear, std::size_t k, const NodalLoads& loads, Index node,
+                           const VaryingPoint& point, const PointShare& share) {
+  const PointKinematics& kinematics = point.contact.kinematics;
+  const int field = point.contact.fields[k];
+  const double area = loads.flux_area(field, node);
+  const PairVector values = point.contact.values.col(static_cast<Index>(k));
+  const WeightedVariation varied = jump_variation(kinematics, point.vary, share, values);
+  linear.jumps[k].drift += mean_variation(varied, loads.jump(field, node), area);
+  linear.jumps[k].weights += share.value * kinematics.area / area * kinematics.jump_weights();
 }
 
 std::vector<ContactPass::NodeLinearisation> ContactPass::linearise(const NodalLoads& loads,

@@ -1,6 +1,10 @@
 /// Loops that OpenMP's threads share, with results that do not depend on how many threads there are.
 #pragma once
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -11,6 +15,15 @@ namespace mixture_contact {
 
 /// Results of in_order() that are held at once: enough to keep threads busy, few enough for the cache.
 inline constexpr std::size_t batch_size = 512;
+
+/// How many threads share a loop.
+inline int thread_count() {
+#ifdef _OPENMP
+  return omp_get_max_threads();
+#else
+  return 1;
+#endif
+}
 
 /// Calls body(i) for each i below `count`, in any order and on several threads; it may write only to what belongs to i.
 /// Rethrows one of the exceptions that bodies throw.

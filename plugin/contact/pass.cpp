@@ -11,7 +11,8 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       effects_(effects),
       settings_(settings),
       penalties_(at_nodes(penalties(primary, secondary, effects, settings), primary)),
-      points_(point_finder(primary.facets, secondary.facets, settings)) {
+      points_(point_finder(primary.facets, secondary.facets, settings)),
+      effect_times_(effects.scalar_fields()) {
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_growth.setOnes(effects.scalar_fields());

@@ -5,6 +5,7 @@
 #include "penalty.h"
 #include "point_integral.h"
 #include "points.h"
+#include "times.h"
 
 #include <functional>
 #include <optional>
@@ -51,6 +52,12 @@ struct PointContact {
   std::vector<int> fields;     ///< exchanged scalar fields here, as indices into Effects' order
   PairFields values;           ///< their nodal values
   PointLoads loads;  ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
+};
+
+/// A point with the first variations of its kinematics.
+struct VaryingPoint {
+  PointContact contact;
+  KinematicVariations vary;
 };
 
 /// The integral over one surface. Evaluations are const; only project() replaces the pairs, only augment (through
@@ -131,6 +138,8 @@ class ContactPass {
   const std::vector<FacetPair>& pairs() const { return pairs_; }
   /// Penalties of the primary nodes.
   const Penalties& penalty() const { return penalties_; }
+  /// What linearising and tangent() spend on single effects; whoever times them takes it.
+  EffectTimes& effect_times() const { return effect_times_; }
 
   Multipliers multipliers;
 
@@ -203,8 +212,13 @@ class ContactPass {
                                            const SurfaceFields& secondary) const;
   static NodeLinearisation zero_linearisation(const Patch& patch);
   static void add(NodeLinearisation& sum, const NodeLinearisation& pair);
-  static void add_point(NodeLinearisation& linear, const NodalLoads& loads, Index node, const PointContact& contact,
-                        const KinematicVariations& vary, const PointShare& share);
+  std::vector<VaryingPoint> varying_points(const FacetPair& pair, const NodalLoads& loads, const SurfaceFields& primary,
+                                           const SurfaceFields& secondary, double dt) const;
+  static PointShare share_of(const VaryingPoint& point, Index corner);
+  static void add_gap(NodeLinearisation& linear, const NodalLoads& loads, Index node, const VaryingPoint& point,
+                      const PointShare& share);
+  static void add_jump(NodeLinearisation& linear, std::size_t k, const NodalLoads& loads, Index node,
+                       const VaryingPoint& point, const PointShare& share);
   std::vector<NodeLinearisation> linearise_corners(const FacetPair& pair, const NodalLoads& loads,
                                                    const SurfaceFields& primary, const SurfaceFields& secondary) const;
   std::vector<TangentBlock> law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
@@ -244,7 +258,8 @@ class ContactPass {
   std::unique_ptr<PointFinder> points_;
   std::vector<FacetPair> pairs_;
   std::optional<Held> held_;
-  double touch_ = 0;  ///< distance at which surfaces touch to rounding [mm]
+  mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
+  double touch_ = 0;                  ///< distance at which surfaces touch to rounding [mm]
 };
 
 }  // namespace mixture_contact

@@ -1,10 +1,11 @@
 /// Where the time of a contact goes: by task and by effect, from clocks around pairs of facets and around whole tasks.
 #pragma once
 
-#include "types.h"
+#include "patch.h"
 
 #include <array>
 #include <chrono>
+#include <mutex>
 #include <utility>
 
 namespace mixture_contact {
@@ -25,10 +26,12 @@ struct Spent {
   double shared = 0;    ///< what all effects need: search, geometry, status
   double traction = 0;  ///< the traction alone
   VectorXd fields;      ///< each exchanged scalar field alone, in the order of Effects
-  double host = 0;      ///< taking over residuals and matrices: the host's own work
+  double host = 0;      ///< of all these: the host's own work of taking over residuals, profile and matrices
 
   explicit Spent(Index count = 0) : fields(VectorXd::Zero(count)) {}
-  double total() const { return shared + traction + fields.sum() + host; }
+  double total() const { return shared + traction + fields.sum(); }
+  /// What the equations of a patch are about: one field, or else the traction.
+  double& of(const Patch& rows) { return rows.fields.empty() ? traction : fields[rows.fields.front()]; }
 
   Spent& operator+=(const Spent& more) {
     shared += more.shared;
@@ -75,8 +78,49 @@ class Times {
   std::array<Spent, all_tasks.size()> spent_;
 };
 
-/// Times a task from construction to destruction. What has not been charged meanwhile, to an effect, the host, or by
-/// another clock of the same task, is shared.
+/// Seconds that threads spend on single effects; a clock of the task takes them over.
+class EffectTimes {
+ public:
+  explicit EffectTimes(Index fields) : spent_(fields) {}
+
+  void add(const Spent& spent) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    spent_ += spent;
+  }
+  /// What has been added since the last call.
+  Spent take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(spent_, Spent(spent_.fields.size()));
+  }
+
+ private:
+  std::mutex mutex_;
+  Spent spent_;
+};
+
+/// Charges the work on one pair of facets to effects, on any thread: each call charges what has passed since the last.
+class Laps {
+ public:
+  Laps(EffectTimes& times, Index fields) : times_(times), spent_(fields) {}
+  Laps(const Laps&) = delete;
+  Laps& operator=(const Laps&) = delete;
+  Laps(Laps&&) = delete;
+  Laps& operator=(Laps&&) = delete;
+  ~Laps() { times_.add(spent_); }
+
+  /// Work for all effects: left to the clock of the task.
+  void shared() { watch_.lap(); }
+  void traction() { spent_.traction += watch_.lap(); }
+  void field(int k) { spent_.fields[k] += watch_.lap(); }
+
+ private:
+  EffectTimes& times_;
+  Spent spent_;
+  Stopwatch watch_;
+};
+
+/// Times a task from construction to destruction. What has not been charged meanwhile, to an effect or by another clock
+/// of the same task, is shared.
 class TaskClock {
  public:
   explicit TaskClock(Spent& spent) : spent_(spent), before_(spent.total()) {}
@@ -86,12 +130,27 @@ class TaskClock {
   TaskClock& operator=(TaskClock&&) = delete;
   ~TaskClock() { spent_.shared += watch_.lap() - (spent_.total() - before_); }
 
-  /// Calls something of the host's.
+  /// Calls something of the host's that is about the equations of a patch.
+  template <class Call>
+  void in_host(const Patch& rows, const Call& call) {
+    Stopwatch watch;
+    call();
+    const double seconds = watch.lap();
+    spent_.of(rows) += seconds;
+    spent_.host += seconds;
+  }
+  /// The same about all equations of a patch.
   template <class Call>
   void in_host(const Call& call) {
     Stopwatch watch;
     call();
     spent_.host += watch.lap();
+  }
+  /// Takes over what threads have charged to effects, `threads` at a time.
+  void take(EffectTimes& times, int threads) {
+    const Spent spent = times.take();
+    spent_.traction += spent.traction / threads;
+    spent_.fields += spent.fields / threads;
   }
 
  private:

@@ -42,8 +42,8 @@ std::vector<std::string> headings(const Effects& effects) {
   std::vector<std::string> names{"shared", "traction"};
   if (effects.solvent) names.emplace_back("solvent");
   for (const int solute : effects.solutes) names.push_back("solute " + std::to_string(solute + 1));
-  names.emplace_back("host");
   names.emplace_back("all");
+  names.emplace_back("of it host");
   return names;
 }
 
@@ -56,8 +56,8 @@ std::string scientific(double value) {
 std::string seconds(std::string_view title, const Spent& spent) {
   std::vector<double> values{spent.shared, spent.traction};
   values.insert(values.end(), spent.fields.begin(), spent.fields.end());
-  values.push_back(spent.host);
   values.push_back(spent.total());
+  values.push_back(spent.host);
   std::vector<std::string> entries;
   for (const double value : values) entries.push_back(scientific(value));
   return row(title, entries);

@@ -29,16 +29,34 @@ BOOST_AUTO_TEST_CASE(a_clock_within_another_of_the_same_task_counts_once) {
   BOOST_TEST(spent.total() <= watch.peek());
 }
 
-BOOST_AUTO_TEST_CASE(what_the_host_does_is_not_shared) {
-  Spent spent;
+BOOST_AUTO_TEST_CASE(what_the_host_does_for_an_effect_is_charged_to_it) {
+  Spent spent(2);
   const Stopwatch watch;
   {
     TaskClock clock(spent);
+    clock.in_host(Patch{{0}, {0}, {1}}, wait);
+    clock.in_host(Patch{{0}, {0}, {}}, wait);
     clock.in_host(wait);
   }
-  BOOST_TEST(spent.host >= 2e-3);
-  BOOST_TEST(spent.shared >= 0);
+  for (const double seconds : {spent.fields[1], spent.traction, spent.shared}) BOOST_TEST(seconds >= 2e-3);
+  BOOST_TEST(spent.fields[0] == 0);
+  BOOST_TEST(spent.host >= 6e-3);
   BOOST_TEST(spent.total() <= watch.peek());
+}
+
+BOOST_AUTO_TEST_CASE(what_threads_charge_is_taken_over_once) {
+  EffectTimes times(1);
+  {
+    Laps laps(times, 1);
+    laps.shared();
+    wait();
+    laps.field(0);
+  }
+  Spent spent(1);
+  TaskClock(spent).take(times, 2);
+  BOOST_TEST(spent.fields[0] >= 1e-3);
+  BOOST_TEST(spent.traction == 0);
+  BOOST_TEST(times.take().total() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(every_task_of_a_contact_is_timed) {
@@ -51,5 +69,8 @@ BOOST_AUTO_TEST_CASE(every_task_of_a_contact_is_timed) {
   contact->balance(scene.fields);
   for (const Task task : all_tasks) BOOST_TEST(contact->times()[task].total() > 0);
   BOOST_TEST(contact->times()[Task::residual].host >= 2e-3);
+  const Spent& stiffness = contact->times()[Task::stiffness];
+  for (const double seconds : {stiffness.shared, stiffness.traction, stiffness.fields[0], stiffness.fields[1]})
+    BOOST_TEST(seconds > 0);
   BOOST_TEST(contact->times().sum().total() >= contact->times()[Task::residual].total());
 }

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from harness.price.measure import Price
 from harness.price.table import TASKS, Times
 
-COLOURS = {"shared": "#9a9a9a", "traction": "#4c72b0", "solvent": "#55a868", "host": "#dddddd"}
+COLOURS = {"shared": "#9a9a9a", "traction": "#4c72b0", "solvent": "#55a868"}
 SOLUTE_COLOURS = ("#dd8452", "#c44e52", "#da8bc3", "#8c613c")
 TASK_COLOURS = dict(zip(TASKS, ("#4c72b0", "#55a868", "#c44e52", "#dd8452", "#9a9a9a"), strict=True))
 
@@ -45,7 +45,7 @@ def _effect_colours(scenes: Mapping[str, Times]) -> dict[str, str]:
     names = dict.fromkeys(effect for times in scenes.values() for effect in times.effects)
     solutes = sorted(name for name in names if name not in COLOURS)
     drawn = COLOURS | dict(zip(solutes, SOLUTE_COLOURS, strict=False))
-    order = ("shared", "traction", "solvent", *solutes, "host")
+    order = ("shared", "traction", "solvent", *solutes)
     return {name: drawn[name] for name in order if name in names}
 
 
@@ -56,11 +56,16 @@ def _by_task(times: Times) -> dict[str, float]:
 def scenes_table(scenes: Mapping[str, Times]) -> str:
     """Milliseconds per scene and effect, as Markdown."""
     effects = list(_effect_colours(scenes))
-    lines = [f"| scene | {' | '.join(effects)} | all | share of the run |", "|---" * (len(effects) + 3) + "|"]
+    lines = [
+        f"| scene | {' | '.join(effects)} | all | of it in FEBio's assembly | share of the run |",
+        "|---" * (len(effects) + 4) + "|",
+    ]
     for name, times in scenes.items():
         own = times.effects
         cells = [f"{1e3 * own[effect]:.1f}" if effect in own else "" for effect in effects]
-        lines.append(f"| {name} | {' | '.join(cells)} | {1e3 * times.total:.1f} | {100 * times.share:.1f}% |")
+        lines.append(
+            f"| {name} | {' | '.join(cells)} | {1e3 * times.total:.1f} | {1e3 * times.host:.1f} | {100 * times.share:.1f}% |"
+        )
     return "\n".join(lines)
 
 

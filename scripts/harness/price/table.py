@@ -22,14 +22,16 @@ class Times:
     contact : str
         Its name in the model.
     seconds : dict of str to dict of str to float
-        By task, one of `TASKS`, and then by effect: ``shared``, ``traction``, ``solvent``, ``solute 1`` and so on,
-        ``host``.
+        By task, one of `TASKS`, and then by effect: ``shared``, ``traction``, ``solvent``, ``solute 1`` and so on.
+    host : float
+        s of all these that the host takes for its own assembly.
     run : float
         s, of the whole run.
     """
 
     contact: str
     seconds: dict[str, dict[str, float]]
+    host: float
     run: float
 
     @property
@@ -63,12 +65,13 @@ def read(log: str) -> list[Times]:
 
 def _table(name: str, lines: list[str]) -> Times:
     try:
-        effects = _COLUMNS.split(lines[0].strip())[:-1]
+        effects = _COLUMNS.split(lines[0].strip())[:-2]
         rows = [_COLUMNS.split(line.strip()) for line in lines[1 : len(TASKS) + 1]]
-        seconds = {row[0]: dict(zip(effects, map(float, row[1:-1]), strict=True)) for row in rows}
+        seconds = {row[0]: dict(zip(effects, map(float, row[1:-2]), strict=True)) for row in rows}
+        host = float(_COLUMNS.split(lines[len(TASKS) + 1].strip())[-1])
         share = _SHARE.match(lines[len(TASKS) + 2])
         if tuple(seconds) != TASKS or not share:
             raise ValueError(f"tasks {', '.join(seconds)}")
-        return Times(name, seconds, float(share["run"]))
+        return Times(name, seconds, host, float(share["run"]))
     except (IndexError, ValueError) as error:
         raise DataFileError(f'the log\'s table of times of the contact "{name}" is not one ({error})') from error
