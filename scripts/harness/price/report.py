@@ -63,9 +63,8 @@ def scenes_table(scenes: Mapping[str, Times]) -> str:
     for name, times in scenes.items():
         own = times.effects
         cells = [f"{1e3 * own[effect]:.1f}" if effect in own else "" for effect in effects]
-        lines.append(
-            f"| {name} | {' | '.join(cells)} | {1e3 * times.total:.1f} | {1e3 * times.host:.1f} | {100 * times.share:.1f}% |"
-        )
+        sums = f"{1e3 * times.total:.1f} | {1e3 * times.host:.1f} | {100 * times.share:.1f}%"
+        lines.append(f"| {name} | {' | '.join(cells)} | {sums} |")
     return "\n".join(lines)
 
 
