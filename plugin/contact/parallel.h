@@ -1,10 +1,6 @@
 /// Loops that OpenMP's threads share, with results that do not depend on how many threads there are.
 #pragma once
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -18,11 +14,12 @@ inline constexpr std::size_t batch_size = 512;
 
 /// How many threads share a loop.
 inline int thread_count() {
+  int threads = 0;
 #ifdef _OPENMP
-  return omp_get_max_threads();
-#else
-  return 1;
+#pragma omp parallel default(none) reduction(+ : threads)
 #endif
+  threads += 1;
+  return threads;
 }
 
 /// Calls body(i) for each i below `count`, in any order and on several threads; it may write only to what belongs to i.

@@ -84,12 +84,12 @@ class EffectTimes {
   explicit EffectTimes(Index fields) : spent_(fields) {}
 
   void add(const Spent& spent) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     spent_ += spent;
   }
   /// What has been added since the last call.
   Spent take() {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::scoped_lock lock(mutex_);
     return std::exchange(spent_, Spent(spent_.fields.size()));
   }
 
