@@ -1,5 +1,7 @@
 #include "facet.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -250,22 +252,73 @@ FacetHessian shape_hessian(FacetType type, const Vector2d& xi) {
   throw std::logic_error("unknown facet type");
 }
 
-FacetGradient multiplier_gradient(FacetType type, const FacetGradient& gradient) {
-  FacetGradient result(gradient.rows(), 2);
-  for (Index i = 0; i < 2; ++i) result.col(i) = multiplier_shape(type, gradient.col(i));
-  return result;
+namespace {
+
+/// A place on a linear piece of a facet.
+struct SubPlace {
+  Vector2d xi;            ///< in the piece's own parametric coordinates
+  Eigen::Matrix2d slope;  ///< derivatives of these with the facet's
+};
+
+SubPlace place_on(const SubFacet& piece, FacetType type, const Vector2d& xi) {
+  const auto corner = [&](std::size_t a) { return parametric_node(type, piece.nodes[a]); };
+  const bool triangle = is_triangle(piece.type);
+  Eigen::Matrix2d edges;
+  edges << corner(1) - corner(0), corner(triangle ? 2 : 3) - corner(0);
+  const double size = triangle ? 1 : 2;  // of the piece's domain, which begins at its first corner
+  const Eigen::Matrix2d slope = size * edges.inverse();
+  return {parametric_node(piece.type, 0) + slope * (xi - corner(0)), slope};
 }
 
-FacetVector multiplier_shape(FacetType type, const FacetVector& shape) {
-  if (type != FacetType::tri6 && type != FacetType::quad8) return shape;
-  constexpr double alpha = 0.2;
-  const Index corners = is_triangle(type) ? 3 : 4;
-  FacetVector psi = shape;
-  for (Index mid = 0; mid < corners; ++mid) {
-    // Mid-edge node `mid` lies between corner `mid` and the next.
-    psi[mid] += alpha * shape[corners + mid];
-    psi[(mid + 1) % corners] += alpha * shape[corners + mid];
-    psi[corners + mid] *= 1 - 2 * alpha;
+}  // namespace
+
+const std::vector<SubFacet>& sub_facets(FacetType type) {
+  using Type = FacetType;
+  static const std::vector<SubFacet> triangle{{Type::tri3, {0, 1, 2}}};
+  static const std::vector<SubFacet> four_triangles{
+      {Type::tri3, {0, 3, 5}}, {Type::tri3, {3, 1, 4}}, {Type::tri3, {5, 4, 2}}, {Type::tri3, {3, 4, 5}}};
+  static const std::vector<SubFacet> six_triangles{{Type::tri3, {0, 3, 6}}, {Type::tri3, {3, 1, 6}},
+                                                   {Type::tri3, {1, 4, 6}}, {Type::tri3, {4, 2, 6}},
+                                                   {Type::tri3, {2, 5, 6}}, {Type::tri3, {5, 0, 6}}};
+  static const std::vector<SubFacet> quadrilateral{{Type::quad4, {0, 1, 2, 3}}};
+  static const std::vector<SubFacet> four_quadrilaterals{{Type::quad4, {0, 4, 8, 7}},
+                                                         {Type::quad4, {4, 1, 5, 8}},
+                                                         {Type::quad4, {8, 5, 2, 6}},
+                                                         {Type::quad4, {7, 8, 6, 3}}};
+  if (edge_degree(type) == 1) return is_triangle(type) ? triangle : quadrilateral;
+  if (!is_triangle(type)) return four_quadrilaterals;
+  return type == Type::tri6 ? four_triangles : six_triangles;
+}
+
+int sub_facet_at(FacetType type, const Vector2d& xi) {
+  const std::vector<SubFacet>& pieces = sub_facets(type);
+  const auto outside = [&](const SubFacet& piece) {
+    return distance_outside(piece.type, place_on(piece, type, xi).xi);
+  };
+  const auto nearest = std::min_element(
+      pieces.begin(), pieces.end(),
+      [&](const SubFacet& one, const SubFacet& another) { return outside(one) < outside(another); });
+  return static_cast<int>(nearest - pieces.begin());
+}
+
+ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi) {
+  if (edge_degree(type) == 1) return shape_functions(type, xi);
+  const SubFacet& own = sub_facets(type)[static_cast<std::size_t>(sub_facet)];
+  const SubPlace place = place_on(own, type, xi);
+  const ShapeFunctions linear = shape_functions(own.type, place.xi);
+  const Index nodes = node_count(type);
+  ShapeFunctions psi{FacetVector::Zero(nodes), FacetGradient::Zero(nodes, 2)};
+  const auto add = [&](Index node, Index corner, double share) {
+    psi.value[node] += share * linear.value[corner];
+    psi.gradient.row(node) += share * linear.gradient.row(corner) * place.slope;
+  };
+  for (Index corner = 0; corner < linear.value.size(); ++corner) {
+    const Index node = own.nodes[static_cast<std::size_t>(corner)];
+    if (node < nodes) {
+      add(node, corner, 1);
+    } else {
+      for (Index mid = 4; mid < 8; ++mid) add(mid, corner, 0.25);
+    }
   }
   return psi;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace mixture_contact {
 
@@ -45,15 +46,27 @@ ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 /// Second derivatives of the shape functions with xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).
 FacetHessian shape_hessian(FacetType type, const Vector2d& xi);
 
-/// Shape functions psi_a of tractions, fluxes and multipliers, and the weights of nodal averages, from the values N_a
-/// of the ordinary ones: they span the same space, add up to 1, and have a positive integral each, which those of the
-/// corners of serendipity quadrilaterals and quadratic triangles have not: psi_corner = N_corner + alpha sum of the
-/// adjacent N_mid, psi_mid = (1 - 2 alpha) N_mid with alpha = 1/5 (Popp et al. 2012, SIAM J Sci Comput 34(4), B421).
-/// Shape (n).
-FacetVector multiplier_shape(FacetType type, const FacetVector& shape);
+/// A linear piece of a facet: a triangle or quadrilateral between some of its nodes, by their numbers in node order;
+/// the middle of an 8-node quadrilateral counts as node 8.
+struct SubFacet {
+  FacetType type;  ///< tri3 or quad4
+  std::array<int, 4> nodes;
+};
 
-/// Their derivatives with xi, from those of the ordinary shape functions; shape (n, 2).
-FacetGradient multiplier_gradient(FacetType type, const FacetGradient& gradient);
+/// The linear pieces between neighbouring nodes that a facet is made of: a linear facet itself; four quadrilaterals;
+/// four triangles, or six around the middle node. In parametric coordinates they are parallelograms or triangles.
+const std::vector<SubFacet>& sub_facets(FacetType type);
+
+/// The sub-facet that a place lies on, or lies nearest to, as its number in sub_facets().
+int sub_facet_at(FacetType type, const Vector2d& xi);
+
+/// Shape functions psi_a of tractions, fluxes and multipliers, and the weights of nodal averages: linear on each
+/// sub-facet (bilinear on quadrilaterals), 1 at their own node and 0 at the others; the value at the middle of an
+/// 8-node quadrilateral is the mean of its mid-edge nodes. They add up to 1 and are nowhere negative on the facet,
+/// which those of quadratic facets are not, so that every part of a facet has weights to average with (Puso, Laursen
+/// and Solberg 2008, Comput Methods Appl Mech Eng 197:555-566). `sub_facet`: that of the place, whose functions go on
+/// beyond it.
+ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
 
 /// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
 struct Facet {

@@ -214,7 +214,8 @@ std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
     if (!hit) return char{false};
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
-    const FacetVector shape = multiplier_shape(facet.type, shape_functions(facet.type, hit->eta).value);
+    const int sub_facet = sub_facet_at(facet.type, hit->eta);
+    const FacetVector shape = multiplier_functions(facet.type, sub_facet, hit->eta).value;
     return static_cast<char>(shape.dot(facet_values(facet, other_share)) >= covered);
   };
   in_order(in_contact.size(), is_faced, [&](std::size_t node, char faced) { in_contact[node] = faced != 0; });

@@ -5,8 +5,8 @@
 namespace mixture_contact {
 namespace {
 
-/// Of one pair of facets, per node of the primary one: INT psi_a da, INT |psi_a| da and INT psi_a g da.
-using GapSums = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, max_facet_nodes>;
+/// Of one pair of facets, per node of the primary one: INT psi_a da and INT psi_a g da.
+using GapSums = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, max_facet_nodes>;
 
 /// The same for the jumps of the fields that a pair exchanges; no fields where it carries no load.
 struct JumpSums {
@@ -19,17 +19,15 @@ struct JumpSums {
 
 void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
   loads.area.setZero(primary_.nodes);
-  loads.absolute_area.setZero(primary_.nodes);
   loads.gap.setZero(primary_.nodes);
   const auto sums_of = [&](std::size_t index) {
     const FacetPair& pair = pairs_[index];
-    GapSums sums = GapSums::Zero(3, node_count(primary_facet(pair).type));
+    GapSums sums = GapSums::Zero(2, node_count(primary_facet(pair).type));
     for (const IntegrationPoint& place : pair.points) {
       const PointKinematics point = kinematics(pair, place, x1, x2);
-      const FacetVector share = place.weight * point.area * multiplier_shape(pair, point);
+      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place);
       sums.row(0) += share;
-      sums.row(1) += share.cwiseAbs();
-      sums.row(2) += point.gap * share;
+      sums.row(1) += point.gap * share;
     }
     return sums;
   };
@@ -38,8 +36,7 @@ void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLo
     for (Index a = 0; a < sums.cols(); ++a) {
       const int node = facet.nodes[static_cast<std::size_t>(a)];
       loads.area[node] += sums(0, a);
-      loads.absolute_area[node] += sums(1, a);
-      loads.gap[node] += sums(2, a);
+      loads.gap[node] += sums(1, a);
     }
   });
   loads.gap = (loads.area.array() > 0).select(loads.gap.array() / loads.area.array(), 0.0);
@@ -58,7 +55,7 @@ void ContactPass::average_jumps(const SurfaceFields& primary, const SurfaceField
     sums.jump.setZero(static_cast<Index>(sums.fields.size()), sums.area.size());
     for (const IntegrationPoint& place : pair.points) {
       const PointKinematics point = kinematics(pair, place, primary.position, secondary.position);
-      const FacetVector share = place.weight * point.area * multiplier_shape(pair, point);
+      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place);
       const PairVector h = point.jump_weights();
       sums.area += share;
       for (std::size_t k = 0; k < sums.fields.size(); ++k) {

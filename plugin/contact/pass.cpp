@@ -39,8 +39,8 @@ const Facet& ContactPass::secondary_facet(const FacetPair& pair) const {
   return secondary_.facets[static_cast<std::size_t>(pair.secondary)];
 }
 
-FacetVector ContactPass::multiplier_shape(const FacetPair& pair, const PointKinematics& point) const {
-  return mixture_contact::multiplier_shape(primary_facet(pair).type, point.primary_shape);
+FacetVector ContactPass::multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const {
+  return multiplier_functions(primary_facet(pair).type, place.sub_facet, place.xi).value;
 }
 
 PointKinematics ContactPass::kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
@@ -81,8 +81,9 @@ PointContact ContactPass::contact(const FacetPair& pair, const IntegrationPoint&
   PointContact contact;
   contact.pair = &pair;
   contact.kinematics = kinematics(pair, place, primary.position, secondary.position);
-  contact.psi = multiplier_shape(pair, contact.kinematics);
-  contact.psi_gradient = multiplier_gradient(primary_facet(pair).type, contact.kinematics.primary_gradient);
+  const ShapeFunctions psi = multiplier_functions(primary_facet(pair).type, place.sub_facet, place.xi);
+  contact.psi = psi.value;
+  contact.psi_gradient = psi.gradient;
   contact.fields = exchanged_fields(pair);
   const auto fields = static_cast<Index>(contact.fields.size());
   contact.values.resize(contact.kinematics.nodes(), fields);

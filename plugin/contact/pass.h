@@ -32,10 +32,9 @@ struct Multipliers {
 /// Conditions at more points than that fight each other where meshes do not match, and some of them open and close in
 /// turn.
 struct NodalLoads {
-  VectorXd area;           ///< INT psi_a da over points that see the other surface [mm^2]
-  VectorXd absolute_area;  ///< INT |psi_a| da over the same points
-  VectorXd gap;            ///< g_a [mm]
-  VectorXd traction;       ///< t_a [MPa]; 0 out of contact
+  VectorXd area;      ///< INT psi_a da over points that see the other surface [mm^2]
+  VectorXd gap;       ///< g_a [mm]
+  VectorXd traction;  ///< t_a [MPa]; 0 out of contact
   std::vector<bool> in_contact;
   std::vector<bool> sealed;  ///< in contact, and so exchanging fluxes with the other side instead of with the bath
   MatrixXd flux_area;        ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]
@@ -174,7 +173,7 @@ class ContactPass {
 
   const Facet& primary_facet(const FacetPair& pair) const;
   const Facet& secondary_facet(const FacetPair& pair) const;
-  FacetVector multiplier_shape(const FacetPair& pair, const PointKinematics& point) const;
+  FacetVector multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const;
   PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
                              const Matrix3Xd& x2) const;
   PairVector pair_values(const FacetPair& pair, int field, const SurfaceFields& primary,

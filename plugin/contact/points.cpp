@@ -44,7 +44,7 @@ GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Fa
   for (std::size_t f = 0; f < primary.size(); ++f) {
     const FacetType type = primary[f].type;
     for (const QuadraturePoint& q : quadrature(type, order > 0 ? order : default_quadrature_order(type))) {
-      points_.push_back({static_cast<int>(f), q.xi, q.weight});
+      points_.push_back({static_cast<int>(f), q.xi, q.weight, sub_facet_at(type, q.xi)});
     }
   }
   seen_.assign(points_.size(), nothing_seen);
@@ -61,7 +61,7 @@ std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd&
   in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];
     seen_[q] = hit ? hit->facet : nothing_seen;
-    if (hit) add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight});
+    if (hit) add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
   return pairs;
 }
@@ -83,7 +83,8 @@ std::vector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Ma
     return intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
   };
   in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<RayHit>& hit) {
-    if (hit) add_point(pairs, points_[q].facet, seen_[q], {points_[q].xi, hit->eta, points_[q].weight});
+    const Point& point = points_[q];
+    if (hit) add_point(pairs, point.facet, seen_[q], {point.xi, hit->eta, point.weight, point.sub_facet});
   });
   return pairs;
 }

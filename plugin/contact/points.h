@@ -15,6 +15,7 @@ struct IntegrationPoint {
   Vector2d xi{0, 0};
   Vector2d eta{0, 0};
   double weight = 0;  ///< da1 = weight |a|
+  int sub_facet = 0;  ///< of the primary facet, that it lies on
 };
 
 /// A facet of the primary surface and one of the secondary surface that it sees, with the points in between.
@@ -69,6 +70,7 @@ class GaussPoints : public PointFinder {
     int facet = 0;
     Vector2d xi;
     double weight = 0;
+    int sub_facet = 0;
   };
 
   const std::vector<Facet>& primary_;

@@ -23,6 +23,7 @@ struct Place {
   Vector2d xi;
   double weight = 0;
   PointMotion motion;
+  int sub_facet = 0;  ///< of the primary facet
 };
 
 /// Nodal coordinates of a facet, and the columns of its nodes in variations; no columns: values only.
@@ -44,27 +45,15 @@ struct VaryingFacet {
 
 using ParametricPolygon = std::vector<Vector2d>;
 
-/// Convex polygons that make up a facet, by the parametric coordinates of their corners: the facet itself if it is
-/// linear, else four, with straight edges between neighbouring nodes and the centre.
+/// Convex polygons that make up a facet, by the parametric coordinates of their corners: its linear pieces.
 std::vector<ParametricPolygon> polygons(FacetType type) {
-  const int corners = is_triangle(type) ? 3 : 4;
-  const auto node = [&](int a) { return parametric_node(type, a); };
   std::vector<ParametricPolygon> result;
-  if (edge_degree(type) == 1) {
+  for (const SubFacet& piece : sub_facets(type)) {
     result.emplace_back();
-    for (int a = 0; a < corners; ++a) result.back().push_back(node(a));
-    return result;
-  }
-  for (int a = 0; a < corners; ++a) {
-    const Vector2d after = node(corners + a);
-    const Vector2d before = node(corners + (a + corners - 1) % corners);
-    if (is_triangle(type)) {
-      result.push_back({node(a), after, before});
-    } else {
-      result.push_back({node(a), after, parametric_centre(type), before});
+    for (int a = 0; a < node_count(piece.type); ++a) {
+      result.back().push_back(parametric_node(type, piece.nodes[static_cast<std::size_t>(a)]));
     }
   }
-  if (is_triangle(type)) result.push_back({node(3), node(4), node(5)});
   return result;
 }
 
@@ -99,7 +88,7 @@ std::optional<Place> carry(const VaryingFacet& facet, const VaryingVector& y, co
   const Eigen::Matrix<double, 3, 2> tangents = facet.x * shape.gradient;
   const Vector3d area_vector = tangents.col(0).cross(tangents.col(1));
   const double facing = area_vector.dot(n.value);
-  Place place{hit->eta, area.value / facing, {}};
+  Place place{hit->eta, area.value / facing, {}, 0};
   if (facet.nodes == 0) return place;
 
   // x1,alpha dxi_alpha - n ds = dy + s dn - N dx1
@@ -153,7 +142,10 @@ void add_places(std::vector<Place>& places, const VaryingFacet& primary, const P
 /// Integration points on the overlap of two facets, with their motion if the facets vary.
 std::vector<Place> overlap(const VaryingFacet& primary, const VaryingFacet& secondary, int order) {
   std::vector<Place> places;
-  for (const ParametricPolygon& corners : polygons(primary.type)) {
+  const std::vector<ParametricPolygon> parts = polygons(primary.type);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const ParametricPolygon& corners = parts[part];
+    const std::size_t first = places.size();
     const Polygon polygon = in_space(primary, corners);
     const VaryingVector n = normal_at(primary, middle(corners));
     const double area = twice_area(polygon, n.value);
@@ -166,6 +158,7 @@ std::vector<Place> overlap(const VaryingFacet& primary, const VaryingFacet& seco
         add_places(places, primary, piece, n, order, negligible_fraction * area);
       }
     }
+    for (std::size_t i = first; i < places.size(); ++i) places[i].sub_facet = static_cast<int>(part);
   }
   return places;
 }
@@ -212,7 +205,7 @@ FacetPair Segments::pair_of(const Facing& facing, const Matrix3Xd& x1, const Mat
     const Ray ray = normal_ray(one, x1, place.xi, 0, reach_outside);
     const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
     if (!hit) return {facing.primary, facing.secondary, {}};
-    pair.points.push_back({place.xi, hit->eta, place.weight});
+    pair.points.push_back({place.xi, hit->eta, place.weight, place.sub_facet});
   }
   return pair;
 }

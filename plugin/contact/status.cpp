@@ -7,9 +7,6 @@
 namespace mixture_contact {
 namespace {
 
-/// Of quadratic facets psi_a changes sign. An average over points that see the other surface only where it does would
-/// divide by next to nothing: its area must be this part of that of |psi_a|.
-constexpr double least_area = 0.1;
 /// Loads below this part of the largest one do not decide about contact: rounding, and what Newton leaves.
 constexpr double status_tolerance = 1e-6;
 /// Loads that differ by less than this part of the largest one are the same; and are near enough for a solution.
@@ -55,9 +52,7 @@ VectorXd field_at(const Patch& patch, int field, const SurfaceFields& primary, c
 
 }  // namespace
 
-bool ContactPass::seen(const NodalLoads& loads, Index node) {
-  return loads.area[node] > least_area * loads.absolute_area[node];
-}
+bool ContactPass::seen(const NodalLoads& loads, Index node) { return loads.area[node] > 0; }
 
 std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   NodalLoads loads;

@@ -1,6 +1,6 @@
 #include "contact/facet.h"
 
-#include "random_contact.h"
+#include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -71,6 +71,53 @@ BOOST_AUTO_TEST_CASE(gradients_are_the_differences_of_the_values) {
         const Vector2d step = 0.5 * Vector2d::Unit(i);
         const FacetVector difference = shape_functions(type, xi + step).value - shape_functions(type, xi - step).value;
         BOOST_TEST((shape_functions(type, xi).gradient.col(i) - difference).cwiseAbs().maxCoeff() <= rounding);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(multiplier_functions_are_shares_that_are_nowhere_negative) {
+  std::mt19937 random(4);
+  for (const FacetType type : all_facets) {
+    for (int sample = 0; sample < 200; ++sample) {
+      const Vector2d xi = random_inside(type, random);
+      const ShapeFunctions psi = multiplier_functions(type, sub_facet_at(type, xi), xi);
+      BOOST_TEST(std::abs(psi.value.sum() - 1) <= rounding);
+      BOOST_TEST(psi.value.minCoeff() >= -rounding);
+      BOOST_TEST(psi.gradient.colwise().sum().cwiseAbs().maxCoeff() <= rounding);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(multiplier_functions_are_linear_between_neighbouring_nodes) {
+  for (const FacetType type : all_facets) {
+    // Of linear functions, nodal values give back the function, and gradients its slope.
+    FacetVector nodal(node_count(type));
+    for (int a = 0; a < node_count(type); ++a) nodal[a] = 2 * parametric_node(type, a)[0] - parametric_node(type, a)[1];
+    for (const QuadraturePoint& q : piecewise_quadrature(type, 3)) {
+      const ShapeFunctions psi = multiplier_functions(type, sub_facet_at(type, q.xi), q.xi);
+      BOOST_TEST(std::abs(psi.value.dot(nodal) - (2 * q.xi[0] - q.xi[1])) <= rounding);
+      BOOST_TEST((psi.gradient.transpose() * nodal - Vector2d(2, -1)).norm() <= rounding);
+    }
+    for (int a = 0; a < node_count(type); ++a) {
+      const Vector2d place = parametric_node(type, a);
+      BOOST_TEST(std::abs(multiplier_functions(type, sub_facet_at(type, place), place).value[a] - 1) <= rounding);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(slopes_of_multiplier_functions_are_the_differences_of_the_values) {
+  std::mt19937 random(5);
+  for (const FacetType type : all_facets) {
+    const Vector2d xi = random_inside(type, random);
+    for (int piece = 0; piece < static_cast<int>(sub_facets(type).size()); ++piece) {
+      for (int i = 0; i < 2; ++i) {
+        // Linear in each coordinate, also beyond the piece: central differences have no truncation error.
+        const Vector2d step = 0.5 * Vector2d::Unit(i);
+        const FacetVector difference = multiplier_functions(type, piece, xi + step).value -
+                                       multiplier_functions(type, piece, xi - step).value;
+        const FacetVector slope = multiplier_functions(type, piece, xi).gradient.col(i);
+        BOOST_TEST((slope - difference).cwiseAbs().maxCoeff() <= rounding);
       }
     }
   }

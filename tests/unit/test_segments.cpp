@@ -1,6 +1,5 @@
 #include "contact/segments.h"
 
-#include "contact/quadrature.h"
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -29,13 +28,14 @@ std::vector<FacetPair> pairs_of(const Scene& scene, int order = 0) {
 }
 
 /// Kinematics at the points of all pairs.
-void for_each_point(const Scene& scene, const std::vector<FacetPair>& pairs,
-                    const std::function<void(const Facet&, const Facet&, double, const PointKinematics&)>& use) {
+void for_each_point(
+    const Scene& scene, const std::vector<FacetPair>& pairs,
+    const std::function<void(const Facet&, const Facet&, const IntegrationPoint&, const PointKinematics&)>& use) {
   for (const FacetPair& pair : pairs) {
     const Facet& one = scene.mesh[Side::primary].facets[static_cast<std::size_t>(pair.primary)];
     const Facet& two = scene.mesh[Side::secondary].facets[static_cast<std::size_t>(pair.secondary)];
     for (const IntegrationPoint& point : pair.points) {
-      use(one, two, point.weight,
+      use(one, two, point,
           point_kinematics(
               shape_functions(one.type, point.xi), facet_coordinates(one, scene.fields[Side::primary].position),
               shape_functions(two.type, point.eta), facet_coordinates(two, scene.fields[Side::secondary].position)));
@@ -43,17 +43,19 @@ void for_each_point(const Scene& scene, const std::vector<FacetPair>& pairs,
   }
 }
 
-/// INT psi_a f(x) da per node over a whole surface, by Gauss rules of high order facet by facet.
+/// INT psi_a f(x) da per node over a whole surface, by Gauss rules of high order piece by piece.
 VectorXd nodal_integrals(const SurfaceMesh& mesh, const Matrix3Xd& position, bool ordinary_shape,
                          const std::function<double(const Vector3d&)>& f) {
   VectorXd sum = VectorXd::Zero(mesh.nodes);
   for (const Facet& facet : mesh.facets) {
     const FacetCoordinates x = facet_coordinates(facet, position);
-    for (const QuadraturePoint& q : quadrature(facet.type, 6)) {
+    for (const QuadraturePoint& q : piecewise_quadrature(facet.type, 6)) {
       const ShapeFunctions shape = shape_functions(facet.type, q.xi);
       const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
       const double area = q.weight * tangents.col(0).cross(tangents.col(1)).norm();
-      const FacetVector psi = ordinary_shape ? shape.value : multiplier_shape(facet.type, shape.value);
+      const FacetVector psi = ordinary_shape
+                                  ? shape.value
+                                  : multiplier_functions(facet.type, sub_facet_at(facet.type, q.xi), q.xi).value;
       for (Index a = 0; a < psi.size(); ++a) {
         sum[facet.nodes[static_cast<std::size_t>(a)]] += area * psi[a] * f(x * shape.value);
       }
@@ -96,8 +98,8 @@ BOOST_AUTO_TEST_CASE(pieces_cover_facing_squares_exactly_whatever_their_division
         const Scene scene = squares(one, two, cells_one, cells_two);
         double area = 0;
         for_each_point(scene, pairs_of(scene),
-                       [&](const Facet&, const Facet&, double weight, const PointKinematics& point) {
-                         area += weight * point.area;
+                       [&](const Facet&, const Facet&, const IntegrationPoint& place, const PointKinematics& point) {
+                         area += place.weight * point.area;
                          BOOST_TEST(std::abs(point.gap + 0.0625) <= exact);
                        });
         BOOST_TEST(std::abs(area - 1) <= exact);
@@ -115,13 +117,14 @@ BOOST_AUTO_TEST_CASE(weighted_integrals_of_an_affine_gap_are_exact) {
         Matrix3Xd& x2 = scene.fields[Side::secondary].position;
         for (Index node = 0; node < x2.cols(); ++node) x2(2, node) = gap(x2.col(node));
         VectorXd sum = VectorXd::Zero(scene.mesh[Side::primary].nodes);
-        for_each_point(scene, pairs_of(scene, 4),
-                       [&](const Facet& facet, const Facet&, double weight, const PointKinematics& point) {
-                         const FacetVector psi = multiplier_shape(facet.type, point.primary_shape);
-                         for (Index a = 0; a < psi.size(); ++a) {
-                           sum[facet.nodes[static_cast<std::size_t>(a)]] += weight * point.area * psi[a] * point.gap;
-                         }
-                       });
+        for_each_point(
+            scene, pairs_of(scene, 4),
+            [&](const Facet& facet, const Facet&, const IntegrationPoint& place, const PointKinematics& point) {
+              const FacetVector psi = multiplier_functions(facet.type, place.sub_facet, place.xi).value;
+              for (Index a = 0; a < psi.size(); ++a) {
+                sum[facet.nodes[static_cast<std::size_t>(a)]] += place.weight * point.area * psi[a] * point.gap;
+              }
+            });
         const VectorXd expected = nodal_integrals(scene.mesh[Side::primary], scene.fields[Side::primary].position,
                                                   false, gap);
         BOOST_TEST((sum - expected).norm() <= exact);
@@ -137,9 +140,10 @@ BOOST_AUTO_TEST_CASE(a_uniform_load_reaches_the_nodes_of_the_other_side_exactly)
         const Scene scene = squares(one, two, cells_one, cells_two);
         VectorXd sum = VectorXd::Zero(scene.mesh[Side::secondary].nodes);
         for_each_point(
-            scene, pairs_of(scene), [&](const Facet&, const Facet& facet, double weight, const PointKinematics& point) {
+            scene, pairs_of(scene),
+            [&](const Facet&, const Facet& facet, const IntegrationPoint& place, const PointKinematics& point) {
               for (Index b = 0; b < point.secondary_shape.size(); ++b) {
-                sum[facet.nodes[static_cast<std::size_t>(b)]] += weight * point.area * point.secondary_shape[b];
+                sum[facet.nodes[static_cast<std::size_t>(b)]] += place.weight * point.area * point.secondary_shape[b];
               }
             });
         const VectorXd expected = nodal_integrals(scene.mesh[Side::secondary], scene.fields[Side::secondary].position,
@@ -160,10 +164,11 @@ BOOST_AUTO_TEST_CASE(a_smaller_square_turned_in_the_plane_is_covered_exactly) {
       double area = 0;
       VectorXd sum = VectorXd::Zero(scene.mesh[Side::secondary].nodes);
       for_each_point(
-          scene, pairs_of(scene), [&](const Facet&, const Facet& facet, double weight, const PointKinematics& point) {
-            area += weight * point.area;
+          scene, pairs_of(scene),
+          [&](const Facet&, const Facet& facet, const IntegrationPoint& place, const PointKinematics& point) {
+            area += place.weight * point.area;
             for (Index b = 0; b < point.secondary_shape.size(); ++b) {
-              sum[facet.nodes[static_cast<std::size_t>(b)]] += weight * point.area * point.secondary_shape[b];
+              sum[facet.nodes[static_cast<std::size_t>(b)]] += place.weight * point.area * point.secondary_shape[b];
             }
           });
       BOOST_TEST(std::abs(area - 0.36) <= exact);
@@ -175,7 +180,7 @@ BOOST_AUTO_TEST_CASE(a_smaller_square_turned_in_the_plane_is_covered_exactly) {
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_covered_in_part_carries_the_exact_force_and_flows) {
-  for (const FacetType one : {FacetType::tri3, FacetType::quad4}) {
+  for (const FacetType one : all_facets) {
     for (const FacetType two : all_facets) {
       Scene scene = squares(one, two, 3, 2);
       Matrix3Xd& x2 = scene.fields[Side::secondary].position;
@@ -188,6 +193,13 @@ BOOST_AUTO_TEST_CASE(a_surface_covered_in_part_carries_the_exact_force_and_flows
       BOOST_TEST(std::abs(balance.flow[0] - 2 * 0.25 * 0.36) <= exact);
       const GlobalLayout layout(scene);
       const VectorXd residual = assembled_residual(*scene.contact(), layout, scene.fields, 1);
+      // The loads of the covering surface's nodes are those of a uniform traction and flux.
+      const VectorXd shares = nodal_integrals(scene.mesh[Side::secondary], x2, true,
+                                              [](const Vector3d&) { return 1.0; });
+      for (Index node = 0; node < shares.size(); ++node) {
+        BOOST_TEST(std::abs(residual[layout.entry(Side::secondary, node, 2)] - 4 * 0.0625 * shares[node]) <= exact);
+        BOOST_TEST(std::abs(residual[layout.entry(Side::secondary, node, 3)] + 2 * 0.25 * shares[node]) <= exact);
+      }
       for (Index component = 0; component < layout.per_node(); ++component) {
         double sum = 0;
         for (Index i = component; i < layout.size(); i += layout.per_node()) sum += residual[i];

@@ -1,4 +1,3 @@
-#include "contact/quadrature.h"
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -145,11 +144,13 @@ double inf_sup_constant(FacetType one, FacetType two, int cells_one, int cells_t
     MatrixXd sum = MatrixXd::Zero(mesh.nodes, mesh.nodes);
     for (const Facet& facet : mesh.facets) {
       const FacetCoordinates x = facet_coordinates(facet, scene.fields[side].position);
-      for (const QuadraturePoint& q : quadrature(facet.type, 4)) {
+      for (const QuadraturePoint& q : piecewise_quadrature(facet.type, 4)) {
         const ShapeFunctions shape = shape_functions(facet.type, q.xi);
         const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
         const double area = q.weight * tangents.col(0).cross(tangents.col(1)).norm();
-        const FacetVector n = of_multipliers ? multiplier_shape(facet.type, shape.value) : shape.value;
+        const FacetVector n = of_multipliers
+                                  ? multiplier_functions(facet.type, sub_facet_at(facet.type, q.xi), q.xi).value
+                                  : shape.value;
         for (Index a = 0; a < n.size(); ++a) {
           for (Index b = 0; b < n.size(); ++b) {
             sum(facet.nodes[static_cast<std::size_t>(a)], facet.nodes[static_cast<std::size_t>(b)]) += area * n[a] *
@@ -182,8 +183,9 @@ double inf_sup_constant(FacetType one, FacetType two, int cells_one, int cells_t
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_multiplier_space_is_stable_on_finer_and_coarser_surfaces) {
-  // The primary field alone controls its multipliers: they span the same space, so the constant is 1 at least, up to
-  // the quadrature of the secondary field, whatever the ratio of the meshes and however fine they are.
+  // The primary field alone controls its multipliers, whatever the ratio of the meshes and however fine they are. On
+  // linear facets they span the same space, so the constant is 1 at least, up to the quadrature of the secondary field;
+  // on quadratic ones it is 0.43 at least (docs/theory.md).
   for (const FacetType one : all_facets) {
     for (const FacetType two : {FacetType::tri3, FacetType::quad4, FacetType::quad8}) {
       for (const auto& [cells_one, cells_two] :
@@ -191,7 +193,7 @@ BOOST_AUTO_TEST_CASE(the_multiplier_space_is_stable_on_finer_and_coarser_surface
         const double constant = inf_sup_constant(one, two, cells_one, cells_two);
         BOOST_TEST_MESSAGE(static_cast<int>(one) << " " << static_cast<int>(two) << ", " << cells_one << " to "
                                                  << cells_two << ": " << constant);
-        BOOST_TEST(constant >= 0.99);
+        BOOST_TEST(constant >= (edge_degree(one) == 1 ? 0.99 : 0.43));
       }
     }
   }

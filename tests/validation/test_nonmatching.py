@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -40,6 +42,16 @@ PATCHES = {
 }
 
 
+_LARGE, _TURNED = Block((3, 3), width=2.0), Block((2, 2), angle=30.0)
+_PRISMS = replace(_LARGE, wedges=True), replace(_TURNED, wedges=True)
+QUADRATIC = {
+    "hex20, turned, partly covered": NonMatching(_LARGE, _TURNED, held=True, nodes=20),
+    "hex27, turned, partly covered": NonMatching(_LARGE, _TURNED, held=True, nodes=27),
+    "penta15, turned, partly covered": NonMatching(*_PRISMS, held=True, nodes=20),
+    "hex20, 2 to 3": NonMatching(Block((2, 2)), Block((3, 3)), nodes=20),
+}
+
+
 def relative_errors(outcome, exact):
     """Largest error of each field at the last time over its largest value."""
     nodes = outcome.nodes
@@ -49,12 +61,16 @@ def relative_errors(outcome, exact):
 def patch(name, settings):
     slug = "".join(letter if letter.isalnum() else "-" for letter in name)
     return NonMatching(
-        **{**vars(PATCHES[name]), "settings": settings, "name": f"{slug}-{settings.integration}-{settings.laugon}"}
+        **{
+            **vars((PATCHES | QUADRATIC)[name]),
+            "settings": settings,
+            "name": f"{slug}-{settings.integration}-{settings.laugon}",
+        }
     )
 
 
 @pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
-@pytest.mark.parametrize("name", PATCHES)
+@pytest.mark.parametrize("name", [*PATCHES, *QUADRATIC])
 def test_uniform_traction_and_linear_fields_are_exact(runner, name, settings):
     chosen = patch(name, settings)
     outcome = runner(chosen.model())

@@ -201,7 +201,7 @@ def _mesh(mesh: Mesh, root: Element) -> None:
     for name, facets in mesh.surfaces.items():
         surface = child(section, "Surface", name=name)
         for face, ids in enumerate(facets, 1):
-            child(surface, f"{'tri' if len(ids) == 3 else 'quad'}{len(ids)}", tuple(map(int, ids)), id=str(face))
+            child(surface, f"{'tri' if len(ids) in (3, 6) else 'quad'}{len(ids)}", tuple(map(int, ids)), id=str(face))
     for name, (primary, secondary) in mesh.pairs.items():
         pair = child(section, "SurfacePair", name=name)
         child(pair, "primary", primary)
@@ -210,7 +210,7 @@ def _mesh(mesh: Mesh, root: Element) -> None:
 
 def _element_type(nodes: int) -> str:
     """FEBio's name of a solid element with this many nodes."""
-    return "penta6" if nodes == 6 else f"hex{nodes}"
+    return f"penta{nodes}" if nodes in (6, 15) else f"hex{nodes}"
 
 
 def _sections(model: Model, root: Element) -> None:

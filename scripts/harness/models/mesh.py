@@ -24,8 +24,8 @@ class Part:
     ----------
     name, material : str
         Names in the model file.
-    elements : ndarray of int, shape (n_elements, 8), (n_elements, 20) or (n_elements, 6)
-        Node numbers, from 1, in FEBio's order of hex8, hex20 or penta6.
+    elements : ndarray of int, shape (n_elements, 8, 20, 27, 6 or 15)
+        Node numbers, from 1, in FEBio's order of hex8, hex20, hex27, penta6 or penta15.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Mesh:
         Reference positions, mm.
     parts : tuple of Part
     node_sets : dict of str to ndarray of int
-    surfaces : dict of str to ndarray of int, shape (n_facets, 3, 4 or 8)
+    surfaces : dict of str to ndarray of int, shape (n_facets, 3, 4, 6, 8 or 9)
         Facets whose nodes turn counterclockwise seen from outside the body.
     pairs : dict of str to (str, str)
         Primary and secondary surface of each contact pair.

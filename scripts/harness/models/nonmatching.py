@@ -16,6 +16,7 @@ from harness.models.header import header
 from harness.models.interface import ContactSettings, Join, contacts
 from harness.models.mesh import Box, Ids, Mesh, Nodes, Part, assemble
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Control, concentration, displace, fix, pressure
+from harness.models.quadratic import quadratic
 
 CLOSING = 1e-3
 """mm by which the upper block's top is pressed down."""
@@ -71,6 +72,8 @@ class NonMatching:
         Whether all displacements, pressures and concentrations of the lower block are given, which keeps the field
         exact where its surface is not covered.
     lower_is_primary : bool
+    nodes : int
+        Of a hexahedron: 8, 20 or 27; prisms have 15 instead of 6 where it is not 8.
     name : str
     """
 
@@ -79,12 +82,15 @@ class NonMatching:
     settings: ContactSettings | None = None
     held: bool = False
     lower_is_primary: bool = True
+    nodes: int = 8
     join: Join = Join.MIXTURE
     name: str = "non-matching"
 
     def model(self) -> Model:
         """The model of these choices."""
         mesh = _mesh(self.lower, self.upper, layers=1 if self.held else 2, lower_is_primary=self.lower_is_primary)
+        if self.nodes != 8:
+            mesh = quadratic(mesh, self.nodes)
         conditions = (
             fix("all", "xy"),
             fix("lower" if self.held else "lower-bottom", "z"),

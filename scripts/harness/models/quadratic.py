@@ -1,0 +1,77 @@
+"""Meshes of linear elements made quadratic: nodes in the middle of edges, and of faces and elements where asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from harness.models.blocks import EDGES
+from harness.models.mesh import Ids, Mesh, Nodes, Part
+
+Group = tuple[int, ...]
+
+_PRISM = ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5))
+_FACES = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (0, 3, 2, 1), (4, 5, 6, 7))
+ADDED: dict[int, tuple[Group, ...]] = {15: _PRISM, 20: EDGES, 27: (*EDGES, *_FACES, tuple(range(8)))}
+"""By the nodes of an element: the corners in whose middle each node after the corners lies, in FEBio's order."""
+
+
+class _Middles:
+    """Nodes in the middle of groups of others, each made once."""
+
+    def __init__(self, nodes: Nodes) -> None:
+        self.positions = list(nodes)
+        self.of: dict[frozenset[int], int] = {}
+
+    def __call__(self, corners: Sequence[int]) -> int:
+        """Number, from 1, of the node in the middle of others."""
+        key = frozenset(corners)
+        if key not in self.of:
+            self.positions.append(np.mean([self.positions[corner - 1] for corner in corners], axis=0))
+            self.of[key] = len(self.positions)
+        return self.of[key]
+
+
+def quadratic(mesh: Mesh, nodes: int) -> Mesh:
+    """The same mesh with quadratic elements.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Of hex8 and penta6.
+    nodes : int
+        Of a hexahedron, 20 or 27. Prisms have 15, so their quadrilateral faces suit 20.
+
+    Returns
+    -------
+    Mesh
+        A new node is in a set if all nodes that it lies between are.
+    """
+    middle = _Middles(mesh.nodes)
+    parts = tuple(_part(part, nodes, middle) for part in mesh.parts)
+    surfaces = {name: _facets(facets, nodes, middle) for name, facets in mesh.surfaces.items()}
+    sets = {name: _grown(ids, middle) for name, ids in mesh.node_sets.items()}
+    return replace(mesh, nodes=np.array(middle.positions), parts=parts, node_sets=sets, surfaces=surfaces)
+
+
+def _part(part: Part, nodes: int, middle: _Middles) -> Part:
+    added = ADDED[15 if part.elements.shape[1] == 6 else nodes]
+    rows = [[*ids, *(middle([ids[corner] for corner in group]) for group in added)] for ids in part.elements.tolist()]
+    return replace(part, elements=np.array(rows, dtype=np.int64))
+
+
+def _facets(facets: Ids, nodes: int, middle: _Middles) -> Ids:
+    rows = []
+    for corners in facets.tolist():
+        edges = [middle(ends) for ends in pairwise([*corners, corners[0]])]
+        centre = [middle(corners)] if nodes == 27 and len(corners) == 4 else []
+        rows.append([*corners, *edges, *centre])
+    return np.array(rows, dtype=np.int64)
+
+
+def _grown(ids: Ids, middle: _Middles) -> Ids:
+    own = frozenset(ids.tolist())
+    return np.array(sorted(own | {node for corners, node in middle.of.items() if corners <= own}), dtype=np.int64)
