@@ -10,7 +10,14 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness import indentation_figures, indentation_results, indentation_study
+from harness import (
+    indentation_convergence,
+    indentation_extremes,
+    indentation_figures,
+    indentation_results,
+    indentation_study,
+)
+from harness.indentation_convergence import Arrangement, Solved
 from harness.indentation_results import Curves
 from harness.indentation_study import Case, Configuration, Row
 from harness.models.indentation import END, TIMES, Variant
@@ -114,4 +121,39 @@ def indentation_study_command(
     path.write_text(indentation_study.table(rows) + "\n")
     console.print(f"Written: {path}")
     if any(row.reached < END for row in rows):
+        raise typer.Exit(1)
+
+
+def indentation_extremes_command(
+    only: Annotated[list[str] | None, typer.Option(help="Cases by name, instead of all.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where runs, table and picture go.")] = RESULTS,
+) -> None:
+    """Concentrations below 0 and above 1 mM in problem 3.3: beside bodies without contact, by mesh, and for d0 = d."""
+    runs = indentation_extremes.run(Runner(folder / "runs", timeout=None), only)
+    console.print(indentation_extremes.table(runs), markup=False)
+    console.print(f"Written: {indentation_extremes.draw(runs, folder / 'indentation-extremes.png')}")
+
+
+def indentation_convergence_command(
+    primary: Annotated[list[Arrangement] | None, typer.Option(help="Arrangements, instead of all.")] = None,
+    meshes: Annotated[int, typer.Option(min=1, max=3, help="How many, from the coarsest on.")] = 3,
+    folder: Annotated[Path, typer.Option(help="Where runs and the table go.")] = RESULTS,
+) -> None:
+    """Problem 3.3 on three meshes with the same steps: values at four times, observed orders. Takes half an hour."""
+
+    def tell(solved: Solved) -> None:
+        report = solved.outcome.report
+        console.print(
+            f"{solved.outcome.model.name}: {'done' if report.normal else 'ended early'}, {report.steps} steps, "
+            f"{report.iterations} iterations, {report.retries} retries, {solved.outcome.wall:.0f} s",
+            markup=False,
+        )
+
+    runner = Runner(folder / "runs", timeout=None)
+    runs = indentation_convergence.run(runner, primary or list(Arrangement), meshes, tell)
+    path = folder / "indentation-convergence.md"
+    path.write_text(indentation_convergence.table(runs) + "\n")
+    console.print(indentation_convergence.table(runs), markup=False)
+    console.print(f"Written: {path}")
+    if not all(solved.outcome.report.normal for solved in runs):
         raise typer.Exit(1)

@@ -30,7 +30,8 @@ class Curves:
     force : ndarray
         Force by which the round body's flat top is pressed down, N (of the modelled half or quarter).
     half_width : ndarray
-        Of the contact in the plane z = 0, along x, mm.
+        Of the contact in the plane z = 0, along x, mm: midway between the slab's last node that is sealed and the first
+        one that the bath wets.
     slab, cylinder : ndarray
         Solute in each body, nmol.
     outflow : ndarray
@@ -112,7 +113,7 @@ def _contact(model: Model, state: State) -> dict[str, float]:
         np.abs(field[slab] - found.sample(field[arc]))[touching] for field in (state.concentration, state.pressure)
     ]
     return {
-        "half_width": contact_line.half_width(points[:, 0], found.gap, NEAR),
+        "half_width": contact_line.half_width(points[:, 0], np.where(is_open(state)[slab], 1.0, -1.0)),
         "overlap": float(max(0.0, -found.gap.min())),
         "jump_c": float(jumps[0].max(initial=0.0)),
         "jump_p": float(jumps[1].max(initial=0.0)),

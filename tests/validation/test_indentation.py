@@ -8,6 +8,8 @@ import pytest
 from harness import contact_line, diagnosis, indentation_measures, solute_balance
 from harness.diagnosis import Ailment
 from harness.hexahedra import geometry, rule
+from harness.indentation_convergence import order
+from harness.indentation_extremes import OVERSHOOT, cases
 from harness.indentation_study import Configuration, febio_cases, mixture_cases
 from harness.models import blocks, indentation_mesh
 from harness.models.blocks import Body
@@ -236,3 +238,29 @@ def test_means_over_the_contact_are_of_what_is_closed():
     )
     assert gap == pytest.approx(0.1, rel=1e-3)
     assert jump == pytest.approx(-0.1)
+
+
+def test_observed_order():
+    assert order([1.0 + 4.0**-level for level in range(3)]) == pytest.approx(2.0)
+    assert np.isnan(order([1.0, 2.0, 1.5]))
+    assert np.isnan(order([1.0, 2.0]))
+
+
+def test_overshoot_of_a_sudden_front():
+    """The consistent mass matrix of linear elements on a line, and a front of height 1 at its first node."""
+    n = 40
+    mass = 4.0 * np.eye(n) + np.eye(n, k=1) + np.eye(n, k=-1)
+    error = np.linalg.solve(mass, -np.eye(n)[0])
+    assert -error[0] == pytest.approx(OVERSHOOT, rel=1e-12)
+
+
+def test_extremes_are_compared_on_the_same_mesh_and_steps():
+    made = cases()
+    whole, cut = made["no contact"], made["contact"]
+    assert not whole.contacts
+    assert whole.control == cut.control
+    np.testing.assert_array_equal(whole.mesh.nodes, cut.mesh.nodes)
+    assert (
+        made["contact, d0 = d"].mixture("slab").solutes[0].free_diffusivity
+        == cut.mixture("slab").solutes[0].diffusivity
+    )

@@ -78,6 +78,8 @@ class Indentation:
         Whether the round body's flat top is held along x (and z). Its edge is then a singular corner, where a fine mesh
         turns inside out.
     control : Control
+    gel : Mixture
+        Material of both bodies.
     module : str, optional
         The module that `join` asks for without it.
     name : str
@@ -91,6 +93,7 @@ class Indentation:
     sliding: bool = True
     gripped: bool = True
     control: Control = CONTROL
+    gel: Mixture = GEL
     module: str | None = None
     name: str = "indentation"
     plot: bool = False
@@ -104,7 +107,7 @@ class Indentation:
             header(self.name, self._about(), self.join),
             module,
             made,
-            {"slab": GEL, "cylinder": GEL},
+            {"slab": self.gel, "cylinder": self.gel},
             self._conditions(),
             self._control(module),
             contacts(self.join, made, self.settings),
@@ -129,7 +132,7 @@ class Indentation:
             *grip,
             displace("top", "y", -DEPTH, RAMP_CURVE),
             initial_concentration("slab", CONCENTRATION),
-            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * GEL.osmotic * CONCENTRATION),
+            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * self.gel.osmotic * CONCENTRATION),
         )
 
     def _control(self, module: str) -> Control:
