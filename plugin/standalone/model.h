@@ -117,8 +117,8 @@ struct StepControl {
 /// Time steps, and Newton's method with FEBio's convergence tests.
 struct Control {
   std::string module;
-  int steps = 0;
   double step_size = 0;  ///< [s]
+  double end = 0;        ///< [s]
   std::optional<StepControl> stepper;
   int max_reformations = 15;
   double displacement_tolerance = 1e-3;
@@ -132,8 +132,6 @@ struct Control {
   int max_searches = 5;
   bool clamp = false;  ///< negative concentrations are set to zero, as FEBio's solute solver does
   bool plot = true;
-
-  double end() const { return steps * step_size; }
 };
 
 /// A contact interface.

@@ -78,13 +78,16 @@ void read_solver(const Tag& section, Model& model) {
 
 void read_control(const Tag& section, Model& model) {
   Control& control = model.control;
-  section.allow_children({"analysis", "time_steps", "step_size", "plot_level", "time_stepper", "solver"});
+  section.allow_children({"analysis", "time_steps", "final_time", "step_size", "plot_level", "time_stepper", "solver"});
   if (const auto tag = section.find("analysis")) {
     if (tag->text() != "TRANSIENT") tag->fail("only \"TRANSIENT\" is supported");
   }
-  control.steps = section.child("time_steps").integer(1, most);
   control.step_size = positive(section.child("step_size"));
-  if (!std::isfinite(control.end()))
+  const Tag steps = section.child("time_steps");
+  const auto end = section.find("final_time");
+  if (end && steps.text() != "-1") end->fail("it counts only where time_steps is -1");
+  control.end = end ? positive(*end) : steps.integer(1, most) * control.step_size;
+  if (!std::isfinite(control.end))
     section.fail("the end of the analysis, time_steps x step_size, is not a finite number");
   if (const auto tag = section.find("plot_level")) {
     control.plot = tag->text() != "PLOT_NEVER";

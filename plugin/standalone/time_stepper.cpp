@@ -37,7 +37,7 @@ void TimeStepper::advance(double time, int iterations) {
   if (wanted_ != last) {
     log_.print("\nAUTO STEPPER: %s time step, dt = %g\n\n", wanted_ > last ? "increasing" : "decreasing", wanted_);
   }
-  increment_ = std::min(up_to_must_point(time, wanted_), model_.control.end() - time);
+  increment_ = std::min(up_to_must_point(time, wanted_), model_.control.end - time);
 }
 
 double TimeStepper::up_to_must_point(double time, double dt) {
@@ -46,7 +46,7 @@ double TimeStepper::up_to_must_point(double time, double dt) {
   const int curve = model_.control.stepper->must_points;
   if (curve < 0) return dt;
   const auto& points = model_.curves[static_cast<std::size_t>(curve)].points;
-  const double near = model_.control.end() * 1e-12;
+  const double near = model_.control.end * 1e-12;
   while (next_must_ < points.size() && points[next_must_][0] < time + near) ++next_must_;
   if (next_must_ == points.size() || points[next_must_][0] >= time + dt + near) return dt;
   at_must_point_ = true;

@@ -27,8 +27,7 @@ inline Material gel(int fields) {
 inline Model column(int fields, int count, double height) {
   Model model;
   model.control.module = "solute";
-  model.control.step_size = 1;
-  model.control.steps = 1;
+  model.control.step_size = model.control.end = 1;
   model.gas_constant = 8.314e-6;
   model.temperature = 298;
   model.solutes = fields > 4 ? 1 : 0;

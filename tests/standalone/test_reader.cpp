@@ -56,6 +56,7 @@ struct Mistake {
 const std::vector<Mistake> mistakes{
     {"<time_steps>5", "<time_steps>-5", "time_steps", "not an integer"},
     {"<time_steps>5", "<time_steps>99999999999999999999", "time_steps", "not an integer"},
+    {"<time_steps>5", "<final_time>50</final_time><time_steps>5", "final_time", "time_steps is -1"},
     {"<step_size>10", "<step_size>nan", "step_size", "not a finite number"},
     {"<step_size>10", "<step_size>1e308", "Control", "not a finite number"},
     {"<step_size>10", "<step_size>0", "step_size", "must be positive"},
@@ -70,6 +71,10 @@ const std::vector<Mistake> mistakes{
     {"<solute sol=\"1\">", "<solute sol=\"2\">", "solute", "does not exist"},
     {"<charge_number>0", "<charge_number>1", "charge_number", "not supported"},
     {"<node id=\"3\">", "<node id=\"2\">", "node", "used twice"},
+    {"<node id=\"3\">", "<node id=\"0\">", "node", "not an integer from 1"},
+    {"<node id=\"3\">", "<node id=\"99999999999\">", "node", "not an integer"},
+    {"<node id=\"3\">", "<node>", "node", "id is missing"},
+    {"<node id=\"3\">", "<node id=\"300\">", "elem", "node 3 does not exist"},
     {"1,2,3,4,5,6,7,8</elem>", "1,2,3,4,5,6,7,88</elem>", "elem", "node 88 does not exist"},
     {"1,2,3,4,5,6,7,8</elem>", "1,2,3,4,5,6,7</elem>", "elem", "needs 8 nodes"},
     {"1,2,3,4,5,6,7,8</elem>", "5,6,7,8,1,2,3,4</elem>", "elem", "inverted"},
@@ -88,6 +93,9 @@ const std::vector<Mistake> mistakes{
     {"<pt>10,1", "<pt>10", "pt", "expected 2 numbers"},
     {"<load_controller id=\"2\" type=\"loadcurve\">", "<load_controller id=\"2\" type=\"loadcurve\" lc=\"1\">",
      "load_controller", "not supported"},
+    {"<extend>CONSTANT", "<extend>REPEAT", "extend", "CONSTANT"},
+    {"type=\"loadcurve\"", "type=\"math\"", "load_controller", "loadcurve"},
+    {"<load_controller id=\"2\"", "<load_controller id=\"1\"", "load_controller", "count up"},
     {"type=\"sliding-mixture\"", "type=\"sliding-elastic\"", "contact", "not supported"},
     {"<penalty>100", "<penalty>-100", "contact", "<penalty>"},
     {"<penalty>100", "<penalty>1e400", "penalty", "not a finite number"},
@@ -160,7 +168,7 @@ BOOST_AUTO_TEST_CASE(the_model_is_read_as_it_stands) {
   BOOST_TEST(model.mesh.elements.size() == 2U);
   BOOST_TEST(model.materials.size() == 3U);
   BOOST_TEST(model.materials[0].fields() == 5);
-  BOOST_TEST(model.control.end() == 50);
+  BOOST_TEST(model.control.end == 50);
   BOOST_TEST(model.control.stepper->must_points == 1);
   BOOST_TEST(model.prescribed.size() == 6U);
   BOOST_TEST(model.curves[0].at(2.5) == 0.25);

@@ -1,0 +1,56 @@
+"""Hard cases in the embedded engine; `.ci/run` repeats them with its sanitizers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from harness.compare import missed
+from harness.errors import EngineNotFoundError
+from harness.hard_cases import checks
+from harness.hard_cases.catalogue import CASES
+from harness.hard_cases.scene import Fineness, Interface
+from harness.hosts import STANDALONE
+from harness.runner import Runner
+
+SELECTED = (
+    "touch-gap-1e-12",
+    "overlap-tenth",
+    "lost-and-regained",
+    "edge-on-face",
+    "corner-two-pass",
+    "slide-off-edge",
+    "warped-quads",
+    "slivers",
+    "stiffness-1e6",
+    "diffusivity-1e6",
+    "ten-decades",
+    "penalty-1e6",
+    "three-bodies",
+    "one-closes-one-opens",
+    "dropped",
+)
+"""Contact found, lost, at edges and on bad facets; extreme properties; several bodies. Each is quick."""
+
+
+@pytest.fixture(scope="module")
+def runner(tmp_path_factory: pytest.TempPathFactory) -> Runner:
+    """Runs models with the embedded engine."""
+    try:
+        STANDALONE.binaries(plugin=True)
+    except EngineNotFoundError as error:
+        pytest.skip(str(error))
+    return Runner(Path(tmp_path_factory.mktemp("runs")), host=STANDALONE)
+
+
+@pytest.mark.parametrize("name", SELECTED)
+def test_it_ends_balanced_and_with_nothing_undefined(runner, name):
+    case = CASES[name]
+    model = replace(case.scene.model(Fineness.COARSE, Interface.MIXTURE), surface_columns=(), facet_columns=())
+    run = runner(model)
+    assert missed([*checks.finite_and_bounded(run, case.undershoot), *checks.mass(run)]) == []
+    said = (run.folder / "screen.txt").read_text()
+    assert "runtime error" not in said
+    assert "Sanitizer" not in said
