@@ -1,57 +1,58 @@
 #include "columns.h"
 
-#include <charconv>
-#include <cstring>
+#include <algorithm>
 
 namespace standalone {
 namespace {
 
-/// 0, 1, 2 for x, y, z.
-std::optional<int> axis(const std::string& name, std::size_t at) {
-  constexpr const char* axes = "xyz";
-  const char* found = at + 1 == name.size() ? std::strchr(axes, name[at]) : nullptr;
-  return found != nullptr ? std::optional<int>(static_cast<int>(found - axes)) : std::nullopt;
+constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+
+NodeColumn nodal_value(int dof) {
+  return [dof](const Problem& problem, int node) { return problem.values()(dof, node); };
 }
 
-/// Index of the solute whose number, from 1, is all of a text.
-std::optional<int> solute(const std::string& number, int solutes) {
-  int value = 0;
-  const auto end = number.data() + number.size();
-  const auto result = std::from_chars(number.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end || value < 1 || value > solutes) return std::nullopt;
-  return value - 1;
+/// A value of a solute, by its index in the model's list; `value` takes its index in the material. 0 where the material
+/// lacks it.
+ElementColumn of_solute(int solute, const std::function<double(const Bodies::Average&, Index)>& value) {
+  return [=](const Bodies::Average& average, const Material& material) {
+    const auto& list = material.solutes;
+    const auto own = std::find_if(list.begin(), list.end(), [=](const Solute& s) { return s.index == solute; });
+    return own == list.end() ? 0.0 : value(average, own - list.begin());
+  };
 }
 
 }  // namespace
 
-std::optional<NodeColumn> node_column(const std::string& name, int solutes) {
-  using Kind = NodeColumn::Kind;
-  if (name == "p") return NodeColumn{Kind::value, pressure_dof};
-  if (const auto i = axis(name, 0)) return NodeColumn{Kind::position, *i};
-  if (const auto i = axis(name, 1); i && name[0] == 'u') return NodeColumn{Kind::value, *i};
-  if (const auto i = axis(name, 1); i && name[0] == 'R') return NodeColumn{Kind::reaction, *i};
-  if (name.empty() || name[0] != 'c') return std::nullopt;
-  const auto k = solute(name.substr(1), solutes);
-  return k ? std::optional<NodeColumn>({Kind::value, concentration_dof(*k)}) : std::nullopt;
+std::map<std::string, NodeColumn> node_columns(int solutes) {
+  std::map<std::string, NodeColumn> columns{{"p", nodal_value(pressure_dof)}};
+  for (int i = 0; i < 3; ++i) {
+    const std::string axis = axes[static_cast<std::size_t>(i)];
+    columns[axis] = [i](const Problem& p, int node) { return p.model().mesh.nodes(i, node) + p.values()(i, node); };
+    columns["u" + axis] = nodal_value(i);
+    columns["R" + axis] = [i](const Problem& problem, int node) { return problem.reaction(i, node); };
+  }
+  for (int k = 0; k < solutes; ++k) columns["c" + std::to_string(k + 1)] = nodal_value(concentration_dof(k));
+  return columns;
 }
 
-std::optional<ElementColumn> element_column(const std::string& name, int solutes) {
-  using Kind = ElementColumn::Kind;
-  if (name.empty()) return std::nullopt;
-  if (name == "p") return ElementColumn{Kind::pressure, 0, 0};
-  if (const auto i = axis(name, 1)) {
-    if (name[0] == 'w') return ElementColumn{Kind::solvent_flux, 0, *i};
-    if (name[0] == 's') return ElementColumn{Kind::stress, 0, *i};
-    if (name[0] == 'j' && solutes > 0) return ElementColumn{Kind::solute_flux, 0, *i};
+std::map<std::string, ElementColumn> element_columns(int solutes) {
+  using Average = Bodies::Average;
+  std::map<std::string, ElementColumn> columns{{"p", [](const Average& a, const Material&) { return a.pressure; }}};
+  const auto add_solute = [&](int solute, const std::string& number) {
+    columns["c" + number] = of_solute(solute, [](const Average& a, Index k) { return a.concentration[k]; });
+    for (Index i = 0; i < 3; ++i) {
+      columns["j" + number + axes[static_cast<std::size_t>(i)]] = of_solute(
+          solute, [i](const Average& a, Index k) { return a.solute_flux(i, k); });
+    }
+  };
+  for (Index i = 0; i < 3; ++i) {
+    const std::string axis = axes[static_cast<std::size_t>(i)];
+    columns["w" + axis] = [i](const Average& a, const Material&) { return a.solvent_flux[i]; };
+    columns["s" + axis] = [i](const Average& a, const Material&) { return a.stress(i, i); };
   }
-  if (name == "c" && solutes > 0) return ElementColumn{Kind::concentration, 0, 0};
-  if (name[0] == 'c') {
-    const auto k = solute(name.substr(1), solutes);
-    return k ? std::optional<ElementColumn>({Kind::concentration, *k, 0}) : std::nullopt;
-  }
-  const auto k = solute(name.substr(1, name.size() - 2), solutes);
-  const auto i = axis(name, name.size() - 1);
-  return name[0] == 'j' && k && i ? std::optional<ElementColumn>({Kind::solute_flux, *k, *i}) : std::nullopt;
+  if (solutes > 0) add_solute(0, "");
+  for (int k = 0; k < solutes; ++k) add_solute(k, std::to_string(k + 1));
+  return columns;
 }
 
 }  // namespace standalone

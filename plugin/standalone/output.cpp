@@ -1,5 +1,7 @@
 #include "output.h"
 
+#include "columns.h"
+#include "error.h"
 #include "vtk.h"
 
 #include <filesystem>
@@ -8,24 +10,13 @@
 namespace standalone {
 namespace {
 
-double element_value(const ElementColumn& column, const Bodies::Average& average, const Material& material) {
-  Index local = 0;
-  while (local < average.concentration.size() &&
-         material.solutes[static_cast<std::size_t>(local)].index != column.solute)
-    ++local;
-  const bool has_solute = local < average.concentration.size();
-  switch (column.kind) {
-    case ElementColumn::Kind::pressure:
-      return average.pressure;
-    case ElementColumn::Kind::solvent_flux:
-      return average.solvent_flux[column.axis];
-    case ElementColumn::Kind::concentration:
-      return has_solute ? average.concentration[local] : 0.0;
-    case ElementColumn::Kind::solute_flux:
-      return has_solute ? average.solute_flux(column.axis, local) : 0.0;
-    default:
-      return average.stress(column.axis, column.axis);
-  }
+/// Writes a line for each item: its number from 1, and its values of the columns.
+template <class Column, class... Item>
+void write_row(std::ofstream& stream, const DataFile& data, const std::map<std::string, Column>& columns, int number,
+               const Item&... item) {
+  stream << number;
+  for (const std::string& name : data.columns) stream << data.separator << columns.at(name)(item...);
+  stream << '\n';
 }
 
 }  // namespace
@@ -40,27 +31,9 @@ Output::Output(const Problem& problem, Log& log) : problem_(problem), log_(log) 
   }
 }
 
-double Output::node_value(const NodeColumn& column, int node) const {
-  switch (column.kind) {
-    case NodeColumn::Kind::position:
-      return problem_.model().mesh.nodes(column.dof, node) + problem_.values()(column.dof, node);
-    case NodeColumn::Kind::value:
-      return problem_.values()(column.dof, node);
-    default:
-      return problem_.reaction(column.dof, node);
-  }
-}
-
 void Output::write(int step, double time) {
   for (std::size_t table = 0; table < streams_.size(); ++table) write_data(table, step, time);
   if (problem_.model().control.plot) write_vtk(step, time);
-}
-
-void Output::write_row(std::size_t table, int item, const std::vector<double>& values) {
-  std::ofstream& stream = streams_[table];
-  stream << item;
-  for (const double value : values) stream << problem_.model().data[table].separator << value;
-  stream << '\n';
 }
 
 void Output::write_data(std::size_t table, int step, double time) {
@@ -68,32 +41,22 @@ void Output::write_data(std::size_t table, int step, double time) {
   const int solutes = problem_.model().solutes;
   log_.print("\nData Record #%zu\n%s\nStep = %d\nTime = %.9g\nData = %s\nFile = %s\n", table + 1,
              std::string(75, '=').c_str(), step, time, data.names.c_str(), data.file.c_str());
-  streams_[table] << "*Step  = " << step << "\n*Time  = " << std::setprecision(9) << time << "\n*Data  = " << data.names
-                  << '\n'
-                  << std::setprecision(12);
-  std::vector<double> row(data.columns.size());
+  std::ofstream& stream = streams_[table];
+  stream << "*Step  = " << step << "\n*Time  = " << std::setprecision(9) << time << "\n*Data  = " << data.names << '\n'
+         << std::setprecision(12);
   if (data.elements) {
-    for (std::size_t e = 0; e < problem_.bodies().elements(); ++e) {
-      const Bodies::Average average = problem_.bodies().average(e, problem_.values());
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the columns were checked when they were read
-        const ElementColumn column = element_column(data.columns[k], solutes).value();
-        row[k] = element_value(column, average, problem_.bodies().material(e));
-      }
-      write_row(table, static_cast<int>(e) + 1, row);
+    const auto columns = element_columns(solutes);
+    const Bodies& bodies = problem_.bodies();
+    for (std::size_t e = 0; e < bodies.elements(); ++e) {
+      write_row(stream, data, columns, static_cast<int>(e) + 1, bodies.average(e, problem_.values()),
+                bodies.material(e));
     }
   } else {
-    std::vector<NodeColumn> columns;
-    columns.reserve(row.size());
-    for (const std::string& name : data.columns) {
-      if (const auto column = node_column(name, solutes)) columns.push_back(*column);
-    }
-    for (int node = 0; node < problem_.values().cols(); ++node) {
-      for (std::size_t k = 0; k < row.size(); ++k) row[k] = node_value(columns[k], node);
-      write_row(table, node + 1, row);
-    }
+    const auto columns = node_columns(solutes);
+    for (int node = 0; node < problem_.values().cols(); ++node)
+      write_row(stream, data, columns, node + 1, problem_, node);
   }
-  streams_[table].flush();
+  stream.flush();
 }
 
 void Output::write_vtk(int step, double time) {

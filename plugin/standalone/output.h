@@ -1,7 +1,6 @@
 /// What a run writes beside its log: data files in FEBio's format, and files for ParaView.
 #pragma once
 
-#include "columns.h"
 #include "log.h"
 #include "problem.h"
 
@@ -19,9 +18,7 @@ class Output {
   void write(int step, double time);
 
  private:
-  double node_value(const NodeColumn& column, int node) const;
   void write_data(std::size_t table, int step, double time);
-  void write_row(std::size_t table, int item, const std::vector<double>& values);
   void write_vtk(int step, double time);
 
   const Problem& problem_;

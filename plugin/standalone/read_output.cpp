@@ -4,6 +4,16 @@
 #include <sstream>
 
 namespace standalone {
+namespace {
+
+template <class Column>
+void check_columns(const Tag& tag, const DataFile& file, const std::map<std::string, Column>& known) {
+  for (const std::string& name : file.columns) {
+    if (known.count(name) == 0) tag.fail("the data \"" + name + "\" are not supported; there is " + names_of(known));
+  }
+}
+
+}  // namespace
 
 void read_output(const Tag& section, Model& model) {
   section.allow_children({"logfile", "plotfile"});
@@ -28,10 +38,10 @@ void read_output(const Tag& section, Model& model) {
     std::istringstream names(file.names);
     for (std::string name; std::getline(names, name, ';');) file.columns.push_back(name);
     if (file.columns.empty()) tag.fail("the attribute data names no column");
-    for (const std::string& name : file.columns) {
-      const bool known = file.elements ? element_column(name, model.solutes).has_value()
-                                       : node_column(name, model.solutes).has_value();
-      if (!known) tag.fail("the data \"" + name + "\" are not supported");
+    if (file.elements) {
+      check_columns(tag, file, element_columns(model.solutes));
+    } else {
+      check_columns(tag, file, node_columns(model.solutes));
     }
     model.data.push_back(std::move(file));
   }

@@ -23,19 +23,20 @@ void read_output(const Tag& section, Model& model);
 Parameter read_parameter(const Tag& tag, const Model& model);
 /// The index of the load curve of the attribute lc; -1 if there is none.
 int read_curve(const Tag& tag, const Model& model);
-/// The value of a map under the name that an attribute gives; fails with the known names.
+/// The names in a map, to say what is allowed.
 template <class T>
-const T& named(const Tag& tag, const char* attribute, const std::map<std::string, T>& known);
-
+std::string names_of(const std::map<std::string, T>& known) {
+  std::vector<std::string> names;
+  for (const auto& pair : known) names.push_back(pair.first);
+  return listed(names);
+}
+/// The value of a map under the name that an attribute gives; fails with the known names.
 template <class T>
 const T& named(const Tag& tag, const char* attribute, const std::map<std::string, T>& known) {
   const std::string name = tag.attribute(attribute);
   const auto entry = known.find(name);
   if (entry != known.end()) return entry->second;
-  std::vector<std::string> names;
-  names.reserve(known.size());
-  for (const auto& pair : known) names.push_back(pair.first);
-  tag.fail(std::string(attribute) + " \"" + name + "\" does not exist; there is " + listed(names));
+  tag.fail(std::string(attribute) + " \"" + name + "\" does not exist; there is " + names_of(known));
 }
 
 }  // namespace standalone

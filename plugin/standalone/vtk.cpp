@@ -29,41 +29,37 @@ void write_file(const std::string& path, const char* type, const std::function<v
   xml.CloseElement();
 }
 
-void array(XMLPrinter& xml, const char* name, const char* type, Index components,
-           const std::function<void(std::ostream&)>& values) {
+template <class Values>
+void array(XMLPrinter& xml, const char* name, const char* type, const Values& values, int components = 1) {
   std::ostringstream text;
   text.precision(12);
-  values(text);
+  for (const auto value : values) text << value << ' ';
   xml.OpenElement("DataArray");
   xml.PushAttribute("Name", name);
   xml.PushAttribute("type", type);
-  xml.PushAttribute("NumberOfComponents", static_cast<int>(components));
+  xml.PushAttribute("NumberOfComponents", components);
   xml.PushAttribute("format", "ascii");
   xml.PushText(text.str().c_str());
   xml.CloseElement();
 }
 
 void matrix(XMLPrinter& xml, const char* name, const MatrixXd& columns) {
-  array(xml, name, "Float64", columns.rows(), [&](std::ostream& out) {
-    for (const double value : columns.reshaped()) out << value << ' ';
-  });
+  array(xml, name, "Float64", columns.reshaped(), static_cast<int>(columns.rows()));
 }
 
 void cells(XMLPrinter& xml, const Mesh& mesh) {
+  std::vector<int> nodes;
+  std::vector<int> ends;
+  std::vector<int> types;
+  for (const Element& element : mesh.elements) {
+    nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
+    ends.push_back(static_cast<int>(nodes.size()));
+    types.push_back(element.nodes.size() == 8 ? vtk_hexahedron : vtk_quadratic_hexahedron);
+  }
   xml.OpenElement("Cells");
-  array(xml, "connectivity", "Int32", 1, [&](std::ostream& out) {
-    for (const Element& element : mesh.elements) {
-      for (const int node : element.nodes) out << node << ' ';
-    }
-  });
-  array(xml, "offsets", "Int32", 1, [&](std::ostream& out) {
-    std::size_t end = 0;
-    for (const Element& element : mesh.elements) out << (end += element.nodes.size()) << ' ';
-  });
-  array(xml, "types", "UInt8", 1, [&](std::ostream& out) {
-    for (const Element& element : mesh.elements)
-      out << (element.nodes.size() == 8 ? vtk_hexahedron : vtk_quadratic_hexahedron) << ' ';
-  });
+  array(xml, "connectivity", "Int32", nodes);
+  array(xml, "offsets", "Int32", ends);
+  array(xml, "types", "UInt8", types);
   xml.CloseElement();
 }
 
