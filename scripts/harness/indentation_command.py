@@ -22,7 +22,6 @@ from harness.indentation_results import Curves
 from harness.indentation_study import Case, Configuration, Row
 from harness.models.indentation import END, TIMES, Variant
 from harness.models.interface import ContactSettings, Join
-from harness.models.parts import Param
 from harness.paths import RESULTS
 from harness.runner import Outcome, Runner
 
@@ -47,6 +46,18 @@ class Solver(str, Enum):
         return self is not Solver.UNCLAMPED
 
 
+class Enforcement(str, Enum):
+    """How the contact's conditions are enforced."""
+
+    PENALTY = "PENALTY"
+    AUGLAG = "AUGLAG"
+    LAGMULT = "LAGMULT"
+
+
+MOST_AUGMENTATIONS = 25
+"""Where a tolerance is given: enough for every tolerance that rounding allows."""
+
+
 def indentation(
     variant: Annotated[Variant, typer.Option(help="Which member of the family.")] = Variant.PLAIN,
     interface: Annotated[Join, typer.Option(help="What joins the bodies.")] = Join.MIXTURE,
@@ -55,6 +66,10 @@ def indentation(
         Configuration | None, typer.Option(help="A configuration of the study; the interface's defaults without it.")
     ] = None,
     segments: Annotated[bool, typer.Option("--segments", help="Segment integration (sliding-mixture only).")] = False,
+    laugon: Annotated[
+        Enforcement | None, typer.Option(help="Enforcement; that of the configuration without it.")
+    ] = None,
+    tolerance: Annotated[float | None, typer.Option(help="Relative tolerance of gaps and jumps.")] = None,
     free_top: Annotated[bool, typer.Option("--free-top", help="Let the round body's flat top slide.")] = False,
     folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
 ) -> None:
@@ -65,12 +80,14 @@ def indentation(
     problem = replace(variant.problem, join=interface, module=solver.module, clamp=solver.clamp)
     if configuration is not None:
         problem = replace(problem, settings=configuration.settings(), primary=configuration.primary)
+    settings = problem.settings or ContactSettings()
     if segments:
-        settings = problem.settings or ContactSettings()
-        problem = replace(
-            problem, settings=replace(settings, extra=(Param("integration", "segments"), *settings.extra))
-        )
-    problem = replace(problem, gripped=not free_top)
+        settings = replace(settings, integration="segments")
+    if laugon is not None:
+        settings = replace(settings, laugon=laugon.value)
+    if tolerance is not None:
+        settings = replace(settings, tolerance=tolerance, maxaug=MOST_AUGMENTATIONS)
+    problem = replace(problem, settings=None if settings == ContactSettings() else settings, gripped=not free_top)
     outcome = Runner(folder / "runs", timeout=None)(problem.model(), check=False)
     curves = indentation_results.curves(outcome)
     console.print(_summary(outcome, curves), markup=False)

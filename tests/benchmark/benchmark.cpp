@@ -1,4 +1,5 @@
-/// Times of the contact core per Newton iteration: against the number of threads, of facets and of effects.
+/// Times of the contact core per Newton iteration: against the number of threads, of facets (both
+/// integrations) and of effects.
 #include "surfaces.h"
 
 #ifdef _OPENMP
@@ -41,7 +42,9 @@ double timed(const Call& call) {
 /// A contact of two non-matching squares in full contact that moves a little before every iteration.
 class Case {
  public:
-  Case(std::string name, int facets, const Effects& effects) : name_(std::move(name)), scene_(grids(facets), effects) {
+  Case(std::string name, int facets, const Effects& effects, Integration integration = Integration::gauss)
+      : name_(std::move(name)), scene_(grids(facets), effects) {
+    scene_.settings.integration = integration;
     std::mt19937 random(1);
     const double size = 1 / std::sqrt(facets);
     scene_.disturb(0.05 * size, random);
@@ -148,7 +151,8 @@ void effects(int facets, int iterations) {
 void sizes(int most, int iterations) {
   for (int facets = 1000; facets <= most; facets *= 10) {
     std::vector<Case> cases;
-    cases.emplace_back("solid, solvent, solutes 1", facets, effects_of(true, 1));
+    cases.emplace_back("solid, solvent, solutes 1, Gauss points", facets, effects_of(true, 1));
+    cases.emplace_back("solid, solvent, solutes 1, segments", facets, effects_of(true, 1), Integration::segments);
     measure_in_turn(cases, iterations);
   }
 }
