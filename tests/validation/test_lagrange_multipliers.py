@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from harness import compare
+from harness.models import pairs
 from harness.models.confined import Confined
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
 from harness.models.mesh import Section
+from harness.models.pairs import Kind
 from harness.models.parts import Control
 
 LAGMULT = ContactSettings(laugon="LAGMULT")
@@ -57,3 +61,28 @@ def test_creep_in_the_biphasic_module_is_that_of_the_whole_body(context):
     whole = context.runner(Confined(Join.UNSPLIT, name="multipliers-creep-whole", **data).model())
     assert compare.largest_difference(cut, whole, "p") <= BAR * np.abs(whole.nodes["p"]).max()
     assert cut.report.iterations <= 1.05 * whole.report.iterations
+
+
+@pytest.mark.parametrize("primary", ["lower", "upper"])
+@pytest.mark.parametrize("upper", [Kind.ELASTIC, Kind.RIGID])
+def test_bodies_of_the_module_solid_are_those_of_a_converged_augmentation(runner, upper, primary):
+    pair = pairs.of_kinds(Kind.ELASTIC, upper, primary)
+    assert pair.module == "solid"
+    augmented = ContactSettings(laugon="AUGLAG", tolerance=1e-9, maxaug=20)
+    one, other = (
+        runner(replace(pair, settings=settings, name=f"{settings.laugon}-{pair.name}").model())
+        for settings in (LAGMULT, augmented)
+    )
+    assert compare.largest_difference(one, other, "uz") <= BAR * np.abs(other.nodes["uz"]).max()
+    assert one.report.iterations < other.report.iterations
+
+
+@pytest.mark.parametrize("primary", ["lower", "upper"])
+def test_a_free_rigid_body_under_a_force_goes_where_that_force_is_needed(runner, primary):
+    moved = replace(pairs.of_kinds(Kind.ELASTIC, Kind.RIGID, primary), settings=LAGMULT, name=f"moved-{primary}")
+    reached = runner(moved.model())
+    force = float(reached.surface("lower-top")["contact_force.z"][-1].item())
+    pushed = runner(replace(moved, force=force, name=f"pushed-{primary}").model())
+    assert pushed.report.retries == 0
+    assert np.max(np.abs(pushed.nodes["uz"][-1] - reached.nodes["uz"][-1])) <= 1e-6 * pairs.CLOSING
+    assert abs(pushed.surface("lower-top")["contact_force.z"][-1].item() / force - 1.0) <= 1e-6

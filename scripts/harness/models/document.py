@@ -218,8 +218,9 @@ def _sections(model: Model, root: Element) -> None:
     for condition in model.conditions:
         if condition.tag == "bc":
             condition.write(boundary)
-    for title, tag in (("Rigid", "rigid_bc"), ("Initial", "ic"), ("Loads", "surface_load")):
-        chosen = [condition for condition in model.conditions if condition.tag == tag]
+    sections = (("Rigid", ("rigid_bc", "rigid_load")), ("Initial", ("ic",)), ("Loads", ("surface_load",)))
+    for title, tags in sections:
+        chosen = [condition for condition in model.conditions if condition.tag in tags]
         section = child(root, title) if chosen else boundary
         for condition in chosen:
             condition.write(section)
@@ -298,7 +299,7 @@ def _check(model: Model) -> None:
 
 def _places(model: Model, condition: Condition) -> Iterable[str]:
     """What a condition of this kind may name."""
-    if condition.tag == "rigid_bc":
+    if condition.of_rigid_body:
         return [name for name, material in model.materials.items() if isinstance(material, Rigid)]
     return model.mesh.node_sets if condition.on_nodes else model.mesh.surfaces
 

@@ -30,6 +30,7 @@ from harness.models.parts import (
     initial_concentration,
     move_rigid,
     pressure,
+    push_rigid,
 )
 
 HEIGHT = 1.0
@@ -119,6 +120,8 @@ class Pair:
         Charge numbers of solutes 1, 2, ...
     primary : str
         The block whose surface is the primary one.
+    force : float, optional
+        N, by which an upper rigid block is pushed along z, where it is not moved by the given amount.
     """
 
     lower: Material
@@ -128,6 +131,7 @@ class Pair:
     settings: ContactSettings = field(default_factory=ContactSettings)
     charges: tuple[int, ...] = CHARGES
     primary: Literal["lower", "upper"] = "lower"
+    force: float | None = None
 
     def model(self) -> Model:
         """The model of these choices."""
@@ -144,7 +148,7 @@ class Pair:
             module=self.module,
             mesh=mesh,
             materials=bodies,
-            conditions=(*_held("lower", self.lower), *_held("upper", self.upper)),
+            conditions=(*_held("lower", self.lower), *self._moved()),
             control=Control(STEPS, STEP),
             contacts=contacts(Join.MIXTURE, mesh, settings),
             curves=(Curve(((0.0, 0.0), (STEP, 1.0))),),
@@ -153,6 +157,12 @@ class Pair:
             surface_columns=(*FORCES, SOLVENT_FLOW, *flows),
             part_columns={name: _fluxes(body) for name, body in bodies.items()},
         )
+
+    def _moved(self) -> list[Condition]:
+        """What holds and moves the upper block."""
+        if self.force is None:
+            return _held("upper", self.upper)
+        return [hold_rigid("upper", "xyuvw"), push_rigid("upper", "z", self.force, 1)]
 
 
 def _prepared(mesh: Mesh, primary: str) -> Mesh:

@@ -209,7 +209,7 @@ class Condition:
     Attributes
     ----------
     tag, kind : str
-        ``bc``, ``ic``, ``surface_load`` or ``rigid_bc``, and FEBio's type.
+        ``bc``, ``ic``, ``surface_load``, ``rigid_bc`` or ``rigid_load``, and FEBio's type.
     where : str
         Name of the node set, surface, or material of the rigid body.
     params : tuple of Param
@@ -225,10 +225,15 @@ class Condition:
         """Whether `where` is a node set."""
         return self.tag in ("bc", "ic")
 
+    @property
+    def of_rigid_body(self) -> bool:
+        """Whether `where` is the material of a rigid body."""
+        return self.tag in ("rigid_bc", "rigid_load")
+
     def write(self, parent: Element) -> None:
         """Append the condition to the section `parent`."""
         made = child(parent, self.tag, name=f"{self.kind} {self.where}", type=self.kind)
-        if self.tag == "rigid_bc":
+        if self.of_rigid_body:
             child(made, "rb", self.where)
         else:
             made.set("node_set" if self.on_nodes else "surface", self.where)
@@ -256,6 +261,11 @@ def move_rigid(material: str, axis: str, value: float, curve: int | None = None)
     """Prescribe the displacement (mm) of a rigid body along one axis."""
     params = (Param("dof", axis), Param("value", value, curve), Param("relative", False))
     return Condition("rigid_bc", "rigid_displacement", material, params)
+
+
+def push_rigid(material: str, axis: str, force: float, curve: int | None = None) -> Condition:
+    """Load a rigid body with a force (N) along one axis."""
+    return Condition("rigid_load", "rigid_force", material, (Param("dof", f"R{axis}"), Param("value", force, curve)))
 
 
 def pressure(where: str, value: float, curve: int | None = None) -> Condition:
