@@ -358,7 +358,7 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
 void FEMixtureContact::PrepStep() {
   disputes_ = 0;
   ambient_.synchronise();
-  if (parameters_.update_penalty) update_properties();
+  if (reads_properties_again(parameters_)) update_properties();
   if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();
 }
 

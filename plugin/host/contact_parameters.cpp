@@ -87,6 +87,10 @@ std::vector<std::string> notices(const ContactParameters& p) {
   return list;
 }
 
+bool reads_properties_again(const ContactParameters& parameters) {
+  return parameters.update_penalty || !parameters.concentration_penalty_given;
+}
+
 mixture_contact::Settings core_settings(const ContactParameters& p) {
   using namespace mixture_contact;
   Settings settings;

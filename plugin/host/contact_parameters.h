@@ -29,7 +29,7 @@ struct ContactParameters {
   bool pressure_penalty_given = false;
   bool concentration_penalty_given = false;
   bool auto_penalty = false;
-  bool update_penalty = true;
+  bool update_penalty = false;
 
   bool two_pass = false;
   bool symmetric_stiffness = false;
@@ -70,6 +70,10 @@ std::vector<std::string> complaints(const ContactParameters& parameters);
 
 /// What a user should know of parameters that have no effect here, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
+
+/// Whether stiffness and conductance are read again at each time step: where asked for, and where the penalty of
+/// solutes is not given, so that it follows the convection.
+bool reads_properties_again(const ContactParameters& parameters);
 
 /// The core's settings.
 mixture_contact::Settings core_settings(const ContactParameters& parameters);

@@ -82,7 +82,7 @@ void Problem::start_step(double time, double dt) {
     }
   }
   for (Contact& contact : contacts_) {
-    if (contact.definition().parameters.update_penalty) contact.update_properties(state_.values);
+    if (reads_properties_again(contact.definition().parameters)) contact.update_properties(state_.values);
   }
   end_iterations();
 }

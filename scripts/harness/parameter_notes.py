@@ -183,10 +183,9 @@ NOTES = {
         febio="same; a penalty that is not given is automatic here even with 0",
     ),
     "update_penalty": Note(
-        "Whether stiffness and conductance are read again at each time step, with the present convection. With 0 "
-        "penalties know the convection at the start alone.",
+        "Whether stiffness and conductance are read again at each time step, with the present convection. They always are "
+        "where `concentration_penalty` is not given.",
         "a sweep over the facets in each step",
-        "same; 0 by default",
     ),
     "two_pass": Note(
         "Integrate over both surfaces.",
