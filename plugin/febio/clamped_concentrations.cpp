@@ -113,7 +113,17 @@ void ClampedConcentrations::release() {
   freed_.clear();
 }
 
+void ClampedConcentrations::resume() {
+  for (const auto& [node, dof] : last_) {
+    const bool is_free = node->m_ID[static_cast<std::size_t>(dof)] >= 0;
+    if (!is_free || node->get(dof) != 0) continue;
+    AmbientNodes::hold_at(*node, dof, 0.0);
+    held_.emplace_back(node, dof);
+  }
+}
+
 void ClampedConcentrations::end_step() {
+  last_ = held_;
   const ClampingSolver solver = clamping_solver(fem_);
   for (const auto& [node, dof] : held_) {
     if (solver.newton == nullptr || !AmbientNodes::make_free(*node, dof)) continue;

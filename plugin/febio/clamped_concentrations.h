@@ -29,6 +29,9 @@ class ClampedConcentrations {
   /// Frees all held concentrations, at the start of a step.
   void release();
 
+  /// Holds again, at the start of a step, what was held at the end of the last one: the active set seldom changes much.
+  void resume();
+
   /// Frees all held concentrations at the end of a step, with the value 0 that they have: between steps, and in restart
   /// files, nothing is held.
   void end_step();
@@ -45,6 +48,7 @@ class ClampedConcentrations {
   std::vector<Place> rising() const;
 
   std::vector<Place> held_;
-  std::set<Place> freed_;  ///< in this step
+  std::vector<Place> last_;  ///< held at the end of the last step
+  std::set<Place> freed_;    ///< in this step
   FEModel& fem_;
 };

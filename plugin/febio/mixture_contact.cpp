@@ -429,6 +429,7 @@ void FEMixtureContact::Update() {
   if (!std::exchange(keep_prediction_, false)) {
     core_->end_iterations();
     clamped_.release();
+    clamped_.resume();
     tried_ = false;
   }
   if (begin_iteration()) GetFEModel()->SetMeshUpdateFlag(true);
