@@ -1,0 +1,151 @@
+/// The entries that a contact adds to a matrix: exactly those of the effects that it exchanges.
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <set>
+
+using namespace test;
+
+namespace {
+
+constexpr int cells = 4;
+constexpr int known_columns = 2;  ///< cells along x in which a field of only a part of the surface is known
+
+using Entry = std::pair<Index, Index>;
+
+/// Grids that match node by node, in full contact. Fields of `partly` are known to the secondary surface in its first
+/// `known_columns` columns of cells alone.
+Scene matching(const Effects& effects, FieldMask partly = 0) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, cells, cells), effects,
+              explicit_settings(3, 2, 5));
+  std::mt19937 random(1);
+  scene.disturb(0.005, random);
+  SurfaceMesh& secondary = scene.mesh[Side::secondary];
+  for (std::size_t f = 0; f < secondary.facets.size(); ++f) {
+    const Matrix3Xd& x = scene.fields[Side::secondary].position;
+    const double middle = facet_coordinates(secondary.facets[f], x).row(0).mean();
+    if (middle > known_columns / (1.0 * cells)) secondary.permeable[f] &= ~partly;
+  }
+  return scene;
+}
+
+/// Places of a surface's nodes on the grid.
+std::vector<std::array<int, 2>> places(const Scene& scene, Side side) {
+  const Matrix3Xd& x = scene.fields[side].position;
+  std::vector<std::array<int, 2>> result;
+  for (Index n = 0; n < x.cols(); ++n) {
+    result.push_back({static_cast<int>(std::lround(cells * x(0, n))), static_cast<int>(std::lround(cells * x(1, n)))});
+  }
+  return result;
+}
+
+/// Calls use(side, node, side, node) for every two nodes of the patch around a place of the grid: those on the facets
+/// that meet there.
+template <class Use>
+void for_neighbours(const PerSide<std::vector<std::array<int, 2>>>& place, const std::array<int, 2>& centre,
+                    const Use& use) {
+  std::vector<std::pair<Side, Index>> near;
+  for (const Side side : both_sides) {
+    for (std::size_t n = 0; n < place[side].size(); ++n) {
+      const auto [i, j] = place[side][n];
+      if (std::abs(i - centre[0]) <= 1 && std::abs(j - centre[1]) <= 1) near.emplace_back(side, static_cast<Index>(n));
+    }
+  }
+  for (const auto& [side, node] : near) {
+    for (const auto& [other_side, other_node] : near) use(side, node, other_side, other_node);
+  }
+}
+
+/// What the effects call for, from the grid alone. The load at a node acts on, and depends on, the nodes of all facets
+/// around it: a traction on displacements, by displacements; a flux on its field, by displacements and that field.
+/// `profile`: made symmetric, since profiles are.
+std::set<Entry> expected(const Scene& scene, FieldMask partly, bool profile) {
+  const GlobalLayout layout(scene);
+  const PerSide<std::vector<std::array<int, 2>>> place{{places(scene, Side::primary), places(scene, Side::secondary)}};
+  std::set<Entry> entries;
+  for (const auto& centre : place[Side::primary]) {
+    for_neighbours(place, centre, [&](Side one, Index a, Side two, Index b) {
+      for (Index i = 0; i < 3; ++i) {
+        for (Index j = 0; j < 3; ++j) entries.emplace(layout.entry(one, a, i), layout.entry(two, b, j));
+      }
+      for (int k = 0; k < scene.effects.scalar_fields(); ++k) {
+        if (contains(partly, k) && centre[0] > known_columns) continue;
+        const Index row = layout.entry(one, a, 3 + k);
+        entries.emplace(row, layout.entry(two, b, 3 + k));
+        for (Index j = 0; j < 3; ++j) {
+          entries.emplace(row, layout.entry(two, b, j));
+          if (profile) entries.emplace(layout.entry(two, b, j), row);
+        }
+      }
+    });
+  }
+  return entries;
+}
+
+void add(std::set<Entry>& entries, const std::vector<Index>& rows, const std::vector<Index>& columns) {
+  for (const Index row : rows) {
+    for (const Index column : columns) entries.emplace(row, column);
+  }
+}
+
+/// The entries that the contact of a scene adds to a profile, and those that its tangent fills.
+std::set<Entry> in_profile(const Scene& scene) {
+  const GlobalLayout layout(scene);
+  const auto contact = scene.contact();
+  std::set<Entry> entries;
+  contact->for_each_coupling(
+      [&](const ContactInterface::Location& at) { add(entries, layout.entries(at), layout.entries(at)); });
+  return entries;
+}
+
+std::set<Entry> in_tangent(const Scene& scene) {
+  const GlobalLayout layout(scene);
+  const auto contact = scene.contact();
+  std::set<Entry> entries;
+  contact->tangent(scene.fields, 1, [&](const auto& rows, const auto& columns, const MatrixXd&) {
+    add(entries, layout.entries(rows), layout.entries(columns));
+  });
+  return entries;
+}
+
+void check(const Scene& scene, FieldMask partly = 0) {
+  BOOST_TEST((in_profile(scene) == expected(scene, partly, true)));
+  BOOST_TEST((in_tangent(scene) == expected(scene, partly, false)));
+}
+
+/// Pairs of nodes no further than two apart along a line of `cells` elements.
+constexpr std::size_t near_pairs_on_a_line = 5 * cells - 1;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(entries_are_those_of_the_effects) {
+  for (const auto& [solvent, solutes] : {std::pair{false, 0}, {true, 0}, {true, 1}, {true, 2}, {true, 4}, {false, 1}}) {
+    const Scene scene = matching(effects_of(solvent, solutes));
+    check(scene);
+    // By hand: two nodes share a facet's node if they are at most two apart along x and along y.
+    const auto fields = static_cast<std::size_t>(scene.effects.scalar_fields());
+    const std::size_t pairs = 4 * near_pairs_on_a_line * near_pairs_on_a_line;
+    BOOST_TEST(in_profile(scene).size() == pairs * (9 + 7 * fields));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_field_has_entries_only_where_both_surfaces_know_it) {
+  const Effects effects = effects_of(true, 2);
+  for (const FieldMask partly : {only(0), only(2), only(1) | only(2)}) check(matching(effects, partly), partly);
+}
+
+BOOST_AUTO_TEST_CASE(a_sealed_surface_adds_displacements_alone) {
+  Scene sealed = matching(effects_of(true, 1));
+  for (FieldMask& mask : sealed.mesh[Side::secondary].permeable) mask = 0;
+  const std::size_t pairs = 4 * near_pairs_on_a_line * near_pairs_on_a_line;
+  BOOST_TEST(in_profile(sealed).size() == pairs * 9);
+  BOOST_TEST(in_tangent(sealed).size() == pairs * 9);
+}
+
+BOOST_AUTO_TEST_CASE(apart_there_are_no_entries) {
+  Scene apart = matching(effects_of(true, 1));
+  apart.fields[Side::secondary].position.row(2).array() += 0.2;
+  BOOST_TEST(in_profile(apart).empty());
+  BOOST_TEST(in_tangent(apart).empty());
+}
