@@ -77,11 +77,21 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
     timed.take(pass.integral->effect_times(), thread_count());
   }
   hold_facing_contact();
+  note_memory();
   return changed;
 }
 
 void ContactInterface::move_iteration(const PerSide<SurfaceFields>& fields) {
   for (const Pass& pass : passes_) pass.integral->move_iteration(fields[pass.side], fields[other(pass.side)]);
+}
+
+void ContactInterface::note_memory() {
+  Memory now;
+  for (const Pass& pass : passes_) {
+    now.points += pass.integral->points();
+    now.bytes += pass.integral->memory();
+  }
+  if (now.bytes >= memory_.bytes) memory_ = now;
 }
 
 void ContactInterface::hold_facing_contact() {

@@ -45,6 +45,12 @@ struct NodalOutput {
 /// interpolated, reaches this share.
 inline constexpr double covered = 0.5 - 1e-9;
 
+/// What a contact keeps in memory.
+struct Memory {
+  std::size_t points = 0;  ///< integration points that see the other surface
+  std::size_t bytes = 0;   ///< for them, their facets and nodes, between calls
+};
+
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers.
 class ContactInterface {
  public:
@@ -117,6 +123,8 @@ class ContactInterface {
   const SurfaceMesh& mesh(Side side) const { return mesh_[side]; }
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
+  /// Largest number of bytes that an iteration kept, and the integration points that it had.
+  const Memory& memory() const { return memory_; }
   /// Where the time of all calls so far went.
   const Times& times() const { return times_; }
   /// Times what a host does for a task around its calls; those are not counted twice.
@@ -132,6 +140,7 @@ class ContactInterface {
 
   double search_radius(const PerSide<Matrix3Xd>& position) const;
   void hold_facing_contact();
+  void note_memory();
   std::vector<bool> facing_contact(Side side, const std::vector<bool>& other_in_contact) const;
 
   PerSide<SurfaceMesh> mesh_;
@@ -143,7 +152,8 @@ class ContactInterface {
       held_facing_;  ///< secondary nodes in contact, while iterations are under way and there is one pass
   std::vector<int> facing_changes_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
-  mutable Times times_;    ///< a measurement, which no result depends on
+  Memory memory_;
+  mutable Times times_;  ///< a measurement, which no result depends on
 };
 
 }  // namespace mixture_contact

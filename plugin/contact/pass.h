@@ -137,6 +137,10 @@ class ContactPass {
   const std::vector<FacetPair>& pairs() const { return pairs_; }
   /// Penalties of the primary nodes.
   const Penalties& penalty() const { return penalties_; }
+  /// How many integration points see the other surface.
+  std::size_t points() const;
+  /// Bytes of what is kept between calls: pairs with their points, multipliers, penalties, and what iterations hold.
+  std::size_t memory() const;
   /// What linearising and tangent() spend on single effects; whoever times them takes it.
   EffectTimes& effect_times() const { return effect_times_; }
 

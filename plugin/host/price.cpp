@@ -65,15 +65,20 @@ std::string seconds(std::string_view title, const Spent& spent) {
 
 }  // namespace
 
-std::vector<std::string> price_table(const std::string& contact, const Effects& effects,
-                                     const mixture_contact::Times& times, double run) {
-  const Spent sum = times.sum();
-  std::vector<std::string> lines{"sliding-mixture \"" + contact + "\": time in the contact [s]",
-                                 row("", headings(effects))};
-  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), times[task]));
+std::vector<std::string> price_table(const std::string& name, const mixture_contact::ContactInterface& contact,
+                                     double run) {
+  const Spent sum = contact.times().sum();
+  std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
+                                 row("", headings(contact.effects()))};
+  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), contact.times()[task]));
   lines.push_back(seconds("all", sum));
   std::ostringstream share;
   share << std::setprecision(3) << "    share of the run: " << 100 * sum.total() / run << " percent of " << run << " s";
   lines.push_back(share.str());
+  const auto [points, bytes] = contact.memory();
+  if (points > 0) {
+    lines.push_back("    memory: " + std::to_string(bytes / points) + " bytes for each of " + std::to_string(points) +
+                    " integration points");
+  }
   return lines;
 }

@@ -57,7 +57,7 @@ class Steps {
     for (Contact& contact : problem_.contacts()) {
       const mixture_contact::ContactInterface& core = contact.core();
       log_.print("\n");
-      for (const std::string& line : price_table(contact.definition().name, core.effects(), core.times(), seconds))
+      for (const std::string& line : price_table(contact.definition().name, core, seconds))
         log_.print("%s\n", line.c_str());
     }
   }

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from harness.errors import DataFileError
+from harness.models import pairs
 from harness.models.interface import Join
 from harness.price import measure, report, table
 from harness.price.measure import Timed
@@ -20,6 +23,7 @@ sliding-mixture "a joint": time in the contact [s]
     output           2.000e-03   0.000e+00   0.000e+00   0.000e+00   2.000e-03   0.000e+00
     all              4.500e-02   4.000e-02   1.200e-02   3.000e-03   1.000e-01   5.100e-02
     share of the run: 8 percent of 1.25 s
+    memory: 345 bytes for each of 1024 integration points
 
  N O R M A L   T E R M I N A T I O N
 """
@@ -34,6 +38,7 @@ def test_the_table_of_a_log_is_read():
     assert times.host == 5.1e-2
     assert times.total == pytest.approx(0.1)
     assert times.share == pytest.approx(0.08)
+    assert (times.points, times.memory) == (1024, 345)
 
 
 @pytest.mark.parametrize("wrong", [("2.500e-02", "many"), ("augmentation", "augury"), ("share", "part")])
@@ -50,7 +55,7 @@ def test_times_are_drawn_and_tabulated(tmp_path):
     (times,) = table.read(LOG)
     assert report.draw({"one": times, "two": times}, tmp_path / "times.png").stat().st_size > 0
     text = report.scenes_table({"one": times})
-    assert "| one | 45.0 | 40.0 | 12.0 | 3.0 | 100.0 | 51.0 | 8.0% |" in text
+    assert "| one | 45.0 | 40.0 | 12.0 | 3.0 | 100.0 | 51.0 | 8.0% | 345 |" in text
 
 
 def test_what_bodies_take_is_not_the_contacts():
@@ -70,6 +75,7 @@ def test_a_scene_lists_its_effects_and_their_times(name, runner):
     assert all(times.seconds["stiffness"][effect] > 0.0 for effect in times.effects)
     assert 0.0 < times.host < times.total
     assert 0.0 < times.share < 1.0
+    assert times.points == 4 * scene.section**2
 
 
 def test_contacts_are_compared_on_the_same_model():
@@ -81,3 +87,14 @@ def test_contacts_are_compared_on_the_same_model():
         "sliding-biphasic",
     ]
     assert len({scene.model().mesh.nodes.shape for scene in scenes.values() if scene.contact != "unsplit"}) == 1
+
+
+def test_memory_does_not_know_of_solutes_that_are_not_shared(runner):
+    def memory(above: tuple[int, ...]) -> int:
+        lower, upper = pairs.mixture(pairs.Kind.MULTIPHASIC, (1,)), pairs.mixture(pairs.Kind.MULTIPHASIC, above)
+        uncharged = [replace(body, fixed_charge=0.0) for body in (lower, upper)]
+        name = f"memory-{len(above)}-solutes"
+        (times,) = table.read(runner(pairs.Pair(*uncharged, "multiphasic", name, charges=(0, 0, 0)).model()).log)
+        return times.memory
+
+    assert memory((1,)) == memory((1, 2, 3)) > 0

@@ -57,13 +57,13 @@ def scenes_table(scenes: Mapping[str, Times]) -> str:
     """Milliseconds per scene and effect, as Markdown."""
     effects = list(_effect_colours(scenes))
     lines = [
-        f"| scene | {' | '.join(effects)} | all | of it in FEBio's assembly | share of the run |",
-        "|---" * (len(effects) + 4) + "|",
+        f"| scene | {' | '.join(effects)} | all | of it in FEBio's assembly | share of the run | bytes per point |",
+        "|---" * (len(effects) + 5) + "|",
     ]
     for name, times in scenes.items():
         own = times.effects
         cells = [f"{1e3 * own[effect]:.1f}" if effect in own else "" for effect in effects]
-        sums = f"{1e3 * times.total:.1f} | {1e3 * times.host:.1f} | {100 * times.share:.1f}%"
+        sums = f"{1e3 * times.total:.1f} | {1e3 * times.host:.1f} | {100 * times.share:.1f}% | {times.memory}"
         lines.append(f"| {name} | {' | '.join(cells)} | {sums} |")
     return "\n".join(lines)
 

@@ -9,6 +9,7 @@ from harness.errors import DataFileError
 
 _TITLE = re.compile(r'^sliding-mixture "(?P<name>.*)": time in the contact \[s\]$')
 _SHARE = re.compile(r"^ +share of the run: [-\d.e+]+ percent of (?P<run>[-\d.e+]+) s$")
+_MEMORY = re.compile(r"^ +memory: (?P<bytes>\d+) bytes for each of (?P<points>\d+) integration points$")
 _COLUMNS = re.compile(r" {2,}")
 TASKS = ("search", "residual", "stiffness", "augmentation", "output")
 
@@ -27,12 +28,18 @@ class Times:
         s of all these that the host takes for its own assembly.
     run : float
         s, of the whole run.
+    points : int
+        Integration points that see the other surface; 0 where there was no contact.
+    memory : int
+        Bytes that the contact keeps for each of them.
     """
 
     contact: str
     seconds: dict[str, dict[str, float]]
     host: float
     run: float
+    points: int
+    memory: int
 
     @property
     def effects(self) -> dict[str, float]:
@@ -70,8 +77,10 @@ def _table(name: str, lines: list[str]) -> Times:
         seconds = {row[0]: dict(zip(effects, map(float, row[1:-2]), strict=True)) for row in rows}
         host = float(_COLUMNS.split(lines[len(TASKS) + 1].strip())[-1])
         share = _SHARE.match(lines[len(TASKS) + 2])
+        kept = _MEMORY.match(lines[len(TASKS) + 3])
+        points, memory = (int(kept["points"]), int(kept["bytes"])) if kept else (0, 0)
         if tuple(seconds) != TASKS or not share:
             raise ValueError(f"tasks {', '.join(seconds)}")
-        return Times(name, seconds, host, float(share["run"]))
+        return Times(name, seconds, host, float(share["run"]), points, memory)
     except (IndexError, ValueError) as error:
         raise DataFileError(f'the log\'s table of times of the contact "{name}" is not one ({error})') from error
