@@ -15,8 +15,8 @@ std::size_t bytes(const std::vector<Entry>& entries) {
 }
 
 std::size_t bytes(const NodalLoads& loads) {
-  return bytes(loads.area) + bytes(loads.absolute_area) + bytes(loads.gap) + bytes(loads.traction) +
-         bytes(loads.flux_area) + bytes(loads.jump) + bytes(loads.flux);
+  return bytes(loads.area) + bytes(loads.gap) + bytes(loads.traction) + bytes(loads.flux_area) + bytes(loads.jump) +
+         bytes(loads.flux);
 }
 
 std::size_t bytes(const Patch& patch) { return bytes(patch.primary) + bytes(patch.secondary) + bytes(patch.fields); }

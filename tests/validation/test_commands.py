@@ -44,6 +44,8 @@ SMALL = {
     "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
     "scripts/mixcontact cost --error 1e-3 --problem 3.2": "{harness} cost --error 1e-3 --problem 3.2",
     "scripts/mixcontact cost": "{harness} cost --help",
+    "scripts/mixcontact price": "{harness} price --help",
+    "scripts/mixcontact price --only effects": "{harness} price --help",
     "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact hard-cases": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
