@@ -183,8 +183,8 @@ NOTES = {
         febio="same; a penalty that is not given is automatic here even with 0",
     ),
     "update_penalty": Note(
-        "Whether stiffness and conductance are read again at each time step, with the present convection. They always are "
-        "where `concentration_penalty` is not given.",
+        "Whether stiffness and conductance are read again at each time step, with the present convection. They "
+        "always are where `concentration_penalty` is not given.",
         "a sweep over the facets in each step",
     ),
     "two_pass": Note(
