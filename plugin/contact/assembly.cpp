@@ -7,6 +7,26 @@ namespace mixture_contact {
 void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
                            const std::function<void(const Patch&, const VectorXd&)>& add) const {
   const NodalLoads loads = nodal_loads(primary, secondary);
+  if (frozen_) {
+    const std::vector<NodeLinearisation>& nodes = frozen_->nodes;
+    const auto of_node = [&](std::size_t node) {
+      return frozen_residual(static_cast<Index>(node), nodes[node], loads, dt);
+    };
+    in_order(nodes.size(), of_node, [&](std::size_t node, const VectorXd& sum) {
+      if (sum.size() > 0) add(nodes[node].patch, sum);
+    });
+  } else {
+    pair_residuals(loads, primary, secondary, dt, add);
+  }
+  if (!has_unknown_multipliers()) return;
+  const VectorXd weights = present_multiplier_weights(loads, primary.position);
+  for (Index node = 0; node < primary_.nodes; ++node) {
+    add(node_patch(node, {}), multiplier_residual(node, loads, weights, dt));
+  }
+}
+
+void ContactPass::pair_residuals(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary,
+                                 double dt, const std::function<void(const Patch&, const VectorXd&)>& add) const {
   const auto residual_of = [&](std::size_t index) {
     const FacetPair& pair = pairs_[index];
     VectorXd sum;
@@ -22,11 +42,6 @@ void ContactPass::residual(const SurfaceFields& primary, const SurfaceFields& se
   in_order(pairs_.size(), residual_of, [&](std::size_t index, const VectorXd& sum) {
     if (sum.size() > 0) add(facet_patch(pairs_[index]), sum);
   });
-  if (!has_unknown_multipliers()) return;
-  const VectorXd weights = present_multiplier_weights(loads, primary.position);
-  for (Index node = 0; node < primary_.nodes; ++node) {
-    add(node_patch(node, {}), multiplier_residual(node, loads, weights, dt));
-  }
 }
 
 // ------------------------------------------------------------ tangent
@@ -38,8 +53,8 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
   };
   NodalLoads loads = nodal_loads(primary, secondary);
   std::vector<NodeLinearisation> present;
-  if (!held_) present = linearise(loads, primary, secondary);
-  const std::vector<NodeLinearisation>& nodes = held_ ? held_->nodes : present;
+  if (!held_ && !frozen_) present = linearise(loads, primary, secondary);
+  const std::vector<NodeLinearisation>& nodes = frozen_ ? frozen_->nodes : held_ ? held_->nodes : present;
   const VectorXd weights = present_multiplier_weights(loads, primary.position);
   const auto of_node = [&](std::size_t node) {
     const auto index = static_cast<Index>(node);
@@ -48,6 +63,7 @@ void ContactPass::tangent(const SurfaceFields& primary, const SurfaceFields& sec
                                      : law_tangent(index, nodes[node], loads, dt);
   };
   in_order(nodes.size(), of_node, add_all);
+  if (frozen_) return;
   if (held_) {
     loads.traction = held_->geometric_traction;
     loads.flux = held_->geometric_flux;
@@ -80,9 +96,11 @@ std::vector<TangentBlock> ContactPass::law_tangent(Index node, const NodeLineari
   // The residual holds t_a traction_work + dt phi_a A_a weights; the variation of the works is the geometric part.
   std::vector<TangentBlock> blocks;
   Laps laps(effect_times_, effects_.scalar_fields());
-  blocks.push_back(
-      traction_block(linear.patch, traction_penalty(node) * linear.traction_work * linear.gap_variation.transpose()));
-  laps.traction();
+  if (effects_.traction) {
+    const double penalty = traction_penalty(node);
+    blocks.push_back(traction_block(linear.patch, penalty * linear.traction_work * linear.gap_variation.transpose()));
+    laps.traction();
+  }
   for (std::size_t k = 0; k < linear.patch.fields.size(); ++k) {
     const int field = linear.patch.fields[k];
     if (!passes(loads, field, node)) continue;
@@ -131,6 +149,14 @@ std::vector<TangentBlock> ContactPass::geometric_tangent(const FacetPair& pair, 
 
 void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
                                     const std::function<void(const Patch&)>& use) const {
+  const auto use_effects = [&](const Patch& patch) {
+    if (effects_.traction) use(patch.of_displacements());
+    for (const int field : patch.fields) use(field_columns(patch, field));
+  };
+  if (frozen_) {
+    for (const NodeLinearisation& node : frozen_->nodes) use_effects(node.patch);
+    return;
+  }
   // A node's patch holds the facet pairs of all points that its loads act at.
   const auto around = pairs_around_nodes(held_ ? held_->loads.in_contact : natural_status(x1, x2));
   const auto patch_of = [&](std::size_t node) {
@@ -138,9 +164,7 @@ void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
     return absent ? Patch() : node_patch(static_cast<Index>(node), around[node]);
   };
   in_order(around.size(), patch_of, [&](std::size_t node, const Patch& patch) {
-    if (around[node].empty() && !has_unknown_multipliers()) return;
-    use(patch.of_displacements());
-    for (const int field : patch.fields) use(field_columns(patch, field));
+    if (!around[node].empty() || has_unknown_multipliers()) use_effects(patch);
   });
 }
 

@@ -82,7 +82,7 @@ bool meets(const GapReport& report, const Tolerances& tolerances, const Effects&
 
 void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary) {
   const NodalLoads loads = pass.nodal_loads(primary, secondary);
-  pass.multipliers.traction = loads.traction.cwiseMin(0.0);
+  if (pass.exchanges_traction()) pass.multipliers.traction = loads.traction.cwiseMin(0.0);
   pass.multipliers.flux = loads.flux;
 }
 

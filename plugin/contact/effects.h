@@ -13,9 +13,11 @@ inline constexpr int max_scalar_fields = 64;
 inline bool contains(FieldMask mask, int field) { return (mask >> static_cast<unsigned>(field)) & 1U; }
 inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(field); }
 
-/// What is exchanged between two surfaces besides traction. Scalar fields are counted solvent first (if exchanged),
+/// What is exchanged between two surfaces. Scalar fields are counted solvent first (if exchanged),
 /// then solutes.
 struct Effects {
+  bool traction = true;      ///< the surfaces push on each other; false where none of their nodes can move: no unknown
+                             ///< is a displacement then, and contact is linear transport
   bool solvent = false;      ///< both surfaces are permeable to the solvent
   std::vector<int> solutes;  ///< host's ids of the solutes that both surfaces share, ascending
 

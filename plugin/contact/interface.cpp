@@ -57,6 +57,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
   searched_ = search_all;
+  if (!effects_.traction) held_facing_.reset();
   for (const Pass& pass : passes_) {
     const Matrix3Xd& x1 = position_[pass.side];
     const Matrix3Xd& x2 = position_[other(pass.side)];
@@ -66,6 +67,13 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
       pass.integral->project_on_same_facets(x1, x2);
     }
   }
+}
+
+void ContactInterface::exchange_traction(bool traction) {
+  effects_.traction = traction;
+  held_facing_.reset();
+  for (const Pass& pass : passes_) pass.integral->forget();
+  for (Matrix3Xd& position : position_) position.resize(3, 0);
 }
 
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
@@ -95,7 +103,7 @@ void ContactInterface::note_memory() {
 }
 
 void ContactInterface::hold_facing_contact() {
-  if (passes_.size() != 1) return;
+  if (passes_.size() != 1 || (held_facing_ && !effects_.traction)) return;
   std::vector<bool> next = facing_contact(
       Side::secondary, passes_[0].integral->sealed_nodes(position_[Side::primary], position_[Side::secondary]));
   const bool first = !held_facing_;
@@ -109,7 +117,7 @@ void ContactInterface::hold_facing_contact() {
 }
 
 void ContactInterface::end_iterations() {
-  held_facing_.reset();
+  if (effects_.traction) held_facing_.reset();
   for (const Pass& pass : passes_) pass.integral->end_iterations();
 }
 

@@ -76,6 +76,10 @@ class ContactInterface {
   /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
   void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
 
+  /// Switches the exchange of traction (Effects::traction): off where no node of either surface can move. Takes effect
+  /// with the next project(); multipliers stay.
+  void exchange_traction(bool traction);
+
   /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called for its
   /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
   /// evaluated again.

@@ -31,10 +31,22 @@ std::vector<Index> places(const Patch& pair, const Patch& patch) {
 
 }  // namespace
 
+double ContactPass::jump_of(const NodeLinearisation& linear, std::size_t k, const SurfaceFields& primary,
+                            const SurfaceFields& secondary) {
+  const int field = linear.patch.fields[k];
+  const LocalLayout layout = linear.patch.of_field(field, false).layout();
+  double jump = 0;
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    const SurfaceFields& surface = n < layout.primary_nodes() ? primary : secondary;
+    jump += linear.jumps[k].weights[layout.scalar(n, 0)] * surface.scalar(linear.patch.node(n), field);
+  }
+  return jump;
+}
+
 ContactPass::NodeLinearisation ContactPass::zero_linearisation(const Patch& patch) {
   NodeLinearisation linear;
   linear.patch = patch;
-  linear.gap_variation.setZero(patch.of_displacements().layout().size());
+  if (patch.displacements) linear.gap_variation.setZero(patch.of_displacements().layout().size());
   linear.traction_work = linear.gap_variation;
   for (const int field : patch.fields) {
     linear.jumps.push_back({linear.gap_variation, VectorXd::Zero(patch.of_field(field, false).layout().size())});
@@ -47,6 +59,7 @@ void ContactPass::add(NodeLinearisation& sum, const NodeLinearisation& pair) {
   const LocalLayout layout = sum.patch.of_displacements().layout();
   const LocalLayout own = pair.patch.of_displacements().layout();
   const auto add_variation = [&](VectorXd& variation, const VectorXd& part) {
+    if (!sum.patch.displacements) return;
     for (std::size_t n = 0; n < place.size(); ++n) {
       variation.segment<3>(layout.displacement(place[n], 0)) += part.segment<3>(
           own.displacement(static_cast<Index>(n), 0));
@@ -67,7 +80,8 @@ Patch ContactPass::facet_patch(const FacetPair& pair) const {
   const auto nodes = [](const Facet& facet) {
     return std::vector<int>(facet.nodes.begin(), facet.nodes.begin() + node_count(facet.type));
   };
-  return {nodes(primary_facet(pair)), nodes(secondary_facet(pair)), exchanged_fields(pair)};
+  return {nodes(primary_facet(pair)), nodes(secondary_facet(pair)), exchanged_fields(pair), std::nullopt,
+          effects_.traction};
 }
 
 std::vector<std::vector<const FacetPair*>> ContactPass::pairs_around_nodes(const std::vector<bool>& in_contact) const {
@@ -84,6 +98,7 @@ std::vector<std::vector<const FacetPair*>> ContactPass::pairs_around_nodes(const
 
 Patch ContactPass::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {
   Patch patch;
+  patch.displacements = effects_.traction;
   if (has_unknown_multipliers()) {
     patch.multiplier_node = static_cast<int>(node);
     for (int field = 0; field < effects_.scalar_fields(); ++field) patch.fields.push_back(field);
@@ -98,7 +113,7 @@ Patch ContactPass::node_patch(Index node, const std::vector<const FacetPair*>& p
 }
 
 Patch ContactPass::field_columns(const Patch& patch, int field) const {
-  return patch.of_field(field, !settings_.symmetric);
+  return patch.of_field(field, effects_.traction && !settings_.symmetric);
 }
 
 std::vector<ContactPass::NodeLinearisation> ContactPass::linearise_corners(const FacetPair& pair,
@@ -121,10 +136,12 @@ std::vector<ContactPass::NodeLinearisation> ContactPass::linearise_corners(const
     }
   };
   laps.shared();
-  for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
-    add_gap(linear, loads, node, point, share);
-  });
-  laps.traction();
+  if (patch.displacements) {
+    for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
+      add_gap(linear, loads, node, point, share);
+    });
+    laps.traction();
+  }
   for (std::size_t k = 0; k < patch.fields.size(); ++k) {
     for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
       add_jump(linear, k, loads, node, point, share);
@@ -181,10 +198,11 @@ void ContactPass::add_jump(NodeLinearisation& linear, std::size_t k, const Nodal
   const PointKinematics& kinematics = point.contact.kinematics;
   const int field = point.contact.fields[k];
   const double area = loads.flux_area(field, node);
+  linear.jumps[k].weights += share.value * kinematics.area / area * kinematics.jump_weights();
+  if (!linear.patch.displacements) return;
   const PairVector values = point.contact.values.col(static_cast<Index>(k));
   const WeightedVariation varied = jump_variation(kinematics, point.vary, share, values);
   linear.jumps[k].drift += mean_variation(varied, loads.jump(field, node), area);
-  linear.jumps[k].weights += share.value * kinematics.area / area * kinematics.jump_weights();
 }
 
 std::vector<ContactPass::NodeLinearisation> ContactPass::linearise(const NodalLoads& loads,

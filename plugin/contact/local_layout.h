@@ -45,18 +45,23 @@ class LocalLayout {
   Index displacements_;  ///< per node
 };
 
-/// Order of all multipliers of a surface, where they are unknowns: node by node, traction first, then the fields'.
+/// Order of all multipliers of a surface, where they are unknowns: node by node, traction first, if any, then the
+/// fields'.
 class MultiplierLayout {
  public:
-  MultiplierLayout(Index nodes, Index scalar_fields) : nodes_(nodes), scalar_fields_(scalar_fields) {}
+  MultiplierLayout(Index nodes, Index scalar_fields, bool tractions = true)
+      : nodes_(nodes), scalar_fields_(scalar_fields), tractions_(tractions ? 1 : 0) {}
 
-  Index size() const { return nodes_ * (1 + scalar_fields_); }
-  Index traction(Index node) const { return node * (1 + scalar_fields_); }
-  Index flux(Index node, Index k) const { return traction(node) + 1 + k; }
+  Index size() const { return nodes_ * per_node(); }
+  Index traction(Index node) const { return node * per_node(); }
+  Index flux(Index node, Index k) const { return node * per_node() + tractions_ + k; }
 
  private:
+  Index per_node() const { return tractions_ + scalar_fields_; }
+
   Index nodes_;
   Index scalar_fields_;
+  Index tractions_;  ///< per node
 };
 
 }  // namespace mixture_contact

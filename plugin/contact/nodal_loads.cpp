@@ -93,8 +93,8 @@ void ContactPass::apply_laws(NodalLoads& loads) const {
   const bool penalised = !has_unknown_multipliers();  // multipliers that are unknowns are the loads
   for (Index node = 0; node < primary_.nodes; ++node) {
     if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
-    loads.traction[node] = multipliers.traction[node];
-    if (penalised) loads.traction[node] += traction_penalty(node) * loads.gap[node];
+    if (effects_.traction) loads.traction[node] = multipliers.traction[node];
+    if (effects_.traction && penalised) loads.traction[node] += traction_penalty(node) * loads.gap[node];
     for (int field = 0; field < effects_.scalar_fields(); ++field) {
       if (!passes(loads, field, node)) continue;
       const double penalty = penalised ? flux_penalty(field, node) : 0.0;
@@ -104,6 +104,7 @@ void ContactPass::apply_laws(NodalLoads& loads) const {
 }
 
 NodalLoads ContactPass::nodal_loads(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  if (frozen_) return frozen_loads(*frozen_, primary, secondary);
   if (held_) return predicted_loads(*held_, primary, secondary);
   const std::vector<bool> status = natural_status(primary.position, secondary.position);
   NodalLoads loads = averages(primary, secondary, status, status);

@@ -25,10 +25,18 @@ void ContactPass::update_penalties() {
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   touch_ = touch_fraction * half_diagonal(x1);
   pairs_ = points_->search(x1, x2, radius);
+  if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   pairs_ = points_->on_same_facets(x1, x2);
+  if (!effects_.traction) frozen_ = freeze(x1, x2);
+}
+
+void ContactPass::forget() {
+  held_.reset();
+  frozen_.reset();
+  pairs_.clear();
 }
 
 const Facet& ContactPass::primary_facet(const FacetPair& pair) const {

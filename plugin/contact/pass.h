@@ -95,6 +95,9 @@ class ContactPass {
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { held_.reset(); }
 
+  /// Forgets the configuration: to be called after the effects have changed, before the next project().
+  void forget();
+
   /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps
   /// counts only then.
   bool is_solution(const SurfaceFields& primary, const SurfaceFields& secondary) const;
@@ -128,11 +131,13 @@ class ContactPass {
   /// tangent(): gap or jump = 0 in contact, mu = 0 elsewhere (laws.h), weighted such that the equation is in the units
   /// of the residual of its field, and rows and columns of the tangent are alike.
   bool has_unknown_multipliers() const { return settings_.enforcement == Enforcement::lagrange_multipliers; }
-  MultiplierLayout multiplier_layout() const { return {primary_.nodes, effects_.scalar_fields()}; }
+  MultiplierLayout multiplier_layout() const { return {primary_.nodes, effects_.scalar_fields(), effects_.traction}; }
   /// The unknowns mu = lambda/k in the order of multiplier_layout() [mm, and the units of the fields].
   VectorXd unknown_multipliers() const;
   void set_unknown_multipliers(const VectorXd& mu);
 
+  /// Whether loads include tractions; their multipliers stay as they are where not.
+  bool exchanges_traction() const { return effects_.traction; }
   /// The pairs of facets that see each other, with their integration points.
   const std::vector<FacetPair>& pairs() const { return pairs_; }
   /// Penalties of the primary nodes.
@@ -160,7 +165,7 @@ class ContactPass {
     VectorXd traction_work;   ///< sum_q w psi_a h a, in the same order
     std::vector<Jump> jumps;  ///< per field of the patch
 
-    bool empty() const { return gap_variation.size() == 0; }
+    bool empty() const { return patch.primary.empty() && !patch.multiplier_node; }
   };
 
   /// What holds during a Newton iteration.
@@ -173,6 +178,12 @@ class ContactPass {
     MatrixXd geometric_flux;
     std::vector<int> changes;     ///< of each node's status since the iterations began
     VectorXd multiplier_weights;  ///< of the equations of unknown multipliers, in the order of multiplier_layout()
+  };
+
+  /// Surfaces that cannot move: jumps are linear in the fields, with coefficients that are found once.
+  struct Frozen {
+    NodalLoads geometry;                   ///< areas, gaps and status
+    std::vector<NodeLinearisation> nodes;  ///< without displacements; empty for nodes out of contact
   };
 
   const Facet& primary_facet(const FacetPair& pair) const;
@@ -191,6 +202,9 @@ class ContactPass {
   double flux_penalty(int field, Index node) const {
     return multipliers.flux_growth[field] * penalties_.flux(field, node);
   }
+  Frozen freeze(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  NodalLoads frozen_loads(const Frozen& frozen, const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  static VectorXd frozen_residual(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt);
   NodalLoads averages(const SurfaceFields& primary, const SurfaceFields& secondary, std::vector<bool> in_contact,
                       std::vector<bool> sealed) const;
   NodalLoads predicted_loads(const Held& held, const SurfaceFields& primary, const SurfaceFields& secondary) const;
@@ -213,6 +227,8 @@ class ContactPass {
   Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
   std::vector<NodeLinearisation> linearise(const NodalLoads& loads, const SurfaceFields& primary,
                                            const SurfaceFields& secondary) const;
+  static double jump_of(const NodeLinearisation& linear, std::size_t k, const SurfaceFields& primary,
+                        const SurfaceFields& secondary);
   static NodeLinearisation zero_linearisation(const Patch& patch);
   static void add(NodeLinearisation& sum, const NodeLinearisation& pair);
   std::vector<VaryingPoint> varying_points(const FacetPair& pair, const NodalLoads& loads, const SurfaceFields& primary,
@@ -224,6 +240,8 @@ class ContactPass {
                        const VaryingPoint& point, const PointShare& share);
   std::vector<NodeLinearisation> linearise_corners(const FacetPair& pair, const NodalLoads& loads,
                                                    const SurfaceFields& primary, const SurfaceFields& secondary) const;
+  void pair_residuals(const NodalLoads& loads, const SurfaceFields& primary, const SurfaceFields& secondary, double dt,
+                      const std::function<void(const Patch&, const VectorXd&)>& add) const;
   std::vector<TangentBlock> law_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                         double dt) const;
   std::vector<TangentBlock> geometric_tangent(const FacetPair& pair, const NodalLoads& loads,
@@ -262,6 +280,7 @@ class ContactPass {
   std::vector<FacetPair> pairs_;
   std::optional<Held> held_;
   mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
+  std::optional<Frozen> frozen_;      ///< where no traction is exchanged
   double touch_ = 0;                  ///< distance at which surfaces touch to rounding [mm]
 };
 

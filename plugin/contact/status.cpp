@@ -39,17 +39,6 @@ VectorXd displacements_at(const Patch& patch, const SurfaceFields& primary, cons
   return values;
 }
 
-/// The same for a field, in the order of patch.of_field(field, false).
-VectorXd field_at(const Patch& patch, int field, const SurfaceFields& primary, const SurfaceFields& secondary) {
-  const LocalLayout layout = patch.of_field(field, false).layout();
-  VectorXd values(layout.size());
-  for (Index n = 0; n < layout.nodes(); ++n) {
-    const bool first = n < layout.primary_nodes();
-    values[layout.scalar(n, 0)] = (first ? primary : secondary).scalar(patch.node(n), field);
-  }
-  return values;
-}
-
 }  // namespace
 
 bool ContactPass::seen(const NodalLoads& loads, Index node) { return loads.area[node] > 0; }
@@ -59,7 +48,9 @@ std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3
   average_gaps(x1, x2, loads);
   std::vector<bool> status;
   for (Index node = 0; node < primary_.nodes; ++node) {
-    const LawValue law = normal_traction(multipliers.traction[node], traction_penalty(node), loads.gap[node], touch_);
+    // Surfaces that exchange no traction touch whatever the penalty.
+    const double penalty = effects_.traction ? traction_penalty(node) : penalties_.stiffness[node];
+    const LawValue law = normal_traction(multipliers.traction[node], penalty, loads.gap[node], touch_);
     status.push_back(seen(loads, node) && law.derivative > 0);
   }
   return status;
@@ -82,6 +73,7 @@ std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const S
 }
 
 std::vector<bool> ContactPass::sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  if (frozen_) return frozen_->geometry.sealed;
   return held_ ? held_->loads.sealed : natural_status(x1, x2);
 }
 
@@ -103,8 +95,7 @@ NodalLoads ContactPass::predicted_loads(const Held& held, const SurfaceFields& p
     loads.gap[node] += linear.gap_variation.dot(moved);
     for (std::size_t k = 0; k < linear.jumps.size(); ++k) {
       const int field = linear.patch.fields[k];
-      loads.jump(field, node) += linear.jumps[k].drift.dot(moved) +
-                                 linear.jumps[k].weights.dot(field_at(linear.patch, field, first, second));
+      loads.jump(field, node) += linear.jumps[k].drift.dot(moved) + jump_of(linear, k, first, second);
     }
   });
   apply_laws(loads);
@@ -112,6 +103,7 @@ NodalLoads ContactPass::predicted_loads(const Held& held, const SurfaceFields& p
 }
 
 bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
+  if (frozen_) return false;  // the laws are linear, and no status changes
   const NodalLoads before = nodal_loads(primary, secondary);
   const bool predicted = held_.has_value();
   Held next;

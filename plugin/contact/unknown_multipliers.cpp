@@ -44,7 +44,7 @@ VectorXd ContactPass::unknown_multipliers() const {
   const MultiplierLayout layout = multiplier_layout();
   VectorXd mu(layout.size());
   for (Index node = 0; node < primary_.nodes; ++node) {
-    mu[layout.traction(node)] = multipliers.traction[node] / traction_unit(node);
+    if (effects_.traction) mu[layout.traction(node)] = multipliers.traction[node] / traction_unit(node);
     for (int k = 0; k < effects_.scalar_fields(); ++k) {
       mu[layout.flux(node, k)] = multipliers.flux(k, node) / flux_unit(k, node);
     }
@@ -55,7 +55,7 @@ VectorXd ContactPass::unknown_multipliers() const {
 void ContactPass::set_unknown_multipliers(const VectorXd& mu) {
   const MultiplierLayout layout = multiplier_layout();
   for (Index node = 0; node < primary_.nodes; ++node) {
-    multipliers.traction[node] = mu[layout.traction(node)] * traction_unit(node);
+    if (effects_.traction) multipliers.traction[node] = mu[layout.traction(node)] * traction_unit(node);
     for (int k = 0; k < effects_.scalar_fields(); ++k) {
       multipliers.flux(k, node) = mu[layout.flux(node, k)] * flux_unit(k, node);
     }
@@ -70,7 +70,8 @@ VectorXd ContactPass::multiplier_weights(const NodalLoads& loads, const Matrix3X
   VectorXd weights(layout.size());
   for (Index node = 0; node < primary_.nodes; ++node) {
     const bool in_contact = loads.in_contact[static_cast<std::size_t>(node)];
-    weights[layout.traction(node)] = -traction_unit(node) * (in_contact ? loads.area[node] : whole[node]);
+    if (effects_.traction)
+      weights[layout.traction(node)] = -traction_unit(node) * (in_contact ? loads.area[node] : whole[node]);
     for (int k = 0; k < effects_.scalar_fields(); ++k) {
       const double area = passes(loads, k, node) ? loads.flux_area(k, node) : whole[node];
       weights[layout.flux(node, k)] = flux_unit(k, node) * area;
@@ -99,7 +100,8 @@ VectorXd ContactPass::multiplier_residual(Index node, const NodalLoads& loads, c
   const MultiplierLayout all = multiplier_layout();
   const LocalLayout layout = node_patch(node, {}).layout();
   VectorXd residual = VectorXd::Zero(layout.size());
-  residual[layout.traction_multiplier()] = weights[all.traction(node)] * traction_condition(node, loads).value;
+  if (effects_.traction)
+    residual[layout.traction_multiplier()] = weights[all.traction(node)] * traction_condition(node, loads).value;
   for (int k = 0; k < effects_.scalar_fields(); ++k) {
     residual[layout.flux_multiplier(k)] = dt * weights[all.flux(node, k)] * flux_condition(k, node, loads).value;
   }
@@ -144,7 +146,8 @@ TangentBlock ContactPass::flux_multiplier_tangent(int field, Index node, const N
 std::vector<TangentBlock> ContactPass::multiplier_tangent(Index node, const NodeLinearisation& linear,
                                                           const NodalLoads& loads, const VectorXd& weights,
                                                           double dt) const {
-  std::vector<TangentBlock> blocks{traction_multiplier_tangent(node, linear, loads, weights)};
+  std::vector<TangentBlock> blocks;
+  if (effects_.traction) blocks.push_back(traction_multiplier_tangent(node, linear, loads, weights));
   for (int field = 0; field < effects_.scalar_fields(); ++field) {
     blocks.push_back(flux_multiplier_tangent(field, node, linear, loads, weights, dt));
   }

@@ -175,7 +175,7 @@ bool FEMixtureContact::check_surfaces() {
   return !shared;
 }
 
-bool FEMixtureContact::read_materials() {
+std::optional<PerSide<std::vector<FacetMaterial>>> FEMixtureContact::materials() {
   PerSide<std::vector<FacetMaterial>> materials;
   for (const Side side : both_sides) {
     FEMixtureSurface& s = surface(side);
@@ -185,19 +185,24 @@ bool FEMixtureContact::read_materials() {
       if (!material) {
         feLogError("sliding-mixture \"%s\": surface \"%s\": %s.", GetName().c_str(), s.GetName().c_str(),
                    problem.c_str());
-        return false;
+        return std::nullopt;
       }
       materials[side].push_back(*material);
     }
   }
-  if (!decide_effects(materials)) return false;
+  return materials;
+}
+
+bool FEMixtureContact::read_materials() {
+  const auto found = materials();
+  if (!found || !decide_effects(*found)) return false;
   if (effects_.scalar_fields() > max_scalar_fields) {
     feLogError("sliding-mixture \"%s\": the surfaces share %d fields; at most %d are supported.", GetName().c_str(),
                effects_.scalar_fields(), max_scalar_fields);
     return false;
   }
-  build_core({{surface_mesh(Side::primary, materials[Side::primary]),
-               surface_mesh(Side::secondary, materials[Side::secondary])}});
+  build_core({{surface_mesh(Side::primary, (*found)[Side::primary]),
+               surface_mesh(Side::secondary, (*found)[Side::secondary])}});
   const VectorXd& penalty = core_->pass(0).penalty().traction;
   if (!penalty.allFinite()) {
     feLogError(
@@ -244,13 +249,45 @@ std::vector<FieldAtContact> FEMixtureContact::fields_of_model(const PerSide<std:
 }
 
 bool FEMixtureContact::decide_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
-  const Exchange exchange = decide_exchange(parameters_.effects, fields_of_model(materials));
+  fields_at_contact_ = fields_of_model(materials);
+  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, Motion::undecided);
   for (const std::string& sentence : exchange.complaints)
     feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
   if (!exchange.complaints.empty()) return false;
   effects_ = exchange.effects;
-  feLog("sliding-mixture \"%s\" exchanges %s\n", GetName().c_str(), exchange.summary.c_str());
   return true;
+}
+
+Motion FEMixtureContact::motion() {
+  const auto fixed = [&](const FENode& node) {
+    return node.m_rid < 0 && std::all_of(
+                                 displacement_dofs_.begin(), displacement_dofs_.end(),
+                                 [&](int dof) { return node.get_bc(dof) == DOF_FIXED; });
+  };
+  for (const Side side : both_sides) {
+    FEMixtureSurface& s = surface(side);
+    for (int i = 0; i < s.Nodes(); ++i) {
+      if (!fixed(s.Node(i))) return Motion::possible;
+    }
+  }
+  return Motion::impossible;
+}
+
+void FEMixtureContact::decide_traction() {
+  // Only a step's own boundary conditions tell whether anything can move in it. A continued run has not read materials.
+  if (fields_at_contact_.empty()) {
+    if (const auto found = materials()) fields_at_contact_ = fields_of_model(*found);
+  }
+  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, motion());
+  may_run_ = exchange.complaints.empty();
+  for (const std::string& sentence : exchange.complaints)
+    feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
+  if (exchange.effects.traction != effects_.traction) {
+    effects_.traction = exchange.effects.traction;
+    core_->exchange_traction(effects_.traction);
+  }
+  if (std::exchange(summary_, exchange.summary) != exchange.summary)
+    feLog("sliding-mixture \"%s\" exchanges %s\n", GetName().c_str(), exchange.summary.c_str());
 }
 
 SurfaceMesh FEMixtureContact::surface_mesh(Side side, const std::vector<FacetMaterial>& materials) {
@@ -291,16 +328,10 @@ SurfaceMesh FEMixtureContact::surface_mesh(Side side, const std::vector<FacetMat
 bool FEMixtureContact::update_properties() {
   PerSide<VectorXd> stiffness;
   PerSide<MatrixXd> conductance;
+  const auto found = materials();
+  if (!found) return false;
   for (const Side side : both_sides) {
-    FEMixtureSurface& s = surface(side);
-    std::vector<FacetMaterial> materials;
-    for (int i = 0; i < s.Elements(); ++i) {
-      std::string problem;
-      const auto material = facet_material(*GetFEModel(), s, s.Element(i), problem);
-      if (!material) return false;
-      materials.push_back(*material);
-    }
-    const SurfaceMesh mesh = surface_mesh(side, materials);
+    const SurfaceMesh mesh = surface_mesh(side, (*found)[side]);
     stiffness[side] = mesh.stiffness;
     conductance[side] = mesh.conductance;
   }
@@ -329,6 +360,7 @@ bool FEMixtureContact::check_ambient() {
 
 int FEMixtureContact::InitEquations(int first) {
   first_equation_ = first;
+  decide_traction();
   multiplier_node_ = deformable_node();
   return static_cast<int>(core_->multiplier_layout().size());
 }
@@ -356,6 +388,7 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
 }
 
 void FEMixtureContact::PrepStep() {
+  if (!may_run_) throw FatalError();
   disputes_ = 0;
   ambient_.synchronise();
   if (reads_properties_again(parameters_)) update_properties();
@@ -824,7 +857,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_ & first_equation_ & multiplier_node_;
     for (int& dof : displacement_dofs_) ar & dof;
     archive(ar, step_start_);
-    ar & effects_.solvent & effects_.solutes;
+    ar & effects_.traction & effects_.solvent & effects_.solutes;
     ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given &
         parameters_.solute_tolerance_given;
     ar & parameters_.penalty_given & parameters_.pressure_penalty_given & parameters_.concentration_penalty_given;

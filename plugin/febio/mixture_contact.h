@@ -14,6 +14,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,11 +60,14 @@ class FEMixtureContact : public FEContactInterface {
   // Setting up
   bool check_parameters();
   bool check_surfaces();
+  std::optional<PerSide<std::vector<struct FacetMaterial>>> materials();
   bool read_materials();
   bool check_ambient();
   bool check_multipliers();
-  std::vector<FieldAtContact> fields_of_model(const PerSide<std::vector<struct FacetMaterial>>& materials);
+  std::vector<FieldAtContact> fields_of_model(const PerSide<std::vector<FacetMaterial>>& materials);
   bool decide_effects(const PerSide<std::vector<FacetMaterial>>& materials);
+  Motion motion();
+  void decide_traction();
   mixture_contact::SurfaceMesh surface_mesh(Side side, const std::vector<FacetMaterial>& materials);
   bool update_properties();
   void add_callbacks();
@@ -132,7 +136,10 @@ class FEMixtureContact : public FEContactInterface {
   int disputes_ = 0;                ///< solutions of FEBio's in this step that were none
   bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;
-  mixture_contact::Stopwatch run_;  ///< since the contact was read
+  mixture_contact::Stopwatch run_;                 ///< since the contact was read
+  std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow
+  std::string summary_;                            ///< what the log said last of the effects
+  bool may_run_ = true;                            ///< the effects asked for exist in the present step
 
   DECLARE_FECORE_CLASS()
 };

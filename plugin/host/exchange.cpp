@@ -10,7 +10,8 @@ std::string number_of(const FieldAtContact& field) {
 }
 
 bool is_called(const FieldAtContact& field, const std::string& word) {
-  return word == number_of(field) || (!field.name.empty() && word == field.name);
+  return word == number_of(field) || (word == "solutes" && field.solute >= 0) ||
+         (!field.name.empty() && word == field.name);
 }
 
 std::string trimmed(const std::string& text) {
@@ -26,8 +27,14 @@ std::vector<std::string> words(const std::string& list) {
   return found;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string list = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) list += ", " + names[i];
+  return list;
+}
+
 std::string allowed(const std::vector<FieldAtContact>& fields) {
-  std::string list = "\"all\", or names out of traction";
+  std::string list = "\"all\", or names out of traction, solutes";
   for (const FieldAtContact& field : fields) {
     list += ", " + number_of(field);
     if (!field.name.empty()) list += " (" + field.name + ")";
@@ -36,7 +43,7 @@ std::string allowed(const std::vector<FieldAtContact>& fields) {
 }
 
 void check_word(const std::string& word, const std::vector<FieldAtContact>& fields, std::vector<std::string>& list) {
-  if (word == "traction") return;
+  if (word == "traction" || word == "solutes") return;
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return is_called(f, word); });
   if (field == fields.end()) {
     list.push_back("<effects> names \"" + word + "\"; allowed: " + allowed(fields) + ".");
@@ -56,7 +63,7 @@ void exchange(const FieldAtContact& field, mixture_contact::Effects& effects) {
 
 }  // namespace
 
-Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields) {
+Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion) {
   Exchange result;
   const bool everything = trimmed(asked) == "all";
   const std::vector<std::string> names = everything ? std::vector<std::string>{} : words(asked);
@@ -64,8 +71,20 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
   if (!everything && names.empty())
     result.complaints.push_back("<effects> is empty; allowed: " + allowed(fields) + ".");
 
-  std::string present = "traction";
+  const bool pushes = everything || std::find(names.begin(), names.end(), "traction") != names.end();
+  if (!pushes && motion == Motion::possible) {
+    result.complaints.emplace_back(
+        "<effects> leaves traction out, but not all displacements of the two surfaces are fixed: what can move would "
+        "pass through the other side. Name traction, or fix x, y and z of every node of both surfaces.");
+  }
+  result.effects.traction = motion != Motion::impossible;
+  std::vector<std::string> present;
   std::string absent;
+  if (result.effects.traction) {
+    present.emplace_back("traction");
+  } else {
+    absent = " No traction: the displacements of both surfaces are fixed.";
+  }
   for (const FieldAtContact& field : fields) {
     const auto means_it = [&](const std::string& name) { return is_called(field, name); };
     const bool wanted = everything || std::any_of(names.begin(), names.end(), means_it);
@@ -73,11 +92,11 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
     if (!field.obstacles.empty()) continue;
     if (wanted) {
       exchange(field, result.effects);
-      present += ", " + number_of(field);
+      present.push_back(number_of(field));
     } else {
       absent += " No " + number_of(field) + ": <effects> leaves it out.";
     }
   }
-  result.summary = present + "." + absent;
+  result.summary = (present.empty() ? "nothing" : joined(present)) + "." + absent;
   return result;
 }

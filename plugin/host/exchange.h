@@ -20,6 +20,14 @@ struct Exchange {
   std::vector<std::string> complaints;  ///< what is wrong with the request, one sentence each
 };
 
+/// What is known of the nodes of both surfaces.
+enum class Motion {
+  undecided,  ///< nothing yet
+  possible,   ///< at least one can move
+  impossible  ///< every displacement is fixed
+};
+
 /// Decides which of the fields, ordered solvent first and solutes ascending, a contact exchanges. `asked` is the
-/// parameter <effects>: "all", or names with commas between them. Traction is always exchanged.
-Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields);
+/// parameter <effects>: "all", or names with commas between them; "solutes" stands for every solute that both sides
+/// have. Traction is exchanged unless no node can move; leaving it out elsewhere is a complaint.
+Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion);

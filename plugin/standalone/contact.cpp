@@ -88,8 +88,28 @@ std::vector<FieldAtContact> Contact::fields_of_model() const {
   return fields;
 }
 
+bool Contact::can_move() const {
+  std::array<std::set<int>, 3> fixed;
+  for (const Condition& condition : model_.prescribed) {
+    const bool zero = condition.value.value == 0 && condition.value.curve < 0;
+    if (zero && condition.dof < 3)
+      fixed[static_cast<std::size_t>(condition.dof)].insert(condition.nodes.begin(), condition.nodes.end());
+  }
+  const auto is_held = [&](int node) {
+    return std::all_of(fixed.begin(), fixed.end(), [node](const auto& nodes) { return nodes.count(node) > 0; });
+  };
+  const auto is_rigid = [&](const SurfaceFacet& facet) {
+    return bodies_.material(static_cast<std::size_t>(facet.element)).rigid;
+  };
+  return !std::all_of(both_sides.begin(), both_sides.end(), [&](Side side) {
+    return std::all_of(nodes_[side].begin(), nodes_[side].end(), is_held) &&
+           std::none_of(facets_[side].begin(), facets_[side].end(), is_rigid);
+  });
+}
+
 void Contact::decide_effects() {
-  const Exchange exchange = decide_exchange(definition_.parameters.effects, fields_of_model());
+  const Motion motion = can_move() ? Motion::possible : Motion::impossible;
+  const Exchange exchange = decide_exchange(definition_.parameters.effects, fields_of_model(), motion);
   if (!exchange.complaints.empty())
     throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
   effects_ = exchange.effects;

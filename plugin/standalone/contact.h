@@ -58,6 +58,7 @@ class Contact {
 
  private:
   std::vector<FieldAtContact> fields_of_model() const;
+  bool can_move() const;
   void decide_effects();
   mixture_contact::SurfaceMesh surface_mesh(Side side, const MatrixXd& values) const;
   PerSide<Matrix3Xd> positions(const MatrixXd& values) const;

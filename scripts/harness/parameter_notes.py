@@ -136,9 +136,10 @@ NOTES = {
         "The same for the jumps of all solutes.", "as `tolerance`", "not there", default="`tolerance`"
     ),
     "effects": Note(
-        "`all`, or names with commas between them: `traction`, `solvent`, `solute 1` or the solute's own name. What is "
-        "left out is sealed: no flux, no memory, no matrix entries. Traction is always exchanged, also where it is not "
-        "named. Asking for what the materials do not allow is an error that says why.",
+        "`all`, or names with commas between them: `traction`, `solvent`, `solutes`, `solute 1` or the solute's own "
+        "name. What is left out is sealed: no flux, no memory, no matrix entries. Traction may be left out only where "
+        "every displacement of both surfaces is fixed; there it is never exchanged. Asking for what cannot be is an "
+        "error that says why.",
         "none; fewer effects cost less",
         "not there",
     ),

@@ -81,7 +81,11 @@ class Case {
     return facing_grids(FacetType::quad4, FacetType::quad4, 0.1 / cells, cells, std::max(1, 3 * cells / 4));
   }
 
-  void move() { scene_.fields[Side::primary].position.row(0).array() += step_; }
+  /// What can move does; fields always change.
+  void move() {
+    if (scene_.effects.traction) scene_.fields[Side::primary].position.row(0).array() += step_;
+    scene_.fields[Side::primary].scalar.array() += step_;
+  }
 
   std::string name_;
   Scene scene_;
@@ -144,6 +148,11 @@ void effects(int facets, int iterations) {
   cases.emplace_back("solid, solvent", facets, effects_of(true, 0));
   for (const int solutes : {1, 2, 4}) {
     cases.emplace_back("solid, solvent, solutes " + std::to_string(solutes), facets, effects_of(true, solutes));
+  }
+  for (const int solutes : {1, 2, 4}) {
+    Effects transport = effects_of(true, solutes);
+    transport.traction = false;
+    cases.emplace_back("frozen, solvent, solutes " + std::to_string(solutes), facets, transport);
   }
   measure_in_turn(cases, iterations);
 }

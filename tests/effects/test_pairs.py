@@ -160,9 +160,10 @@ def three_on_two(effects, name):
 
 CHOICES = {
     "traction": set(),
-    "solvent": {"contact solvent flow"},
+    "traction, solvent": {"contact solvent flow"},
     "traction, solvent , solute 1": {"contact solvent flow", "contact solute flow 1"},
-    "s3": {"contact solute flow 3"},
+    "traction, s3": {"contact solute flow 3"},
+    "traction, solutes": {"contact solute flow 1", "contact solute flow 3"},
     "all": {"contact solvent flow", "contact solute flow 1", "contact solute flow 3"},
 }
 
@@ -185,7 +186,10 @@ def test_what_is_left_out_is_sealed(runner, effects):
             '<effects> asks for solute 2, which this contact cannot exchange: "upper-bottom" does not have it',
         ),
         ("s2", '<effects> asks for s2, which this contact cannot exchange: "upper-bottom" does not have it'),
-        ("solvent, salt", '<effects> names "salt"; allowed: "all", or names out of traction, solvent, solute 1 (s1)'),
+        (
+            "solvent, salt",
+            '<effects> names "salt"; allowed: "all", or names out of traction, solutes, solvent, solute 1 (s1)',
+        ),
         ("solvent,,s1", '<effects> names ""; allowed'),
     ],
 )

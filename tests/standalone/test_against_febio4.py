@@ -67,7 +67,7 @@ def test_a_loaded_biphasic_layer_agrees(runs):
     assert max(found.values()) <= BAR, found
 
 
-@pytest.mark.parametrize("effects", ["solvent", "s1"])
+@pytest.mark.parametrize("effects", ["traction, solvent", "traction, s1"])
 def test_an_effect_left_out_agrees(runs, effects):
     settings = ContactSettings(extra=(Param("effects", effects),))
     one, two = runs(strict(Diffusion(settings=settings, control=Control(20, 50.0)).model(), FLOORS[10.0]))

@@ -248,7 +248,7 @@ class Joint:
 
     def _asks_for_solute(self, number: int) -> bool:
         own = [name for name, known in self.model.solutes.items() if known == number and not name.isdigit()]
-        return self.contact.asks_for(f"solute {number}", *own)
+        return self.contact.asks_for("solutes", f"solute {number}", *own)
 
     @cached_property
     def gaps(self) -> Array:
