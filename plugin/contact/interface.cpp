@@ -218,14 +218,15 @@ PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
 }
 
 std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<bool>& other_in_contact) const {
+  std::vector<bool> in_contact(static_cast<std::size_t>(mesh_[side].nodes), false);
+  const double reach = search_radius(position_);
+  if (!surfaces_within_reach(position_[side], position_[other(side)], reach)) return in_contact;
   const std::vector<Facet>& facets = mesh_[other(side)].facets;
   const FacetTree tree(facets, position_[other(side)], box_margin);
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
   const VectorXd other_share = VectorXd::NullaryExpr(static_cast<Index>(other_in_contact.size()), [&](Index node) {
     return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
   });
-  const double reach = search_radius(position_);
-  std::vector<bool> in_contact(static_cast<std::size_t>(mesh_[side].nodes), false);
   const auto is_faced = [&](std::size_t index) {
     const auto node = static_cast<Index>(index);
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};

@@ -26,8 +26,8 @@ std::size_t bytes(const SurfaceFields& fields) { return bytes(fields.position) +
 }  // namespace
 
 std::size_t ContactPass::memory() const {
-  std::size_t sum = bytes(pairs_) + bytes(multipliers.traction) + bytes(multipliers.flux) + bytes(penalties_.traction) +
-                    bytes(penalties_.flux);
+  std::size_t sum = points_->memory() + bytes(pairs_) + bytes(multipliers.traction) + bytes(multipliers.flux) +
+                    bytes(penalties_.traction) + bytes(penalties_.flux);
   for (const FacetPair& pair : pairs_) sum += bytes(pair.points);
   if (!held_) return sum;
   sum += bytes(held_->loads) + bytes(held_->primary) + bytes(held_->secondary) + bytes(held_->geometric_traction) +

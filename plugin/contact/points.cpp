@@ -40,7 +40,7 @@ std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, con
 
 GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order,
                          double tolerance)
-    : primary_(primary), secondary_(secondary), tolerance_(tolerance) {
+    : primary_(primary), secondary_(secondary), tolerance_(tolerance), moving_(secondary) {
   for (std::size_t f = 0; f < primary.size(); ++f) {
     const FacetType type = primary[f].type;
     for (const QuadraturePoint& q : quadrature(type, order > 0 ? order : default_quadrature_order(type))) {
@@ -48,22 +48,32 @@ GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Fa
     }
   }
   seen_.assign(points_.size(), nothing_seen);
+  neighbours_.resize(points_.size());
 }
 
 std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   std::vector<FacetPair> pairs;
-  const FacetTree tree(secondary_, x2, box_margin);
+  seen_.assign(points_.size(), nothing_seen);
+  if (!surfaces_within_reach(x1, x2, radius)) return pairs;
+  moving_.move_to(x2);
   const auto hit_of = [&](std::size_t q) {
     const Point& point = points_[q];
     const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
-    return nearest_facing(tree, secondary_, x2, ray);
+    return moving_.nearest_facing(ray, neighbours_[q]);
   };
   in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];
-    seen_[q] = hit ? hit->facet : nothing_seen;
-    if (hit) add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
+    if (!hit) return;
+    seen_[q] = hit->facet;
+    add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
   return pairs;
+}
+
+std::size_t GaussPoints::memory() const {
+  std::size_t sum = points_.size() * (sizeof(Point) + sizeof(int) + sizeof(RayNeighbours));
+  for (const RayNeighbours& ray : neighbours_) sum += ray.facets.capacity() * sizeof(int);
+  return sum;
 }
 
 std::vector<PointMotion> GaussPoints::motions(const FacetPair& pair, const Matrix3Xd& /*x1*/,

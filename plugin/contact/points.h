@@ -48,6 +48,9 @@ class PointFinder {
 
   /// How the points of a pair, found at these positions, move with them; one entry per point.
   virtual std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+
+  /// What it keeps [bytes].
+  virtual std::size_t memory() const = 0;
 };
 
 /// The finder that the settings ask for. Keeps references to the facets.
@@ -64,6 +67,7 @@ class GaussPoints : public PointFinder {
   /// A point that leaves its facet comes back with it.
   std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  std::size_t memory() const override;
 
  private:
   struct Point {
@@ -77,7 +81,9 @@ class GaussPoints : public PointFinder {
   const std::vector<Facet>& secondary_;
   double tolerance_;
   std::vector<Point> points_;
-  std::vector<int> seen_;  ///< per point: the secondary facet that the last search() found, or -1
+  std::vector<int> seen_;                  ///< per point: the secondary facet that the last search() found, or -1
+  MovingSurface moving_;                   ///< the secondary surface
+  std::vector<RayNeighbours> neighbours_;  ///< per point
 };
 
 }  // namespace mixture_contact

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,10 @@ class FacetTree {
   Eigen::KdBVH<double, 3, int> tree_;
 };
 
+/// Whether two surfaces come within `reach` of each other, by the boxes around all their nodes: where not, no ray from
+/// one meets the other.
+bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reach);
+
 /// A ray that looks for the nearest facet that faces it.
 struct Ray {
   Vector3d origin;
@@ -52,5 +57,44 @@ struct SurfaceHit {
 /// index.
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray);
+
+/// The facets that a ray of an earlier configuration could meet.
+struct RayNeighbours {
+  std::array<Vector3d, 2> ends;  ///< of the ray as it was looked up
+  int reference = -1;            ///< reference configuration of the surface that it was looked up in; -1: none yet
+  std::vector<int> facets;       ///< ascending
+};
+
+/// Search on a surface that moves: the hits of nearest_facing() on a tree of the present configuration, but with a tree
+/// built, and rays looked up in it, only as far as motion requires.
+///
+/// The tree holds the boxes of a reference configuration. While no node has moved by more than d along an axis since, a
+/// box's faces have moved by at most d (1 + 2 sqrt(3) box_margin): d along with the nodes, and the margin times the
+/// change of the diagonal. That is kept below a slack s; beyond, the present configuration becomes the reference.
+/// A ray's neighbours are the facets whose reference boxes, enlarged by 2 s, meet it. While its ends, and with them
+/// each of its points, have moved by at most s along an axis as well, it meets no other box.
+class MovingSurface {
+ public:
+  /// Keeps a reference to the facets.
+  explicit MovingSurface(const std::vector<Facet>& facets) : facets_(facets) {}
+
+  /// Sets the present configuration.
+  void move_to(const Matrix3Xd& positions);
+
+  /// As nearest_facing() in the present configuration. `neighbours` are those of this ray from earlier calls, and are
+  /// renewed where it has moved too far. Rays with neighbours of their own may be searched for at once.
+  std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours) const;
+
+ private:
+  bool holds(const RayNeighbours& neighbours, const std::array<Vector3d, 2>& ends) const;
+
+  const std::vector<Facet>& facets_;
+  Matrix3Xd positions_;
+  std::vector<Eigen::AlignedBox3d> boxes_;  ///< in the present configuration
+  Matrix3Xd reference_;
+  std::optional<FacetTree> tree_;  ///< in the reference configuration
+  double slack_ = 0;               ///< s [length]
+  int references_ = 0;             ///< how many reference configurations there have been
+};
 
 }  // namespace mixture_contact

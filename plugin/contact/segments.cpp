@@ -236,6 +236,7 @@ bool Segments::hidden(const FacetPair& pair, const std::vector<FacetPair>& all, 
 std::vector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   std::vector<FacetPair> found;
   seen_.clear();
+  if (!surfaces_within_reach(x1, x2, radius)) return found;
   const FacetTree tree(secondary_, x2, box_margin);
   for (std::size_t f = 0; f < primary_.size(); ++f) {
     const Ray ray = normal_ray(primary_[f], x1, parametric_centre(primary_[f].type), radius, 0);

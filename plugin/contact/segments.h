@@ -29,6 +29,7 @@ class Segments : public PointFinder {
   std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  std::size_t memory() const override { return seen_.capacity() * sizeof(Facing); }
 
  private:
   struct Facing {

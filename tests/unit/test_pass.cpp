@@ -14,12 +14,14 @@ namespace {
 
 constexpr double dt = 0.25;
 
-/// A pass over the primary surface of a scene.
-ContactPass pass_of(const Scene& scene, double radius = 1) {
-  ContactPass pass(scene.mesh[Side::primary], scene.mesh[Side::secondary], scene.effects, scene.settings);
-  pass.project(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, radius);
-  return pass;
-}
+/// A pass over the primary surface of a scene, projected in the scene's configuration.
+class ProjectedPass : public ContactPass {
+ public:
+  explicit ProjectedPass(const Scene& scene, double radius = 1)
+      : ContactPass(scene.mesh[Side::primary], scene.mesh[Side::secondary], scene.effects, scene.settings) {
+    project(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, radius);
+  }
+};
 
 void residual_of(const ContactPass& pass, const Scene& scene,
                  const std::function<void(const Patch&, const VectorXd&)>& use) {
@@ -114,18 +116,18 @@ FieldMask mask_of_facet(const SurfaceMesh& mesh, const std::vector<int>& nodes) 
 
 BOOST_AUTO_TEST_CASE(points_follow_the_integration_order) {
   Scene scene = overlapping_squares(FacetType::quad4, FacetType::tri6);
-  BOOST_TEST(points(pass_of(scene)) == 4 * 4);
+  BOOST_TEST(points(ProjectedPass(scene)) == 4 * 4);
   scene.settings.integration_order = 3;
-  BOOST_TEST(points(pass_of(scene)) == 4 * 9);
+  BOOST_TEST(points(ProjectedPass(scene)) == 4 * 9);
   scene = overlapping_squares(FacetType::tri6);
-  BOOST_TEST(points(pass_of(scene)) == 8 * 7);
+  BOOST_TEST(points(ProjectedPass(scene)) == 8 * 7);
 }
 
 BOOST_AUTO_TEST_CASE(every_point_of_facing_surfaces_finds_the_point_opposite) {
   for (const FacetType one : all_facets) {
     for (const FacetType two : all_facets) {
       const Scene scene = overlapping_squares(one, two);
-      const ContactPass pass = pass_of(scene);
+      const ProjectedPass pass(scene);
       BOOST_TEST(points(pass) == all_points(scene));
       int found = 0;
       pass.for_each_contact(scene.fields[Side::primary], scene.fields[Side::secondary], dt,
@@ -144,7 +146,8 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_give_their_exact_force_and_flows
     for (const FacetType two : all_facets) {
       const Scene scene = overlapping_squares(one, two);
       VectorXd sum = VectorXd::Zero(6);
-      residual_of(pass_of(scene), scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
+      residual_of(ProjectedPass(scene), scene,
+                  [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
       // Area 1; t_n = -4/16 along +z; w = 2 (1/2 - 1/4); j = 8 (1 - 1/2) and 8 (0 - 2).
       VectorXd expected(6);
       expected << 0, 0, -0.25, dt * 0.5, dt * 4, dt * -16;
@@ -157,7 +160,7 @@ BOOST_AUTO_TEST_CASE(residuals_come_once_per_pair_of_facets_and_tangents_within_
   std::mt19937 random(1);
   Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.05, 3, 4), effects_of(true, 1));
   scene.disturb(0.03, random);
-  const ContactPass pass = pass_of(scene);
+  const ProjectedPass pass(scene);
   std::set<std::pair<std::vector<int>, std::vector<int>>> loaded;
   residual_of(pass, scene, [&](const Patch& patch, const VectorXd& residual) {
     BOOST_TEST(loaded.insert({patch.primary, patch.secondary}).second);
@@ -188,7 +191,7 @@ BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
     for (const Side side : both_sides) {
       for (FieldMask& mask : scene.mesh[side].permeable) mask = random() % (FieldMask{1} << unsigned{fields});
     }
-    const ContactPass pass = pass_of(scene);
+    const ProjectedPass pass(scene);
     const auto expected = [&](const Patch& patch) {
       const FieldMask both = mask_of_facet(scene.mesh[Side::primary], patch.primary) &
                              mask_of_facet(scene.mesh[Side::secondary], patch.secondary);
@@ -226,9 +229,9 @@ BOOST_AUTO_TEST_CASE(the_flow_of_a_field_does_not_depend_on_its_place_or_on_the_
     }
   }
   std::vector<VectorXd> whole;
-  residual_of(pass_of(scene), scene, [&](const Patch&, const VectorXd& residual) { whole.push_back(residual); });
+  residual_of(ProjectedPass(scene), scene, [&](const Patch&, const VectorXd& residual) { whole.push_back(residual); });
   std::size_t next = 0;
-  residual_of(pass_of(part), part, [&](const Patch& patch, const VectorXd& residual) {
+  residual_of(ProjectedPass(part), part, [&](const Patch& patch, const VectorXd& residual) {
     BOOST_REQUIRE(next < whole.size());
     const LocalLayout layout(patch.layout().primary_nodes(), patch.layout().nodes() - patch.layout().primary_nodes(),
                              fields);
@@ -253,7 +256,7 @@ BOOST_AUTO_TEST_CASE(a_field_keeps_its_own_values_penalty_and_multiplier_where_o
     for (Index k = 0; k < 4; ++k) scene.mesh[side].conductance.row(k).setConstant(1 << k);
   }
   for (FieldMask& mask : scene.mesh[Side::secondary].permeable) mask = only(1) | only(3);
-  ContactPass pass = pass_of(scene);
+  ProjectedPass pass(scene);
   for (Index k = 0; k < 4; ++k) pass.multipliers.flux.row(k).setConstant(100 * static_cast<double>(k + 1));
   VectorXd sum = VectorXd::Zero(5);
   residual_of(pass, scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
@@ -265,7 +268,7 @@ BOOST_AUTO_TEST_CASE(as_many_fields_as_a_mask_holds_are_exchanged) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 1, 1), effects_of(true, max_scalar_fields - 1),
               explicit_settings(1, 2, 3));
   for (Index k = 0; k < max_scalar_fields; ++k) scene.set_field(k, static_cast<double>(k), 0);
-  residual_of(pass_of(scene), scene, [](const Patch& patch, const VectorXd& residual) {
+  residual_of(ProjectedPass(scene), scene, [](const Patch& patch, const VectorXd& residual) {
     const VectorXd sum = primary_sum(patch, residual);
     for (Index k = 0; k < max_scalar_fields; ++k) {
       const double flow = dt * (k == 0 ? 2.0 : 3.0) * static_cast<double>(k);
@@ -277,7 +280,7 @@ BOOST_AUTO_TEST_CASE(as_many_fields_as_a_mask_holds_are_exchanged) {
 BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_in_contact_and_those_apart_are_not) {
   for (const double gap : {0.0, 1e-14, 1e-3, 0.5}) {
     const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, -gap), effects_of(true, 1));
-    const ContactPass pass = pass_of(scene);
+    const ProjectedPass pass(scene);
     BOOST_TEST(points(pass) == all_points(scene));
     BOOST_TEST(contacts(pass, scene) == (gap < 1e-10 ? all_points(scene) : 0));
     residual_of(pass, scene, [](const Patch&, const VectorXd& residual) { BOOST_TEST(residual.norm() == 0.0); });
@@ -286,15 +289,15 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_in_contact_and_those_apart_are_not)
 
 BOOST_AUTO_TEST_CASE(facets_farther_than_the_radius_are_not_seen) {
   const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, -0.5), effects_of(false, 0));
-  BOOST_TEST(points(pass_of(scene, 0.6)) == 16);
-  BOOST_TEST(pass_of(scene, 0.4).pairs().empty());
+  BOOST_TEST(points(ProjectedPass(scene, 0.6)) == 16);
+  BOOST_TEST(ProjectedPass(scene, 0.4).pairs().empty());
 }
 
 BOOST_AUTO_TEST_CASE(points_beside_the_other_surface_are_not_in_contact) {
   PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.05);
   grids[Side::secondary].high[0] = 0.5;
   const Scene scene(grids, effects_of(false, 0));
-  BOOST_TEST(points(pass_of(scene)) == 8);
+  BOOST_TEST(points(ProjectedPass(scene)) == 8);
 }
 
 BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
@@ -304,7 +307,7 @@ BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
   for (const bool symmetric : {true, false}) {
     scene.settings.symmetric = symmetric;
     int handed_out = 0;
-    tangent_of(pass_of(scene), scene, [&](const TangentBlock& block) {
+    tangent_of(ProjectedPass(scene), scene, [&](const TangentBlock& block) {
       ++handed_out;
       const MatrixXd& tangent = block.values;
       const bool is_symmetric = tangent.rows() == tangent.cols() &&
@@ -317,7 +320,7 @@ BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
 
 BOOST_AUTO_TEST_CASE(growth_multiplies_the_penalties) {
   const Scene scene = overlapping_squares();
-  ContactPass pass = pass_of(scene);
+  ProjectedPass pass(scene);
   pass.multipliers.traction_growth = 2;
   pass.multipliers.flux_growth << 4, 8, 16;
   VectorXd sum = VectorXd::Zero(6);
@@ -330,9 +333,9 @@ BOOST_AUTO_TEST_CASE(growth_multiplies_the_penalties) {
 BOOST_AUTO_TEST_CASE(a_zero_penalty_carries_nothing) {
   Scene scene = overlapping_squares();
   scene.settings = explicit_settings(0, 0, 0);
-  BOOST_TEST(contacts(pass_of(scene), scene) == 0);
+  BOOST_TEST(contacts(ProjectedPass(scene), scene) == 0);
   scene.settings = explicit_settings(1, 0, 0);
-  residual_of(pass_of(scene), scene, [](const Patch& patch, const VectorXd& residual) {
+  residual_of(ProjectedPass(scene), scene, [](const Patch& patch, const VectorXd& residual) {
     BOOST_TEST(primary_sum(patch, residual).tail(3).norm() == 0.0);
     BOOST_TEST(residual.norm() > 0.0);
   });

@@ -203,3 +203,46 @@ BOOST_AUTO_TEST_CASE(a_surface_without_facets_is_never_met) {
   surface.mesh.facets.clear();
   BOOST_TEST(!search(surface, upwards(0.5, 0.5, -1)).has_value());
 }
+
+BOOST_AUTO_TEST_CASE(a_surface_that_moves_is_searched_as_if_anew) {
+  // Small motions, during which neighbours are kept, and now and then one beyond the slack (a quarter of a facet).
+  std::mt19937 random(4);
+  int found = 0;
+  int kept = 0;
+  for (const FacetType type : all_facets) {
+    GridSurface surface = random_surface(type, random);
+    MovingSurface moving(surface.mesh.facets);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 20; ++i) rays.push_back(random_ray(random));
+    std::vector<RayNeighbours> neighbours(rays.size());
+    for (int step = 0; step < 12; ++step) {
+      const double way = step % 5 == 4 ? 0.3 : 0.01;
+      const Vector3d shift = random_vector(way, random);
+      for (Index node = 0; node < surface.position.cols(); ++node) {
+        surface.position.col(node) += shift + random_vector(0.002, random);
+      }
+      moving.move_to(surface.position);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays[i].origin += random_vector(way, random);
+        rays[i].direction = (rays[i].direction + random_vector(0.1 * way, random)).normalized();
+        const RayNeighbours before = neighbours[i];
+        const std::optional<SurfaceHit> hit = moving.nearest_facing(rays[i], neighbours[i]);
+        BOOST_TEST(same(hit, search(surface, rays[i])));
+        found += hit.has_value();
+        kept += neighbours[i].reference == before.reference && neighbours[i].ends == before.ends;
+      }
+    }
+  }
+  BOOST_TEST(found > 200);
+  BOOST_TEST(kept > 500);
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_out_of_reach_are_told_by_their_boxes) {
+  const GridSurface one = plate();
+  Matrix3Xd two = one.position;
+  two.row(2).array() += 2;
+  // Boxes are padded by a tenth of their diagonal, the root of 2, on both sides.
+  const double apart = 2 - 2 * 0.1 * std::sqrt(2.0);
+  BOOST_TEST(!surfaces_within_reach(one.position, two, apart - 1e-9));
+  BOOST_TEST(surfaces_within_reach(one.position, two, apart + 1e-9));
+}

@@ -1,0 +1,149 @@
+#include "mixture_contact.h"
+
+#include <FECore/FEGlobalMatrix.h>
+#include <FECore/FEGlobalVector.h>
+#include <FECore/FELinearSystem.h>
+#include <FECore/FEMesh.h>
+#include <FECore/FEModel.h>
+
+#include <array>
+
+using namespace mixture_contact;
+
+// Assembly: the core's patches in FEBio's equations.
+
+int FEMixtureContact::InitEquations(int first) {
+  first_equation_ = first;
+  decide_traction();
+  multiplier_node_ = deformable_node();
+  return static_cast<int>(core_->multiplier_layout().size());
+}
+
+std::vector<int> FEMixtureContact::node_ids(const ContactInterface::Location& at) {
+  std::vector<int> nodes;
+  for (const int node : at.patch.primary) nodes.push_back(surface(at.first).NodeIndex(node));
+  for (const int node : at.patch.secondary) nodes.push_back(surface(other(at.first)).NodeIndex(node));
+  if (at.patch.multiplier_node) nodes.push_back(multiplier_node_);
+  return nodes;
+}
+
+int FEMixtureContact::deformable_node() {
+  for (const Side side : both_sides) {
+    FEMixtureSurface& s = surface(side);
+    for (int i = 0; i < s.Nodes(); ++i) {
+      if (s.Node(i).m_rid < 0) return s.NodeIndex(i);
+    }
+  }
+  return -1;
+}
+
+std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& at, const std::vector<int>& nodes) {
+  const LocalLayout layout = at.patch.layout();
+  FEMesh& mesh = GetFEModel()->GetMesh();
+  std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
+  if (at.patch.multiplier_node) {
+    const MultiplierLayout own = core_->multiplier_layout();
+    const int node = *at.patch.multiplier_node;
+    const auto equation = [&](Index multiplier) { return first_equation_ + static_cast<int>(multiplier); };
+    if (layout.has_displacements())
+      ids[static_cast<std::size_t>(layout.traction_multiplier())] = equation(own.traction(node));
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      const int field = at.patch.fields[static_cast<std::size_t>(k)];
+      ids[static_cast<std::size_t>(layout.flux_multiplier(k))] = equation(own.flux(node, field));
+    }
+  }
+  for (Index node = 0; node < layout.nodes(); ++node) {
+    const std::vector<int>& id = mesh.Node(nodes[static_cast<std::size_t>(node)]).m_ID;
+    for (std::size_t i = 0; layout.has_displacements() && i < 3; ++i) {
+      ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(
+          displacement_dofs_[i])];
+    }
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      const int dof = field_dof(at.patch.fields[static_cast<std::size_t>(k)]);
+      ids[static_cast<std::size_t>(layout.scalar(node, k))] = id[static_cast<std::size_t>(dof)];
+    }
+  }
+  return ids;
+}
+
+void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
+  const TaskClock timed = core_->clock(Task::stiffness);
+  // Rigid nodes bring the equations of their body's rotations in as well.
+  FEModel& fem = *GetFEModel();
+  const std::array<int, 3> rotation{fem.GetDOFIndex("Ru"), fem.GetDOFIndex("Rv"), fem.GetDOFIndex("Rw")};
+  core_->for_each_coupling([&](const ContactInterface::Location& at) {
+    const std::vector<int> nodes = node_ids(at);
+    std::vector<int> ids = equations(at, nodes);
+    for (const int node : nodes) {
+      for (const int dof : rotation) {
+        if (dof >= 0 && at.patch.displacements)
+          ids.push_back(fem.GetMesh().Node(node).m_ID[static_cast<std::size_t>(dof)]);
+      }
+    }
+    matrix.build_add(ids);
+  });
+}
+
+void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
+  const TaskClock timed = core_->clock(Task::residual);
+  core_->residual(fields(), time.timeIncrement, [&](const ContactInterface::Location& at, const VectorXd& values) {
+    std::vector<int> nodes = node_ids(at);
+    std::vector<int> ids = equations(at, nodes);
+    std::vector<double> entries(values.data(), values.data() + values.size());
+    residual.Assemble(nodes, ids, entries);
+  });
+}
+
+namespace {
+
+/// Where the entries of a layout stand in another over the same nodes and fields that has displacements, too.
+std::vector<Index> places(const LocalLayout& layout, const LocalLayout& all) {
+  std::vector<Index> places(static_cast<std::size_t>(layout.size()));
+  for (Index block = 0; block < layout.blocks(); ++block) {
+    for (Index i = 0; layout.has_displacements() && i < 3; ++i) {
+      places[static_cast<std::size_t>(layout.displacement(block, i))] = all.displacement(block, i);
+    }
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      places[static_cast<std::size_t>(layout.scalar(block, k))] = all.scalar(block, k);
+    }
+  }
+  return places;
+}
+
+/// Equations at their places in a larger layout, and none elsewhere.
+std::vector<int> spread(const std::vector<int>& equations, const std::vector<Index>& places, const LocalLayout& all) {
+  std::vector<int> result(static_cast<std::size_t>(all.size()), -1);
+  for (std::size_t i = 0; i < equations.size(); ++i) result[static_cast<std::size_t>(places[i])] = equations[i];
+  return result;
+}
+
+}  // namespace
+
+void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
+  const TaskClock timed = core_->clock(Task::stiffness);
+  const auto add = [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns,
+                       const MatrixXd& values) {
+    // FEBio takes square matrices alone, with blocks of one size per node that begin with displacements. What a block
+    // lacks of them has no equations.
+    Patch all = columns.patch;
+    all.displacements = true;
+    const LocalLayout layout = all.layout();
+    const std::vector<int> nodes = node_ids(columns);
+    const std::vector<Index> row_places = places(rows.patch.layout(), layout);
+    const std::vector<Index> column_places = places(columns.patch.layout(), layout);
+    const int size = static_cast<int>(layout.size());
+    FEElementMatrix stiffness;
+    stiffness.resize(size, size);
+    stiffness.zero();
+    // FEBio solves K du = R with K = -dR/du.
+    for (Index i = 0; i < values.rows(); ++i) {
+      double* row = stiffness[static_cast<int>(row_places[static_cast<std::size_t>(i)])];
+      for (Index j = 0; j < values.cols(); ++j) row[column_places[static_cast<std::size_t>(j)]] = -values(i, j);
+    }
+    stiffness.SetNodes(nodes);
+    stiffness.SetIndices(spread(equations(rows, nodes), row_places, layout),
+                         spread(equations(columns, nodes), column_places, layout));
+    system.Assemble(stiffness);
+  };
+  core_->tangent(fields(), time.timeIncrement, add);
+}

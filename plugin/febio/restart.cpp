@@ -1,0 +1,74 @@
+#include "mixture_contact.h"
+
+#include "archive.h"
+
+#include <FECore/DumpStream.h>
+
+#include <utility>
+
+using namespace mixture_contact;
+
+// Restart: the state in a dump.
+
+namespace {
+
+void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
+  int facets = static_cast<int>(mesh.facets.size());
+  ar & mesh.nodes & facets;
+  mesh.facets.resize(static_cast<std::size_t>(facets));
+  mesh.permeable.resize(static_cast<std::size_t>(facets));
+  for (Facet& facet : mesh.facets) {
+    int type = static_cast<int>(facet.type);
+    ar & type;
+    facet.type = static_cast<FacetType>(type);
+    for (int& node : facet.nodes) ar & node;
+  }
+  for (FieldMask& mask : mesh.permeable) {
+    // Dump streams know no 64-bit integers.
+    int low = static_cast<int>(static_cast<std::uint32_t>(mask));
+    int high = static_cast<int>(static_cast<std::uint32_t>(mask >> 32U));
+    ar & low & high;
+    mask = static_cast<FieldMask>(static_cast<std::uint32_t>(low)) |
+           static_cast<FieldMask>(static_cast<std::uint32_t>(high)) << 32U;
+  }
+  archive(ar, mesh.stiffness);
+  archive(ar, mesh.conductance);
+}
+
+void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
+  archive(ar, multipliers.traction);
+  archive(ar, multipliers.flux);
+  archive(ar, multipliers.traction_growth);
+  archive(ar, multipliers.flux_growth);
+}
+
+}  // namespace
+
+void FEMixtureContact::Serialize(DumpStream& ar) {
+  FEContactInterface::Serialize(ar);
+  primary_.Serialize(ar);
+  secondary_.Serialize(ar);
+  if (!ar.IsShallow()) {
+    ar & pressure_dof_ & concentration_dof_ & concentrations_ & relocated_ & first_equation_ & multiplier_node_;
+    for (int& dof : displacement_dofs_) ar & dof;
+    archive(ar, step_start_);
+    ar & effects_.traction & effects_.solvent & effects_.solutes;
+    ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given &
+        parameters_.solute_tolerance_given;
+    ar & parameters_.penalty_given & parameters_.pressure_penalty_given & parameters_.concentration_penalty_given;
+    ar & parameters_.search_radius_given;
+    PerSide<SurfaceMesh> meshes;
+    for (const Side side : both_sides) {
+      if (ar.IsSaving()) meshes[side] = core_->mesh(side);
+      archive_mesh(ar, meshes[side]);
+    }
+    if (!ar.IsSaving()) build_core(std::move(meshes));
+  }
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) archive_multipliers(ar, core_->multipliers(pass));
+  if (ar.IsSaving()) return;
+  core_->end_iterations();
+  in_trial_ = keep_prediction_ = begun_ = false;  // a trial that was cut back is over
+  residual_outdated_ = moved_ = false;
+  extrapolation_.skip();
+  add_callbacks();
+}
