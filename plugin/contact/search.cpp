@@ -146,6 +146,7 @@ bool MovingSurface::holds(const RayNeighbours& neighbours, const std::array<Vect
 std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeighbours& neighbours) const {
   const Vector3d half = ray.reach * ray.direction;
   const std::array<Vector3d, 2> ends{ray.origin - half, ray.origin + half};
+  if (!tree_) return std::nullopt;
   if (!holds(neighbours, ends)) {
     neighbours = {ends, references_, tree_->candidates(ray.origin, ray.direction, ray.reach, 2 * slack_)};
   }

@@ -81,8 +81,9 @@ class MovingSurface {
   /// Sets the present configuration.
   void move_to(const Matrix3Xd& positions);
 
-  /// As nearest_facing() in the present configuration. `neighbours` are those of this ray from earlier calls, and are
-  /// renewed where it has moved too far. Rays with neighbours of their own may be searched for at once.
+  /// As nearest_facing() in the present configuration; nothing before the first. `neighbours` are those of this ray
+  /// from earlier calls, and are renewed where it has moved too far. Rays with neighbours of their own may be searched
+  /// for at once.
   std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours) const;
 
  private:

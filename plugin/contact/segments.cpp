@@ -1,5 +1,6 @@
 #include "segments.h"
 
+#include "parallel.h"
 #include "quadrature.h"
 
 #include <Eigen/Geometry>
@@ -238,7 +239,7 @@ std::vector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2
   seen_.clear();
   if (!surfaces_within_reach(x1, x2, radius)) return found;
   const FacetTree tree(secondary_, x2, box_margin);
-  for (std::size_t f = 0; f < primary_.size(); ++f) {
+  const auto pairs_of = [&](std::size_t f) {
     const Ray ray = normal_ray(primary_[f], x1, parametric_centre(primary_[f].type), radius, 0);
     const double width = radius_around(facet_coordinates(primary_[f], x1), ray.origin);
     std::vector<FacetPair> pairs;
@@ -246,12 +247,18 @@ std::vector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2
       FacetPair pair = pair_of({static_cast<int>(f), candidate}, x1, x2);
       if (!pair.points.empty() && within_reach(pair, x1, x2, radius)) pairs.push_back(std::move(pair));
     }
+    std::vector<FacetPair> visible;
     for (const FacetPair& pair : pairs) {
-      if (hidden(pair, pairs, x1, x2)) continue;
-      seen_.push_back({pair.primary, pair.secondary});
-      found.push_back(pair);
+      if (!hidden(pair, pairs, x1, x2)) visible.push_back(pair);
     }
-  }
+    return visible;
+  };
+  in_order(primary_.size(), pairs_of, [&](std::size_t /*facet*/, std::vector<FacetPair>& pairs) {
+    for (FacetPair& pair : pairs) {
+      seen_.push_back({pair.primary, pair.secondary});
+      found.push_back(std::move(pair));
+    }
+  });
   return found;
 }
 

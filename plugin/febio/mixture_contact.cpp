@@ -217,7 +217,7 @@ bool FEMixtureContact::on_step_solved(FEModel* /*fem*/, unsigned int /*when*/, v
 }
 
 bool FEMixtureContact::on_solved(FEModel* fem, unsigned int /*when*/, void* contact) {
-  auto* self = static_cast<FEMixtureContact*>(contact);
+  const auto* self = static_cast<const FEMixtureContact*>(contact);
   const std::vector<std::string> table = price_table(self->GetName(), *self->core_, self->run_.peek());
   feLogEx(fem, "\n");
   for (const std::string& line : table) feLogEx(fem, "%s\n", line.c_str());

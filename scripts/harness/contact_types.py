@@ -54,6 +54,7 @@ _OWN = (
     "solute_tolerance",
     "integration",
     "integration_order",
+    "extrapolation",
 )
 _MIXTURE_PARAMETERS = frozenset(
     [*_BASE, "symmetric_stiffness", *_SOLVENT, *_SOLUTE, *_FRICTION, *_SHELLS, "offset", "tension", *_OWN]

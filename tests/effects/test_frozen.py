@@ -24,7 +24,9 @@ def blocks(name, effects="all", frozen=True):
     if not frozen:
         return model
     transport = tuple(c for c in model.conditions if "displacement" not in c.kind)
-    return replace(model, conditions=(*transport, fix("lower-all", "xyz"), fix("upper-all", "xyz")))
+    fixed = (*transport, fix("lower-all", "xyz"), fix("upper-all", "xyz"))
+    # Linear transport is steady to rounding after a few steps, and FEBio's relative norms then compare rounding with rounding.
+    return replace(model, conditions=fixed, control=replace(model.control, steps=4))
 
 
 def end_of(run, surface):
