@@ -25,7 +25,7 @@ def blocks(name, effects="all", frozen=True):
         return model
     transport = tuple(c for c in model.conditions if "displacement" not in c.kind)
     fixed = (*transport, fix("lower-all", "xyz"), fix("upper-all", "xyz"))
-    # Linear transport is steady to rounding after a few steps, and FEBio's relative norms then compare rounding with rounding.
+    # Later steps are steady to rounding, and FEBio's relative norms then compare rounding with rounding.
     return replace(model, conditions=fixed, control=replace(model.control, steps=4))
 
 
