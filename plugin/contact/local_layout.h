@@ -30,12 +30,10 @@ class LocalLayout {
   Index blocks() const { return nodes() + (multipliers_ ? 1 : 0); }
   Index size() const { return blocks() * per_node(); }
 
-  /// First entry of a block.
-  Index first(Index block) const { return block * per_node(); }
   /// Entry of component i (0, 1, 2) of a node's displacement, if there are any.
-  Index displacement(Index node, Index i) const { return first(node) + i; }
+  Index displacement(Index node, Index i) const { return node * per_node() + i; }
   /// Entry of a node's scalar field k, in the order of Effects.
-  Index scalar(Index node, Index k) const { return first(node) + displacements_ + k; }
+  Index scalar(Index node, Index k) const { return node * per_node() + displacements_ + k; }
   Index traction_multiplier() const { return displacement(nodes(), 0); }
   Index flux_multiplier(Index k) const { return scalar(nodes(), k); }
 

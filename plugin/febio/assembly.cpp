@@ -1,18 +1,12 @@
 #include "mixture_contact.h"
 
-#include "tangent_columns.h"
-
-#include <FEBioMech/FEMechModel.h>
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>
-#include <FECore/FELinearConstraintManager.h>
 #include <FECore/FELinearSystem.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 
-#include <algorithm>
 #include <array>
-#include <map>
 
 using namespace mixture_contact;
 
@@ -45,6 +39,7 @@ int FEMixtureContact::deformable_node() {
 
 std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& at, const std::vector<int>& nodes) {
   const LocalLayout layout = at.patch.layout();
+  FEMesh& mesh = GetFEModel()->GetMesh();
   std::vector<int> ids(static_cast<std::size_t>(layout.size()), -1);
   if (at.patch.multiplier_node) {
     const MultiplierLayout own = core_->multiplier_layout();
@@ -58,20 +53,17 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
     }
   }
   for (Index node = 0; node < layout.nodes(); ++node) {
-    const std::vector<int> own = node_equations(nodes[static_cast<std::size_t>(node)], at.patch);
-    std::copy(own.begin(), own.end(), ids.begin() + layout.first(node));
+    const std::vector<int>& id = mesh.Node(nodes[static_cast<std::size_t>(node)]).m_ID;
+    for (std::size_t i = 0; layout.has_displacements() && i < 3; ++i) {
+      ids[static_cast<std::size_t>(layout.displacement(node, static_cast<Index>(i)))] = id[static_cast<std::size_t>(
+          displacement_dofs_[i])];
+    }
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      const int dof = field_dof(at.patch.fields[static_cast<std::size_t>(k)]);
+      ids[static_cast<std::size_t>(layout.scalar(node, k))] = id[static_cast<std::size_t>(dof)];
+    }
   }
   return ids;
-}
-
-std::vector<int> FEMixtureContact::node_equations(int node, const Patch& patch) {
-  const std::vector<int>& id = GetFEModel()->GetMesh().Node(node).m_ID;
-  std::vector<int> equations;
-  if (patch.displacements) {
-    for (const int dof : displacement_dofs_) equations.push_back(id[static_cast<std::size_t>(dof)]);
-  }
-  for (const int field : patch.fields) equations.push_back(id[static_cast<std::size_t>(field_dof(field))]);
-  return equations;
 }
 
 void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
@@ -128,82 +120,30 @@ std::vector<int> spread(const std::vector<int>& equations, const std::vector<Ind
 }  // namespace
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
-  TaskClock timed = core_->clock(Task::stiffness);
-  if (needs_square_matrices()) {
-    core_->tangent(fields(), time.timeIncrement,
-                   [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns,
-                       const MatrixXd& values) { assemble_square(system, rows, columns, values); });
-    return;
-  }
-  std::map<std::vector<int>, TangentColumns> effects;  // by the fields of the rows: none for the traction
-  core_->tangent(
-      fields(), time.timeIncrement,
-      [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns, const MatrixXd& values) {
-        const auto at = effects.try_emplace(rows.patch.fields, rows.patch, columns.patch).first;
-        at->second.add(node_ids(columns), values);
-        if (at->second.full()) assemble_columns(system, at->second);
-      });
-  for (auto& effect : effects) {
-    TangentColumns& sum = effect.second;
-    timed.in_host(sum.rows(), [&] { assemble_columns(system, sum); });
-  }
-}
-
-bool FEMixtureContact::needs_square_matrices() {
-  // FEBio resolves rigid nodes and linear constraints from square matrices; multipliers have no nodes of their own.
-  const auto* mechanics = dynamic_cast<const FEMechModel*>(GetFEModel());
-  const bool rigid = mechanics != nullptr && mechanics->RigidBodies() > 0;
-  return rigid || GetFEModel()->GetLinearConstraintManager().LinearConstraints() > 0 ||
-         core_->multiplier_layout().size() > 0;
-}
-
-void FEMixtureContact::assemble_columns(FELinearSystem& system, TangentColumns& sum) {
-  const auto row_size = static_cast<int>(sum.row_size());
-  const auto column_size = static_cast<int>(sum.column_size());
-  for (const auto& [node, column] : sum.by_node()) {
-    std::vector<int> rows;
-    for (const int other : column.nodes) {
-      const std::vector<int> own = node_equations(other, sum.rows());
-      rows.insert(rows.end(), own.begin(), own.end());
-    }
-    // FEBio takes as many columns as rows for granted when it looks for prescribed ones.
-    std::vector<int> columns = node_equations(node, sum.columns());
-    columns.resize(std::max(columns.size(), rows.size()), -1);
-    FEElementMatrix stiffness(static_cast<int>(rows.size()), column_size);
+  const TaskClock timed = core_->clock(Task::stiffness);
+  const auto add = [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns,
+                       const MatrixXd& values) {
+    // FEBio takes square matrices alone, with blocks of one size per node that begin with displacements. What a block
+    // lacks of them has no equations.
+    Patch all = columns.patch;
+    all.displacements = true;
+    const LocalLayout layout = all.layout();
+    const std::vector<int> nodes = node_ids(columns);
+    const std::vector<Index> row_places = places(rows.patch.layout(), layout);
+    const std::vector<Index> column_places = places(columns.patch.layout(), layout);
+    const int size = static_cast<int>(layout.size());
+    FEElementMatrix stiffness;
+    stiffness.resize(size, size);
+    stiffness.zero();
     // FEBio solves K du = R with K = -dR/du.
-    const double* entry = column.blocks.data();
-    for (int first = 0; first < stiffness.rows(); first += row_size) {
-      for (int j = 0; j < column_size; ++j) {
-        for (int i = 0; i < row_size; ++i) stiffness[first + i][j] = -*entry++;
-      }
+    for (Index i = 0; i < values.rows(); ++i) {
+      double* row = stiffness[static_cast<int>(row_places[static_cast<std::size_t>(i)])];
+      for (Index j = 0; j < values.cols(); ++j) row[column_places[static_cast<std::size_t>(j)]] = -values(i, j);
     }
-    stiffness.SetNodes(column.nodes);
-    stiffness.SetIndices(rows, columns);
+    stiffness.SetNodes(nodes);
+    stiffness.SetIndices(spread(equations(rows, nodes), row_places, layout),
+                         spread(equations(columns, nodes), column_places, layout));
     system.Assemble(stiffness);
-  }
-  sum.clear();
-}
-
-void FEMixtureContact::assemble_square(FELinearSystem& system, const ContactInterface::Location& rows,
-                                       const ContactInterface::Location& columns, const MatrixXd& values) {
-  // Blocks of one size per node that begin with displacements. What a block lacks of them has no equations.
-  Patch all = columns.patch;
-  all.displacements = true;
-  const LocalLayout layout = all.layout();
-  const std::vector<int> nodes = node_ids(columns);
-  const std::vector<Index> row_places = places(rows.patch.layout(), layout);
-  const std::vector<Index> column_places = places(columns.patch.layout(), layout);
-  const int size = static_cast<int>(layout.size());
-  FEElementMatrix stiffness;
-  stiffness.resize(size, size);
-  stiffness.zero();
-  // FEBio solves K du = R with K = -dR/du.
-  for (Index i = 0; i < values.rows(); ++i) {
-    double* row = stiffness[static_cast<int>(row_places[static_cast<std::size_t>(i)])];
-    for (Index j = 0; j < values.cols(); ++j) row[column_places[static_cast<std::size_t>(j)]] = -values(i, j);
-  }
-  stiffness.SetNodes(nodes);
-  stiffness.SetIndices(spread(equations(rows, nodes), row_places, layout),
-                       spread(equations(columns, nodes), column_places, layout));
-  system.Assemble(stiffness);
+  };
+  core_->tangent(fields(), time.timeIncrement, add);
 }

@@ -101,12 +101,6 @@ class FEMixtureContact : public FEContactInterface {
   void add_to_profile(FEGlobalMatrix& matrix);
   std::vector<int> node_ids(const mixture_contact::ContactInterface::Location& at);
   std::vector<int> equations(const mixture_contact::ContactInterface::Location& at, const std::vector<int>& nodes);
-  std::vector<int> node_equations(int node, const mixture_contact::Patch& patch);
-  bool needs_square_matrices();
-  void assemble_columns(FELinearSystem& system, class TangentColumns& sum);
-  void assemble_square(FELinearSystem& system, const mixture_contact::ContactInterface::Location& rows,
-                       const mixture_contact::ContactInterface::Location& columns,
-                       const mixture_contact::MatrixXd& values);
   void log_gaps(int augmentation, const mixture_contact::GapReport& report);
   void store_output();
   static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);
