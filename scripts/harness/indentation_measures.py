@@ -29,14 +29,14 @@ def of_a_run(outcome: Outcome, curves: Curves) -> list[Measure]:
     outside = max(0.0, -float(curves.lowest[late].min()), float(curves.highest[late].max()) - CONCENTRATION)
     history, lines = outcome.nodes, contact_lines(outcome.model)
     states = solute_balance.states(history)[1:]
-    not_at_bath = sum(not_at_bath(state, lines) for state in states)
+    strays = sum(not_at_bath(state, lines) for state in states)
     gaps, jumps = np.abs([mean_gap_and_jump(state, lines) for state in states])[late[1:]].max(axis=0)
     sagitta = _sagitta(outcome.model)
     return [
         Measure("3.3 solute: contents and outflow less the start", float(np.abs(curves.imbalance).max()), BALANCE),
         Measure("3.3 solute that comes in from the empty bath", float(np.diff(total).max() / total[0]), BALANCE),
         Measure("3.3 c outside of bath and start", outside / CONCENTRATION, DISCRETE, note=f"from {RESOLVED:g} s on"),
-        Measure("3.3 nodes off the other body that are not at the bath's values", not_at_bath, 0.0),
+        Measure("3.3 nodes off the other body that are not at the bath's values", strays, 0.0),
         Measure("3.3 mean gap in contact [mm]", float(gaps), sagitta, note="bar: sagitta of the cylinder's facets"),
         Measure("3.3 mean jump of c in contact", float(jumps / CONCENTRATION), DISCRETE),
     ]

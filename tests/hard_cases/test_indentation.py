@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from harness import indentation_measures
 from harness.indentation_results import curves
 from harness.models.indentation import CONTROL, END, Indentation
 from harness.models.indentation_mesh import LEVELS, Primary
@@ -25,16 +26,29 @@ MEASURED = {
 """Newton iterations of 95 time steps: module, clamp of negative concentrations, primary surface."""
 
 
+def problem(module, clamp, primary):
+    name = f"indentation-{module}-{primary.name.lower()}"
+    return Indentation(module=module, clamp=clamp, primary=primary, name=name).model()
+
+
 @pytest.mark.parametrize(("module", "clamp", "primary"), list(MEASURED))
 def test_it_runs_to_the_end_without_a_retry(runner, module, clamp, primary):
-    name = f"indentation-{module}-{primary.name.lower()}"
-    outcome = runner(Indentation(module=module, clamp=clamp, primary=primary, name=name).model())
+    outcome = runner(problem(module, clamp, primary))
     assert outcome.report.normal
     assert outcome.nodes.times[-1] == pytest.approx(END)
     assert outcome.report.retries == 0
     assert outcome.report.iterations <= 1.1 * MEASURED[module, clamp, primary]
     if not clamp:  # the solver's clamp creates solute
         assert np.max(np.abs(curves(outcome).imbalance)) <= 1e-6
+
+
+def test_the_measures_of_validation_meet_their_bars(runner):
+    cylinder, slab = (runner(problem("multiphasic", False, primary)) for primary in (Primary.CYLINDER, Primary.SLAB))
+    measures = [
+        *indentation_measures.of_a_run(cylinder, curves(cylinder)),
+        *indentation_measures.of_both_primaries(curves(cylinder), curves(slab)),
+    ]
+    assert [measure.name for measure in measures if not measure.passed] == []
 
 
 def test_extrapolation_saves_iterations_and_keeps_the_solution(runner):
