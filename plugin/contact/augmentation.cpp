@@ -80,12 +80,6 @@ bool meets(const GapReport& report, const Tolerances& tolerances, const Effects&
   return met;
 }
 
-void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary) {
-  const NodalLoads loads = pass.nodal_loads(primary, secondary);
-  if (pass.exchanges_traction()) pass.multipliers.traction = loads.traction.cwiseMin(0.0);
-  pass.multipliers.flux = loads.flux;
-}
-
 void grow_penalties(ContactPass& pass, const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
   const Penalties& penalty = pass.penalty();
   Multipliers& state = pass.multipliers;

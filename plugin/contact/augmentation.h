@@ -34,9 +34,6 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
 /// Whether a report meets the tolerances of the settings.
 bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects);
 
-/// The update lambda <- current t_n, w_n, j_n; nodes out of contact get zero.
-void augment(ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary);
-
 /// Tenfold penalties for the fields that miss the relative tolerance, up to the accurate automatic penalties: plain
 /// Uzawa converges by a factor of k/(k + eps) an update, k the bodies' own conductance, and so crawls where eps is
 /// small.

@@ -110,8 +110,8 @@ void ContactInterface::hold_facing_contact() {
   if (first) facing_changes_.assign(next.size(), 0);
   for (std::size_t node = 0; node < next.size(); ++node) {
     if (!first && next[node] != (*held_facing_)[node]) ++facing_changes_[node];
-    // At the edge of contact, as ContactPass::begin_iteration has it.
-    if (facing_changes_[node] > most_status_changes) next[node] = false;
+    // At the edge of contact, as ContactPass::begin_iteration has it; here no load tells whether it is.
+    if (facing_changes_[node] > most_facing_changes) next[node] = false;
   }
   held_facing_ = std::move(next);
 }
@@ -198,7 +198,7 @@ void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
     const SurfaceFields& primary = fields[pass.side];
     const SurfaceFields& secondary = fields[other(pass.side)];
     const GapReport report = measure_gaps(*pass.integral, primary, secondary, effects_);
-    mixture_contact::augment(*pass.integral, primary, secondary);
+    pass.integral->augment(primary, secondary);
     grow_penalties(*pass.integral, report, settings_.tolerances, effects_);
   }
 }

@@ -15,6 +15,8 @@ namespace mixture_contact {
 
 /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
 inline constexpr int most_status_changes = 3;
+/// The same for nodes of the surface that faces the primary one: it came and went, or went and came.
+inline constexpr int most_facing_changes = 1;
 
 /// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
 /// are unknowns, the host with every trial state.
@@ -92,6 +94,13 @@ class ContactPass {
   /// Moves what an iteration holds to another state of the fields, at which project() has been called: gaps and jumps
   /// are measured and linearised there, while status and predicted loads remain. Nodes that see nothing there open.
   void move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
+
+  /// Uzawa's update: the loads of an equilibrium become the multipliers, lambda <- t_n, w_n, j_n; nodes out of contact
+  /// get zero, and multipliers of tractions that are not exchanged stay. The next
+  /// begin_iteration() takes them for the geometric part of the tangent, since what the laws say until the gaps are
+  /// closed, lambda + eps g, is up to twice the load in equilibrium.
+  void augment(const SurfaceFields& primary, const SurfaceFields& secondary);
+
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { held_.reset(); }
 
@@ -136,8 +145,6 @@ class ContactPass {
   VectorXd unknown_multipliers() const;
   void set_unknown_multipliers(const VectorXd& mu);
 
-  /// Whether loads include tractions; their multipliers stay as they are where not.
-  bool exchanges_traction() const { return effects_.traction; }
   /// The pairs of facets that see each other, with their integration points.
   const std::vector<FacetPair>& pairs() const { return pairs_; }
   /// Penalties of the primary nodes.
@@ -279,6 +286,7 @@ class ContactPass {
   std::unique_ptr<PointFinder> points_;
   std::vector<FacetPair> pairs_;
   std::optional<Held> held_;
+  bool augmented_ = false;            ///< since the last iteration began
   mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
   std::optional<Frozen> frozen_;      ///< where no traction is exchanged
   double touch_ = 0;                  ///< distance at which surfaces touch to rounding [mm]

@@ -3,6 +3,7 @@
 #include "pass.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -121,13 +122,21 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   next.secondary = secondary;
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && !has_unknown_multipliers() ? before : next.loads;
-  next.geometric_traction = geometric.traction;
-  next.geometric_flux = geometric.flux;
+  const bool augmented = std::exchange(augmented_, false);
+  next.geometric_traction = augmented ? multipliers.traction : geometric.traction;
+  next.geometric_flux = augmented ? multipliers.flux : geometric.flux;
   if (has_unknown_multipliers()) next.multiplier_weights = multiplier_weights(next.loads, primary.position);
   const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
                        loads_differ(before, next.loads, load_rounding, primary, secondary);
   held_ = std::move(next);
   return changed;
+}
+
+void ContactPass::augment(const SurfaceFields& primary, const SurfaceFields& secondary) {
+  const NodalLoads loads = nodal_loads(primary, secondary);
+  if (effects_.traction) multipliers.traction = loads.traction.cwiseMin(0.0);
+  multipliers.flux = loads.flux;
+  augmented_ = true;
 }
 
 void ContactPass::move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
