@@ -95,7 +95,8 @@ mixture_contact::Settings core_settings(const ContactParameters& p) {
   using namespace mixture_contact;
   Settings settings;
   settings.enforcement = enforcement(p.laugon);
-  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, default_traction_factor);
+  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty,
+                                   p.two_pass ? two_pass_traction_factor : default_traction_factor);
   settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, default_flux_factor);
   settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty,
                                  default_flux_factor);
