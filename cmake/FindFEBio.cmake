@@ -142,7 +142,7 @@ endif()
 
 foreach(_name IN ITEMS FECore FEBioMech FEBioMix FEBioPlot FEBioXML FEBioLib)
   if(FEBio_${_name}_LIBRARY AND NOT TARGET FEBio::${_name})
-    add_library(FEBio::${_name} UNKNOWN IMPORTED)
+    add_library(FEBio::${_name} UNKNOWN IMPORTED GLOBAL)
     set_target_properties(
       FEBio::${_name}
       PROPERTIES IMPORTED_LOCATION "${FEBio_${_name}_LIBRARY}"

@@ -1,11 +1,14 @@
+#include "matrix_rows.h"
 #include "mixture_contact.h"
 
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>
+#include <FECore/FELinearConstraintManager.h>
 #include <FECore/FELinearSystem.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 
+#include <algorithm>
 #include <array>
 
 using namespace mixture_contact;
@@ -117,33 +120,52 @@ std::vector<int> spread(const std::vector<int>& equations, const std::vector<Ind
   return result;
 }
 
+/// A block of the tangent as FEBio takes it: square, with blocks of one size per node that begin with displacements.
+/// What a block lacks of them has no equations.
+FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const std::vector<int>& nodes,
+                               const std::vector<int>& row_ids, const std::vector<int>& column_ids,
+                               const MatrixXd& values) {
+  Patch all = columns;
+  all.displacements = true;
+  const LocalLayout layout = all.layout();
+  const std::vector<Index> row_places = places(rows.layout(), layout);
+  const std::vector<Index> column_places = places(columns.layout(), layout);
+  const int size = static_cast<int>(layout.size());
+  FEElementMatrix stiffness;
+  stiffness.resize(size, size);
+  stiffness.zero();
+  for (Index i = 0; i < values.rows(); ++i) {
+    double* row = stiffness[static_cast<int>(row_places[static_cast<std::size_t>(i)])];
+    for (Index j = 0; j < values.cols(); ++j) row[column_places[static_cast<std::size_t>(j)]] = -values(i, j);
+  }
+  stiffness.SetNodes(nodes);
+  stiffness.SetIndices(spread(row_ids, row_places, layout), spread(column_ids, column_places, layout));
+  return stiffness;
+}
+
 }  // namespace
+
+bool FEMixtureContact::has_free_equations(const std::vector<int>& nodes, const std::vector<int>& equations) {
+  FEMesh& mesh = GetFEModel()->GetMesh();
+  return std::none_of(equations.begin(), equations.end(), [](int equation) { return equation < -1; }) &&
+         std::none_of(nodes.begin(), nodes.end(), [&](int node) { return mesh.Node(node).m_rid >= 0; });
+}
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
   const TaskClock timed = core_->clock(Task::stiffness);
-  const auto add = [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns,
-                       const MatrixXd& values) {
-    // FEBio takes square matrices alone, with blocks of one size per node that begin with displacements. What a block
-    // lacks of them has no equations.
-    Patch all = columns.patch;
-    all.displacements = true;
-    const LocalLayout layout = all.layout();
-    const std::vector<int> nodes = node_ids(columns);
-    const std::vector<Index> row_places = places(rows.patch.layout(), layout);
-    const std::vector<Index> column_places = places(columns.patch.layout(), layout);
-    const int size = static_cast<int>(layout.size());
-    FEElementMatrix stiffness;
-    stiffness.resize(size, size);
-    stiffness.zero();
-    // FEBio solves K du = R with K = -dR/du.
-    for (Index i = 0; i < values.rows(); ++i) {
-      double* row = stiffness[static_cast<int>(row_places[static_cast<std::size_t>(i)])];
-      for (Index j = 0; j < values.cols(); ++j) row[column_places[static_cast<std::size_t>(j)]] = -values(i, j);
-    }
-    stiffness.SetNodes(nodes);
-    stiffness.SetIndices(spread(equations(rows, nodes), row_places, layout),
-                         spread(equations(columns, nodes), column_places, layout));
-    system.Assemble(stiffness);
-  };
-  core_->tangent(fields(), time.timeIncrement, add);
+  const MatrixRows matrix(*newton_solver()->GetStiffnessMatrix());
+  const bool unconstrained = GetFEModel()->GetLinearConstraintManager().LinearConstraints() == 0;
+  core_->tangent(
+      fields(), time.timeIncrement,
+      [&](const ContactInterface::Location& rows, const ContactInterface::Location& columns, const MatrixXd& values) {
+        const std::vector<int> nodes = node_ids(columns);
+        const std::vector<int> row_ids = equations(rows, nodes);
+        const std::vector<int> column_ids = equations(columns, nodes);
+        // FEBio solves K du = R with K = -dR/du.
+        if (matrix && unconstrained && has_free_equations(nodes, column_ids)) {
+          matrix.subtract(row_ids, column_ids, values);
+        } else {
+          system.Assemble(element_matrix(rows.patch, columns.patch, nodes, row_ids, column_ids, values));
+        }
+      });
 }

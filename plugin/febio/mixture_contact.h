@@ -101,6 +101,8 @@ class FEMixtureContact : public FEContactInterface {
   void add_to_profile(FEGlobalMatrix& matrix);
   std::vector<int> node_ids(const mixture_contact::ContactInterface::Location& at);
   std::vector<int> equations(const mixture_contact::ContactInterface::Location& at, const std::vector<int>& nodes);
+  /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
+  bool has_free_equations(const std::vector<int>& nodes, const std::vector<int>& equations);
   void log_gaps(int augmentation, const mixture_contact::GapReport& report);
   void store_output();
   static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);

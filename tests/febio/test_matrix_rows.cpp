@@ -1,0 +1,77 @@
+/// Blocks go to the same places of FEBio's matrix, with the same sums, as by FEBio's own assembly.
+#include "febio/matrix_rows.h"
+
+#include <FECore/CompactSymmMatrix.h>
+#include <FECore/CompactUnSymmMatrix.h>
+#include <FECore/FEGlobalMatrix.h>
+#include <FECore/MatrixProfile.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+using namespace mixture_contact;
+
+namespace {
+
+constexpr int equations = 40;
+constexpr int left_out = -1;
+
+/// Some of the equations in random order, and some that are left out.
+std::vector<int> random_equations(std::mt19937& random) {
+  std::vector<int> all(equations);
+  std::iota(all.begin(), all.end(), 0);
+  std::shuffle(all.begin(), all.end(), random);
+  all.resize(9);
+  all[2] = left_out;
+  all[7] = left_out;
+  return all;
+}
+
+/// A matrix whose profile holds the couplings within each list of equations.
+void form(CRSSparseMatrix& matrix, const std::vector<std::vector<int>>& lists) {
+  SparseMatrixProfile profile(equations, equations);
+  profile.CreateDiagonal();
+  std::vector<std::vector<int>> couplings = lists;
+  profile.UpdateProfile(couplings, static_cast<int>(couplings.size()));
+  matrix.Create(profile);
+  matrix.Zero();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(blocks_are_where_febio_puts_them) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<std::vector<int>> lists;
+  for (int i = 0; i < 12; ++i) lists.push_back(random_equations(random));
+  for (const int offset : {0, 1}) {
+    auto* ours = new CRSSparseMatrix(offset);  // the global matrix deletes it
+    CRSSparseMatrix theirs(offset);
+    form(*ours, lists);
+    form(theirs, lists);
+    FEGlobalMatrix global(ours);
+    const MatrixRows rows(global);
+    BOOST_TEST(static_cast<bool>(rows));
+    for (const std::vector<int>& list : lists) {
+      const std::vector<int> columns(list.rbegin(), list.rend() - 3);
+      const MatrixXd block = MatrixXd::NullaryExpr(static_cast<Index>(list.size()), static_cast<Index>(columns.size()),
+                                                   [&] { return number(random); });
+      rows.subtract(list, columns, block);
+      matrix negative(static_cast<int>(block.rows()), static_cast<int>(block.cols()));
+      for (int i = 0; i < negative.rows(); ++i) {
+        for (int j = 0; j < negative.columns(); ++j) negative[i][j] = -block(i, j);
+      }
+      theirs.Assemble(negative, list, columns);
+    }
+    BOOST_TEST(theirs.infNorm() > 0);
+    for (int i = 0; i < equations; ++i) {
+      for (int j = 0; j < equations; ++j) BOOST_TEST(ours->get(i, j) == theirs.get(i, j));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_symmetric_matrix_is_left_to_febio) {
+  FEGlobalMatrix global(new CompactSymmMatrix(1));
+  BOOST_TEST(!MatrixRows(global));
+}
