@@ -150,7 +150,8 @@ std::vector<TangentBlock> ContactPass::geometric_tangent(const FacetPair& pair, 
 void ContactPass::for_each_coupling(const Matrix3Xd& x1, const Matrix3Xd& x2,
                                     const std::function<void(const Patch&)>& use) const {
   const auto use_effects = [&](const Patch& patch) {
-    if (effects_.traction) use(patch.of_displacements());
+    // A field whose flux depends on the displacements couples these, too.
+    if (effects_.traction && (patch.fields.empty() || settings_.symmetric)) use(patch.of_displacements());
     for (const int field : patch.fields) use(field_columns(patch, field));
   };
   if (frozen_) {
