@@ -6,7 +6,7 @@ import csv
 import json
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
@@ -24,6 +24,8 @@ from harness.runner import Outcome, Runner
 
 PAIRS = 3
 """How often a run of 3.1 or 3.2 and that of the unsplit body are timed, in turn."""
+FINEST_TIMEOUT = 1800.0
+"""s of wall time for the finest run of 3.3, which all others are compared with and so must end."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ def measure(point: Point, runner: Runner) -> Datum:
     ended, contact_error, error, ratio = run.report.normal, math.nan, math.nan, math.nan
     wall, cpu = run.wall, run.cpu
     if ended and point.problem is Problem.INDENTATION:
-        error = _error_33(run, runner(finest()))
+        error = _error_33(run, replace(runner, timeout=FINEST_TIMEOUT)(finest()))
     elif ended:
         whole = runner(point.model(Join.UNSPLIT))
         contact_error = compare.largest_difference(run, whole, "c1")

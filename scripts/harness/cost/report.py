@@ -22,6 +22,7 @@ MARKERS = {
     Knob.PENALTY: "o",
     Knob.AUGLAG: "^",
     Knob.LAGMULT: "X",
+    Knob.EXTRAPOLATION: ">",
     Knob.NEWTON: "P",
     Knob.DEFAULT: "*",
 }

@@ -15,7 +15,6 @@ from scipy.optimize import brentq
 from harness.compare import Measure
 from harness.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 from harness.models.document import Model
-from harness.models.interface import ContactSettings
 from harness.models.mesh import Box, Layer, Mesh, Section, assemble, glued_column
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -98,8 +97,8 @@ class Press:
     module : str
     penalties : float
         Factor on all penalties.
-    settings : ContactSettings, optional
-        Of the plugin's interface.
+    augmented : float, optional
+        Relative tolerance of augmentations (AUGLAG); without it there are none.
     inlet : float
         Fluid pressure below, MPa; none above.
     stepper : TimeStepper, optional
@@ -125,7 +124,7 @@ class Press:
     newton: float = NEWTON
     module: str = "multiphasic"
     penalties: float = 1.0
-    settings: ContactSettings | None = None
+    augmented: float | None = None
     extra: tuple[Param, ...] = field(default=())
     inlet: float = 0.0
     stepper: TimeStepper | None = None
@@ -148,9 +147,7 @@ class Press:
         )
         same = self.lower == self.upper
         materials = {"lower": self.lower, "upper": self.lower if same else self.upper}
-        joined = interface.contacts(self.module, made, self.extra, self.penalties)
-        if self.settings and interface is Interface.MIXTURE:
-            joined = tuple(replace(contact, params=(*self.settings.params(), *self.extra)) for contact in joined)
+        joined = interface.contacts(self.module, made, self.extra, self.penalties, self.augmented)
         text = f"Hard case {self.name}: two confined blocks, the upper one moved down."
         model = Model(
             self.name, text, self.module, made, materials, conditions, control, joined, (Curve(self.path), steps)

@@ -58,9 +58,19 @@ class Interface(str, Enum):
         fair = replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
         return replace(fair, concentration_penalty=None) if module == "biphasic" else fair
 
-    def contacts(self, module: str, mesh: Mesh, extra: Sequence[Param] = (), scale: float = 1.0) -> tuple[Contact, ...]:
-        """One interface for each pair of a mesh."""
-        params = (*self.settings(module, scale).params(), *extra)
+    def contacts(
+        self,
+        module: str,
+        mesh: Mesh,
+        extra: Sequence[Param] = (),
+        scale: float = 1.0,
+        augmented: float | None = None,
+    ) -> tuple[Contact, ...]:
+        """One interface for each pair of a mesh; augmented to a relative tolerance where one is given."""
+        settings = self.settings(module, scale)
+        if augmented is not None:
+            settings = replace(settings, laugon="AUGLAG", tolerance=augmented)
+        params = (*settings.params(), *extra)
         return tuple(Contact(self.contact_type(module).value, pair, params) for pair in mesh.pairs)
 
 

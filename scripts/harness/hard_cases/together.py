@@ -13,7 +13,7 @@ from harness.hard_cases.scene import GEL, Fineness, Interface, finished, timed
 from harness.models.bath import two_patches
 from harness.models.document import Model
 from harness.models.mesh import Box, Layer, Mesh, Part, assemble, glued_column
-from harness.models.parts import Curve, Solid, displace, fix, normal_load
+from harness.models.parts import Curve, Param, Solid, displace, fix, normal_load
 from harness.runner import Outcome, Runner
 
 
@@ -27,12 +27,15 @@ class Seesaw:
         Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `shortening`, below 0 is open.
     shortening : float
         mm.
+    own : tuple of Param
+        Further parameters of the plugin's interface alone.
     """
 
     left: tuple[tuple[float, float], ...]
     right: tuple[tuple[float, float], ...]
     shortening: float = 0.05
     times: tuple[float, ...] = (*RAMP, *HOLD)
+    own: tuple[Param, ...] = ()
     name: str = "seesaw"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -50,7 +53,7 @@ class Seesaw:
         )
         text = f"Hard case {self.name}: two blocks on one slab."
         curves = (Curve(self.left), Curve(self.right), steps)
-        joined = interface.contacts("multiphasic", made)
+        joined = interface.contacts("multiphasic", made, self.own if interface is Interface.MIXTURE else ())
         model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, curves)
         return finished(model, interface)
 
