@@ -15,8 +15,9 @@ namespace mixture_contact {
 
 /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
 inline constexpr int most_status_changes = 3;
-/// The same for nodes of the surface that faces the primary one: it came and went, or went and came.
-inline constexpr int most_facing_changes = 1;
+/// The same for nodes of the surface that faces the primary one, a change earlier. One that went and came back is not
+/// at the edge: where a surface slides over a finer one many do, and they would empty it into the bath.
+inline constexpr int most_facing_changes = 2;
 
 /// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
 /// are unknowns, the host with every trial state.
