@@ -54,7 +54,8 @@ Bodies::Bodies(const Model& model) : model_(model), gas_energy_(model.gas_consta
       Eigen::Matrix4Xd shape = hexahedron_shape(nodes, at.xi);
       const Matrix3d jacobian = x * shape.bottomRows<3>().transpose();
       if (!(jacobian.determinant() > 0)) {
-        throw InputError(model.file + ": element " + std::to_string(element.id) + " is inverted or has no volume");
+        throw InputError(model.file + ", line " + std::to_string(element.line) +
+                         ", <elem>: the element is inverted or has no volume");
       }
       shape.bottomRows<3>() = (jacobian.transpose().inverse() * shape.bottomRows<3>()).eval();
       points.push_back({shape, at.weight * jacobian.determinant(), {}});

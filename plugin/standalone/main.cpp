@@ -2,6 +2,7 @@
 
 #include "analysis.h"
 #include "error.h"
+#include "problem.h"
 #include "reader.h"
 
 #include <boost/program_options.hpp>
@@ -21,6 +22,7 @@ int run_model(const std::string& path, bool check_only) {
   try {
     standalone::Model model = standalone::read_model(path);
     if (check_only) {
+      const standalone::Problem problem(model);
       log.print("%s: the model is complete and supported.\n", path.c_str());
       return 0;
     }

@@ -70,12 +70,14 @@ struct Element {
   int id = 0;
   int material = 0;
   std::vector<int> nodes;
+  int line = 0;  ///< in the model file
 };
 
-/// A facet of a surface (node indices of the mesh) and the element behind it.
+/// A facet of a surface (node indices of the mesh), the element behind it, and which of its faces it is.
 struct SurfaceFacet {
   mixture_contact::Facet facet;
   int element = -1;
+  int face = 0;
 };
 
 struct Mesh {

@@ -1,4 +1,4 @@
-/// The sections of a model file, each read into its part of the model. The order of calls in read_model matters.
+/// The sections of a model file, each read into its part of the model, and what they share.
 #pragma once
 
 #include "model.h"
@@ -6,23 +6,20 @@
 
 namespace standalone {
 
-void read_control(const Tag& section, Model& model);
 void read_globals(const Tag& section, Model& model);
 void read_materials(const Tag& section, Model& model);
 void read_mesh(const Tag& section, Model& model);
 void read_mesh_domains(const Tag& section, Model& model);
-void read_boundary(const Tag& section, Model& model);
+void read_conditions(const Tag& section, Model& model);
 void read_rigid(const Tag& section, Model& model);
-void read_initial(const Tag& section, Model& model);
 void read_loads(const Tag& section, Model& model);
 void read_contacts(const Tag& section, Model& model);
-void read_load_data(const Tag& section, Model& model);
-void read_output(const Tag& section, Model& model);
 
-/// A number with its load curve (attribute lc), which must exist.
-Parameter read_parameter(const Tag& tag, const Model& model);
-/// The index of the load curve of the attribute lc; -1 if there is none.
+/// The index of the load curve of the attribute lc, which must exist; -1 if there is none.
 int read_curve(const Tag& tag, const Model& model);
+/// Takes a number with its load curve.
+Read into(Parameter& value, const Model& model);
+
 /// The names in a map, to say what is allowed.
 template <class T>
 std::string names_of(const std::map<std::string, T>& known) {

@@ -6,30 +6,19 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
+#include <iterator>
+#include <sstream>
 
 namespace standalone {
 namespace {
 
-constexpr const char* blank = " \t\r\n";
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30U;
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(blank);
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
 /// Words between commas and blanks.
-std::vector<std::string> words(const std::string& text) {
-  constexpr const char* separators = ", \t\r\n";
-  std::vector<std::string> list;
-  for (std::size_t start = text.find_first_not_of(separators); start != std::string::npos;) {
-    const std::size_t end = text.find_first_of(separators, start);
-    list.push_back(text.substr(start, end - start));
-    start = end == std::string::npos ? end : text.find_first_not_of(separators, end);
-  }
-  return list;
+std::vector<std::string> words(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 template <class T>
@@ -39,14 +28,42 @@ bool parse(const std::string& word, T& value) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
-bool contains(std::initializer_list<const char*> names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+/// What takes a tag without attributes and children.
+template <class Use>
+Read leaf(Use use) {
+  return [use](const Tag& tag) {
+    tag.read({});
+    use(tag);
+  };
 }
 
 }  // namespace
 
 void Tag::fail(const std::string& what) const {
   throw InputError(*file_ + ", line " + std::to_string(line()) + ", <" + name() + ">: " + what);
+}
+
+void Tag::read(const Names& attributes, const std::vector<Child>& table) const {
+  for (const auto* a = element_->FirstAttribute(); a != nullptr; a = a->Next()) {
+    if (std::find(attributes.begin(), attributes.end(), std::string(a->Name())) == attributes.end())
+      fail("the attribute \"" + std::string(a->Name()) + "\" is not supported; allowed: " + listed(attributes));
+  }
+  const std::vector<Tag> all = children();
+  for (const Tag& tag : all) {
+    if (std::any_of(table.begin(), table.end(), [&](const Child& child) { return child.name == tag.name(); })) continue;
+    std::vector<std::string> known;
+    for (const Child& child : table) known.push_back(child.name);
+    tag.fail("not supported here; in <" + name() + "> there may be " + listed(known));
+  }
+  for (const Child& child : table) {
+    std::size_t count = 0;
+    for (const Tag& tag : all) {
+      if (tag.name() != child.name) continue;
+      if (++count > child.most) tag.fail("there may be only one in <" + name() + ">");
+      child.read(tag);
+    }
+    if (count < child.least) fail("the tag <" + child.name + "> is missing");
+  }
 }
 
 std::optional<std::string> Tag::find_attribute(const char* name) const {
@@ -60,17 +77,13 @@ std::string Tag::attribute(const char* name) const {
   return *value;
 }
 
-void Tag::allow_attributes(std::initializer_list<const char*> names) const {
-  for (const auto* a = element_->FirstAttribute(); a != nullptr; a = a->Next()) {
-    if (!contains(names, a->Name()))
-      fail("the attribute \"" + std::string(a->Name()) + "\" is not supported; allowed: " + listed(names));
-  }
-}
+int Tag::integer_attribute(const char* name) const { return to_integer(attribute(name), 1); }
 
-void Tag::allow_children(std::initializer_list<const char*> names) const {
-  for (const Tag& tag : children()) {
-    if (!contains(names, tag.name())) tag.fail("not supported here; in <" + name() + "> there may be " + listed(names));
-  }
+std::string Tag::attribute(const char* name, const Names& allowed) const {
+  std::string value = attribute(name);
+  if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
+    fail("the " + std::string(name) + " \"" + value + "\" is not supported; allowed: " + listed(allowed));
+  return value;
 }
 
 std::vector<Tag> Tag::children() const {
@@ -80,29 +93,9 @@ std::vector<Tag> Tag::children() const {
   return list;
 }
 
-std::vector<Tag> Tag::children(const char* name) const {
-  std::vector<Tag> list;
-  for (const auto* e = element_->FirstChildElement(name); e != nullptr; e = e->NextSiblingElement(name)) {
-    list.emplace_back(*e, *file_);
-  }
-  return list;
-}
-
-std::optional<Tag> Tag::find(const char* name) const {
-  const std::vector<Tag> all = children(name);
-  if (all.size() > 1) all[1].fail("there may be only one in <" + this->name() + ">");
-  return all.empty() ? std::nullopt : std::optional<Tag>(all.front());
-}
-
-Tag Tag::child(const char* name) const {
-  const auto tag = find(name);
-  if (!tag) fail("the tag <" + std::string(name) + "> is missing");
-  return *tag;
-}
-
 std::string Tag::text() const {
   const char* text = element_->GetText();
-  return text ? trimmed(text) : std::string();
+  return text ? text : "";
 }
 
 double Tag::to_number(const std::string& word) const {
@@ -120,11 +113,19 @@ int Tag::to_integer(const std::string& word, int least, int most) const {
   return value;
 }
 
-double Tag::number() const { return to_number(text()); }
+double Tag::number(const Range& range) const {
+  const double value = to_number(text());
+  if (!range.holds(value)) fail("the value must be " + std::string(range.words));
+  return value;
+}
 
 int Tag::integer(int least, int most) const { return to_integer(text(), least, most); }
 
-bool Tag::flag() const { return integer(0, 1) == 1; }
+std::size_t Tag::one_of(const Names& words) const {
+  const auto word = std::find(words.begin(), words.end(), text());
+  if (word == words.end()) fail("\"" + text() + "\" is not supported; allowed: " + listed(words));
+  return static_cast<std::size_t>(word - words.begin());
+}
 
 std::vector<double> Tag::numbers(std::size_t count) const {
   const std::vector<std::string> list = words(text());
@@ -137,24 +138,40 @@ std::vector<double> Tag::numbers(std::size_t count) const {
 
 std::vector<int> Tag::integers() const {
   std::vector<int> values;
-  for (const std::string& word : words(text())) values.push_back(to_integer(word, 1, std::numeric_limits<int>::max()));
+  for (const std::string& word : words(text())) values.push_back(to_integer(word, 1));
   return values;
 }
 
-int Tag::integer_attribute(const char* name) const {
-  return to_integer(trimmed(attribute(name)), 1, std::numeric_limits<int>::max());
-}
-
-XmlFile::XmlFile(const std::string& path) : path_(path) {
+void read_xml(const std::string& path, const Read& read) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   if (error) throw InputError("the model file " + path + " cannot be read: " + error.message());
   if (size > largest_file) throw InputError("the model file " + path + " is larger than 1 GiB");
-  if (document_.LoadFile(path.c_str()) == tinyxml2::XML_SUCCESS && document_.RootElement() != nullptr) return;
-  throw InputError(path + ", line " + std::to_string(document_.ErrorLineNum()) + ": no valid XML (" +
-                   document_.ErrorName() + ")");
+  tinyxml2::XMLDocument document(true, tinyxml2::COLLAPSE_WHITESPACE);
+  if (document.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS || document.RootElement() == nullptr) {
+    throw InputError(path + ", line " + std::to_string(document.ErrorLineNum()) + ": no valid XML (" +
+                     document.ErrorName() + ")");
+  }
+  read({*document.RootElement(), path});
 }
 
-Tag XmlFile::root() const { return {*document_.RootElement(), path_}; }
+Read into(double& value, const Range& range) {
+  return leaf([&value, range](const Tag& tag) { value = tag.number(range); });
+}
+Read into(int& value, int least, int most) {
+  return leaf([&value, least, most](const Tag& tag) { value = tag.integer(least, most); });
+}
+Read into(bool& value) {
+  return leaf([&value](const Tag& tag) { value = tag.flag(); });
+}
+Read into(std::string& value) {
+  return leaf([&value](const Tag& tag) { value = tag.text(); });
+}
+Read must_be(const Names& words) {
+  return leaf([words](const Tag& tag) { tag.one_of(words); });
+}
+Read must_be(const Range& range) {
+  return leaf([range](const Tag& tag) { tag.number(range); });
+}
 
 }  // namespace standalone
