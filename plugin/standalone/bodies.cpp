@@ -64,10 +64,6 @@ Bodies::Bodies(const Model& model) : model_(model), gas_energy_(model.gas_consta
   }
 }
 
-const Material& Bodies::material(std::size_t e) const {
-  return model_.materials[static_cast<std::size_t>(element(e).material)];
-}
-
 MatrixXd Bodies::nodal_fields(std::size_t e, const MatrixXd& values) const {
   const std::vector<int>& nodes = element(e).nodes;
   const Material& m = material(e);

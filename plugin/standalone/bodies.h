@@ -18,7 +18,7 @@ class Bodies {
 
   std::size_t elements() const { return elements_.size(); }
   const Element& element(std::size_t e) const { return model_.mesh.elements[e]; }
-  const Material& material(std::size_t e) const;
+  const Material& material(std::size_t e) const { return model_.material(element(e)); }
 
   /// Internal forces of (2.1) and dt times the balances (2.2), (2.3), for nodal values of shape (dofs, nodes).
   /// Throws StepFailure where an element is inverted.

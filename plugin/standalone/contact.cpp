@@ -265,12 +265,10 @@ Matrix3Xd Contact::nodes_without_overlap() {
   return nodes;
 }
 
-void Contact::add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const {
-  core_->residual(fields(values), dt,
-                  [&](const mixture_contact::ContactInterface::Location& at, const VectorXd& local) {
-                    Index entry = 0;
-                    for (const auto& [dof, node] : dofs(at)) forces(dof, node) += local[entry++];
-                  });
+void Contact::for_each_residual(const MatrixXd& values, double dt,
+                                const std::function<void(const Dofs&, const VectorXd&)>& add) const {
+  using Location = mixture_contact::ContactInterface::Location;
+  core_->residual(fields(values), dt, [&](const Location& at, const VectorXd& local) { add(dofs(at), local); });
 }
 
 void Contact::for_each_tangent(const MatrixXd& values, double dt,

@@ -45,9 +45,10 @@ class Contact {
   bool is_solution(const MatrixXd& values) const { return core_->is_solution(fields(values)); }
   PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const;
 
-  /// Adds the virtual work (2.5) to nodal forces of shape (dofs, nodes).
-  void add_residual(const MatrixXd& values, double dt, MatrixXd& forces) const;
-  /// Calls add(rows, columns, tangent), degrees of freedom as (dof, node), for each part of the tangent (2.6).
+  /// Calls add(rows, forces), degrees of freedom as (dof, node), for each part of the virtual work (2.5).
+  void for_each_residual(const MatrixXd& values, double dt,
+                         const std::function<void(const Dofs&, const VectorXd&)>& add) const;
+  /// Calls add(rows, columns, tangent), for each part of the tangent (2.6).
   void for_each_tangent(const MatrixXd& values, double dt,
                         const std::function<void(const Dofs&, const Dofs&, const MatrixXd&)>& add) const;
 

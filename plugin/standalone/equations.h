@@ -5,7 +5,8 @@
 
 namespace standalone {
 
-/// Equation numbers of the degrees of freedom that exist and are not prescribed.
+/// Numbers of the degrees of freedom that exist: first the free ones, whose equations are solved, then the prescribed
+/// ones.
 class Equations {
  public:
   /// An unknown beside the fields: its row of nodal values, from Model::dofs() on, and its node.
@@ -15,23 +16,22 @@ class Equations {
   /// are void.
   Equations(const Model& model, const std::vector<Unknown>& others);
 
-  int rows() const { return static_cast<int>(number_.rows()); }  ///< of nodal values
+  int rows() const { return static_cast<int>(number_.rows()); }       ///< of nodal values
+  int free() const { return free_; }                                  ///< numbers below are free
+  int size() const { return static_cast<int>(unknowns_.size()); }     ///< free and prescribed ones
+  int number(int dof, int node) const { return number_(dof, node); }  ///< `absent` where there is none
+  int dof(int number) const { return unknowns_[static_cast<std::size_t>(number)].first; }
+  int node(int number) const { return unknowns_[static_cast<std::size_t>(number)].second; }
 
-  int count() const { return static_cast<int>(dof_.size()); }
-  /// Equation of a degree of freedom; `prescribed` or `absent` if it has none.
-  int number(int dof, int node) const { return number_(dof, node); }
-  int dof(int equation) const { return dof_[static_cast<std::size_t>(equation)]; }
-  int node(int equation) const { return node_[static_cast<std::size_t>(equation)]; }
-
-  /// Equations of the fields of an element, field by field as in Bodies.
+  /// Numbers of the fields of an element, field by field as in Bodies; none for a rigid one.
   std::vector<int> of_element(const Element& element, const Material& material) const;
 
-  static constexpr int prescribed = -1;
-  static constexpr int absent = -2;
+  static constexpr int absent = -1;
 
  private:
   Eigen::MatrixXi number_;  ///< shape (rows, nodes)
-  std::vector<int> dof_, node_;
+  int free_ = 0;
+  std::vector<Unknown> unknowns_;  ///< row of nodal values and node, by number
 };
 
 }  // namespace standalone

@@ -26,27 +26,22 @@ std::vector<int> pattern(const LinearSystem::Matrix& matrix) {
 
 }  // namespace
 
-LinearSystem::LinearSystem(int equations, std::vector<std::vector<int>> element_equations)
-    : element_equations_(std::move(element_equations)), bodies_(equations, equations) {
+LinearSystem::LinearSystem(int free, int size, const std::vector<std::vector<int>>& elements) : bodies_(free, size) {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(equations));
-  for (int i = 0; i < equations; ++i) entries.emplace_back(i, i, 0.0);
-  const auto for_each_entry = [&](const std::vector<int>& numbers, const auto& use) {
+  for (int i = 0; i < free; ++i) entries.emplace_back(i, i, 0.0);
+  for (const auto& numbers : elements) {
     for (const int column : numbers) {
-      for (const int row : numbers) use(row, column, row >= 0 && column >= 0);
+      for (const int row : numbers) {
+        if (row < free) entries.emplace_back(row, column, 0.0);
+      }
     }
-  };
-  for (const auto& numbers : element_equations_) {
-    for_each_entry(numbers, [&](int row, int column, bool free) {
-      if (free) entries.emplace_back(row, column, 0.0);
-    });
   }
   bodies_.setFromTriplets(entries.begin(), entries.end());
-  for (const auto& numbers : element_equations_) {
-    std::vector<Index> places;
-    for_each_entry(numbers,
-                   [&](int row, int column, bool free) { places.push_back(free ? place(bodies_, row, column) : -1); });
-    places_.push_back(std::move(places));
+  for (const auto& numbers : elements) {
+    std::vector<Index>& places = places_.emplace_back();
+    for (const int column : numbers) {
+      for (const int row : numbers) places.push_back(row < free ? place(bodies_, row, column) : -1);
+    }
   }
   factors_.isSymmetric(true);
   factors_.setPivotThreshold(pivot_threshold);
@@ -69,7 +64,7 @@ void LinearSystem::add(const std::vector<int>& rows, const std::vector<int>& col
     for (Index i = 0; i < tangent.rows(); ++i) {
       const int row = rows[static_cast<std::size_t>(i)];
       const int column = columns[static_cast<std::size_t>(j)];
-      if (row >= 0 && column >= 0) others_.emplace_back(row, column, tangent(i, j));
+      if (row >= 0 && row < bodies_.rows() && column >= 0) others_.emplace_back(row, column, tangent(i, j));
     }
   }
 }
@@ -77,13 +72,15 @@ void LinearSystem::add(const std::vector<int>& rows, const std::vector<int>& col
 void LinearSystem::factorise(const std::vector<bool>& held) {
   Matrix others(bodies_.rows(), bodies_.cols());
   others.setFromTriplets(others_.begin(), others_.end());
-  matrix_ = bodies_ + others;
-  for (int column = 0; column < matrix_.outerSize(); ++column) {
-    for (Matrix::InnerIterator entry(matrix_, column); entry; ++entry) {
-      const bool fixed = held[static_cast<std::size_t>(entry.row())] || held[static_cast<std::size_t>(column)];
-      if (fixed) entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
+  Matrix all = bodies_ + others;
+  for (int column = 0; column < all.outerSize(); ++column) {
+    const bool fixed = column < all.rows() && held[static_cast<std::size_t>(column)];
+    for (Matrix::InnerIterator entry(all, column); entry; ++entry) {
+      if (fixed || held[static_cast<std::size_t>(entry.row())]) entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
     }
   }
+  matrix_ = all.leftCols(all.rows());
+  prescribed_ = all.rightCols(all.cols() - all.rows());
   if (!matrix_.coeffs().allFinite()) throw StepFailure("the tangent is not finite: an element has lost its pores");
   std::vector<int> now = pattern(matrix_);
   if (now != analysed_) {

@@ -3,8 +3,6 @@
 #include "error.h"
 
 #include <cstdarg>
-#include <cstdio>
-#include <iostream>
 #include <sstream>
 #include <utility>
 
@@ -20,30 +18,22 @@ std::string framed(const std::string& text) {
 }  // namespace
 
 void Log::open(const std::string& path) {
-  file_.open(path);
+  file_.reset(std::fopen(path.c_str(), "w"));
   if (!file_) throw InputError("the log file " + path + " cannot be written");
 }
 
-void Log::write(const std::string& text) {
-  if (on_screen_) std::cout << text;
-  if (file_.is_open()) file_ << text;
+// NOLINTNEXTLINE(modernize-avoid-variadic-functions): checked by the compiler
+void Log::print(const char* format, ...) const {
+  for (std::FILE* to : {on_screen_ ? stdout : nullptr, file_.get()}) {
+    if (to == nullptr) continue;
+    std::va_list arguments;
+    va_start(arguments, format);
+    std::vfprintf(to, format, arguments);
+    va_end(arguments);
+  }
 }
 
-void Log::print(const char* format, ...) {  // NOLINT(modernize-avoid-variadic-functions): checked by the compiler
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::va_list again;
-  va_copy(again, arguments);
-  const int size = std::vsnprintf(nullptr, 0, format, arguments);
-  va_end(arguments);
-  std::string text(static_cast<std::size_t>(std::max(size, 0)) + 1, '\0');
-  std::vsnprintf(text.data(), text.size(), format, again);
-  va_end(again);
-  text.pop_back();
-  write(text);
-}
-
-void Log::box(const char* title, const std::string& text) {
+void Log::box(const char* title, const std::string& text) const {
   const std::string title_text = title;
   std::string frame = framed(std::string((box_width - title_text.size()) / 2, ' ') + title_text);
   std::istringstream words(text);
@@ -53,7 +43,7 @@ void Log::box(const char* title, const std::string& text) {
     line += (line.empty() ? "" : " ") + word;
   }
   const std::string edge = " " + std::string(box_width + 2, '*') + "\n";
-  write("\n" + edge + frame + framed(line) + edge);
+  print("\n%s%s%s%s", edge.c_str(), frame.c_str(), framed(line).c_str(), edge.c_str());
 }
 
 }  // namespace standalone

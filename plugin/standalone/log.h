@@ -1,7 +1,8 @@
 /// The log of a run, on the screen and in a file, in FEBio's wording.
 #pragma once
 
-#include <fstream>
+#include <cstdio>
+#include <memory>
 #include <string>
 
 namespace standalone {
@@ -14,15 +15,13 @@ class Log {
   void open(const std::string& path);
 
   /// Like printf.
-  void print(const char* format, ...) __attribute__((format(printf, 2, 3)));
+  void print(const char* format, ...) const __attribute__((format(printf, 2, 3)));
   /// Framed messages, with the words of a title such as "ERROR" or "WARNING" first.
-  void box(const char* title, const std::string& text);
+  void box(const char* title, const std::string& text) const;
 
  private:
-  void write(const std::string& text);
-
   bool on_screen_;
-  std::ofstream file_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
 };
 
 }  // namespace standalone

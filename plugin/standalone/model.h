@@ -148,8 +148,8 @@ struct ContactDefinition {
 /// A file of node or element data.
 struct DataFile {
   bool elements = false;
-  std::vector<std::string> columns;
-  std::string names;  ///< the columns as the model spells them
+  std::vector<int> rows;  ///< of Model::node_data or element_data
+  std::string names;      ///< as the model spells them
   std::string file;
   std::string separator = " ";
 };
@@ -171,6 +171,13 @@ struct Model {
   std::vector<DataFile> data;
   std::vector<std::string> notices;  ///< what a user should know of parameters without effect
 
+  const Material& material(const Element& element) const {
+    return materials[static_cast<std::size_t>(element.material)];
+  }
+  /// What a model may ask for in its log section, under FEBio's names: x y z, ux uy uz, p, c1 ..., Rx Ry Rz.
+  std::vector<std::string> node_data() const;
+  /// Likewise: p, wx wy wz, sx sy sz, c1 j1x j1y j1z ..., and c jx jy jz of the first solute.
+  std::vector<std::string> element_data() const;
   int dofs() const { return concentration_dof(solutes); }
 };
 

@@ -44,16 +44,16 @@ VectorXd Newton::field_norms(const VectorXd& vector) const {
 void Newton::form_matrix(bool evaluated) {
   log_.print("Reforming stiffness matrix: reformation #%d\n\n", control_.max_reformations - allowed_reformations_ + 1);
   if (allowed_reformations_-- == 0) throw StepFailure("Max nr of reformations reached.");
-  const VectorXd correction = problem_.assemble(system_);
+  problem_.assemble(system_);
   system_.factorise(problem_.held());
   ++effort_.reformations;
-  log_.print("\tNr of equations ........................... : %d\n", problem_.equations().count());
+  log_.print("\tNr of equations ........................... : %d\n", problem_.equations().free());
   log_.print("\tNr of nonzeroes in stiffness matrix ....... : %ld\n", static_cast<long>(system_.entries()));
   if (!evaluated) {
     end_ = problem_.residual();
     ++effort_.residuals;
   }
-  start_ = end_ + correction;
+  start_ = end_ - system_.effect(problem_.pending());
 }
 
 void Newton::evaluate(const VectorXd& trial) {
@@ -186,7 +186,7 @@ void Newton::solve_step(double time, double dt) {
   effort_ = {};
   augmentations_ = 0;
   allowed_reformations_ = control_.max_reformations;
-  increment_ = VectorXd::Zero(problem_.equations().count());
+  increment_ = VectorXd::Zero(problem_.equations().free());
   problem_.start_step(time, dt);
   problem_.begin_iteration();
   form_matrix(false);

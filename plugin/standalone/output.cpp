@@ -1,74 +1,157 @@
 #include "output.h"
 
-#include "columns.h"
 #include "error.h"
-#include "vtk.h"
+
+#include <tinyxml2.h>
 
 #include <filesystem>
-#include <iomanip>
+#include <functional>
+#include <sstream>
 
 namespace standalone {
 namespace {
 
-/// Writes a line for each item: its number from 1, and its values of the columns.
-template <class Column, class... Item>
-void write_row(std::ofstream& stream, const DataFile& data, const std::map<std::string, Column>& columns, int number,
-               const Item&... item) {
-  stream << number;
-  for (const std::string& name : data.columns) stream << data.separator << columns.at(name)(item...);
-  stream << '\n';
+using tinyxml2::XMLElement;
+
+/// Values of Model::node_data at the nodes, shape (names, nodes).
+MatrixXd node_table(const Problem& problem) {
+  const Model& model = problem.model();
+  const MatrixXd fields = problem.values().topRows(model.dofs());
+  MatrixXd table(9 + fields.rows() - 3, fields.cols());
+  table << model.mesh.nodes + fields.topRows(3), fields, problem.reactions();
+  return table;
+}
+
+/// Values of Model::element_data, means over each element, shape (names, elements).
+MatrixXd element_table(const Problem& problem) {
+  const Model& model = problem.model();
+  const Bodies& bodies = problem.bodies();
+  MatrixXd table = MatrixXd::Zero(7 + 4 * (model.solutes + 1), static_cast<Index>(bodies.elements()));
+  for (std::size_t e = 0; e < bodies.elements(); ++e) {
+    const Bodies::Average mean = bodies.average(e, problem.values());
+    auto column = table.col(static_cast<Index>(e));
+    column.head<7>() << mean.pressure, mean.solvent_flux, mean.stress.diagonal();
+    Index own = 0;
+    for (const Solute& solute : bodies.material(e).solutes) {
+      column.segment<4>(7 + 4 * solute.index) << mean.concentration[own], mean.solute_flux.col(own);
+      ++own;
+    }
+    if (model.solutes > 0) column.tail<4>() = column.segment<4>(7);
+  }
+  return table;
+}
+
+// ------------------------------------------------------------ VTK's XML formats
+
+constexpr int vtk_hexahedron = 12;
+constexpr int vtk_quadratic_hexahedron = 25;
+
+/// Writes a file whose root holds a tag with the name of its type, which `fill` fills.
+void write_vtk_file(const std::filesystem::path& path, const char* type, const std::function<void(XMLElement&)>& fill) {
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewDeclaration());
+  XMLElement& root = *document.NewElement("VTKFile");
+  document.InsertEndChild(&root);
+  root.SetAttribute("type", type);
+  root.SetAttribute("version", "0.1");
+  fill(*root.InsertNewChildElement(type));
+  if (document.SaveFile(path.c_str()) != tinyxml2::XML_SUCCESS)
+    throw InputError("the file " + path.string() + " cannot be written");
+}
+
+template <class Values>
+void add_array(XMLElement& parent, const std::string& name, const char* type, const Values& values, Index components) {
+  std::ostringstream text;
+  text.precision(12);
+  for (const auto value : values) text << value << ' ';
+  XMLElement& array = *parent.InsertNewChildElement("DataArray");
+  array.SetAttribute("Name", name.c_str());
+  array.SetAttribute("type", type);
+  array.SetAttribute("NumberOfComponents", static_cast<int>(components));
+  array.SetAttribute("format", "ascii");
+  array.SetText(text.str().c_str());
+}
+
+void add_matrix(XMLElement& parent, const std::string& name, const MatrixXd& columns) {
+  add_array(parent, name, "Float64", columns.reshaped(), columns.rows());
+}
+
+void add_cells(XMLElement& parent, const Mesh& mesh) {
+  std::vector<int> nodes;
+  std::vector<int> ends;
+  std::vector<int> types;
+  for (const Element& element : mesh.elements) {
+    nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
+    ends.push_back(static_cast<int>(nodes.size()));
+    types.push_back(element.nodes.size() == 8 ? vtk_hexahedron : vtk_quadratic_hexahedron);
+  }
+  add_array(parent, "connectivity", "Int32", nodes, 1);
+  add_array(parent, "offsets", "Int32", ends, 1);
+  add_array(parent, "types", "UInt8", types, 1);
+}
+
+/// Adds the mesh with u, p~ and each c~ at the nodes.
+void add_grid(XMLElement& grid, const Model& model, const MatrixXd& values) {
+  XMLElement& piece = *grid.InsertNewChildElement("Piece");
+  piece.SetAttribute("NumberOfPoints", static_cast<int>(model.mesh.nodes.cols()));
+  piece.SetAttribute("NumberOfCells", static_cast<int>(model.mesh.elements.size()));
+  add_matrix(*piece.InsertNewChildElement("Points"), "position", model.mesh.nodes);
+  add_cells(*piece.InsertNewChildElement("Cells"), model.mesh);
+  XMLElement& data = *piece.InsertNewChildElement("PointData");
+  add_matrix(data, "displacement", values.topRows(3));
+  add_matrix(data, "effective fluid pressure", values.row(pressure_dof));
+  for (int k = 0; k < model.solutes; ++k)
+    add_matrix(data, "effective concentration " + std::to_string(k + 1), values.row(concentration_dof(k)));
 }
 
 }  // namespace
 
 Output::Output(const Problem& problem, Log& log) : problem_(problem), log_(log) {
-  const std::filesystem::path folder = std::filesystem::path(problem.model().file).parent_path();
   for (const DataFile& data : problem.model().data) {
-    const std::string path = (folder / data.file).string();
+    const auto path = std::filesystem::path(problem.model().file).parent_path() / data.file;
     streams_.emplace_back(path);
-    if (!streams_.back()) throw InputError("the data file " + path + " cannot be written");
-    streams_.back() << std::setprecision(12);
+    if (!streams_.back()) throw InputError("the data file " + path.string() + " cannot be written");
   }
 }
 
 void Output::write(int step, double time) {
-  for (std::size_t table = 0; table < streams_.size(); ++table) write_data(table, step, time);
+  for (std::size_t file = 0; file < streams_.size(); ++file) write_data(file, step, time);
   if (problem_.model().control.plot) write_vtk(step, time);
 }
 
-void Output::write_data(std::size_t table, int step, double time) {
-  const DataFile& data = problem_.model().data[table];
-  const int solutes = problem_.model().solutes;
-  log_.print("\nData Record #%zu\n%s\nStep = %d\nTime = %.9g\nData = %s\nFile = %s\n", table + 1,
+void Output::write_data(std::size_t file, int step, double time) {
+  const DataFile& data = problem_.model().data[file];
+  log_.print("\nData Record #%zu\n%s\nStep = %d\nTime = %.9g\nData = %s\nFile = %s\n", file + 1,
              std::string(75, '=').c_str(), step, time, data.names.c_str(), data.file.c_str());
-  std::ofstream& stream = streams_[table];
-  stream << "*Step  = " << step << "\n*Time  = " << std::setprecision(9) << time << "\n*Data  = " << data.names << '\n'
-         << std::setprecision(12);
-  if (data.elements) {
-    const auto columns = element_columns(solutes);
-    const Bodies& bodies = problem_.bodies();
-    for (std::size_t e = 0; e < bodies.elements(); ++e) {
-      write_row(stream, data, columns, static_cast<int>(e) + 1, bodies.average(e, problem_.values()),
-                bodies.material(e));
-    }
-  } else {
-    const auto columns = node_columns(solutes);
-    for (int node = 0; node < problem_.values().cols(); ++node)
-      write_row(stream, data, columns, node + 1, problem_, node);
+  std::ofstream& stream = streams_[file];
+  stream.precision(9);
+  stream << "*Step  = " << step << "\n*Time  = " << time << "\n*Data  = " << data.names << '\n';
+  stream.precision(12);
+  const MatrixXd table = data.elements ? element_table(problem_) : node_table(problem_);
+  for (Index item = 0; item < table.cols(); ++item) {
+    stream << item + 1;
+    for (const int row : data.rows) stream << data.separator << table(row, item);
+    stream << '\n';
   }
   stream.flush();
 }
 
 void Output::write_vtk(int step, double time) {
-  const std::filesystem::path model = problem_.model().file;
-  const std::filesystem::path stem = model.parent_path() / model.stem();
+  const std::filesystem::path stem = std::filesystem::path(problem_.model().file).replace_extension();
   const std::filesystem::path folder = stem.string() + "-vtk";
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   const std::string file = "state" + std::to_string(step) + ".vtu";
-  write_vtu((folder / file).string(), problem_.model(), problem_.values());
+  write_vtk_file(folder / file, "UnstructuredGrid",
+                 [&](XMLElement& grid) { add_grid(grid, problem_.model(), problem_.values()); });
   states_.emplace_back(time, (folder.filename() / file).string());
-  write_pvd(stem.string() + ".pvd", states_);
+  write_vtk_file(stem.string() + ".pvd", "Collection", [&](XMLElement& collection) {
+    for (const auto& [at, name] : states_) {
+      XMLElement& state = *collection.InsertNewChildElement("DataSet");
+      state.SetAttribute("timestep", at);
+      state.SetAttribute("file", name.c_str());
+    }
+  });
 }
 
 }  // namespace standalone

@@ -18,7 +18,7 @@ class Output {
   void write(int step, double time);
 
  private:
-  void write_data(std::size_t table, int step, double time);
+  void write_data(std::size_t file, int step, double time);
   void write_vtk(int step, double time);
 
   const Problem& problem_;

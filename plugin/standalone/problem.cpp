@@ -1,6 +1,8 @@
 #include "problem.h"
 
-#include "loads.h"
+#include "contact/quadrature.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <map>
@@ -24,6 +26,31 @@ std::vector<Contact> contacts_of(const Model& model, const Bodies& bodies) {
   return contacts;
 }
 
+/// Nodal forces, shape (dofs, nodes), of a unit load on the reference surface: of a pressure of 1 MPa, INT -N_a n dA
+/// [N], or of an outward solvent flux of 1 mm/s, INT N_a dA on the rows of p~ [mm^3/s].
+MatrixXd unit_forces(const Model& model, const SurfaceLoad& load) {
+  using namespace mixture_contact;
+  MatrixXd forces = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
+  for (const SurfaceFacet& facet : load.facets) {
+    const FacetType type = facet.facet.type;
+    const FacetCoordinates x = facet_coordinates(facet.facet, model.mesh.nodes);
+    for (const QuadraturePoint& point : quadrature(type, default_quadrature_order(type))) {
+      const ShapeFunctions shape = shape_functions(type, point.xi);
+      const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
+      const Vector3d area = point.weight * tangents.col(0).cross(tangents.col(1));
+      for (int a = 0; a < node_count(type); ++a) {
+        const int node = facet.facet.nodes[static_cast<std::size_t>(a)];
+        if (load.fluid) {
+          forces(pressure_dof, node) += shape.value[a] * area.norm();
+        } else {
+          forces.col(node).head<3>() -= shape.value[a] * area;
+        }
+      }
+    }
+  }
+  return forces;
+}
+
 /// The unknown multipliers of all contacts.
 std::vector<Equations::Unknown> multipliers(const std::vector<Contact>& contacts) {
   std::vector<Equations::Unknown> all;
@@ -38,47 +65,46 @@ std::vector<Equations::Unknown> multipliers(const std::vector<Contact>& contacts
 
 Problem::Problem(const Model& model)
     : model_(model), bodies_(model), contacts_(contacts_of(model, bodies_)), equations_(model, multipliers(contacts_)) {
+  for (const Element& element : model.mesh.elements)
+    element_numbers_.push_back(equations_.of_element(element, model.material(element)));
   for (const SurfaceLoad& load : model.loads) unit_forces_.push_back(unit_forces(model, load));
   state_.values = MatrixXd::Zero(equations_.rows(), model.mesh.nodes.cols());
   for (const Condition& condition : model.initial) {
     for (const int node : condition.nodes) state_.values(condition.dof, node) = condition.value.value;
   }
-  target_ = state_.values;
-  pending_ = forces_ = MatrixXd::Zero(equations_.rows(), model.mesh.nodes.cols());
-  state_.total.resize(equations_.count());
-  for (int i = 0; i < equations_.count(); ++i) state_.total[i] = state_.values(equations_.dof(i), equations_.node(i));
-  state_.increment = VectorXd::Zero(equations_.count());
-  state_.hold.assign(static_cast<std::size_t>(equations_.count()), Hold::none);
-  reported_.setConstant(model.dofs(), model.mesh.nodes.cols(), false);
+  state_.solution.resize(equations_.free());
+  for (int i = 0; i < equations_.free(); ++i) state_.solution[i] = value(i);
+  state_.hold.assign(static_cast<std::size_t>(equations_.free()), Hold::none);
+  target_ = VectorXd::Zero(equations_.size() - equations_.free());
+  forces_ = VectorXd::Zero(equations_.size());
   for (const Condition& condition : model.prescribed) {
-    for (const int node : condition.nodes) reported_(condition.dof, node) = condition.reaction;
+    for (const int node : condition.nodes) {
+      if (condition.reaction) reported_.insert(equations_.number(condition.dof, node));
+    }
   }
-  bodies_.accept_step(state_.values);
+  accept_step();
   for (Contact& contact : contacts_) {
     contact.update_properties(state_.values);
     contact.project(state_.values, false);
   }
 }
 
-LinearSystem Problem::linear_system() const {
-  std::vector<std::vector<int>> numbers;
-  for (std::size_t e = 0; e < bodies_.elements(); ++e) {
-    const Material& material = bodies_.material(e);
-    numbers.push_back(material.rigid ? std::vector<int>() : equations_.of_element(bodies_.element(e), material));
+Matrix3Xd Problem::reactions() const {
+  Matrix3Xd all = Matrix3Xd::Zero(3, model_.mesh.nodes.cols());
+  for (const int number : reported_) {
+    if (number >= 0 && equations_.dof(number) < 3)
+      all(equations_.dof(number), equations_.node(number)) = forces_[number];
   }
-  return {equations_.count(), std::move(numbers)};
+  return all;
 }
 
 void Problem::start_step(double time, double dt) {
   time_ = time;
   dt_ = dt;
-  state_.increment.setZero();
   for (const Condition& condition : model_.prescribed) {
-    const double value = condition.value.at(time, model_.curves);
     for (const int node : condition.nodes) {
-      if (equations_.number(condition.dof, node) != Equations::prescribed) continue;
-      target_(condition.dof, node) = value;
-      pending_(condition.dof, node) = value - state_.values(condition.dof, node);
+      const int number = equations_.number(condition.dof, node);
+      if (number >= 0) target_[number - equations_.free()] = condition.value.at(time, model_.curves);
     }
   }
   for (Contact& contact : contacts_) {
@@ -87,18 +113,12 @@ void Problem::start_step(double time, double dt) {
   end_iterations();
 }
 
-void Problem::accept_step() {
-  state_.total += state_.increment;
-  state_.increment.setZero();
-  bodies_.accept_step(state_.values);
-}
-
 // ----------------------------------------------------------------------------------------------------------------
 // contact status
 
 void Problem::end_iterations() {
   for (Contact& contact : contacts_) contact.core().end_iterations();
-  for (int i = 0; i < equations_.count(); ++i) {
+  for (int i = 0; i < equations_.free(); ++i) {
     if (hold(i) == Hold::clamp) release(i);
   }
   freed_.clear();
@@ -125,26 +145,24 @@ std::vector<bool> Problem::held() const {
 
 void Problem::release(int equation) {
   hold(equation) = Hold::none;
-  state_.total[equation] = value(equation) - state_.increment[equation];
+  state_.solution[equation] = value(equation);
 }
 
 Problem::ClampChanges Problem::clamp_changes() const {
   ClampChanges changes;
   if (!model_.control.clamp) return changes;
-  const VectorXd solution = state_.total + state_.increment;
   const VectorXd largest = state_.values.cwiseAbs().rowwise().maxCoeff();
   // The force on a concentration is what leaves the node less what it stores: negative where solute comes in.
   VectorXd largest_force = VectorXd::Zero(equations_.rows());
-  const auto force = [&](int i) { return forces_(equations_.dof(i), equations_.node(i)); };
-  for (int i = 0; i < equations_.count(); ++i) {
+  for (int i = 0; i < equations_.free(); ++i) {
     double& most = largest_force[equations_.dof(i)];
-    if (hold(i) == Hold::clamp) most = std::max(most, std::abs(force(i)));
+    if (hold(i) == Hold::clamp) most = std::max(most, std::abs(forces_[i]));
   }
-  for (int i = 0; i < equations_.count(); ++i) {
+  for (int i = 0; i < equations_.free(); ++i) {
     const int dof = equations_.dof(i);
     if (!is_concentration(dof)) continue;
-    if (hold(i) == Hold::none && solution[i] < -negligible * largest[dof]) changes.hold.push_back(i);
-    const bool rises = hold(i) == Hold::clamp && -force(i) > negligible * largest_force[dof];
+    if (hold(i) == Hold::none && state_.solution[i] < -negligible * largest[dof]) changes.hold.push_back(i);
+    const bool rises = hold(i) == Hold::clamp && -forces_[i] > negligible * largest_force[dof];
     if (rises && freed_.count(i) == 0) changes.free.push_back(i);
   }
   return changes;
@@ -192,7 +210,7 @@ bool Problem::switch_ambient() {
   for (const auto& [node, status] : nodes) {
     for (int dof = pressure_dof; dof < model_.dofs(); ++dof) {
       const int equation = equations_.number(dof, node);
-      if (equation < 0) continue;
+      if (equation < 0 || equation >= equations_.free()) continue;
       const bool switched = set_ambient(equation, status.in_contact, ambient_value(*status.bath, dof));
       changed = changed || switched;
     }
@@ -217,17 +235,13 @@ bool Problem::set_ambient(int equation, bool in_contact, double bath) {
 
 void Problem::set_trial(const VectorXd& trial, int iteration) {
   tried_ = true;
-  const VectorXd solution = state_.total + state_.increment + trial;
-  for (int i = 0; i < equations_.count(); ++i) {
+  const VectorXd solution = state_.solution + trial;
+  for (int i = 0; i < equations_.free(); ++i) {
     if (hold(i) != Hold::none) continue;
-    const int dof = equations_.dof(i);
-    const bool clamped = model_.control.clamp && is_concentration(dof) && solution[i] < 0;
-    state_.values(dof, equations_.node(i)) = clamped ? 0.0 : solution[i];
+    const bool clamped = model_.control.clamp && is_concentration(equations_.dof(i)) && solution[i] < 0;
+    value(i) = clamped ? 0.0 : solution[i];
   }
-  for (const Condition& condition : model_.prescribed) {
-    for (const int node : condition.nodes) state_.values(condition.dof, node) = target_(condition.dof, node);
-  }
-  pending_.setZero();
+  for (int k = 0; k < target_.size(); ++k) value(equations_.free() + k) = target_[k];
   for (Contact& contact : contacts_) {
     const int seg_up = contact.definition().parameters.seg_up;
     contact.take_multipliers(state_.values);
@@ -235,73 +249,57 @@ void Problem::set_trial(const VectorXd& trial, int iteration) {
   }
 }
 
+std::vector<int> Problem::numbers(const Contact::Dofs& dofs) const {
+  std::vector<int> list;
+  for (const auto& [dof, node] : dofs) list.push_back(equations_.number(dof, node));
+  return list;
+}
+
 VectorXd Problem::residual() {
-  MatrixXd& forces = forces_;
-  forces.setZero();
-  for (std::size_t e = 0; e < bodies_.elements(); ++e) {
-    const Material& material = bodies_.material(e);
-    if (material.rigid) continue;
-    const VectorXd local = bodies_.residual(e, state_.values, dt_);
-    Index entry = 0;
-    for (int f = 0; f < material.fields(); ++f) {
-      for (const int node : bodies_.element(e).nodes) forces(material.dof(f), node) -= local[entry++];
+  forces_.setZero();
+  const auto add = [&](const std::vector<int>& numbers, const VectorXd& local) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (numbers[i] >= 0) forces_[numbers[i]] += local[static_cast<Index>(i)];
     }
+  };
+  for (std::size_t e = 0; e < element_numbers_.size(); ++e) {
+    if (!element_numbers_[e].empty()) add(element_numbers_[e], -bodies_.residual(e, state_.values, dt_));
   }
-  for (const Contact& contact : contacts_) contact.add_residual(state_.values, dt_, forces);
+  for (const Contact& contact : contacts_) {
+    contact.for_each_residual(state_.values, dt_,
+                              [&](const Contact::Dofs& rows, const VectorXd& local) { add(numbers(rows), local); });
+  }
   for (std::size_t k = 0; k < unit_forces_.size(); ++k) {
     const SurfaceLoad& load = model_.loads[k];
     const double size = load.value.at(time_, model_.curves) * (load.fluid ? dt_ : 1.0);
-    forces.topRows(model_.dofs()) += size * unit_forces_[k];
+    for (int i = 0; i < equations_.size(); ++i) {
+      if (equations_.dof(i) < model_.dofs())
+        forces_[i] += size * unit_forces_[k](equations_.dof(i), equations_.node(i));
+    }
   }
-  if (!forces.allFinite()) throw StepFailure("a residual is not a finite number");
-  VectorXd free = VectorXd::Zero(equations_.count());
-  for (int i = 0; i < equations_.count(); ++i) {
-    if (hold(i) == Hold::none) free[i] = forces(equations_.dof(i), equations_.node(i));
+  if (!forces_.allFinite()) throw StepFailure("a residual is not a finite number");
+  VectorXd free = forces_.head(equations_.free());
+  for (int i = 0; i < equations_.free(); ++i) {
+    if (hold(i) != Hold::none) free[i] = 0;
   }
   return free;
 }
 
-VectorXd Problem::assemble(LinearSystem& system) {
-  VectorXd correction = VectorXd::Zero(equations_.count());
-  const auto correct = [&](const std::vector<int>& numbers, const VectorXd& force) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const int row = numbers[i];
-      if (row >= 0 && hold(row) == Hold::none) correction[row] -= force[static_cast<Index>(i)];
-    }
-  };
-  const bool pending = (pending_.array() != 0).any();
+void Problem::assemble(LinearSystem& system) const {
   system.clear();
-  for (std::size_t e = 0; e < bodies_.elements(); ++e) {
-    const Material& material = bodies_.material(e);
-    if (material.rigid) continue;
-    const MatrixXd tangent = bodies_.tangent(e, state_.values, dt_);
-    system.add_element(e, tangent);
-    if (!pending) continue;
-    VectorXd given(tangent.cols());
-    Index entry = 0;
-    for (int f = 0; f < material.fields(); ++f) {
-      for (const int node : bodies_.element(e).nodes) given[entry++] = pending_(material.dof(f), node);
-    }
-    correct(equations_.of_element(bodies_.element(e), material), tangent * given);
+  for (std::size_t e = 0; e < element_numbers_.size(); ++e) {
+    if (!element_numbers_[e].empty()) system.add_element(e, bodies_.tangent(e, state_.values, dt_));
   }
-  for (const Contact& contact : contacts_) {
-    const auto numbers = [&](const Contact::Dofs& dofs) {
-      std::vector<int> list;
-      for (const auto& [dof, node] : dofs) list.push_back(equations_.number(dof, node));
-      return list;
-    };
-    const auto add = [&](const Contact::Dofs& rows, const Contact::Dofs& columns, const MatrixXd& tangent) {
-      VectorXd given(tangent.cols());
-      for (Index j = 0; j < given.size(); ++j) {
-        const auto& [dof, node] = columns[static_cast<std::size_t>(j)];
-        given[j] = pending_(dof, node);
-      }
-      system.add(numbers(rows), numbers(columns), -tangent);
-      correct(numbers(rows), -tangent * given);
-    };
-    contact.for_each_tangent(state_.values, dt_, add);
-  }
-  return correction;
+  const auto add = [&](const Contact::Dofs& rows, const Contact::Dofs& columns, const MatrixXd& tangent) {
+    system.add(numbers(rows), numbers(columns), -tangent);
+  };
+  for (const Contact& contact : contacts_) contact.for_each_tangent(state_.values, dt_, add);
+}
+
+VectorXd Problem::pending() const {
+  VectorXd changes = target_;
+  for (int k = 0; k < changes.size(); ++k) changes[k] -= value(equations_.free() + k);
+  return changes;
 }
 
 Problem::State Problem::save() {
@@ -312,7 +310,6 @@ Problem::State Problem::save() {
 
 void Problem::restore(const State& state) {
   state_ = state;
-  pending_.setZero();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].restore(state.contacts[k]);
     contacts_[k].project(state_.values, false);

@@ -11,9 +11,8 @@ namespace standalone {
 
 /// Bodies, contacts and conditions with the current nodal values.
 ///
-/// The vectors over the equations follow FEBio: `total` of the accepted steps, the `increment` of the current step, and
-/// a trial on top of both. Nodal values are their sum, except that a solver may set negative concentrations to zero,
-/// and that ambient nodes have their bath's value.
+/// Nodal values are the solution that a solver has found plus its trial, except that it may set negative
+/// concentrations to zero, and that ambient nodes have their bath's value.
 class Problem {
  public:
   explicit Problem(const Model& model);
@@ -24,16 +23,17 @@ class Problem {
   std::vector<Contact>& contacts() { return contacts_; }
   /// Current u [mm], p~ [MPa], c~ [mM] and unknown multipliers of contact, shape (rows, nodes).
   const MatrixXd& values() const { return state_.values; }
-  /// Force that the last residual() left on a prescribed degree of freedom.
-  double reaction(int dof, int node) const { return reported_(dof, node) ? forces_(dof, node) : 0.0; }
+  /// Forces that the last residual() left on prescribed displacements, where a condition reports them; shape (3,
+  /// nodes).
+  Matrix3Xd reactions() const;
   /// Which equations are held at a value now.
   std::vector<bool> held() const;
-  LinearSystem linear_system() const;
+  LinearSystem linear_system() const { return {equations_.free(), equations_.size(), element_numbers_}; }
 
   /// Starts a time step that ends at `time` [s].
   void start_step(double time, double dt);
   /// Keeps the current state as what the next step starts from.
-  void accept_step();
+  void accept_step() { bodies_.accept_step(state_.values); }
 
   /// Forgets what iterations hold: contact status, linearised gaps and clamped concentrations.
   void end_iterations();
@@ -44,18 +44,18 @@ class Problem {
   /// Whether no concentration that is held at zero wants to rise, and no other is negative.
   bool clamps_settled() const;
 
-  /// Sets the nodal values to total + increment + trial and prescribed values. `keep_facets`: contact keeps to known
-  /// facets.
+  /// Sets the nodal values to solution + trial and prescribed values. `keep_facets`: contact keeps to known facets.
   void set_trial(const VectorXd& trial, int iteration);
-  /// Adds an accepted trial to the step's increment.
-  void accept_trial(const VectorXd& trial) { state_.increment += trial; }
+  /// Adds an accepted trial to the solution.
+  void accept_trial(const VectorXd& trial) { state_.solution += trial; }
 
   /// Forces on the free equations; zero in equilibrium. Throws StepFailure where an element is inverted or a force not
   /// finite.
   VectorXd residual();
-  /// Assembles the tangent, -d residual/d values. Returns the forces that prescribed increments which are not yet in
-  /// the nodal values will bring.
-  VectorXd assemble(LinearSystem& system);
+  /// Assembles the tangent, -d residual/d values.
+  void assemble(LinearSystem& system) const;
+  /// Prescribed increments that are not yet in the nodal values.
+  VectorXd pending() const;
 
   /// What holds an equation at a value: nothing, the bath at a node that is not in contact, or the bound c >= 0. A
   /// solver that only sets negative concentrations to zero makes Newton compute the same negative change for ever; held
@@ -66,7 +66,7 @@ class Problem {
   /// Everything that changes in a time step, to try one again.
   struct State {
     MatrixXd values;
-    VectorXd total, increment;
+    VectorXd solution;  ///< of the free equations
     std::vector<Hold> hold;
     std::vector<Contact::Saved> contacts;
   };
@@ -87,7 +87,9 @@ class Problem {
   bool clamp_concentrations();
   Hold& hold(int equation) { return state_.hold[static_cast<std::size_t>(equation)]; }
   Hold hold(int equation) const { return state_.hold[static_cast<std::size_t>(equation)]; }
-  double& value(int equation) { return state_.values(equations_.dof(equation), equations_.node(equation)); }
+  double& value(int number) { return state_.values(equations_.dof(number), equations_.node(number)); }
+  double value(int number) const { return state_.values(equations_.dof(number), equations_.node(number)); }
+  std::vector<int> numbers(const Contact::Dofs& dofs) const;
   /// Frees an equation, which goes on from the value that it has.
   void release(int equation);
 
@@ -95,14 +97,14 @@ class Problem {
   Bodies bodies_;
   std::vector<Contact> contacts_;
   Equations equations_;
+  std::vector<std::vector<int>> element_numbers_;
   std::vector<MatrixXd> unit_forces_;  ///< per load
   State state_;
-  MatrixXd target_;   ///< prescribed values of the current step
-  MatrixXd pending_;  ///< prescribed increments that are not yet in the nodal values
-  MatrixXd forces_;   ///< at the last residual(), on all degrees of freedom
-  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> reported_;  ///< whether a reaction is output
-  std::set<int> freed_;  ///< equations that were clamped before in these iterations
-  bool tried_ = false;   ///< whether a trial was made since the iterations began
+  VectorXd target_;         ///< prescribed values of the current step
+  VectorXd forces_;         ///< of the last residual(), on free and prescribed numbers
+  std::set<int> reported_;  ///< prescribed numbers whose reaction is output
+  std::set<int> freed_;     ///< equations that were clamped before in these iterations
+  bool tried_ = false;      ///< whether a trial was made since the iterations began
   double time_ = 0, dt_ = 0;
 };
 

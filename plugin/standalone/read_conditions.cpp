@@ -64,7 +64,7 @@ void read_condition(const Tag& tag, Model& model) {
 std::vector<int> rigid_nodes(const Tag& tag, const Model& model) {
   std::vector<int> nodes;
   for (const Element& element : model.mesh.elements) {
-    const Material& material = model.materials[static_cast<std::size_t>(element.material)];
+    const Material& material = model.material(element);
     if (material.rigid && material.name == tag.text())
       nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
   }

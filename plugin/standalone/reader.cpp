@@ -1,9 +1,9 @@
 #include "reader.h"
 
-#include "columns.h"
 #include "error.h"
 #include "sections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -94,13 +94,6 @@ void read_control(const Tag& tag, Model& model) {
   if (!std::isfinite(control.end)) tag.fail("the end of the analysis, time_steps x step_size, is not a finite number");
 }
 
-template <class Column>
-void check_columns(const Tag& tag, const DataFile& file, const std::map<std::string, Column>& known) {
-  for (const std::string& name : file.columns) {
-    if (known.count(name) == 0) tag.fail("the data \"" + name + "\" are not supported; there is " + names_of(known));
-  }
-}
-
 void read_data(const Tag& tag, Model& model) {
   tag.read({"data", "file", "delim", "name"});
   if (!tag.text().empty()) tag.fail("a choice of items is not supported; the data of all are written");
@@ -110,13 +103,13 @@ void read_data(const Tag& tag, Model& model) {
   file.file = tag.attribute("file");
   file.separator = tag.find_attribute("delim").value_or(" ");
   std::istringstream names(file.names);
-  for (std::string name; std::getline(names, name, ';');) file.columns.push_back(name);
-  if (file.columns.empty()) tag.fail("the attribute data names no column");
-  if (file.elements) {
-    check_columns(tag, file, element_columns(model.solutes));
-  } else {
-    check_columns(tag, file, node_columns(model.solutes));
+  const std::vector<std::string> known = file.elements ? model.element_data() : model.node_data();
+  for (std::string name; std::getline(names, name, ';');) {
+    const auto place = std::find(known.begin(), known.end(), name);
+    if (place == known.end()) tag.fail("the data \"" + name + "\" are not supported; there is " + listed(known));
+    file.rows.push_back(static_cast<int>(place - known.begin()));
   }
+  if (file.rows.empty()) tag.fail("the attribute data names no column");
   model.data.push_back(std::move(file));
 }
 
