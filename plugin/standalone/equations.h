@@ -29,6 +29,9 @@ class Equations {
   static constexpr int absent = -1;
 
  private:
+  /// Gives numbers to what has this status.
+  void take_numbers(int status);
+
   Eigen::MatrixXi number_;  ///< shape (rows, nodes)
   int free_ = 0;
   std::vector<Unknown> unknowns_;  ///< row of nodal values and node, by number

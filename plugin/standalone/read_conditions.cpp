@@ -5,10 +5,10 @@
 namespace standalone {
 namespace {
 
-const std::vector<const char*> axes{"x", "y", "z"};
+constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
 Read displacement(int& dof) {
-  return [&dof](const Tag& tag) { dof = static_cast<int>(tag.one_of(axes)); };
+  return [&dof](const Tag& tag) { dof = static_cast<int>(tag.one_of({axes.begin(), axes.end()})); };
 }
 
 Read concentration(int& dof, const Model& model) {

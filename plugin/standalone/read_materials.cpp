@@ -12,7 +12,7 @@ constexpr Range uncharged{[](double x) { return x == 0; }, "0; charges are not s
 void ignored(const Tag& /*tag*/) {}
 
 /// Takes a property of the only type that is supported.
-Read property(const char* type, std::vector<Child> table) {
+Read property(const char* type, const std::vector<Child>& table) {
   return [=](const Tag& tag) {
     tag.attribute("type", {type});
     tag.read({"type"}, table);

@@ -30,7 +30,7 @@ bool parse(const std::string& word, T& value) {
 
 /// What takes a tag without attributes and children.
 template <class Use>
-Read leaf(Use use) {
+Read leaf(const Use& use) {
   return [use](const Tag& tag) {
     tag.read({});
     use(tag);
