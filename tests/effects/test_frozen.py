@@ -19,7 +19,7 @@ REASON = "No traction: the displacements of both surfaces are fixed."
 SAME = 1e-9
 """Relative: two runs that differ in the word for their effects alone."""
 STEADY = 1e-6
-"""Relative: what is left of a transient after 10 steps of more than twice the slowest time."""
+"""Relative: what is left of a transient after 8 steps of more than twice the slowest time."""
 
 
 def blocks(name, effects="all", frozen=True):

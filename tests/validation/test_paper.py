@@ -73,13 +73,15 @@ def test_orders_of_convergence_across_the_contact(context):
 def test_the_cut_is_not_seen_whatever_the_options(context, module, option):
     """Short runs with 2 x 2 facets in both modules.
 
-    Closing the contact in one step presses the fluid up; there the pressure sees that the contact gives a little.
+    Closing the contact in one step presses the fluid up; there the pressure sees that the contact gives, by 1/factor of
+    what the elements beside it do.
     """
+    factor = 1e2 if option.startswith("two passes") else 1e3
     data = {"elements": 10, "control": SHORT, "section": Section((1.0, 1.0), (2, 2)), "module": module}
     cut = context.runner(Diffusion(context.join, OPTIONS[option], name="diffusion-short", **data).model())
     whole = context.runner(Diffusion(Join.UNSPLIT, name="diffusion-short-whole", **data).model())
     assert compare.largest_difference(cut, whole, "c1") <= 1e-6
-    assert compare.largest_difference(cut, whole, "p") <= 1e-3 * np.abs(whole.nodes["p"]).max()
+    assert compare.largest_difference(cut, whole, "p") <= np.abs(whole.nodes["p"]).max() / factor
     allowed = {"augmented": 1.25, "two passes, augmented": 1.25, "symmetric": 2.0}.get(option, 1.05)
     assert cut.report.iterations <= allowed * whole.report.iterations
 
