@@ -10,7 +10,7 @@
 namespace standalone {
 namespace {
 
-void log_summary(Log& log, int steps, const Effort& total, bool done, double seconds) {
+void log_summary(const Log& log, int steps, const Effort& total, bool done, double seconds) {
   log.print("\n\n N O N L I N E A R   I T E R A T I O N   I N F O R M A T I O N\n\n");
   log.print("\tNumber of time steps completed .................... : %d\n\n", steps);
   log.print("\tTotal number of equilibrium iterations ............ : %d\n\n", total.iterations);
