@@ -35,6 +35,7 @@ void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x
 
 void ContactPass::forget() {
   held_.reset();
+  augmented_ = false;
   frozen_.reset();
   pairs_.clear();
 }

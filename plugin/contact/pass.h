@@ -97,9 +97,9 @@ class ContactPass {
   void move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
 
   /// Uzawa's update: the loads of an equilibrium become the multipliers, lambda <- t_n, w_n, j_n; nodes out of contact
-  /// get zero, and multipliers of tractions that are not exchanged stay. The next
-  /// begin_iteration() takes them for the geometric part of the tangent, since what the laws say until the gaps are
-  /// closed, lambda + eps g, is up to twice the load in equilibrium.
+  /// get zero, and multipliers of tractions that are not exchanged stay. The next begin_iteration() takes them for the
+  /// geometric part of the tangent, since what the laws say until the gaps are closed, lambda + eps g, is up to twice
+  /// the load in equilibrium.
   void augment(const SurfaceFields& primary, const SurfaceFields& secondary);
 
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.

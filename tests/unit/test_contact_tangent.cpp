@@ -71,3 +71,23 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   started->end_iterations();
   BOOST_TEST(std::abs(started->balance(scene.fields).force[2]) == 0.0);
 }
+
+/// An augmentation doubles the loads until the gaps are closed. The stiffness is that of the equilibrium that it left.
+BOOST_AUTO_TEST_CASE(an_augmentation_leaves_the_tangent_as_it_is) {
+  std::mt19937 random(13);
+  Settings settings = explicit_settings(2.5, 1.5, 0.8);
+  settings.tolerances.traction.relative = settings.tolerances.solvent.relative = settings.tolerances.solute
+                                                                                     .relative = 0;
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 2, 3), effects_of(true, 1), settings);
+  scene.disturb(0.02, random);
+  const auto contact = scene.contact();
+  const GlobalLayout layout(scene);
+  contact->begin_iteration(scene.fields);
+  const MatrixXd before = assembled_tangent(*contact, layout, scene.fields, 0.3);
+  const VectorXd load = assembled_residual(*contact, layout, scene.fields, 0.3);
+  contact->augment(scene.fields);
+  contact->end_iterations();
+  contact->begin_iteration(scene.fields);
+  BOOST_TEST(relative_error(assembled_tangent(*contact, layout, scene.fields, 0.3), before) <= rounding);
+  BOOST_TEST(relative_error(assembled_residual(*contact, layout, scene.fields, 0.3), VectorXd(2 * load)) <= rounding);
+}
