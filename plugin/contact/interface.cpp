@@ -25,6 +25,34 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   return normals;
 }
 
+double longest_edge(const Facet& facet, const Matrix3Xd& position) {
+  const int corners = is_triangle(facet.type) ? 3 : 4;  // the first nodes of every type
+  double longest = 0;
+  for (int a = 0; a < corners; ++a) {
+    const int from = facet.nodes[static_cast<std::size_t>(a)];
+    const int to = facet.nodes[static_cast<std::size_t>((a + 1) % corners)];
+    longest = std::max(longest, (position.col(to) - position.col(from)).norm());
+  }
+  return longest;
+}
+
+std::vector<bool> in_contact_of(const std::vector<FacingNode>& nodes) {
+  std::vector<bool> in_contact;
+  for (const FacingNode& node : nodes) in_contact.push_back(node.in_contact);
+  return in_contact;
+}
+
+UnnoticedOverlap unnoticed_among(const std::vector<FacingNode>& nodes) {
+  UnnoticedOverlap found;
+  for (const FacingNode& node : nodes) {
+    if (node.share <= sound_overlap) continue;
+    ++found.nodes;
+    found.depth = std::max(found.depth, node.overlap);
+    found.share = std::max(found.share, node.share);
+  }
+  return found;
+}
+
 void keep_worst(FieldGap& worst, const FieldGap& gap) {
   worst.relative = larger(worst.relative, gap.relative);
   worst.largest = larger(worst.largest, gap.largest);
@@ -104,8 +132,10 @@ void ContactInterface::note_memory() {
 
 void ContactInterface::hold_facing_contact() {
   if (passes_.size() != 1 || (held_facing_ && !effects_.traction)) return;
-  std::vector<bool> next = facing_contact(
+  const std::vector<FacingNode> facing = facing_nodes(
       Side::secondary, passes_[0].integral->sealed_nodes(position_[Side::primary], position_[Side::secondary]));
+  unnoticed_overlap_ = effects_.traction ? unnoticed_among(facing) : UnnoticedOverlap{};
+  std::vector<bool> next = in_contact_of(facing);
   const bool first = !held_facing_;
   if (first) facing_changes_.assign(next.size(), 0);
   for (std::size_t node = 0; node < next.size(); ++node) {
@@ -212,33 +242,36 @@ PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
   if (held_facing_) {
     in_contact[Side::secondary] = *held_facing_;
   } else if (passes_.size() == 1) {
-    in_contact[Side::secondary] = facing_contact(Side::secondary, in_contact[Side::primary]);
+    in_contact[Side::secondary] = in_contact_of(facing_nodes(Side::secondary, in_contact[Side::primary]));
   }
   return in_contact;
 }
 
-std::vector<bool> ContactInterface::facing_contact(Side side, const std::vector<bool>& other_in_contact) const {
-  std::vector<bool> in_contact(static_cast<std::size_t>(mesh_[side].nodes), false);
+std::vector<FacingNode> ContactInterface::facing_nodes(Side side, const std::vector<bool>& other_in_contact) const {
+  std::vector<FacingNode> nodes(static_cast<std::size_t>(mesh_[side].nodes));
   const double reach = search_radius(position_);
-  if (!surfaces_within_reach(position_[side], position_[other(side)], reach)) return in_contact;
+  if (!surfaces_within_reach(position_[side], position_[other(side)], reach)) return nodes;
   const std::vector<Facet>& facets = mesh_[other(side)].facets;
   const FacetTree tree(facets, position_[other(side)], box_margin);
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
   const VectorXd other_share = VectorXd::NullaryExpr(static_cast<Index>(other_in_contact.size()), [&](Index node) {
     return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
   });
-  const auto is_faced = [&](std::size_t index) {
+  in_parallel(nodes.size(), [&](std::size_t index) {
     const auto node = static_cast<Index>(index);
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
-    if (!hit) return char{false};
+    if (!hit) return;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
     const int sub_facet = sub_facet_at(facet.type, hit->eta);
     const FacetVector shape = multiplier_functions(facet.type, sub_facet, hit->eta).value;
-    return static_cast<char>(shape.dot(facet_values(facet, other_share)) >= covered);
-  };
-  in_order(in_contact.size(), is_faced, [&](std::size_t node, char faced) { in_contact[node] = faced != 0; });
-  return in_contact;
+    const FacetVector shares = facet_values(facet, other_share);
+    nodes[index].in_contact = shape.dot(shares) >= covered;
+    if (hit->gap >= 0 || shares.maxCoeff() > 0) return;
+    nodes[index].overlap = -hit->gap;
+    nodes[index].share = -hit->gap / longest_edge(facet, position_[other(side)]);
+  });
+  return nodes;
 }
 
 Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {

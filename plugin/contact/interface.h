@@ -45,6 +45,25 @@ struct NodalOutput {
 /// interpolated, reaches this share.
 inline constexpr double covered = 0.5 - 1e-9;
 
+/// What a node of the surface that is not integrated over faces.
+struct FacingNode {
+  bool in_contact = false;
+  double overlap = 0;  ///< with a facet none of whose nodes is in contact [mm]
+  double share = 0;    ///< the same over the facet's longest edge [-]
+};
+
+/// Secondary nodes inside the primary body at facets none of whose nodes is in contact. The laws hold as averages
+/// around primary nodes: what is smaller than a primary facet may overlap it without any load.
+struct UnnoticedOverlap {
+  int nodes = 0;     ///< how many lie deeper than sound_overlap
+  double depth = 0;  ///< of the deepest [mm]
+  double share = 0;  ///< largest depth over the longest edge of the facet that the node faces [-]
+};
+
+/// What sound meshes show, relative to the longest edge of a facet: a facet bulges out of the arc between its ends, or
+/// stays behind it, by 1/8 of the angle of that arc, here 0.4 (16 facets around a circle).
+inline constexpr double sound_overlap = 0.05;
+
 /// What a contact keeps in memory.
 struct Memory {
   std::size_t points = 0;  ///< integration points that see the other surface
@@ -116,6 +135,10 @@ class ContactInterface {
   /// Which nodes of each surface are in contact and sealed by it; the others see the bath.
   PerSide<std::vector<bool>> nodes_in_contact() const;
 
+  /// As the last iteration began. None with two passes: then secondary nodes have laws of their own. None without
+  /// traction: surfaces that cannot move stay as the user placed them.
+  const UnnoticedOverlap& unnoticed_overlap() const { return unnoticed_overlap_; }
+
   Balance balance(const PerSide<SurfaceFields>& fields) const;
   NodalOutput nodal_output(Side side, const PerSide<SurfaceFields>& fields) const;
 
@@ -145,7 +168,7 @@ class ContactInterface {
   double search_radius(const PerSide<Matrix3Xd>& position) const;
   void hold_facing_contact();
   void note_memory();
-  std::vector<bool> facing_contact(Side side, const std::vector<bool>& other_in_contact) const;
+  std::vector<FacingNode> facing_nodes(Side side, const std::vector<bool>& other_in_contact) const;
 
   PerSide<SurfaceMesh> mesh_;
   Effects effects_;
@@ -155,6 +178,7 @@ class ContactInterface {
   std::optional<std::vector<bool>>
       held_facing_;  ///< secondary nodes in contact, while iterations are under way and there is one pass
   std::vector<int> facing_changes_;
+  UnnoticedOverlap unnoticed_overlap_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
   Memory memory_;
   mutable Times times_;  ///< a measurement, which no result depends on

@@ -1,6 +1,7 @@
 #include "mixture_contact.h"
 
 #include "host/price.h"
+#include "host/warnings.h"
 
 #include <FEBioMech/FEMechModel.h>
 #include <FECore/FEAnalysis.h>
@@ -207,10 +208,17 @@ void FEMixtureContact::store_output() {
   secondary_.store_output(core_->nodal_output(Side::secondary, current), total);
 }
 
+void FEMixtureContact::warn_of_overlap() {
+  const UnnoticedOverlap& overlap = core_->unnoticed_overlap();
+  if (overlap.nodes == 0 || std::exchange(warned_of_overlap_, true)) return;
+  feLogWarning("%s", overlap_warning(GetName(), primary_.GetName(), secondary_.GetName(), overlap).c_str());
+}
+
 bool FEMixtureContact::on_step_solved(FEModel* /*fem*/, unsigned int /*when*/, void* contact) {
   auto* self = static_cast<FEMixtureContact*>(contact);
   if (!self->IsActive()) return true;
   self->store_output();
+  self->warn_of_overlap();
   self->clamped_.end_step();
   if (self->leads_extrapolation()) self->extrapolation_.step_solved();
   return true;

@@ -105,6 +105,7 @@ class FEMixtureContact : public FEContactInterface {
   bool has_free_equations(const std::vector<int>& nodes, const std::vector<int>& equations);
   void log_gaps(int augmentation, const mixture_contact::GapReport& report);
   void store_output();
+  void warn_of_overlap();
   static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);
   static bool on_solved(FEModel* fem, unsigned int when, void* contact);
 
@@ -138,6 +139,7 @@ class FEMixtureContact : public FEContactInterface {
   int disputes_ = 0;                ///< solutions of FEBio's in this step that were none
   bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;
+  bool warned_of_overlap_ = false;                 ///< in this run
   mixture_contact::Stopwatch run_;                 ///< since the contact was read
   std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow
   std::string summary_;                            ///< what the log said last of the effects

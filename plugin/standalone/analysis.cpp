@@ -1,11 +1,13 @@
 #include "analysis.h"
 
 #include "host/price.h"
+#include "host/warnings.h"
 #include "newton.h"
 #include "output.h"
 #include "time_stepper.h"
 
 #include <chrono>
+#include <set>
 
 namespace standalone {
 namespace {
@@ -83,10 +85,20 @@ class Steps {
     log_.print("\nconvergence summary\n    number of iterations   : %d\n    number of reformations : %d\n",
                newton_.effort().iterations, newton_.effort().reformations);
     log_.print("\n------- converged at time : %g\n\n", time);
+    warn_of_overlap();
     time_ = time;
     output_.write(++done_, time);
     stepper_.succeeded();
     return true;
+  }
+
+  void warn_of_overlap() {
+    for (Contact& contact : problem_.contacts()) {
+      const mixture_contact::UnnoticedOverlap& overlap = contact.core().unnoticed_overlap();
+      if (overlap.nodes == 0 || !warned_.insert(&contact).second) continue;
+      const ContactDefinition& definition = contact.definition();
+      log_.box("WARNING", overlap_warning(definition.name, definition.surfaces[0], definition.surfaces[1], overlap));
+    }
   }
 
   const Model& model_;
@@ -98,6 +110,7 @@ class Steps {
   double time_ = 0;
   int done_ = 0;
   Effort total_;
+  std::set<const Contact*> warned_;  ///< whose overlap the log has warned of
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ import pytest
 
 from harness.compare import missed
 from harness.errors import EngineNotFoundError
-from harness.hard_cases import checks
+from harness.hard_cases import checks, variants
 from harness.hard_cases.catalogue import CASES
 from harness.hard_cases.scene import Fineness, Interface
 from harness.hosts import STANDALONE
@@ -54,3 +54,9 @@ def test_it_ends_balanced_and_with_nothing_undefined(runner, name):
     said = (run.folder / "screen.txt").read_text()
     assert "runtime error" not in said
     assert "Sanitizer" not in said
+
+
+def test_a_feature_that_primary_facets_miss_is_warned_of(runner):
+    made = variants.swapped(CASES["corner-on-face"].scene.model(Fineness.COARSE, Interface.MIXTURE))
+    run = runner(replace(made, surface_columns=(), facet_columns=()))
+    assert len([text for text in run.report.warnings if "without any load" in text]) == 1
