@@ -1,6 +1,5 @@
 #include "analysis.h"
 
-#include "host/price.h"
 #include "host/warnings.h"
 #include "newton.h"
 #include "output.h"
@@ -54,16 +53,6 @@ class Steps {
     return true;
   }
 
-  /// Writes what each contact cost, `seconds` after the run began.
-  void log_prices(double seconds) {
-    for (Contact& contact : problem_.contacts()) {
-      const mixture_contact::ContactInterface& core = contact.core();
-      log_.print("\n");
-      for (const std::string& line : price_table(contact.definition().name, core, seconds))
-        log_.print("%s\n", line.c_str());
-    }
-  }
-
   int done() const { return done_; }
   const Effort& total() const { return total_; }
 
@@ -96,8 +85,8 @@ class Steps {
     for (Contact& contact : problem_.contacts()) {
       const mixture_contact::UnnoticedOverlap& overlap = contact.core().unnoticed_overlap();
       if (overlap.nodes == 0 || !warned_.insert(&contact).second) continue;
-      const ContactDefinition& definition = contact.definition();
-      log_.box("WARNING", overlap_warning(definition.name, definition.surfaces[0], definition.surfaces[1], overlap));
+      const auto& [primary, secondary] = contact.definition().surfaces;
+      log_.box("WARNING", overlap_warning(contact.definition().name, primary, secondary, overlap));
     }
   }
 
@@ -115,22 +104,12 @@ class Steps {
 
 }  // namespace
 
-void relocate_nodes(Model& model) {
-  for (const ContactDefinition& contact : model.contacts) {
-    if (!contact.parameters.node_reloc) continue;
-    const Bodies bodies(model);
-    model.mesh.nodes = Contact(model, contact, bodies, model.dofs()).nodes_without_overlap();
-  }
-}
-
-bool run(Model model, Log& log) {
-  relocate_nodes(model);
+bool run(const Model& model, Log& log) {
   const auto start = std::chrono::steady_clock::now();
   for (const std::string& notice : model.notices) log.print("Note: %s\n", notice.c_str());
   Steps steps(model, log);
   const bool done = steps.run();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  steps.log_prices(seconds.count());
   log_summary(log, steps.done(), steps.total(), done, seconds.count());
   return done;
 }

@@ -3,14 +3,12 @@
 
 #include "law.h"
 
-#include <functional>
-
 namespace standalone {
 
 /// The elements of a model with what is integrated over them. Evaluations are const; only accept_step() changes the
 /// history.
 ///
-/// Local vectors of an element are field by field: entry field * nodes + node, fields in the order of Material::dof.
+/// Local vectors of an element are field by field, in the order of places(): only the fields that its material has.
 class Bodies {
  public:
   /// Throws InputError where an element is inverted.
@@ -19,6 +17,9 @@ class Bodies {
   std::size_t elements() const { return elements_.size(); }
   const Element& element(std::size_t e) const { return model_.mesh.elements[e]; }
   const Material& material(std::size_t e) const { return model_.material(element(e)); }
+
+  /// Places of an element's nodal values (see Model::place).
+  std::vector<int> places(std::size_t e) const;
 
   /// Internal forces of (2.1) and dt times the balances (2.2), (2.3), for nodal values of shape (dofs, nodes).
   /// Throws StepFailure where an element is inverted.
@@ -31,13 +32,12 @@ class Bodies {
   /// Keeps J and the contents at these nodal values as what the next time step starts from.
   void accept_step(const MatrixXd& values);
 
-  /// Averages over an element's integration points, for output.
+  /// Averages over an element's integration points, for output and automatic penalties.
   struct Average {
-    Vector3d solvent_flux{0, 0, 0};      ///< [mm/s]
-    Matrix3d stress = Matrix3d::Zero();  ///< Cauchy stress [MPa]
-    Matrix3Xd solute_flux;               ///< one column per solute of the material [nmol/(mm^2 s)]
-    VectorXd concentration;              ///< actual concentration kappa~ c~ [mM]
-    double pressure = 0;                 ///< actual pressure [MPa]
+    double pressure = 0;             ///< actual pressure [MPa]
+    double concentration = 0;        ///< actual concentration kappa~ c~ [mM]
+    Vector3d solvent_flux{0, 0, 0};  ///< [mm/s]
+    Vector3d solute_flux{0, 0, 0};   ///< [nmol/(mm^2 s)]
   };
   Average average(std::size_t e, const MatrixXd& values) const;
 
@@ -51,7 +51,7 @@ class Bodies {
     PointHistory last;
   };
 
-  /// Nodal values of the fields of an element, shape (nodes, fields).
+  /// Nodal values of the fields of an element, shape (nodes, max_fields); zero for those that it does not have.
   MatrixXd nodal_fields(std::size_t e, const MatrixXd& values) const;
 
   const Model& model_;

@@ -1,6 +1,7 @@
 #include "contact.h"
 
-#include "contact/quadrature.h"
+#include "error.h"
+#include "hexahedron.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,50 +12,41 @@ namespace {
 
 using mixture_contact::both_sides;
 using mixture_contact::Facet;
-using mixture_contact::only;
+using mixture_contact::Side;
 
 /// The facet seen from the other side.
 Facet inverted(const Facet& facet) {
   const std::array<std::size_t, 8> order{0, 3, 2, 1, 7, 6, 5, 4};
   Facet turned = facet;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(mixture_contact::node_count(facet.type)); ++a) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(node_count(facet.type)); ++a) {
     turned.nodes[a] = facet.nodes[order[a]];
   }
   return turned;
 }
 
-/// Integral of the area vector over a facet: its direction is the normal [mm^2].
-Vector3d area_vector(const Facet& facet, const Matrix3Xd& position) {
-  Vector3d sum(0, 0, 0);
-  const auto x = mixture_contact::facet_coordinates(facet, position);
-  for (const auto& point :
-       mixture_contact::quadrature(facet.type, mixture_contact::default_quadrature_order(facet.type))) {
-    const Eigen::Matrix<double, 3, 2> tangents = x * mixture_contact::shape_functions(facet.type, point.xi).gradient;
-    sum += point.weight * tangents.col(0).cross(tangents.col(1));
-  }
-  return sum;
+/// Distinct nodes of facets, ascending.
+std::vector<int> nodes_of(const std::vector<SurfaceFacet>& facets) {
+  std::set<int> nodes;
+  for (const SurfaceFacet& facet : facets)
+    nodes.insert(facet.facet.nodes.begin(), facet.facet.nodes.begin() + node_count(facet.facet.type));
+  return {nodes.begin(), nodes.end()};
 }
 
 }  // namespace
 
-Contact::Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies, int first_row)
-    : model_(model), definition_(definition), bodies_(bodies), first_row_(first_row) {
+Contact::Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies)
+    : model_(model), definition_(definition), bodies_(bodies) {
   for (const Side side : both_sides) {
-    facets_[side] = model.mesh.surfaces.at(definition.surfaces[static_cast<std::size_t>(side)]);
+    facets_[side] = model.mesh.surfaces.at(definition.surfaces[side]);
     const bool flip = side == Side::primary ? definition.parameters.flip_primary : definition.parameters.flip_secondary;
-    std::set<int> nodes;
-    for (SurfaceFacet& facet : facets_[side]) {
-      if (flip) facet.facet = inverted(facet.facet);
-      nodes.insert(facet.facet.nodes.begin(),
-                   facet.facet.nodes.begin() + mixture_contact::node_count(facet.facet.type));
-    }
-    nodes_[side].assign(nodes.begin(), nodes.end());
+    for (SurfaceFacet& facet : facets_[side]) facet.facet = flip ? inverted(facet.facet) : facet.facet;
+    nodes_[side] = nodes_of(facets_[side]);
   }
-  decide_effects();
-  const MatrixXd start = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
-  core_ = std::make_unique<mixture_contact::ContactInterface>(
-      PerSide<mixture_contact::SurfaceMesh>{{surface_mesh(Side::primary, start), surface_mesh(Side::secondary, start)}},
-      effects_, core_settings(definition.parameters));
+  const FacetMaterials at_rest = materials(MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols()));
+  const mixture_contact::Effects effects = decide_effects(at_rest);
+  PerSide<mixture_contact::SurfaceMesh> meshes{{surface_mesh(Side::primary), surface_mesh(Side::secondary)}};
+  for (const Side side : both_sides) set_materials(meshes[side], at_rest[side], effects);
+  core_ = std::make_unique<mixture_contact::ContactInterface>(meshes, effects, core_settings(definition.parameters));
   if (!core_->pass(0).penalty().traction.allFinite()) {
     throw InputError(
         model.file + ": contact \"" + definition.name +
@@ -63,119 +55,83 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
   }
 }
 
-std::vector<FieldAtContact> Contact::fields_of_model() const {
-  const auto obstacles = [&](const auto& has, const char* lacking) {
-    std::vector<std::string> list;
-    for (const Side side : both_sides) {
-      const auto behind = [&](const SurfaceFacet& facet) {
-        return has(bodies_.material(static_cast<std::size_t>(facet.element)));
-      };
-      if (std::none_of(facets_[side].begin(), facets_[side].end(), behind))
-        list.push_back("\"" + definition_.surfaces[static_cast<std::size_t>(side)] + "\" " + lacking);
-    }
-    return list;
-  };
-  std::vector<FieldAtContact> fields;
-  fields.push_back({-1, "", obstacles([](const Material& m) { return m.porous; }, "is impermeable")});
-  for (int solute = 0; solute < model_.solutes; ++solute) {
-    const auto has_it = [solute](const Material& m) {
-      return std::any_of(m.solutes.begin(), m.solutes.end(), [solute](const Solute& s) { return s.index == solute; });
-    };
-    const auto name = model_.solute_names.find(solute);
-    fields.push_back(
-        {solute, name == model_.solute_names.end() ? "" : name->second, obstacles(has_it, "does not have it")});
-  }
-  return fields;
-}
-
 bool Contact::can_move() const {
-  std::array<std::set<int>, 3> fixed;
+  std::set<int> fixed;
   for (const Condition& condition : model_.prescribed) {
-    const bool zero = condition.value.value == 0 && condition.value.curve < 0;
-    if (zero && condition.dof < 3)
-      fixed[static_cast<std::size_t>(condition.dof)].insert(condition.nodes.begin(), condition.nodes.end());
+    for (const int node : condition.nodes) {
+      if (condition.fixed) fixed.insert(model_.place(condition.dof, node));
+    }
   }
-  const auto is_held = [&](int node) {
-    return std::all_of(fixed.begin(), fixed.end(), [node](const auto& nodes) { return nodes.count(node) > 0; });
+  const auto moves = [&](int node) {
+    return fixed.count(model_.place(0, node)) + fixed.count(model_.place(1, node)) +
+               fixed.count(model_.place(2, node)) <
+           3;
   };
-  const auto is_rigid = [&](const SurfaceFacet& facet) {
-    return bodies_.material(static_cast<std::size_t>(facet.element)).rigid;
-  };
-  return !std::all_of(both_sides.begin(), both_sides.end(), [&](Side side) {
-    return std::all_of(nodes_[side].begin(), nodes_[side].end(), is_held) &&
-           std::none_of(facets_[side].begin(), facets_[side].end(), is_rigid);
-  });
+  return std::any_of(both_sides.begin(), both_sides.end(),
+                     [&](Side side) { return std::any_of(nodes_[side].begin(), nodes_[side].end(), moves); });
 }
 
-void Contact::decide_effects() {
+FacetMaterial Contact::material(const SurfaceFacet& facet, const MatrixXd& values) const {
+  const auto element = static_cast<std::size_t>(facet.element);
+  const Material& material = bodies_.material(element);
+  FacetMaterial found;
+  found.stiffness = std::numeric_limits<double>::infinity();
+  if (material.rigid) return found;
+  Vector3d area(0, 0, 0);
+  for (const FacetPoint& point : facet_points(facet.facet, model_.mesh.nodes)) area += point.area;
+  const double thickness = bodies_.volume(element) / area.norm();
+  found.stiffness = material.modulus / thickness;
+  found.permeable = material.porous;
+  found.permeability = material.permeability / thickness;
+  if (material.solute) {
+    const Solute& solute = *material.solute;
+    const double convection = std::abs(bodies_.average(element, values).solvent_flux.dot(area.normalized()));
+    const double spread = (1 - material.solid_fraction) * solute.diffusivity / thickness;
+    const double carried = solute.diffusivity / solute.free_diffusivity * convection;
+    found.solutes[solute.index] = solute.solubility * (spread + carried);
+  }
+  return found;
+}
+
+FacetMaterials Contact::materials(const MatrixXd& values) const {
+  FacetMaterials all;
+  for (const Side side : both_sides) {
+    for (const SurfaceFacet& facet : facets_[side]) all[side].push_back(material(facet, values));
+  }
+  return all;
+}
+
+mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials) {
   const Motion motion = can_move() ? Motion::possible : Motion::impossible;
-  const Exchange exchange = decide_exchange(definition_.parameters.effects, fields_of_model(), motion);
+  const Exchange exchange = decide_exchange(definition_.parameters.effects,
+                                            fields_at_contact(materials, definition_.surfaces, model_.solutes), motion);
   if (!exchange.complaints.empty())
     throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
-  effects_ = exchange.effects;
   effects_line_ = "sliding-mixture \"" + definition_.name + "\" exchanges " + exchange.summary;
+  return exchange.effects;
 }
 
-mixture_contact::SurfaceMesh Contact::surface_mesh(Side side, const MatrixXd& values) const {
+mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
+  const std::vector<int>& nodes = nodes_[side];
   mixture_contact::SurfaceMesh mesh;
-  const auto count = static_cast<Index>(facets_[side].size());
-  mesh.nodes = static_cast<int>(nodes_[side].size());
-  mesh.stiffness.resize(count);
-  mesh.conductance.setZero(effects_.scalar_fields(), count);
-  for (Index f = 0; f < count; ++f) {
-    const SurfaceFacet& facet = facets_[side][static_cast<std::size_t>(f)];
-    const auto element = static_cast<std::size_t>(facet.element);
-    const Material& material = bodies_.material(element);
-    const Vector3d area = area_vector(facet.facet, model_.mesh.nodes);
-    const double thickness = bodies_.volume(element) / area.norm();
-    const Vector3d flow = bodies_.average(element, values).solvent_flux;
-    const double convection = std::abs(flow.dot(area.normalized()));
-    mesh.stiffness[f] = material.rigid ? std::numeric_limits<double>::infinity() : material.modulus / thickness;
-    mixture_contact::FieldMask known = 0;
-    if (effects_.solvent && material.porous) {
-      known |= only(0);
-      mesh.conductance(0, f) = material.permeability / thickness;
-    }
-    for (const Solute& solute : material.solutes) {
-      const auto shared = std::find(effects_.solutes.begin(), effects_.solutes.end(), solute.index);
-      if (shared == effects_.solutes.end()) continue;
-      const auto field = static_cast<int>(shared - effects_.solutes.begin()) + (effects_.solvent ? 1 : 0);
-      known |= only(field);
-      const double spread = (1 - material.solid_fraction) * solute.diffusivity / thickness;
-      const double carried = solute.diffusivity / solute.free_diffusivity * convection;
-      mesh.conductance(field, f) = solute.solubility * (spread + carried);
-    }
-    mesh.permeable.push_back(known);
+  mesh.nodes = static_cast<int>(nodes.size());
+  for (const SurfaceFacet& facet : facets_[side]) {
     Facet local = facet.facet;
-    for (int a = 0; a < mixture_contact::node_count(local.type); ++a) {
+    for (int a = 0; a < node_count(local.type); ++a) {
       int& node = local.nodes[static_cast<std::size_t>(a)];
-      node = static_cast<int>(std::lower_bound(nodes_[side].begin(), nodes_[side].end(), node) - nodes_[side].begin());
+      node = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
     }
     mesh.facets.push_back(local);
   }
   return mesh;
 }
 
-void Contact::update_properties(const MatrixXd& values) {
-  PerSide<VectorXd> stiffness;
-  PerSide<MatrixXd> conductance;
-  for (const Side side : both_sides) {
-    const mixture_contact::SurfaceMesh mesh = surface_mesh(side, values);
-    stiffness[side] = mesh.stiffness;
-    conductance[side] = mesh.conductance;
-  }
-  core_->update_properties(stiffness, conductance);
-}
+void Contact::update_properties(const MatrixXd& values) { update_materials(*core_, materials(values)); }
 
 Contact::PerSide<Matrix3Xd> Contact::positions(const MatrixXd& values) const {
   PerSide<Matrix3Xd> all;
-  for (const Side side : both_sides) {
-    all[side].resize(3, static_cast<Index>(nodes_[side].size()));
-    for (Index i = 0; i < all[side].cols(); ++i) {
-      const int node = nodes_[side][static_cast<std::size_t>(i)];
-      all[side].col(i) = model_.mesh.nodes.col(node) + values.col(node).head<3>();
-    }
-  }
+  for (const Side side : both_sides)
+    all[side] = model_.mesh.nodes(Eigen::all, nodes_[side]) + values.topRows<3>()(Eigen::all, nodes_[side]);
   return all;
 }
 
@@ -185,97 +141,48 @@ void Contact::project(const MatrixXd& values, bool keep_facets) {
 }
 
 int Contact::field_dof(int field) const {
-  if (effects_.solvent && field == 0) return pressure_dof;
-  return concentration_dof(effects_.solutes[static_cast<std::size_t>(field - (effects_.solvent ? 1 : 0))]);
+  const int solute = solute_of(core_->effects(), field);
+  return solute < 0 ? pressure_dof : concentration_dof(solute);
 }
 
 Contact::PerSide<mixture_contact::SurfaceFields> Contact::fields(const MatrixXd& values) const {
   PerSide<mixture_contact::SurfaceFields> all;
   PerSide<Matrix3Xd> position = positions(values);
+  const int count = core_->effects().scalar_fields();
   for (const Side side : both_sides) {
     all[side].position = std::move(position[side]);
-    all[side].scalar.resize(static_cast<Index>(nodes_[side].size()), effects_.scalar_fields());
-    for (int k = 0; k < effects_.scalar_fields(); ++k) {
-      for (Index i = 0; i < all[side].scalar.rows(); ++i) {
-        all[side].scalar(i, k) = values(field_dof(k), nodes_[side][static_cast<std::size_t>(i)]);
-      }
-    }
+    all[side].scalar.resize(static_cast<Index>(nodes_[side].size()), count);
+    for (int k = 0; k < count; ++k) all[side].scalar.col(k) = values(field_dof(k), nodes_[side]).transpose();
   }
   return all;
 }
 
-Contact::Dofs Contact::dofs(const mixture_contact::ContactInterface::Location& at) const {
-  const mixture_contact::Patch& patch = at.patch;
-  const mixture_contact::LocalLayout layout = patch.layout();
-  const int own = nodes_[at.first][static_cast<std::size_t>(patch.multiplier_node.value_or(0))];
-  Dofs all(static_cast<std::size_t>(layout.size()), {first_row_, own});  // also the void places beside the multipliers
+Contact::Places Contact::places(const Location& at) const {
+  const mixture_contact::LocalLayout layout = at.patch.layout();
+  Places all(static_cast<std::size_t>(layout.size()));
   for (Index a = 0; a < layout.nodes(); ++a) {
-    const bool first = a < layout.primary_nodes();
-    const auto local = static_cast<std::size_t>(first ? a : a - layout.primary_nodes());
-    const int index = first ? patch.primary[local] : patch.secondary[local];
-    const int node = nodes_[first ? at.first : other(at.first)][static_cast<std::size_t>(index)];
+    const Side side = a < layout.primary_nodes() ? at.first : other(at.first);
+    const int node = nodes_[side][static_cast<std::size_t>(at.patch.node(a))];
     for (int i = 0; layout.has_displacements() && i < 3; ++i) {
-      all[static_cast<std::size_t>(layout.displacement(a, i))] = {i, node};
+      all[static_cast<std::size_t>(layout.displacement(a, i))] = model_.place(i, node);
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      const int dof = field_dof(patch.fields[static_cast<std::size_t>(k)]);
-      all[static_cast<std::size_t>(layout.scalar(a, k))] = {dof, node};
-    }
-  }
-  if (!patch.multiplier_node) return all;
-  for (Index k = 0; k < layout.scalar_fields(); ++k) {
-    const int row = first_row_ + 1 + patch.fields[static_cast<std::size_t>(k)];
-    all[static_cast<std::size_t>(layout.flux_multiplier(k))] = {row, own};
-  }
-  return all;
-}
-
-int Contact::multiplier_rows() const {
-  return core_->multiplier_layout().size() > 0 ? 1 + effects_.scalar_fields() : 0;
-}
-
-Contact::Dofs Contact::multipliers() const {
-  const mixture_contact::MultiplierLayout layout = core_->multiplier_layout();
-  Dofs all(static_cast<std::size_t>(layout.size()));
-  for (Index i = 0; i < layout.size() / std::max(1, multiplier_rows()); ++i) {
-    const int node = nodes_[Side::primary][static_cast<std::size_t>(i)];
-    all[static_cast<std::size_t>(layout.traction(i))] = {first_row_, node};
-    for (int k = 0; k < effects_.scalar_fields(); ++k) {
-      all[static_cast<std::size_t>(layout.flux(i, k))] = {first_row_ + 1 + k, node};
+      const int dof = field_dof(at.patch.fields[static_cast<std::size_t>(k)]);
+      all[static_cast<std::size_t>(layout.scalar(a, k))] = model_.place(dof, node);
     }
   }
   return all;
-}
-
-void Contact::take_multipliers(const MatrixXd& values) {
-  const Dofs places = multipliers();
-  if (places.empty()) return;
-  VectorXd mu(places.size());
-  Index entry = 0;
-  for (const auto& [row, node] : places) mu[entry++] = values(row, node);
-  core_->set_unknown_multipliers(mu);
-}
-
-Matrix3Xd Contact::nodes_without_overlap() {
-  const PerSide<Matrix3Xd> start = positions(MatrixXd::Zero(3, model_.mesh.nodes.cols()));
-  core_->project(start);
-  const Matrix3Xd moved = core_->without_overlap(start);
-  Matrix3Xd nodes = model_.mesh.nodes;
-  for (Index i = 0; i < moved.cols(); ++i) nodes.col(nodes_[Side::primary][static_cast<std::size_t>(i)]) = moved.col(i);
-  return nodes;
 }
 
 void Contact::for_each_residual(const MatrixXd& values, double dt,
-                                const std::function<void(const Dofs&, const VectorXd&)>& add) const {
-  using Location = mixture_contact::ContactInterface::Location;
-  core_->residual(fields(values), dt, [&](const Location& at, const VectorXd& local) { add(dofs(at), local); });
+                                const std::function<void(const Places&, const VectorXd&)>& add) const {
+  core_->residual(fields(values), dt, [&](const Location& at, const VectorXd& local) { add(places(at), local); });
 }
 
 void Contact::for_each_tangent(const MatrixXd& values, double dt,
-                               const std::function<void(const Dofs&, const Dofs&, const MatrixXd&)>& add) const {
-  using Location = mixture_contact::ContactInterface::Location;
+                               const std::function<void(const Places&, const Places&, const MatrixXd&)>& add) const {
   core_->tangent(fields(values), dt, [&](const Location& rows, const Location& columns, const MatrixXd& local) {
-    add(dofs(rows), dofs(columns), local);
+    add(places(rows), places(columns), local);
   });
 }
 

@@ -2,6 +2,8 @@
 
 #include "contact/quadrature.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 
 namespace standalone {
@@ -55,6 +57,18 @@ std::vector<HexahedronPoint> hexahedron_rule(int nodes) {
     }
   }
   return rule;
+}
+
+std::vector<FacetPoint> facet_points(const mixture_contact::Facet& facet, const Eigen::Matrix3Xd& positions) {
+  using namespace mixture_contact;
+  const FacetCoordinates x = facet_coordinates(facet, positions);
+  std::vector<FacetPoint> points;
+  for (const QuadraturePoint& point : quadrature(facet.type, default_quadrature_order(facet.type))) {
+    const ShapeFunctions shape = shape_functions(facet.type, point.xi);
+    const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
+    points.push_back({shape.value, point.weight * tangents.col(0).cross(tangents.col(1))});
+  }
+  return points;
 }
 
 }  // namespace standalone

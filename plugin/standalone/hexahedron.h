@@ -1,7 +1,7 @@
-/// Shape functions and Gauss rules of hexahedra with 8 and 20 nodes, in FEBio's node order.
+/// Shape functions and Gauss rules of hexahedra with 8 and 20 nodes, in FEBio's node order, and of their facets.
 #pragma once
 
-#include <Eigen/Core>
+#include "contact/facet.h"
 
 #include <vector>
 
@@ -23,5 +23,14 @@ struct HexahedronPoint {
 
 /// FEBio's default rules: 2 x 2 x 2 Gauss points for 8 nodes, 3 x 3 x 3 for 20.
 std::vector<HexahedronPoint> hexahedron_rule(int nodes);
+
+/// A point of the rule of a facet.
+struct FacetPoint {
+  mixture_contact::FacetVector shape;  ///< N_a of its nodes
+  Eigen::Vector3d area;                ///< weight times area vector: along the normal [mm^2]
+};
+
+/// The points of a facet whose nodes have these positions, in the core's default rule.
+std::vector<FacetPoint> facet_points(const mixture_contact::Facet& facet, const Eigen::Matrix3Xd& positions);
 
 }  // namespace standalone

@@ -1,4 +1,4 @@
-/// The mixture at a point: stress, fluxes and contents from deformation, pressure and concentrations. Pure functions.
+/// The mixture at a point: stress, fluxes and contents from deformation, pressure and concentration. Pure functions.
 ///
 /// Everything refers to the reference configuration, so that the gradients of the shape functions never change: the
 /// integrals are those of (2.1)-(2.3) over the current configuration, pulled back.
@@ -13,39 +13,36 @@
 
 namespace standalone {
 
-/// Fields at a point, one column each in the order u1 u2 u3 p~ c~...: row 0 the value, rows 1 to 3 the reference
-/// gradient.
-template <class T, int Fields>
-using PointFields = Eigen::Matrix<T, 4, Fields>;
+/// Fields at a point, one column each: row 0 the value, rows 1 to 3 the reference gradient.
+template <class T>
+using PointFields = Eigen::Matrix<T, 4, max_fields>;
 
 /// What the last time step left at a point.
 struct PointHistory {
   double volume_ratio = 1;  ///< J
-  VectorXd content;         ///< J phi_w kappa~ c~ per solute of the material [nmol/mm^3]
+  double content = 0;       ///< J phi_w kappa~ c~ [nmol/mm^3]
 };
 
-/// Number of solutes among the fields of a material.
-constexpr int solutes_of(int fields) { return fields > 4 ? fields - 4 : 0; }
-
-/// A mixture at a point.
-template <class T, int Fields>
+/// A mixture at a point. Without pores there are no fluxes, without solute there is no flux and content of it.
+template <class T>
 struct PointState {
-  static constexpr int columns = Fields > 4 ? Fields - 4 : 1;  ///< per solute; there are no matrices without columns
+  using Vector = Eigen::Matrix<T, 3, 1>;
 
-  Eigen::Matrix<T, 3, 3> deformation;        ///< F
-  Eigen::Matrix<T, 3, 3> cofactor;           ///< J F^-T
-  T volume_ratio{};                          ///< J
-  Eigen::Matrix<T, 3, 3> stress;             ///< first Piola-Kirchhoff stress of the mixture [MPa]
-  Eigen::Matrix<T, 3, 1> solvent_flux;       ///< w in the current configuration [mm/s]
-  Eigen::Matrix<T, 3, columns> solute_flux;  ///< j per solute in the current configuration [nmol/(mm^2 s)]
-  Eigen::Matrix<T, columns, 1> content;      ///< J phi_w kappa~ c~ per solute [nmol/mm^3]
+  Eigen::Matrix<T, 3, 3> deformation;    ///< F
+  Eigen::Matrix<T, 3, 3> cofactor;       ///< J F^-T
+  T volume_ratio{};                      ///< J
+  Eigen::Matrix<T, 3, 3> stress;         ///< first Piola-Kirchhoff stress of the mixture [MPa]
+  T pressure{};                          ///< p = p~ + R T Phi c [MPa]
+  T content{};                           ///< J phi_w kappa~ c~ [nmol/mm^3]
+  Vector solvent_flux = Vector::Zero();  ///< w in the current configuration [mm/s]
+  Vector solute_flux = Vector::Zero();   ///< j in the current configuration [nmol/(mm^2 s)]
 };
 
 /// Kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. Throws StepFailure where J <= 0.
-template <class T, int Fields>
-PointState<T, Fields> deform(const Material& material, const PointFields<T, Fields>& q) {
+template <class T>
+PointState<T> deform(const Material& material, const PointFields<T>& q) {
   using std::log;
-  PointState<T, Fields> s;
+  PointState<T> s;
   s.deformation = q.template block<3, 3>(1, 0).transpose();
   for (int i = 0; i < 3; ++i) s.deformation(i, i) += T(1);
   const auto& f = s.deformation;
@@ -59,48 +56,46 @@ PointState<T, Fields> deform(const Material& material, const PointFields<T, Fiel
   return s;
 }
 
-/// Adds to a deformed solid what flows through it: pressure p = p~ + R T Phi SUM c, and the fluxes of (2.2) and (2.3),
+/// Adds to a deformed solid what flows through it: pressure p = p~ + R T Phi c, and the fluxes of (2.2) and (2.3),
 ///
-///   w = -k~ [grad p~ + R T SUM kappa~ (d/d0) grad c~],   1/k~ = 1/k + R T SUM kappa~ c~ (1 - d/d0) / (phi_w d0),
+///   w = -k~ [grad p~ + R T kappa~ (d/d0) grad c~],   1/k~ = 1/k + R T kappa~ c~ (1 - d/d0) / (phi_w d0),
 ///   j = kappa~ d (c~ w / d0 - phi_w grad c~).
-template <class T, int Fields>
-void flow(const Material& material, double gas_energy, const PointFields<T, Fields>& q, PointState<T, Fields>& s) {
+template <class T>
+void flow(const Material& material, double gas_energy, const PointFields<T>& q, PointState<T>& s) {
+  using Vector = Eigen::Matrix<T, 3, 1>;
   const auto gradient = [&](int field) {
-    const Eigen::Matrix<T, 3, 1> spatial = s.cofactor * q.template block<3, 1>(1, field);
-    return Eigen::Matrix<T, 3, 1>(spatial / s.volume_ratio);
+    const Vector spatial = s.cofactor * q.template block<3, 1>(1, field);
+    return Vector(spatial / s.volume_ratio);
   };
   T porosity = T(1) - T(material.solid_fraction) / s.volume_ratio;
   if (porosity < 0) porosity = T(0);
-  T pressure = q(0, pressure_dof);
+  s.pressure = q(0, pressure_dof);
   T resistance = T(1 / material.permeability);
-  Eigen::Matrix<T, 3, 1> drive = gradient(pressure_dof);
-  for (int k = 0; k < solutes_of(Fields); ++k) {
-    const Solute& solute = material.solutes[static_cast<std::size_t>(k)];
+  Vector drive = gradient(pressure_dof);
+  if (!material.solute) {
+    s.solvent_flux = -drive / resistance;
+  } else {
+    const Solute& solute = *material.solute;
     const double hindrance = solute.diffusivity / solute.free_diffusivity;
     const double energy = gas_energy * solute.solubility;
-    const T& c = q(0, 4 + k);
-    pressure += c * T(energy * material.osmotic);
+    const T& c = q(0, solute_field);
+    s.pressure += c * T(energy * material.osmotic);
     if (hindrance < 1) resistance += c * T(energy * (1 - hindrance) / solute.free_diffusivity) / porosity;
-    drive += gradient(4 + k) * T(energy * hindrance);
+    drive += gradient(solute_field) * T(energy * hindrance);
+    s.solvent_flux = -drive / resistance;
+    const Vector carried = s.solvent_flux * (c * T(1 / solute.free_diffusivity));
+    const Vector spread = gradient(solute_field) * porosity;
+    s.solute_flux = (carried - spread) * T(solute.solubility * solute.diffusivity);
+    s.content = s.volume_ratio * porosity * c * T(solute.solubility);
   }
-  s.stress -= s.cofactor * pressure;
-  s.content.setZero();
-  s.solvent_flux = -drive / resistance;
-  for (int k = 0; k < solutes_of(Fields); ++k) {
-    const Solute& solute = material.solutes[static_cast<std::size_t>(k)];
-    const T& c = q(0, 4 + k);
-    const Eigen::Matrix<T, 3, 1> carried = s.solvent_flux * (c * T(1 / solute.free_diffusivity));
-    const Eigen::Matrix<T, 3, 1> spread = gradient(4 + k) * porosity;
-    s.solute_flux.col(k) = (carried - spread) * T(solute.solubility * solute.diffusivity);
-    s.content[k] = s.volume_ratio * porosity * c * T(solute.solubility);
-  }
+  s.stress -= s.cofactor * s.pressure;
 }
 
 /// The whole state at a point.
-template <class T, int Fields>
-PointState<T, Fields> point_state(const Material& material, double gas_energy, const PointFields<T, Fields>& q) {
-  PointState<T, Fields> s = deform<T, Fields>(material, q);
-  if constexpr (Fields > 3) flow<T, Fields>(material, gas_energy, q, s);
+template <class T>
+PointState<T> point_state(const Material& material, double gas_energy, const PointFields<T>& q) {
+  PointState<T> s = deform<T>(material, q);
+  if (material.porous) flow<T>(material, gas_energy, q, s);
   return s;
 }
 
@@ -110,20 +105,15 @@ PointState<T, Fields> point_state(const Material& material, double gas_energy, c
 ///   u (2.1)  [0; P_i]    p~ (2.2)  [J_0 - J; dt W]    c~ (2.3)  [m_0 - m; dt J_k]
 ///
 /// with the fluxes pulled back, W = J F^-1 w, the content m, and backward differences in time.
-template <class T, int Fields>
-PointFields<T, Fields> point_forces(const Material& material, double gas_energy, double dt, const PointHistory& last,
-                                    const PointFields<T, Fields>& q) {
-  const auto s = point_state<T, Fields>(material, gas_energy, q);
-  PointFields<T, Fields> forces = PointFields<T, Fields>::Zero();
-  if constexpr (Fields > 3) {
-    forces(0, pressure_dof) = T(last.volume_ratio) - s.volume_ratio;
-    forces.template block<3, 1>(1, pressure_dof) = s.cofactor.transpose() * s.solvent_flux * T(dt);
-    for (int k = 0; k < solutes_of(Fields); ++k) {
-      forces(0, 4 + k) = T(last.content[k]) - s.content[k];
-      forces.template block<3, 1>(1, 4 + k) = s.cofactor.transpose() * s.solute_flux.col(k) * T(dt);
-    }
-  }
+template <class T>
+PointFields<T> point_forces(const Material& material, double gas_energy, double dt, const PointHistory& last,
+                            const PointFields<T>& q) {
+  const PointState<T> s = point_state<T>(material, gas_energy, q);
+  PointFields<T> forces;
+  forces.row(0) << T(0), T(0), T(0), T(last.volume_ratio) - s.volume_ratio, T(last.content) - s.content;
   forces.template block<3, 3>(1, 0) = s.stress.transpose();
+  forces.template block<3, 1>(1, pressure_dof) = s.cofactor.transpose() * s.solvent_flux * T(dt);
+  forces.template block<3, 1>(1, solute_field) = s.cofactor.transpose() * s.solute_flux * T(dt);
   return forces;
 }
 

@@ -8,37 +8,27 @@
 
 namespace standalone {
 
-/// Assembles the tangent, rows of the free equations and columns of the prescribed values as well, and solves with it.
-/// The place of each element's entries in the matrix is found once; contact adds entries wherever facets meet. The
-/// symbolic analysis is kept while the pattern stays the same.
+/// Assembles the tangent over all places of nodal values and solves with it. Entries that once came stay in the
+/// pattern, and the symbolic analysis is kept while no new ones come.
 class LinearSystem {
  public:
-  using Matrix = Eigen::SparseMatrix<double>;
+  explicit LinearSystem(Index places);
 
-  /// `elements`: the numbers of each element's entries, those below `free` of equations to solve, below `size` all.
-  LinearSystem(int free, int size, const std::vector<std::vector<int>>& elements);
-
-  void clear();
-  void add_element(std::size_t element, const MatrixXd& tangent);
-  /// Negative numbers are left out.
+  /// Sets all entries to zero.
+  void clear() { matrix_.coeffs().setZero(); }
   void add(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& tangent);
 
-  /// Puts the matrix together with rows and columns of `held` equations replaced by those of the identity, and factors
-  /// it. Throws StepFailure where it is singular.
-  void factorise(const std::vector<bool>& held);
-  /// What changes of the prescribed values do to the equations that are not held.
-  VectorXd effect(const VectorXd& changes) const { return prescribed_ * changes; }
+  /// The tangent times a vector.
+  VectorXd times(const VectorXd& vector) const { return matrix_ * vector; }
+  /// Factors the matrix, with rows and columns of places that are not `free` replaced by those of the identity. Throws
+  /// StepFailure where it is singular.
+  void factorise(const std::vector<bool>& free);
   VectorXd solve(const VectorXd& right_hand_side) const;
 
-  Index entries() const { return matrix_.nonZeros(); }
-
  private:
-  std::vector<std::vector<Index>> places_;  ///< of the values of bodies_, per element and entry; -1: none
-  Matrix bodies_;
-  std::vector<Eigen::Triplet<double>> others_;
-  Matrix matrix_, prescribed_;  ///< columns of the free equations and of the prescribed values
-  Eigen::SparseLU<Matrix> factors_;
-  std::vector<int> analysed_;  ///< pattern of the last symbolic analysis
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
+  Index analysed_ = 0;  ///< entries of the last symbolic analysis
 };
 
 }  // namespace standalone

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <utility>
 
 namespace {
 
@@ -20,14 +19,14 @@ namespace options = boost::program_options;
 int run_model(const std::string& path, bool check_only) {
   standalone::Log log;
   try {
-    standalone::Model model = standalone::read_model(path);
+    const standalone::Model model = standalone::read_model(path);
     if (check_only) {
       const standalone::Problem problem(model);
       log.print("%s: the model is complete and supported.\n", path.c_str());
       return 0;
     }
     log.open(std::filesystem::path(path).replace_extension("log").string());
-    return standalone::run(std::move(model), log) ? 0 : 1;
+    return standalone::run(model, log) ? 0 : 1;
   } catch (const standalone::InputError& error) {
     log.box("ERROR", error.what());
   } catch (const std::bad_alloc&) {

@@ -21,22 +21,18 @@ double Parameter::at(double time, const std::vector<LoadCurve>& curves) const {
 
 std::vector<std::string> Model::node_data() const {
   std::vector<std::string> names{"x", "y", "z", "ux", "uy", "uz", "p"};
-  for (int k = 1; k <= solutes; ++k) names.push_back("c" + std::to_string(k));
+  for (std::size_t k = 1; k <= solutes.size(); ++k) names.push_back("c" + std::to_string(k));
   names.insert(names.end(), {"Rx", "Ry", "Rz"});
   return names;
 }
 
 std::vector<std::string> Model::element_data() const {
-  std::vector<std::string> names{"p", "wx", "wy", "wz", "sx", "sy", "sz"};
-  for (int k = 1; k <= solutes + 1; ++k) {
-    const std::string j = "j" + (k <= solutes ? std::to_string(k) : "");
+  std::vector<std::string> names{"p", "wx", "wy", "wz"};
+  for (std::size_t k = 1; k <= solutes.size() + 1; ++k) {
+    const std::string j = "j" + (k <= solutes.size() ? std::to_string(k) : "");
     names.insert(names.end(), {"c" + j.substr(1), j + "x", j + "y", j + "z"});
   }
   return names;
-}
-
-int Material::dof(int field) const {
-  return field <= pressure_dof ? field : concentration_dof(solutes[static_cast<std::size_t>(field - 4)].index);
 }
 
 }  // namespace standalone

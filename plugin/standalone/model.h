@@ -1,7 +1,7 @@
 /// A model as its file describes it: plain data, checked by the reader.
 #pragma once
 
-#include "contact/facet.h"
+#include "contact/interface.h"
 #include "host/contact_parameters.h"
 
 #include <array>
@@ -22,6 +22,10 @@ using Eigen::VectorXd;
 /// Rows of nodal values: displacements u [mm], effective fluid pressure p~ [MPa], effective concentrations c~ [mM].
 inline constexpr int pressure_dof = 3;
 constexpr int concentration_dof(int solute) { return 4 + solute; }
+
+/// Fields of a material: u1 u2 u3, p~ if it is porous, c~ if it has a solute.
+inline constexpr int solute_field = 4;
+inline constexpr int max_fields = 5;
 
 /// A function of time: points joined by lines, or steps up to the next point; constant beyond both ends.
 struct LoadCurve {
@@ -57,12 +61,12 @@ struct Material {
   double solid_fraction = 0;  ///< phi_s in the reference configuration [-]
   double permeability = 0;    ///< k [mm^4/(N s)]
   double osmotic = 1;         ///< osmotic coefficient Phi [-]
-  std::vector<Solute> solutes;
+  std::optional<Solute> solute;
 
-  /// Fields on the nodes of an element of this material: u, p~ if porous, c~ per solute.
-  int fields() const { return porous ? 4 + static_cast<int>(solutes.size()) : 3; }
+  /// Number of its fields.
+  int fields() const { return solute ? max_fields : (porous ? 4 : 3); }
   /// Row of nodal values that holds a field.
-  int dof(int field) const;
+  int dof(int field) const { return field < solute_field || !solute ? field : concentration_dof(solute->index); }
 };
 
 /// A hexahedron in FEBio's node order; 8 nodes, or 20 with those on the edges.
@@ -86,7 +90,7 @@ struct Mesh {
   std::map<std::string, std::vector<int>> parts;  ///< elements of each <Elements> section
   std::map<std::string, std::vector<int>> node_sets;
   std::map<std::string, std::vector<SurfaceFacet>> surfaces;
-  std::map<std::string, std::array<std::string, 2>> pairs;  ///< primary and secondary surface
+  std::map<std::string, mixture_contact::PerSide<std::string>> pairs;
 };
 
 /// A degree of freedom that is given on some nodes: at the start, or always.
@@ -94,7 +98,7 @@ struct Condition {
   int dof = 0;
   std::vector<int> nodes;
   Parameter value;
-  bool reaction = true;  ///< whether its reaction is reported: FEBio has none for zero displacements
+  bool fixed = false;  ///< held at zero for good: FEBio reports no reaction there
 };
 
 /// A dead load on a surface in the reference configuration.
@@ -129,17 +133,14 @@ struct Control {
   double pressure_tolerance = 1e-2;
   double concentration_tolerance = 1e-2;
   double least_residual = 1e-20;  ///< squared norm below which nothing acts on the system
-  double search_tolerance = 0.9;  ///< line search: energy at which a step is good enough, 0 for no line search
-  double least_search = 0.01;
-  int max_searches = 5;
-  bool clamp = false;  ///< negative concentrations are set to zero, as FEBio's solute solver does
+  bool expects_positive = false;  ///< whether FEBio's solver would set negative concentrations to zero
   bool plot = true;
 };
 
 /// A contact interface.
 struct ContactDefinition {
   std::string name;
-  std::array<std::string, 2> surfaces;  ///< primary, secondary
+  mixture_contact::PerSide<std::string> surfaces;
   ContactParameters parameters;
   Parameter ambient_pressure;                      ///< p* [MPa]
   std::map<int, Parameter> ambient_concentration;  ///< solute -> c* [mM]
@@ -157,10 +158,9 @@ struct DataFile {
 struct Model {
   std::string file;
   Control control;
-  double gas_constant = 0;  ///< R [mJ/(nmol K)]
-  double temperature = 0;   ///< [K]
-  int solutes = 0;
-  std::map<int, std::string> solute_names;  ///< of the solutes that have one
+  double gas_constant = 0;           ///< R [mJ/(nmol K)]
+  double temperature = 0;            ///< [K]
+  std::vector<std::string> solutes;  ///< their names; empty where one has none
   std::vector<Material> materials;
   Mesh mesh;
   std::vector<Condition> prescribed;
@@ -176,9 +176,12 @@ struct Model {
   }
   /// What a model may ask for in its log section, under FEBio's names: x y z, ux uy uz, p, c1 ..., Rx Ry Rz.
   std::vector<std::string> node_data() const;
-  /// Likewise: p, wx wy wz, sx sy sz, c1 j1x j1y j1z ..., and c jx jy jz of the first solute.
+  /// Likewise: p, wx wy wz, c1 j1x j1y j1z ..., and c jx jy jz of the first solute.
   std::vector<std::string> element_data() const;
-  int dofs() const { return concentration_dof(solutes); }
+  /// Number of rows of nodal values.
+  int dofs() const { return concentration_dof(static_cast<int>(solutes.size())); }
+  /// Place of a degree of freedom in a vector of all nodal values, node by node.
+  int place(int dof, int node) const { return node * dofs() + dof; }
 };
 
 }  // namespace standalone

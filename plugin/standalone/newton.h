@@ -1,4 +1,4 @@
-/// Newton's method for one time step, with FEBio's line search and convergence tests.
+/// Newton's method for one time step, with FEBio's convergence tests.
 #pragma once
 
 #include "log.h"
@@ -28,18 +28,23 @@ class Newton {
   const Effort& effort() const { return effort_; }
 
  private:
-  /// Squared norms of displacements, pressures and each concentration in a vector over the equations.
-  VectorXd field_norms(const VectorXd& vector) const;
+  /// What the convergence tests compare: squared norms, those of fields for displacement, pressure and each
+  /// concentration.
+  struct Norms {
+    double residual = 0;
+    double energy = 0;
+    VectorXd fields;
+  };
+  Norms norms(const VectorXd& residual, const VectorXd& change) const;
+
+  void evaluate();
   /// Matrix and residual of the state at which an iteration has begun; the residual is known if `evaluated`.
   void form_matrix(bool evaluated);
-  void evaluate(const VectorXd& trial);
-  double line_search(const VectorXd& change);
-  bool converged(const VectorXd& change, double step, double time);
-  void restart_norms_if_diverging(const VectorXd& change, double step);
+  bool converged(const Norms& now, double time);
+  void log_norms(const Norms& now, const Norms& required, double time) const;
+  void restart_norms_if_diverging(const Norms& now);
   bool augment();
   bool augment(Contact& contact);
-  void log_norms(double time, double step, double residual, double energy, const VectorXd& fields,
-                 const VectorXd& allowed) const;
 
   Problem& problem_;
   Log& log_;
@@ -49,8 +54,8 @@ class Newton {
   int allowed_reformations_ = 0;  ///< left until the step counts as failed
   int augmentations_ = 0;
   VectorXd start_, end_;  ///< residual before and after an iteration
-  double first_residual_ = 0, first_energy_ = 0, largest_energy_ = 0;
-  VectorXd first_fields_;
+  Norms first_;
+  double largest_energy_ = 0;
   VectorXd increment_;  ///< of the step so far
 };
 

@@ -16,7 +16,7 @@ using tinyxml2::XMLElement;
 /// Values of Model::node_data at the nodes, shape (names, nodes).
 MatrixXd node_table(const Problem& problem) {
   const Model& model = problem.model();
-  const MatrixXd fields = problem.values().topRows(model.dofs());
+  const MatrixXd fields = problem.values();
   MatrixXd table(9 + fields.rows() - 3, fields.cols());
   table << model.mesh.nodes + fields.topRows(3), fields, problem.reactions();
   return table;
@@ -26,17 +26,15 @@ MatrixXd node_table(const Problem& problem) {
 MatrixXd element_table(const Problem& problem) {
   const Model& model = problem.model();
   const Bodies& bodies = problem.bodies();
-  MatrixXd table = MatrixXd::Zero(7 + 4 * (model.solutes + 1), static_cast<Index>(bodies.elements()));
+  MatrixXd table = MatrixXd::Zero(static_cast<Index>(model.element_data().size()),
+                                  static_cast<Index>(bodies.elements()));
   for (std::size_t e = 0; e < bodies.elements(); ++e) {
     const Bodies::Average mean = bodies.average(e, problem.values());
     auto column = table.col(static_cast<Index>(e));
-    column.head<7>() << mean.pressure, mean.solvent_flux, mean.stress.diagonal();
-    Index own = 0;
-    for (const Solute& solute : bodies.material(e).solutes) {
-      column.segment<4>(7 + 4 * solute.index) << mean.concentration[own], mean.solute_flux.col(own);
-      ++own;
-    }
-    if (model.solutes > 0) column.tail<4>() = column.segment<4>(7);
+    column.head<4>() << mean.pressure, mean.solvent_flux;
+    if (bodies.material(e).solute)
+      column.segment<4>(4 + 4 * bodies.material(e).solute->index) << mean.concentration, mean.solute_flux;
+    if (!model.solutes.empty()) column.tail<4>() = column.segment<4>(4);
   }
   return table;
 }
@@ -100,7 +98,7 @@ void add_grid(XMLElement& grid, const Model& model, const MatrixXd& values) {
   XMLElement& data = *piece.InsertNewChildElement("PointData");
   add_matrix(data, "displacement", values.topRows(3));
   add_matrix(data, "effective fluid pressure", values.row(pressure_dof));
-  for (int k = 0; k < model.solutes; ++k)
+  for (int k = 0; k < static_cast<int>(model.solutes.size()); ++k)
     add_matrix(data, "effective concentration " + std::to_string(k + 1), values.row(concentration_dof(k)));
 }
 

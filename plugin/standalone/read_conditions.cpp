@@ -13,12 +13,12 @@ Read displacement(int& dof) {
 
 Read concentration(int& dof, const Model& model) {
   return [&dof, &model](const Tag& tag) {
-    for (int k = 0; k < model.solutes; ++k) {
+    for (int k = 0; k < static_cast<int>(model.solutes.size()); ++k) {
       if (tag.text() != "c" + std::to_string(k + 1)) continue;
       dof = concentration_dof(k);
       return;
     }
-    tag.fail("\"" + tag.text() + "\" is no concentration; there are c1 to c" + std::to_string(model.solutes));
+    tag.fail("\"" + tag.text() + "\" is no concentration; there are c1 to c" + std::to_string(model.solutes.size()));
   };
 }
 
@@ -26,11 +26,11 @@ Read concentration(int& dof, const Model& model) {
 Child absolute() { return maybe("relative", must_be({"0"})); }
 
 /// Takes flags such as <x_dof>, each of which holds a displacement of the nodes at zero.
-std::vector<Child> fixed_axes(const std::string& prefix, bool reaction, const std::vector<int>& nodes, Model& model) {
+std::vector<Child> fixed_axes(const std::string& prefix, bool fixed, const std::vector<int>& nodes, Model& model) {
   std::vector<Child> table;
   for (int i = 0; i < 3; ++i) {
     table.push_back(maybe(prefix + axes[static_cast<std::size_t>(i)] + "_dof", [=, &nodes, &model](const Tag& flag) {
-      if (flag.flag()) model.prescribed.push_back({i, nodes, {}, reaction});
+      if (flag.flag()) model.prescribed.push_back({i, nodes, {}, fixed});
     }));
   }
   return table;
@@ -47,7 +47,7 @@ void read_condition(const Tag& tag, Model& model) {
   const std::string field = type.substr(type.find(' ') + 1);
   const std::vector<int>& nodes = named(tag, "node_set", model.mesh.node_sets);
   const std::vector<const char*> attributes{"name", "type", "node_set"};
-  if (zero && field == "displacement") return tag.read(attributes, fixed_axes("", false, nodes, model));
+  if (zero && field == "displacement") return tag.read(attributes, fixed_axes("", true, nodes, model));
   Condition condition{pressure_dof, nodes, {}};
   std::vector<Child> table;
   if (initial) {
@@ -83,7 +83,7 @@ void read_rigid_condition(const Tag& tag, Model& model) {
     model.prescribed.push_back(condition);
     return;
   }
-  std::vector<Child> table = fixed_axes("R", true, condition.nodes, model);
+  std::vector<Child> table = fixed_axes("R", false, condition.nodes, model);
   table.insert(table.begin(), body);
   constexpr Range fixed{[](double x) { return x == 1; }, "1; rigid bodies that turn are not supported"};
   for (const char* name : {"Ru_dof", "Rv_dof", "Rw_dof"}) table.push_back(one(name, must_be(fixed)));

@@ -60,10 +60,10 @@ std::vector<Child> table_of(ContactParameters& p) {
 
 void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefinition& contact) {
   tag.read({"lc", "sol"});
-  if (!tag.find_attribute("sol") && model.solutes != 1)
+  if (!tag.find_attribute("sol") && model.solutes.size() != 1)
     tag.fail("the attribute sol must say which of the solutes this is for");
   const int solute = tag.find_attribute("sol") ? tag.integer_attribute("sol") : 1;
-  if (solute > model.solutes) tag.fail("solute " + std::to_string(solute) + " does not exist");
+  if (solute > static_cast<int>(model.solutes.size())) tag.fail("solute " + std::to_string(solute) + " does not exist");
   const Parameter value{tag.number(), read_curve(tag, model)};
   if (!contact.ambient_concentration.emplace(solute - 1, value).second) tag.fail("given twice");
 }

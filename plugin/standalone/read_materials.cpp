@@ -27,16 +27,16 @@ std::vector<Child> solid(Material& material) {
 void read_solute(const Tag& tag, const Model& model, Material& material) {
   Solute solute;
   solute.index = tag.integer_attribute("sol") - 1;
-  if (solute.index >= model.solutes) {
+  if (solute.index >= static_cast<int>(model.solutes.size())) {
     tag.fail("solute " + std::to_string(solute.index + 1) + " does not exist; <Globals> has " +
-             std::to_string(model.solutes));
+             std::to_string(model.solutes.size()));
   }
   tag.read({"sol"},
            {one("diffusivity", property("diff-const-iso", {one("free_diff", into(solute.free_diffusivity, positive)),
                                                            one("diff", into(solute.diffusivity, positive))})),
             one("solubility", property("solub-const", {one("solub", into(solute.solubility, positive))}))});
   if (solute.diffusivity > solute.free_diffusivity) tag.fail("diff must not be larger than free_diff");
-  material.solutes.push_back(solute);
+  material.solute = solute;
 }
 
 void read_mixture(const Tag& tag, const Model& model, Material& material) {
@@ -81,9 +81,10 @@ void read_material(const Tag& tag, Model& model) {
 void read_solute_of_model(const Tag& tag, Model& model) {
   tag.read({"id", "name"},
            {maybe("charge_number", must_be(uncharged)), maybe("molar_mass", ignored), maybe("density", ignored)});
-  if (tag.integer_attribute("id") != ++model.solutes) tag.fail("ids must count up from 1");
-  if (model.solutes > 100) tag.fail("there may be up to 100 solutes");
-  if (const auto name = tag.find_attribute("name")) model.solute_names[model.solutes - 1] = *name;
+  model.solutes.push_back(tag.find_attribute("name").value_or(""));
+  if (tag.integer_attribute("id") != static_cast<int>(model.solutes.size())) tag.fail("ids must count up from 1");
+  constexpr std::size_t most = mixture_contact::max_scalar_fields - 1;  // one more field is the solvent
+  if (model.solutes.size() > most) tag.fail("there may be up to " + std::to_string(most) + " solutes");
 }
 
 }  // namespace

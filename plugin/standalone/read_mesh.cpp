@@ -7,6 +7,8 @@
 namespace standalone {
 namespace {
 
+using mixture_contact::Side;
+
 using Ids = std::map<int, int>;  ///< id in the file -> index
 
 using Faces = std::map<std::array<int, 4>, std::pair<int, int>>;  ///< corner nodes, sorted -> element, its face
@@ -106,8 +108,8 @@ void read_mesh(const Tag& section, Model& model) {
   std::set<int> elements;
   Faces faces;
   const auto pair = [&](const Tag& tag) {
-    std::array<std::string, 2> names;
-    tag.read({"name"}, {one("primary", into(names[0])), one("secondary", into(names[1]))});
+    mixture_contact::PerSide<std::string> names;
+    tag.read({"name"}, {one("primary", into(names[Side::primary])), one("secondary", into(names[Side::secondary]))});
     for (const std::string& name : names) {
       if (mesh.surfaces.count(name) == 0) tag.fail("the surface \"" + name + "\" does not exist");
     }

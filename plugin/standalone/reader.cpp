@@ -13,7 +13,7 @@ namespace {
 void read_module(const Tag& tag, Model& model) {
   tag.read({"type"}, {maybe("units", [](const Tag&) {})});
   model.control.module = tag.attribute("type", {"biphasic", "solute", "multiphasic"});
-  model.control.clamp = model.control.module != "biphasic";
+  model.control.expects_positive = model.control.module != "biphasic";
 }
 
 void read_curve_points(const Tag& tag, Model& model) {
@@ -54,7 +54,7 @@ void read_solver(const Tag& tag, Model& model) {
   int updates = 1;
   const auto clamp = [&](const Tag& choice) {
     if (control.module != "multiphasic") choice.fail("only the module \"multiphasic\" has this choice");
-    control.clamp = choice.flag();
+    control.expects_positive = choice.flag();
   };
   tag.attribute("type", {control.module.c_str()});
   tag.read(
@@ -66,8 +66,6 @@ void read_solver(const Tag& tag, Model& model) {
        maybe("rtol", into(control.residual_tolerance, not_negative)),
        maybe("ptol", into(control.pressure_tolerance, not_negative)),
        maybe("ctol", into(control.concentration_tolerance, not_negative)),
-       maybe("lstol", into(control.search_tolerance, not_negative)),
-       maybe("lsmin", into(control.least_search, not_negative)), maybe("lsiter", into(control.max_searches, 1, 1000)),
        maybe("min_residual", into(control.least_residual, not_negative)), maybe("force_positive_concentrations", clamp),
        maybe("qn_method", [&](const Tag& method) { method.read({"type"}, {maybe("max_ups", into(updates, 0))}); })});
   if (updates > 0)

@@ -18,7 +18,7 @@ inline Material gel(int fields) {
   material.solid_fraction = 0.2;
   material.permeability = 1e-3;
   material.osmotic = 0.9;
-  if (fields > 4) material.solutes.push_back({0, 4e-4, 1e-3, 0.7});
+  if (fields > 4) material.solute = Solute{0, 4e-4, 1e-3, 0.7};
   return material;
 }
 
@@ -30,7 +30,7 @@ inline Model column(int fields, int count, double height) {
   model.control.step_size = model.control.end = 1;
   model.gas_constant = 8.314e-6;
   model.temperature = 298;
-  model.solutes = fields > 4 ? 1 : 0;
+  if (fields > 4) model.solutes = {"s1"};
   model.materials.push_back(gel(fields));
   model.mesh.nodes.resize(3, 4 * (count + 1));
   for (int k = 0; k <= count; ++k) {

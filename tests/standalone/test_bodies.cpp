@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(storage_terms_count_what_enters) {
   bodies.accept_step(values);
   values.row(4).setConstant(1.5);
   const VectorXd residual = bodies.residual(0, values, dt);
-  const double gained = 0.8 * model.materials[0].solutes[0].solubility * 1.0 * bodies.volume(0);
+  const double gained = 0.8 * model.materials[0].solute->solubility * 1.0 * bodies.volume(0);
   BOOST_TEST(residual.tail(8).sum() == -gained, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(std::abs(residual.segment(24, 8).sum()) < 1e-15);
   values.topRows(3) = 0.1 * model.mesh.nodes;

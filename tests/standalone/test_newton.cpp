@@ -70,11 +70,11 @@ BOOST_AUTO_TEST_CASE(a_solute_diffuses_as_ficks_law_says) {
   confine(model);
   hold(model, 2, level(elements), 0);
   model.materials[0].modulus = 1e4;  // keeps the solid in place while the osmotic pressure changes
-  model.materials[0].solutes[0].diffusivity = model.materials[0].solutes[0].free_diffusivity;
+  model.materials[0].solute->diffusivity = model.materials[0].solute->free_diffusivity;
   hold(model, pressure_dof, level(0), -model.gas_constant * model.temperature * 0.9 * 0.7);
   hold(model, concentration_dof(0), level(0), 1);
   const double tau = 0.15;
-  const double end = tau / model.materials[0].solutes[0].diffusivity;
+  const double end = tau / model.materials[0].solute->diffusivity;
   const MatrixXd values = solve(model, end, 100);
   for (int k = 0; k <= elements; k += 5) {
     BOOST_TEST(std::abs(values(4, 4 * k) - diffusion(1.0 * k / elements, tau)) < 3e-3);

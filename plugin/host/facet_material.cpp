@@ -1,0 +1,60 @@
+#include "facet_material.h"
+
+#include <algorithm>
+
+using namespace mixture_contact;
+
+namespace {
+
+/// Conductance for a solute, or the solvent (-1); none where the material does not know it.
+std::optional<double> conductance(const FacetMaterial& material, int solute) {
+  if (solute < 0) return material.permeable ? std::optional<double>(material.permeability) : std::nullopt;
+  const auto entry = material.solutes.find(solute);
+  return entry == material.solutes.end() ? std::nullopt : std::optional<double>(entry->second);
+}
+
+}  // namespace
+
+std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials, const PerSide<std::string>& surfaces,
+                                              const std::vector<std::string>& solutes) {
+  std::vector<FieldAtContact> fields{{-1, "", {}}};
+  for (const std::string& name : solutes) fields.push_back({static_cast<int>(fields.size()) - 1, name, {}});
+  for (FieldAtContact& field : fields) {
+    const auto has_it = [&](const FacetMaterial& material) { return conductance(material, field.solute).has_value(); };
+    for (const Side side : both_sides) {
+      if (std::any_of(materials[side].begin(), materials[side].end(), has_it)) continue;
+      field.obstacles.push_back("\"" + surfaces[side] +
+                                (field.solute < 0 ? "\" is impermeable" : "\" does not have it"));
+    }
+  }
+  return fields;
+}
+
+void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials, const Effects& effects) {
+  const auto facets = static_cast<Index>(materials.size());
+  mesh.stiffness.resize(facets);
+  mesh.conductance.setZero(effects.scalar_fields(), facets);
+  mesh.permeable.assign(materials.size(), 0);
+  for (Index f = 0; f < facets; ++f) {
+    const FacetMaterial& material = materials[static_cast<std::size_t>(f)];
+    mesh.stiffness[f] = material.stiffness;
+    for (int field = 0; field < effects.scalar_fields(); ++field) {
+      const std::optional<double> found = conductance(material, solute_of(effects, field));
+      if (!found) continue;
+      mesh.permeable[static_cast<std::size_t>(f)] |= only(field);
+      mesh.conductance(field, f) = *found;
+    }
+  }
+}
+
+void update_materials(ContactInterface& core, const FacetMaterials& materials) {
+  PerSide<SurfaceMesh> meshes;
+  for (const Side side : both_sides) set_materials(meshes[side], materials[side], core.effects());
+  core.update_properties({{meshes[Side::primary].stiffness, meshes[Side::secondary].stiffness}},
+                         {{meshes[Side::primary].conductance, meshes[Side::secondary].conductance}});
+}
+
+int solute_of(const Effects& effects, int field) {
+  if (effects.solvent && field == 0) return -1;
+  return effects.solutes[static_cast<std::size_t>(field - (effects.solvent ? 1 : 0))];
+}

@@ -1,0 +1,37 @@
+/// What a contact needs to know of the materials behind its facets, as hosts find it and as the core takes it.
+#pragma once
+
+#include "contact/interface.h"
+#include "exchange.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// Properties of the element behind a facet, per area and over the element's thickness in the reference configuration.
+struct FacetMaterial {
+  double stiffness = 0;     ///< normal stiffness over thickness [N/mm^3]; infinite if rigid
+  bool permeable = false;   ///< whether the solvent can pass
+  double permeability = 0;  ///< hydraulic permeability over thickness [mm^3/(N s)]
+  std::map<int, double>
+      solutes;  ///< solute index -> porosity x solubility x diffusivity over thickness, plus convection [mm/s]
+};
+
+/// Those of all facets of the two surfaces.
+using FacetMaterials = mixture_contact::PerSide<std::vector<FacetMaterial>>;
+
+/// The solvent and the solutes of a model, by their names, as a contact between these surfaces finds them: what a
+/// surface knows nowhere is an obstacle.
+std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials,
+                                              const mixture_contact::PerSide<std::string>& surfaces,
+                                              const std::vector<std::string>& solutes);
+
+/// Fills in what a mesh holds of the materials behind its facets.
+void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials,
+                   const mixture_contact::Effects& effects);
+
+/// Has the core take the materials anew, for its automatic penalties.
+void update_materials(mixture_contact::ContactInterface& core, const FacetMaterials& materials);
+
+/// The solute that a field in the order of Effects is; -1: the solvent.
+int solute_of(const mixture_contact::Effects& effects, int field);
