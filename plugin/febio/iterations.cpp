@@ -15,8 +15,8 @@ using namespace mixture_contact;
 // Newton iterations: the model's state, the contact's status in it, ambient conditions outside.
 
 int FEMixtureContact::field_dof(int field) const {
-  if (effects_.solvent && field == 0) return pressure_dof_;
-  return concentration_dof_ + effects_.solutes[static_cast<std::size_t>(field - (effects_.solvent ? 1 : 0))];
+  const int solute = solute_of(effects_, field);
+  return solute < 0 ? pressure_dof_ : concentration_dof_ + solute;
 }
 
 Matrix3Xd FEMixtureContact::positions(Side side) {

@@ -15,46 +15,23 @@
 
 using namespace mixture_contact;
 
+namespace {
+
+const char* unit_of(Unit unit) {
+  if (unit == Unit::length) return UNIT_LENGTH;
+  return unit == Unit::pressure ? UNIT_PRESSURE : UNIT_CONCENTRATION;
+}
+
+}  // namespace
+
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
-  ADD_PARAMETER(parameters_.effects, "effects");
-  ADD_PARAMETER(parameters_.laugon, "laugon")
-      ->setLongName("Enforcement method")
-      ->setEnums("PENALTY\0AUGLAG\0LAGMULT\0");
-  ADD_PARAMETER(parameters_.tolerance, "tolerance");
-  ADD_PARAMETER(parameters_.traction_tolerance, "traction_tolerance", parameters_.traction_tolerance_given);
-  ADD_PARAMETER(parameters_.solvent_tolerance, "solvent_tolerance", parameters_.solvent_tolerance_given);
-  ADD_PARAMETER(parameters_.solute_tolerance, "solute_tolerance", parameters_.solute_tolerance_given);
-  ADD_PARAMETER(parameters_.gaptol, "gaptol")->setUnits(UNIT_LENGTH);
-  ADD_PARAMETER(parameters_.ptol, "ptol")->setUnits(UNIT_PRESSURE);
-  ADD_PARAMETER(parameters_.ctol, "ctol")->setUnits(UNIT_CONCENTRATION);
-  ADD_PARAMETER(parameters_.penalty, "penalty", parameters_.penalty_given);
-  ADD_PARAMETER(parameters_.pressure_penalty, "pressure_penalty", parameters_.pressure_penalty_given);
-  ADD_PARAMETER(parameters_.concentration_penalty, "concentration_penalty", parameters_.concentration_penalty_given);
-  ADD_PARAMETER(parameters_.auto_penalty, "auto_penalty");
-  ADD_PARAMETER(parameters_.update_penalty, "update_penalty");
-  ADD_PARAMETER(parameters_.two_pass, "two_pass");
-  ADD_PARAMETER(parameters_.symmetric_stiffness, "symmetric_stiffness");
-  ADD_PARAMETER(parameters_.integration, "integration")->setEnums("gauss\0segments\0");
-  ADD_PARAMETER(parameters_.integration_order, "integration_order");
-  ADD_PARAMETER(parameters_.search_tol, "search_tol");
-  ADD_PARAMETER(parameters_.search_radius, "search_radius", parameters_.search_radius_given)->setUnits(UNIT_LENGTH);
-  ADD_PARAMETER(parameters_.seg_up, "seg_up");
-  ADD_PARAMETER(parameters_.extrapolation, "extrapolation");
-  ADD_PARAMETER(parameters_.node_reloc, "node_reloc");
-  ADD_PARAMETER(parameters_.minaug, "minaug");
-  ADD_PARAMETER(parameters_.maxaug, "maxaug");
+  for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) {
+    FEParam* parameter = AddParameter(value, tag.name);
+    parameter->SetWatchVariable(tag.given);
+    if (tag.choices != nullptr) parameter->setEnums(tag.choices);
+    if (tag.unit != Unit::none) parameter->setUnits(unit_of(tag.unit));
+  });
   ADD_PARAMETER(parameters_.ambient_pressure, "ambient_pressure")->setUnits(UNIT_PRESSURE);
-  ADD_PARAMETER(parameters_.flip_primary, "flip_primary");
-  ADD_PARAMETER(parameters_.flip_secondary, "flip_secondary");
-  ADD_PARAMETER(parameters_.fric_coeff, "fric_coeff");
-  ADD_PARAMETER(parameters_.contact_frac, "contact_frac", parameters_.contact_frac_given);
-  ADD_PARAMETER(parameters_.offset, "offset");
-  ADD_PARAMETER(parameters_.tension, "tension");
-  ADD_PARAMETER(parameters_.shell_bottom_primary, "shell_bottom_primary");
-  ADD_PARAMETER(parameters_.shell_bottom_secondary, "shell_bottom_secondary");
-  ADD_PARAMETER(parameters_.knmult, "knmult")->SetWatchVariable(&parameters_.knmult_given);
-  ADD_PARAMETER(parameters_.smooth_aug, "smooth_aug")->SetWatchVariable(&parameters_.smooth_aug_given);
-  ADD_PARAMETER(parameters_.smooth_fls, "smooth_fls")->SetWatchVariable(&parameters_.smooth_fls_given);
   ADD_PROPERTY(ambient_concentrations_, "ambient_concentration", FEProperty::Optional)
       ->SetDefaultType("mixture_ambient_concentration");
 END_FECORE_CLASS()

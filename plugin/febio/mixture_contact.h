@@ -6,7 +6,7 @@
 #include "clamped_concentrations.h"
 #include "contact/interface.h"
 #include "host/contact_parameters.h"
-#include "host/exchange.h"
+#include "host/facet_material.h"
 #include "mixture_surface.h"
 #include "step_extrapolation.h"
 
@@ -60,12 +60,12 @@ class FEMixtureContact : public FEContactInterface {
   // Setting up
   bool check_parameters();
   bool check_surfaces();
-  std::optional<PerSide<std::vector<struct FacetMaterial>>> materials();
+  std::optional<FacetMaterials> materials();
   bool read_materials();
   bool check_ambient();
   bool check_multipliers();
-  std::vector<FieldAtContact> fields_of_model(const PerSide<std::vector<FacetMaterial>>& materials);
-  bool decide_effects(const PerSide<std::vector<FacetMaterial>>& materials);
+  std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials);
+  bool decide_effects(const FacetMaterials& materials);
   Motion motion();
   void decide_traction();
   mixture_contact::SurfaceMesh surface_mesh(Side side, const std::vector<FacetMaterial>& materials);

@@ -61,8 +61,8 @@ bool FEMixtureContact::check_surfaces() {
   return !shared;
 }
 
-std::optional<PerSide<std::vector<FacetMaterial>>> FEMixtureContact::materials() {
-  PerSide<std::vector<FacetMaterial>> materials;
+std::optional<FacetMaterials> FEMixtureContact::materials() {
+  FacetMaterials materials;
   for (const Side side : both_sides) {
     FEMixtureSurface& s = surface(side);
     for (int i = 0; i < s.Elements(); ++i) {
@@ -112,29 +112,16 @@ void FEMixtureContact::build_core(PerSide<SurfaceMesh> meshes) {
   core_ = std::make_unique<ContactInterface>(std::move(meshes), effects_, core_settings(parameters_));
 }
 
-std::vector<FieldAtContact> FEMixtureContact::fields_of_model(const PerSide<std::vector<FacetMaterial>>& materials) {
-  const auto obstacles = [&](const auto& has, const char* lacking) {
-    std::vector<std::string> list;
-    for (const Side side : both_sides) {
-      if (std::none_of(materials[side].begin(), materials[side].end(), has))
-        list.push_back("\"" + surface(side).GetName() + "\" " + lacking);
-    }
-    return list;
-  };
-  std::vector<FieldAtContact> fields;
-  fields.push_back({-1, "", {"the module has no fluid pressure"}});
-  if (pressure_dof_ >= 0)
-    fields.back().obstacles = obstacles([](const FacetMaterial& m) { return m.permeable; }, "is impermeable");
+std::vector<FieldAtContact> FEMixtureContact::fields_of_model(const FacetMaterials& materials) {
   std::vector<std::string> names = solute_names(*GetFEModel());
   names.resize(static_cast<std::size_t>(concentrations_));
-  for (int solute = 0; solute < concentrations_; ++solute) {
-    const auto has_it = [solute](const FacetMaterial& m) { return m.solutes.count(solute) > 0; };
-    fields.push_back({solute, names[static_cast<std::size_t>(solute)], obstacles(has_it, "does not have it")});
-  }
+  std::vector<FieldAtContact> fields = fields_at_contact(materials, {{primary_.GetName(), secondary_.GetName()}},
+                                                         names);
+  if (pressure_dof_ < 0) fields.front().obstacles = {"the module has no fluid pressure"};
   return fields;
 }
 
-bool FEMixtureContact::decide_effects(const PerSide<std::vector<FacetMaterial>>& materials) {
+bool FEMixtureContact::decide_effects(const FacetMaterials& materials) {
   fields_at_contact_ = fields_of_model(materials);
   const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, Motion::undecided);
   for (const std::string& sentence : exchange.complaints)
@@ -178,51 +165,23 @@ void FEMixtureContact::decide_traction() {
 
 SurfaceMesh FEMixtureContact::surface_mesh(Side side, const std::vector<FacetMaterial>& materials) {
   FEMixtureSurface& s = surface(side);
-  const auto facets = static_cast<Index>(materials.size());
   SurfaceMesh mesh;
   mesh.nodes = s.Nodes();
-  mesh.stiffness.resize(facets);
-  mesh.conductance.setZero(effects_.scalar_fields(), facets);
-  for (Index f = 0; f < facets; ++f) {
-    const FESurfaceElement& element = s.Element(static_cast<int>(f));
+  for (int i = 0; i < s.Elements(); ++i) {
+    const FESurfaceElement& element = s.Element(i);
     Facet facet;
     facet.type = type_of(element).value_or(FacetType::quad4);  // check_surfaces() has seen to it that there is a type
     std::copy_n(element.m_lnode.begin(), element.Nodes(), facet.nodes.begin());
     mesh.facets.push_back(facet);
-
-    const FacetMaterial& material = materials[static_cast<std::size_t>(f)];
-    mesh.stiffness[f] = material.stiffness;
-    FieldMask known = 0;
-    int field = 0;
-    if (effects_.solvent) {
-      if (material.permeable) known |= only(field);
-      mesh.conductance(field++, f) = material.permeability;
-    }
-    for (const int solute : effects_.solutes) {
-      const auto entry = material.solutes.find(solute);
-      if (entry != material.solutes.end()) {
-        known |= only(field);
-        mesh.conductance(field, f) = entry->second;
-      }
-      ++field;
-    }
-    mesh.permeable.push_back(known);
   }
+  set_materials(mesh, materials, effects_);
   return mesh;
 }
 
 bool FEMixtureContact::update_properties() {
-  PerSide<VectorXd> stiffness;
-  PerSide<MatrixXd> conductance;
   const auto found = materials();
-  if (!found) return false;
-  for (const Side side : both_sides) {
-    const SurfaceMesh mesh = surface_mesh(side, (*found)[side]);
-    stiffness[side] = mesh.stiffness;
-    conductance[side] = mesh.conductance;
-  }
-  core_->update_properties(stiffness, conductance);
-  return true;
+  if (found) update_materials(*core_, *found);
+  return found.has_value();
 }
 
 bool FEMixtureContact::check_ambient() {

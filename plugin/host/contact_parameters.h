@@ -64,6 +64,59 @@ struct ContactParameters {
   bool smooth_fls_given = false;
 };
 
+/// What a parameter is measured in.
+enum class Unit { none, length, pressure, concentration };
+
+/// How a parameter stands in a model file.
+struct ParameterTag {
+  const char* name = "";
+  bool* given = nullptr;  ///< to be set where the model has the tag
+  Unit unit = Unit::none;
+  const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
+};
+
+/// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for ambient_pressure,
+/// which hosts read with its load curve.
+template <class Take>
+void for_each_parameter(ContactParameters& p, const Take& take) {
+  take({"effects"}, p.effects);
+  take({"laugon", nullptr, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"}, p.laugon);
+  take({"tolerance"}, p.tolerance);
+  take({"traction_tolerance", &p.traction_tolerance_given}, p.traction_tolerance);
+  take({"solvent_tolerance", &p.solvent_tolerance_given}, p.solvent_tolerance);
+  take({"solute_tolerance", &p.solute_tolerance_given}, p.solute_tolerance);
+  take({"gaptol", nullptr, Unit::length}, p.gaptol);
+  take({"ptol", nullptr, Unit::pressure}, p.ptol);
+  take({"ctol", nullptr, Unit::concentration}, p.ctol);
+  take({"penalty", &p.penalty_given}, p.penalty);
+  take({"pressure_penalty", &p.pressure_penalty_given}, p.pressure_penalty);
+  take({"concentration_penalty", &p.concentration_penalty_given}, p.concentration_penalty);
+  take({"auto_penalty"}, p.auto_penalty);
+  take({"update_penalty"}, p.update_penalty);
+  take({"two_pass"}, p.two_pass);
+  take({"symmetric_stiffness"}, p.symmetric_stiffness);
+  take({"integration", nullptr, Unit::none, "gauss\0segments\0"}, p.integration);
+  take({"integration_order"}, p.integration_order);
+  take({"search_tol"}, p.search_tol);
+  take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);
+  take({"seg_up"}, p.seg_up);
+  take({"extrapolation"}, p.extrapolation);
+  take({"node_reloc"}, p.node_reloc);
+  take({"minaug"}, p.minaug);
+  take({"maxaug"}, p.maxaug);
+  take({"flip_primary"}, p.flip_primary);
+  take({"flip_secondary"}, p.flip_secondary);
+  take({"fric_coeff"}, p.fric_coeff);
+  take({"contact_frac", &p.contact_frac_given}, p.contact_frac);
+  take({"offset"}, p.offset);
+  take({"tension"}, p.tension);
+  take({"shell_bottom_primary"}, p.shell_bottom_primary);
+  take({"shell_bottom_secondary"}, p.shell_bottom_secondary);
+  take({"knmult", &p.knmult_given}, p.knmult);
+  take({"smooth_aug", &p.smooth_aug_given}, p.smooth_aug);
+  take({"smooth_fls", &p.smooth_fls_given}, p.smooth_fls);
+}
+
 /// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing
 /// is.
 std::vector<std::string> complaints(const ContactParameters& parameters);

@@ -23,6 +23,13 @@ void log_summary(const Log& log, int steps, const Effort& total, bool done, doub
   log.print("\n %s\n\n", done ? "N O R M A L   T E R M I N A T I O N" : "E R R O R   T E R M I N A T I O N");
 }
 
+/// Whether a concentration is below zero by more than a part of the largest one that rounding may leave.
+bool has_negative_concentration(const MatrixXd& values) {
+  constexpr double negligible = 1e-6;
+  const auto concentrations = values.bottomRows(values.rows() - concentration_dof(0));
+  return concentrations.size() > 0 && concentrations.minCoeff() < -negligible * concentrations.maxCoeff();
+}
+
 /// The steps of an analysis.
 class Steps {
  public:
@@ -73,6 +80,11 @@ class Steps {
     total_ += newton_.effort();
     log_.print("\nconvergence summary\n    number of iterations   : %d\n    number of reformations : %d\n",
                newton_.effort().iterations, newton_.effort().reformations);
+    if (model_.control.expects_positive && has_negative_concentration(problem_.values())) {
+      log_.box("WARNING",
+               "Concentrations are negative, as the elements are too large for the time step. FEBio's solver would set "
+               "them to zero; mixture-contact leaves them as they are.");
+    }
     log_.print("\n------- converged at time : %g\n\n", time);
     warn_of_overlap();
     time_ = time;

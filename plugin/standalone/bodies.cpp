@@ -72,15 +72,15 @@ VectorXd Bodies::residual(std::size_t e, const MatrixXd& values, double dt) cons
 MatrixXd Bodies::tangent(std::size_t e, const MatrixXd& values, double dt) const {
   const MatrixXd nodal = nodal_fields(e, values);
   const Index nodes = nodal.rows();
-  const int fields = material(e).fields();
+  const Index fields = material(e).fields();
   MatrixXd sum = MatrixXd::Zero(fields * nodes, fields * nodes);
   for (const Point& point : elements_[e]) {
     const PointFields<double> q = point.shape * nodal;
     const auto slope = point_tangent(material(e), gas_energy_, dt, point.last, q);
-    for (int g = 0; g < fields; ++g) {
+    for (Index g = 0; g < fields; ++g) {
       const Eigen::Matrix<double, 4 * max_fields, Eigen::Dynamic> half = slope.middleCols<4>(4 * g) *
                                                                          (point.shape * point.volume);
-      for (int f = 0; f < fields; ++f) {
+      for (Index f = 0; f < fields; ++f) {
         sum.block(f * nodes, g * nodes, nodes, nodes).noalias() += point.shape.transpose() * half.middleRows<4>(4 * f);
       }
     }
@@ -100,6 +100,7 @@ void Bodies::accept_step(const MatrixXd& values) {
 
 Bodies::Average Bodies::average(std::size_t e, const MatrixXd& values) const {
   const MatrixXd nodal = nodal_fields(e, values);
+  const std::optional<Solute>& solute = material(e).solute;
   Average mean;
   if (material(e).rigid) return mean;
   const double share = 1.0 / static_cast<double>(elements_[e].size());
@@ -109,7 +110,7 @@ Bodies::Average Bodies::average(std::size_t e, const MatrixXd& values) const {
     mean.pressure += share * state.pressure;
     mean.solvent_flux += share * state.solvent_flux;
     mean.solute_flux += share * state.solute_flux;
-    if (material(e).solute) mean.concentration += share * material(e).solute->solubility * q(0, solute_field);
+    if (solute) mean.concentration += share * solute->solubility * q(0, solute_field);
   }
   return mean;
 }

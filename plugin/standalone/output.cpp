@@ -16,7 +16,7 @@ using tinyxml2::XMLElement;
 /// Values of Model::node_data at the nodes, shape (names, nodes).
 MatrixXd node_table(const Problem& problem) {
   const Model& model = problem.model();
-  const MatrixXd fields = problem.values();
+  const MatrixXd& fields = problem.values();
   MatrixXd table(9 + fields.rows() - 3, fields.cols());
   table << model.mesh.nodes + fields.topRows(3), fields, problem.reactions();
   return table;
@@ -32,8 +32,8 @@ MatrixXd element_table(const Problem& problem) {
     const Bodies::Average mean = bodies.average(e, problem.values());
     auto column = table.col(static_cast<Index>(e));
     column.head<4>() << mean.pressure, mean.solvent_flux;
-    if (bodies.material(e).solute)
-      column.segment<4>(4 + 4 * bodies.material(e).solute->index) << mean.concentration, mean.solute_flux;
+    const std::optional<Solute>& solute = bodies.material(e).solute;
+    if (solute) column.segment<4>(4 + 4 * solute->index) << mean.concentration, mean.solute_flux;
     if (!model.solutes.empty()) column.tail<4>() = column.segment<4>(4);
   }
   return table;

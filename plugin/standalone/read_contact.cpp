@@ -1,61 +1,44 @@
 #include "sections.h"
 
+#include <algorithm>
+#include <cstring>
 #include <set>
 
 namespace standalone {
 namespace {
 
-/// Takes a parameter, and the flag that tells that it is given.
+/// Takes one of some words, or its number.
+Read choice(int& value, const char* words) {
+  Names names;
+  for (const char* word = words; *word != 0; word += std::strlen(word) + 1) names.push_back(word);
+  return [&value, names](const Tag& tag) {
+    const auto name = std::find(names.begin(), names.end(), tag.text());
+    value = name == names.end() ? tag.integer(0) : static_cast<int>(name - names.begin());
+  };
+}
+
 template <class T>
-Child given(const char* name, T& value, bool& flag) {
-  return maybe(name, [&value, &flag](const Tag& tag) {
-    into(value)(tag);
-    flag = true;
+Read reader(const ParameterTag& /*tag*/, T& value) {
+  return into(value);
+}
+Read reader(const ParameterTag& tag, int& value) { return tag.choices ? choice(value, tag.choices) : into(value); }
+
+std::vector<Child> table_of(ContactParameters& parameters) {
+  // What only febio4 can do is left out of what these may say.
+  const std::map<std::string, Names> restricted{
+      {"laugon", {"PENALTY", "AUGLAG", "0", "1"}}, {"extrapolation", {"0"}}, {"node_reloc", {"0"}}};
+  std::vector<Child> table;
+  for_each_parameter(parameters, [&](const ParameterTag& parameter, auto& value) {
+    const auto restriction = restricted.find(parameter.name);
+    const Names allowed = restriction == restricted.end() ? Names{} : restriction->second;
+    const auto take = [read = reader(parameter, value), given = parameter.given, allowed](const Tag& tag) {
+      if (!allowed.empty()) tag.one_of(allowed);
+      read(tag);
+      if (given != nullptr) *given = true;
+    };
+    table.push_back(maybe(parameter.name, take));
   });
-}
-
-/// Takes one of some words, or its number, all of which follow.
-Read choice(int& value, const Names& words) {
-  return [&value, words](const Tag& tag) { value = static_cast<int>(tag.one_of(words) % (words.size() / 2)); };
-}
-
-std::vector<Child> table_of(ContactParameters& p) {
-  return {maybe("effects", into(p.effects)),
-          maybe("laugon", choice(p.laugon, {"PENALTY", "AUGLAG", "LAGMULT", "0", "1", "2"})),
-          maybe("integration", choice(p.integration, {"gauss", "segments", "0", "1"})),
-          maybe("tolerance", into(p.tolerance)),
-          given("traction_tolerance", p.traction_tolerance, p.traction_tolerance_given),
-          given("solvent_tolerance", p.solvent_tolerance, p.solvent_tolerance_given),
-          given("solute_tolerance", p.solute_tolerance, p.solute_tolerance_given),
-          maybe("gaptol", into(p.gaptol)),
-          maybe("ptol", into(p.ptol)),
-          maybe("ctol", into(p.ctol)),
-          given("penalty", p.penalty, p.penalty_given),
-          given("pressure_penalty", p.pressure_penalty, p.pressure_penalty_given),
-          given("concentration_penalty", p.concentration_penalty, p.concentration_penalty_given),
-          maybe("auto_penalty", into(p.auto_penalty)),
-          maybe("update_penalty", into(p.update_penalty)),
-          maybe("two_pass", into(p.two_pass)),
-          maybe("symmetric_stiffness", into(p.symmetric_stiffness)),
-          maybe("integration_order", into(p.integration_order)),
-          maybe("search_tol", into(p.search_tol)),
-          given("search_radius", p.search_radius, p.search_radius_given),
-          maybe("seg_up", into(p.seg_up)),
-          maybe("extrapolation", must_be({"0"})),  // only febio4 can start a step at the extrapolated state
-          maybe("node_reloc", into(p.node_reloc)),
-          maybe("minaug", into(p.minaug)),
-          maybe("maxaug", into(p.maxaug)),
-          maybe("flip_primary", into(p.flip_primary)),
-          maybe("flip_secondary", into(p.flip_secondary)),
-          maybe("fric_coeff", into(p.fric_coeff)),
-          given("contact_frac", p.contact_frac, p.contact_frac_given),
-          maybe("offset", into(p.offset)),
-          maybe("tension", into(p.tension)),
-          maybe("shell_bottom_primary", into(p.shell_bottom_primary)),
-          maybe("shell_bottom_secondary", into(p.shell_bottom_secondary)),
-          given("knmult", p.knmult, p.knmult_given),
-          given("smooth_aug", p.smooth_aug, p.smooth_aug_given),
-          given("smooth_fls", p.smooth_fls, p.smooth_fls_given)};
+  return table;
 }
 
 void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefinition& contact) {

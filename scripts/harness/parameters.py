@@ -1,13 +1,15 @@
 """The page of the contact's parameters, from the code that registers them: docs/parameters.md.
 
-Names, order and names of choices come from the registration in plugin/febio/mixture_contact.cpp, kinds and defaults
-from plugin/host/contact_parameters.h, and what code does not say from `harness.parameter_notes`.
+Names, order, names of choices, kinds and defaults come from plugin/host/contact_parameters.h, the names of the two that
+hosts read in their own ways from plugin/febio/mixture_contact.cpp, and what code does not say from
+`harness.parameter_notes`.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from pathlib import Path
 
 from harness.errors import DataFileError
 from harness.parameter_notes import AUTOMATIC, GROUPS, NOTES, Note
@@ -17,9 +19,10 @@ REGISTRATION = REPOSITORY / "plugin" / "febio" / "mixture_contact.cpp"
 DECLARATION = REPOSITORY / "plugin" / "host" / "contact_parameters.h"
 PAGE = "parameters.md"
 
+_TABLE = re.compile(r'take\(\{"(?P<name>\w+)"(?P<rest>.*)\}, p\.(?P<member>\w+)\);')
 _REGISTERED = re.compile(r'ADD_(?P<what>PARAMETER|PROPERTY)\(\w+(?:\.(?P<member>\w+))?, "(?P<name>\w+)"(?P<rest>[^;]*)')
 _DECLARED = re.compile(r"^  (?P<kind>bool|int|double|std::string) (?P<member>\w+) = (?P<value>[^;]+);", re.MULTILINE)
-_CHOICES = re.compile(r'setEnums\("([^"]+)"\)')
+_CHOICES = re.compile(r'"([^"]+)"')
 
 
 @dataclass(frozen=True)
@@ -50,19 +53,25 @@ def registered() -> list[Parameter]:
     DataFileError
         Where a registration is not understood, or a registered member is not declared.
     """
-    text = REGISTRATION.read_text(encoding="utf-8")
-    found = list(_REGISTERED.finditer(text))
-    if len(found) != len(re.findall(r"ADD_(?:PARAMETER|PROPERTY)\(", text)):
-        raise DataFileError(
-            f'{REGISTRATION}: a registration is not of the form ADD_PARAMETER(object.member, "name"...)'
-        )
-    declared = {match["member"]: match for match in _DECLARED.finditer(DECLARATION.read_text(encoding="utf-8"))}
-    return [_parameter(match, declared) for match in found]
+    table = DECLARATION.read_text(encoding="utf-8")
+    declared = {match["member"]: match for match in _DECLARED.finditer(table)}
+    shared = _matches(_TABLE, r"  take\(", DECLARATION)
+    own = _matches(_REGISTERED, r"ADD_(?:PARAMETER|PROPERTY)\(", REGISTRATION)
+    return [_parameter(match, declared) for match in (*shared, *own)]
+
+
+def _matches(pattern: re.Pattern[str], begin: str, path: Path) -> list[re.Match[str]]:
+    """What matches in a file, where nothing may begin like it and go on in another way."""
+    text = path.read_text(encoding="utf-8")
+    found = list(pattern.finditer(text))
+    if len(found) != len(re.findall(begin, text)):
+        raise DataFileError(f"{path}: a registration is not of the form {pattern.pattern}")
+    return found
 
 
 def _parameter(match: re.Match[str], declared: dict[str, re.Match[str]]) -> Parameter:
     name, member = match["name"], match["member"]
-    if match["what"] == "PROPERTY":
+    if member is None:
         return Parameter(name, "property", "0")
     if member not in declared:
         raise DataFileError(f"{DECLARATION}: '{member}', which is registered as '{name}', is not declared there")

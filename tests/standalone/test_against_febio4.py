@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -54,7 +53,7 @@ def test_convection_agrees_at_every_node_and_time(runs, peclet):
     assert max(found.values()) <= BAR, found
 
 
-@pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG", "LAGMULT"])
+@pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG"])
 def test_unlike_materials_agree(runs, laugon):
     # Tighter than what the default penalties leave: at 1e-3 rounding would decide whether there is an augmentation.
     model = Composite(settings=ContactSettings(laugon=laugon, tolerance=1e-4), control=Control(10, 50.0)).model()
@@ -75,19 +74,6 @@ def test_an_effect_left_out_agrees(runs, effects):
     assert max(found.values()) <= BAR, found
     assert "<effects> leaves it out" in one.log
     assert "<effects> leaves it out" in two.log
-
-
-def test_overlapping_nodes_are_moved_alike(runs):
-    model = Diffusion(settings=ContactSettings(extra=(Param("node_reloc", True),)), control=Control(10, 50.0)).model()
-    nodes = model.mesh.nodes.copy()
-    nodes[np.unique(model.mesh.parts[1].elements) - 1, 2] -= 0.01
-    one, two = runs(strict(replace(model, mesh=replace(model.mesh, nodes=nodes)), FLOORS[10.0]))
-    found = differences(one, two)
-    assert max(found.values()) <= BAR, found
-    primary, secondary = (np.unique(model.mesh.surfaces[name]) - 1 for name in model.mesh.pairs["lower/upper"])
-    for run in (one, two):
-        height = run.nodes["z"][0]
-        assert height[primary].max() == pytest.approx(height[secondary].min(), abs=1e-9)
 
 
 def test_a_body_without_contact_agrees(runs):
@@ -128,6 +114,23 @@ def complaints(tmp_path: Path):
 def test_a_model_that_cannot_be_read_says_why_and_ends_with_1(complaints):
     text = Diffusion(control=Control(2, 50.0)).model().text()
     assert any("line" in said and "<E>" in said for said in complaints(text.replace("<E>10</E>", "<E>ten</E>")))
+
+
+@pytest.mark.parametrize(("tag", "value"), [("laugon", "LAGMULT"), ("node_reloc", True), ("extrapolation", True)])
+def test_what_only_febio4_can_do_is_refused(complaints, tag, value):
+    settings = ContactSettings(extra=(Param(tag, value),))
+    said = complaints(Diffusion(settings=settings, control=Control(2, 50.0)).model().text())
+    assert any("line" in sentence and f"<{tag}>" in sentence and "allowed" in sentence for sentence in said)
+
+
+def test_negative_concentrations_that_febio_would_clamp_are_reported(tmp_path):
+    try:
+        STANDALONE.binaries(plugin=True)
+    except EngineNotFoundError as error:
+        pytest.skip(str(error))
+    run = Runner(tmp_path, host=STANDALONE)(Diffusion(control=Control(1, 0.01)).model())
+    assert run.nodes["c1"].min() < 0.0
+    assert any("negative" in said for said in run.report.warnings)
 
 
 def test_an_effect_that_cannot_be_is_refused(complaints):

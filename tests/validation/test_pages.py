@@ -17,17 +17,17 @@ def test_a_generated_page_is_up_to_date(name):
 
 
 def altered(tmp_path, monkeypatch, old: str, new: str) -> None:
-    """Parameters are registered as in the code, but for one replacement."""
-    text = parameters.REGISTRATION.read_text(encoding="utf-8")
+    """The table of parameters is that of the code, but for one replacement."""
+    text = parameters.DECLARATION.read_text(encoding="utf-8")
     assert old in text
-    changed = tmp_path / parameters.REGISTRATION.name
+    changed = tmp_path / parameters.DECLARATION.name
     changed.write_text(text.replace(old, new), encoding="utf-8")
-    monkeypatch.setattr(parameters, "REGISTRATION", changed)
+    monkeypatch.setattr(parameters, "DECLARATION", changed)
 
 
 def test_a_parameter_without_a_note_is_named(tmp_path, monkeypatch):
-    line = '  ADD_PARAMETER(parameters_.gaptol, "gaptol")'
-    altered(tmp_path, monkeypatch, line, f'  ADD_PARAMETER(parameters_.gaptol, "gap_limit");\n{line}')
+    line = '  take({"gaptol", nullptr, Unit::length}, p.gaptol);'
+    altered(tmp_path, monkeypatch, line, f'  take({{"gap_limit"}}, p.gaptol);\n{line}')
     with pytest.raises(DataFileError, match="do not agree on gap_limit"):
         parameters.page()
 
@@ -39,17 +39,14 @@ def test_a_note_without_a_parameter_is_named(tmp_path, monkeypatch):
 
 
 def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
-    altered(tmp_path, monkeypatch, 'ADD_PARAMETER(parameters_.gaptol, "gaptol")', "ADD_PARAMETER(gaptol(), name)")
-    with pytest.raises(DataFileError, match="is not of the form ADD_PARAMETER"):
+    altered(tmp_path, monkeypatch, 'take({"gaptol", nullptr, Unit::length}, p.gaptol)', "take(tag, p.gaptol)")
+    with pytest.raises(DataFileError, match="is not of the form"):
         parameters.page()
 
 
 def test_defaults_come_from_the_code(tmp_path, monkeypatch):
-    text = parameters.DECLARATION.read_text(encoding="utf-8")
-    changed = tmp_path / parameters.DECLARATION.name
-    changed.write_text(text.replace("int maxaug = 10;", "int maxaug = 20;"), encoding="utf-8")
     assert "| `maxaug` | - | 10 |" in parameters.page()
-    monkeypatch.setattr(parameters, "DECLARATION", changed)
+    altered(tmp_path, monkeypatch, "int maxaug = 10;", "int maxaug = 20;")
     assert "| `maxaug` | - | 20 |" in parameters.page()
 
 
