@@ -97,8 +97,8 @@ class Steps {
     for (Contact& contact : problem_.contacts()) {
       const mixture_contact::UnnoticedOverlap& overlap = contact.core().unnoticed_overlap();
       if (overlap.nodes == 0 || !warned_.insert(&contact).second) continue;
-      const auto& [primary, secondary] = contact.definition().surfaces;
-      log_.box("WARNING", overlap_warning(contact.definition().name, primary, secondary, overlap));
+      const auto& surfaces = contact.definition().surfaces;
+      log_.box("WARNING", overlap_warning(contact.definition().name, surfaces.front(), surfaces.back(), overlap));
     }
   }
 
