@@ -15,8 +15,6 @@ void log_summary(const Log& log, int steps, const Effort& total, bool done, doub
   log.print("\n\n N O N L I N E A R   I T E R A T I O N   I N F O R M A T I O N\n\n");
   log.print("\tNumber of time steps completed .................... : %d\n\n", steps);
   log.print("\tTotal number of equilibrium iterations ............ : %d\n\n", total.iterations);
-  log.print("\tAverage number of equilibrium iterations .......... : %g\n\n",
-            steps > 0 ? 1.0 * total.iterations / steps : 0.0);
   log.print("\tTotal number of right hand evaluations ............ : %d\n\n", total.residuals);
   log.print("\tTotal number of stiffness reformations ............ : %d\n\n", total.reformations);
   log.print("\n Elapsed time : %.2f s\n\n", seconds);
@@ -78,8 +76,6 @@ class Steps {
       return false;
     }
     total_ += newton_.effort();
-    log_.print("\nconvergence summary\n    number of iterations   : %d\n    number of reformations : %d\n",
-               newton_.effort().iterations, newton_.effort().reformations);
     if (model_.control.expects_positive && has_negative_concentration(problem_.values())) {
       log_.box("WARNING",
                "Concentrations are negative, as the elements are too large for the time step. FEBio's solver would set "

@@ -14,16 +14,6 @@ using mixture_contact::both_sides;
 using mixture_contact::Facet;
 using mixture_contact::Side;
 
-/// The facet seen from the other side.
-Facet inverted(const Facet& facet) {
-  const std::array<std::size_t, 8> order{0, 3, 2, 1, 7, 6, 5, 4};
-  Facet turned = facet;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(node_count(facet.type)); ++a) {
-    turned.nodes[a] = facet.nodes[order[a]];
-  }
-  return turned;
-}
-
 /// Distinct nodes of facets, ascending.
 std::vector<int> nodes_of(const std::vector<SurfaceFacet>& facets) {
   std::set<int> nodes;
@@ -38,8 +28,6 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
     : model_(model), definition_(definition), bodies_(bodies) {
   for (const Side side : both_sides) {
     facets_[side] = model.mesh.surfaces.at(definition.surfaces[side]);
-    const bool flip = side == Side::primary ? definition.parameters.flip_primary : definition.parameters.flip_secondary;
-    for (SurfaceFacet& facet : facets_[side]) facet.facet = flip ? inverted(facet.facet) : facet.facet;
     nodes_[side] = nodes_of(facets_[side]);
   }
   const FacetMaterials at_rest = materials(MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols()));
@@ -157,9 +145,9 @@ Contact::PerSide<mixture_contact::SurfaceFields> Contact::fields(const MatrixXd&
   return all;
 }
 
-Contact::Places Contact::places(const Location& at) const {
+std::vector<int> Contact::places(const mixture_contact::ContactInterface::Location& at) const {
   const mixture_contact::LocalLayout layout = at.patch.layout();
-  Places all(static_cast<std::size_t>(layout.size()));
+  std::vector<int> all(static_cast<std::size_t>(layout.size()));
   for (Index a = 0; a < layout.nodes(); ++a) {
     const Side side = a < layout.primary_nodes() ? at.first : other(at.first);
     const int node = nodes_[side][static_cast<std::size_t>(at.patch.node(a))];
@@ -172,18 +160,6 @@ Contact::Places Contact::places(const Location& at) const {
     }
   }
   return all;
-}
-
-void Contact::for_each_residual(const MatrixXd& values, double dt,
-                                const std::function<void(const Places&, const VectorXd&)>& add) const {
-  core_->residual(fields(values), dt, [&](const Location& at, const VectorXd& local) { add(places(at), local); });
-}
-
-void Contact::for_each_tangent(const MatrixXd& values, double dt,
-                               const std::function<void(const Places&, const Places&, const MatrixXd&)>& add) const {
-  core_->tangent(fields(values), dt, [&](const Location& rows, const Location& columns, const MatrixXd& local) {
-    add(places(rows), places(columns), local);
-  });
 }
 
 Contact::Saved Contact::save() {

@@ -14,13 +14,12 @@ class Contact {
   using Side = mixture_contact::Side;
   template <class T>
   using PerSide = mixture_contact::PerSide<T>;
-  using Places = std::vector<int>;  ///< of nodal values, see Model::place
 
   /// Throws InputError where the surfaces cannot be in contact.
   Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
 
   const ContactDefinition& definition() const { return definition_; }
-  mixture_contact::ContactInterface& core() { return *core_; }
+  mixture_contact::ContactInterface& core() const { return *core_; }
   const std::vector<int>& nodes(Side side) const { return nodes_[side]; }
   /// A line that says which effects the contact exchanges, and why others are absent.
   const std::string& effects_line() const { return effects_line_; }
@@ -29,17 +28,10 @@ class Contact {
   void update_properties(const MatrixXd& values);
   /// Finds out which facets face each other; `keep_facets`: no new search.
   void project(const MatrixXd& values, bool keep_facets);
-  /// The core's calls of the same names, at these nodal values.
-  bool begin_iteration(const MatrixXd& values) { return core_->begin_iteration(fields(values)); }
-  bool is_solution(const MatrixXd& values) const { return core_->is_solution(fields(values)); }
+  /// Positions and exchanged fields, as the core takes them.
   PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const;
-
-  /// Calls add(places, forces) for each part of the virtual work (2.5).
-  void for_each_residual(const MatrixXd& values, double dt,
-                         const std::function<void(const Places&, const VectorXd&)>& add) const;
-  /// Calls add(rows, columns, tangent) for each part of the tangent (2.6).
-  void for_each_tangent(const MatrixXd& values, double dt,
-                        const std::function<void(const Places&, const Places&, const MatrixXd&)>& add) const;
+  /// Places of nodal values (see Model::place) that a local vector of the core's belongs to.
+  std::vector<int> places(const mixture_contact::ContactInterface::Location& at) const;
 
   /// Multipliers of each pass: what is to be kept for a time step that is tried again.
   using Saved = std::vector<mixture_contact::Multipliers>;
@@ -47,8 +39,6 @@ class Contact {
   void restore(const Saved& saved);
 
  private:
-  using Location = mixture_contact::ContactInterface::Location;
-
   bool can_move() const;
   FacetMaterial material(const SurfaceFacet& facet, const MatrixXd& values) const;
   FacetMaterials materials(const MatrixXd& values) const;
@@ -56,7 +46,6 @@ class Contact {
   mixture_contact::SurfaceMesh surface_mesh(Side side) const;
   PerSide<Matrix3Xd> positions(const MatrixXd& values) const;
   int field_dof(int field) const;
-  Places places(const Location& at) const;
 
   const Model& model_;
   const ContactDefinition& definition_;

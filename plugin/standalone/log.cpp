@@ -3,8 +3,6 @@
 #include "error.h"
 
 #include <cstdarg>
-#include <sstream>
-#include <utility>
 
 namespace standalone {
 namespace {
@@ -34,16 +32,8 @@ void Log::print(const char* format, ...) const {
 }
 
 void Log::box(const char* title, const std::string& text) const {
-  const std::string title_text = title;
-  std::string frame = framed(std::string((box_width - title_text.size()) / 2, ' ') + title_text);
-  std::istringstream words(text);
-  std::string line;
-  for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + word.size() > box_width - 2) frame += framed(std::exchange(line, {}));
-    line += (line.empty() ? "" : " ") + word;
-  }
   const std::string edge = " " + std::string(box_width + 2, '*') + "\n";
-  print("\n%s%s%s%s", edge.c_str(), frame.c_str(), framed(line).c_str(), edge.c_str());
+  print("\n%s%s%s%s", edge.c_str(), framed(title).c_str(), framed(text).c_str(), edge.c_str());
 }
 
 }  // namespace standalone

@@ -116,7 +116,6 @@ struct StepControl {
   double largest = 0.1;  ///< dtmax [s], unless a must-point curve holds it
   int must_points = -1;  ///< load curve whose points must be met and whose values are the largest step; -1: none
   double cutback = 0.5;
-  bool aggressive = false;
   bool force = false;
 };
 

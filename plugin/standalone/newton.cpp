@@ -53,7 +53,7 @@ bool Newton::converged(const Norms& now, double time) {
   const bool fields_met = (tolerances.array() == 0 || now.fields.array() <= required.fields.array()).all();
   const bool residual_met = control_.residual_tolerance == 0 || now.residual <= required.residual;
   const bool energy_met = control_.energy_tolerance == 0 || now.energy <= required.energy;
-  if (fields_met && residual_met && energy_met && now.energy <= largest_energy_) return true;
+  if (fields_met && residual_met && energy_met) return true;
   if (now.residual >= control_.least_residual) return false;
   log_.box("WARNING", "No force acting on the system.");
   return true;
@@ -74,13 +74,6 @@ void Newton::log_norms(const Norms& now, const Norms& required, double time) con
     row(k == 0 ? "displacement" : (k == 1 ? "fluid pressure" : solute), first_.fields[k], now.fields[k],
         required.fields[k]);
   }
-}
-
-void Newton::restart_norms_if_diverging(const Norms& now) {
-  if (now.energy <= largest_energy_) return;
-  log_.box("WARNING", "Problem is diverging. Stiffness matrix will now be reformed");
-  largest_energy_ = now.energy;
-  first_ = now;
 }
 
 bool Newton::augment(Contact& contact) {
@@ -104,7 +97,9 @@ bool Newton::augment(Contact& contact) {
 
 bool Newton::augment() {
   std::vector<Contact>& contacts = problem_.contacts();
-  const auto is_solution = [&](const Contact& contact) { return contact.is_solution(problem_.values()); };
+  const auto is_solution = [&](const Contact& contact) {
+    return contact.core().is_solution(contact.fields(problem_.values()));
+  };
   // What converged with contact held is a solution only if it agrees with that; if not, iterations go on.
   if (!std::all_of(contacts.begin(), contacts.end(), is_solution)) {
     log_.print(" Contact has to change.\n");
@@ -135,23 +130,13 @@ void Newton::solve_step(double time, double dt) {
   for (bool done = false; !done; ++effort_.iterations) {
     log_.print(" %d\n", effort_.iterations + 1);
     const VectorXd change = system_.solve(start_);
-    if (effort_.iterations == 0) {
-      first_ = norms(start_, change);
-      largest_energy_ = first_.energy;
-    }
+    if (effort_.iterations == 0) first_ = norms(start_, change);
     problem_.advance(change, effort_.iterations);
     evaluate();
     increment_ += change;
-    const Norms now = norms(end_, change);
-    const bool balanced = converged(now, time);
+    const bool balanced = converged(norms(end_, change), time);
     done = balanced && augment();
-    if (done) continue;
-    if (balanced) {
-      form_matrix(false);  // augment() has begun the iteration
-    } else {
-      restart_norms_if_diverging(now);
-      form_matrix(!problem_.begin_iteration());
-    }
+    if (!done) form_matrix(!balanced && !problem_.begin_iteration());  // where it balances, augment() has begun
   }
   problem_.accept_step();
 }

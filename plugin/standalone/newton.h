@@ -42,7 +42,6 @@ class Newton {
   void form_matrix(bool evaluated);
   bool converged(const Norms& now, double time);
   void log_norms(const Norms& now, const Norms& required, double time) const;
-  void restart_norms_if_diverging(const Norms& now);
   bool augment();
   bool augment(Contact& contact);
 
@@ -55,7 +54,6 @@ class Newton {
   int augmentations_ = 0;
   VectorXd start_, end_;  ///< residual before and after an iteration
   Norms first_;
-  double largest_energy_ = 0;
   VectorXd increment_;  ///< of the step so far
 };
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace standalone {
 namespace {
 
+using Location = mixture_contact::ContactInterface::Location;
 using Status = Problem::Status;
 
 void check_rigid(const Model& model, const std::vector<Status>& status) {
@@ -125,7 +127,7 @@ void Problem::end_iterations() {
 bool Problem::begin_iteration() {
   bool changed = false;
   for (Contact& contact : contacts_) {
-    const bool contact_changed = contact.begin_iteration(state_.values);
+    const bool contact_changed = contact.core().begin_iteration(contact.fields(state_.values));
     changed = changed || contact_changed;
   }
   const bool ambient_changed = switch_ambient();
@@ -134,23 +136,20 @@ bool Problem::begin_iteration() {
 
 bool Problem::switch_ambient() {
   // A node is at ambient only where no contact has it; the first contact that it belongs to says what its bath is.
-  struct NodeStatus {
-    bool in_contact;
-    const ContactDefinition* bath;
-  };
-  std::map<int, NodeStatus> nodes;
-  for (Contact& contact : contacts_) {
-    const auto in_contact = contact.core().nodes_in_contact();
+  std::map<int, const ContactDefinition*> baths;
+  std::set<int> in_contact;
+  for (const Contact& contact : contacts_) {
+    const auto status = contact.core().nodes_in_contact();
     for (const auto side : mixture_contact::both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
-        NodeStatus& status = nodes.insert({contact.nodes(side)[i], {false, &contact.definition()}}).first->second;
-        status.in_contact = status.in_contact || in_contact[side][i];
+        baths.emplace(contact.nodes(side)[i], &contact.definition());
+        if (status[side][i]) in_contact.insert(contact.nodes(side)[i]);
       }
     }
   }
   bool changed = false;
-  for (const auto& [node, status] : nodes) {
-    const bool switched = switch_ambient(node, status.in_contact, *status.bath);
+  for (const auto& [node, bath] : baths) {
+    const bool switched = switch_ambient(node, in_contact.count(node) > 0, *bath);
     changed = changed || switched;
   }
   return changed;
@@ -188,7 +187,8 @@ VectorXd Problem::residual() {
     if (!bodies_.material(e).rigid) forces_(bodies_.places(e)) -= bodies_.residual(e, state_.values, dt_);
   }
   for (const Contact& contact : contacts_) {
-    contact.for_each_residual(state_.values, dt_, [&](const Contact::Places& places, const VectorXd& local) {
+    contact.core().residual(contact.fields(state_.values), dt_, [&](const Location& at, const VectorXd& local) {
+      const std::vector<int> places = contact.places(at);
       for (Index i = 0; i < local.size(); ++i) forces_[places[static_cast<std::size_t>(i)]] += local[i];
     });
   }
@@ -211,10 +211,10 @@ void Problem::assemble(LinearSystem& system) const {
     if (!bodies_.material(e).rigid) system.add(places, places, bodies_.tangent(e, state_.values, dt_));
   }
   for (const Contact& contact : contacts_) {
-    contact.for_each_tangent(state_.values, dt_,
-                             [&](const Contact::Places& rows, const Contact::Places& columns, const MatrixXd& tangent) {
-                               system.add(rows, columns, -tangent);
-                             });
+    contact.core().tangent(contact.fields(state_.values), dt_,
+                           [&](const Location& rows, const Location& columns, const MatrixXd& tangent) {
+                             system.add(contact.places(rows), contact.places(columns), -tangent);
+                           });
   }
 }
 

@@ -25,8 +25,11 @@ Read reader(const ParameterTag& tag, int& value) { return tag.choices ? choice(v
 
 std::vector<Child> table_of(ContactParameters& parameters) {
   // What only febio4 can do is left out of what these may say.
-  const std::map<std::string, Names> restricted{
-      {"laugon", {"PENALTY", "AUGLAG", "0", "1"}}, {"extrapolation", {"0"}}, {"node_reloc", {"0"}}};
+  const std::map<std::string, Names> restricted{{"laugon", {"PENALTY", "AUGLAG", "0", "1"}},
+                                                {"extrapolation", {"0"}},
+                                                {"node_reloc", {"0"}},
+                                                {"flip_primary", {"0"}},
+                                                {"flip_secondary", {"0"}}};
   std::vector<Child> table;
   for_each_parameter(parameters, [&](const ParameterTag& parameter, auto& value) {
     const auto restriction = restricted.find(parameter.name);

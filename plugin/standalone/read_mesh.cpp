@@ -76,7 +76,18 @@ Faces element_faces(const Mesh& mesh) {
   return faces;
 }
 
-std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const Faces& faces) {
+/// Whether the corners of a facet follow each other as those of an element's face do.
+bool is_outward(const std::vector<int>& facet, const Element& element, int face) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const int now = hexahedron_faces[face][k];
+    const int next = hexahedron_faces[face][(k + 1) % 4];
+    if (element.nodes[static_cast<std::size_t>(now)] == facet[0])
+      return element.nodes[static_cast<std::size_t>(next)] == facet[1];
+  }
+  return false;
+}
+
+std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const Faces& faces, const Mesh& mesh) {
   std::vector<SurfaceFacet> surface;
   const auto add = [&](const Tag& tag) {
     tag.read({"id"});
@@ -88,6 +99,8 @@ std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const
     const auto face = faces.find(corners_of(nodes));
     if (face == faces.end()) tag.fail("the facet is not a face of any element");
     std::tie(facet.element, facet.face) = face->second;
+    if (!is_outward(nodes, mesh.elements[static_cast<std::size_t>(facet.element)], facet.face))
+      tag.fail("the nodes of the facet must run counter-clockwise seen from outside the body");
     surface.push_back(facet);
   };
   section.read({"name"}, {each("quad4", add), each("quad8", add)});
@@ -122,7 +135,7 @@ void read_mesh(const Tag& section, Model& model) {
   };
   const auto surface = [&](const Tag& tag) {
     if (faces.empty()) faces = element_faces(mesh);
-    insert(tag, mesh.surfaces, read_surface(tag, nodes, faces));
+    insert(tag, mesh.surfaces, read_surface(tag, nodes, faces, mesh));
   };
   section.read({}, {each("Nodes", [&](const Tag& tag) { read_nodes(tag, mesh, nodes); }), each("Elements", part),
                     each("NodeSet", node_set), each("Surface", surface), each("SurfacePair", pair)});

@@ -44,7 +44,7 @@ void read_stepper(const Tag& tag, Model& model) {
   tag.read({"type"},
            {maybe("max_retries", into(stepper.max_retries, 0, 1000)),
             maybe("opt_iter", into(stepper.optimal_iterations, 1)), maybe("dtmin", into(stepper.least, not_negative)),
-            maybe("dtmax", largest), maybe("aggressiveness", into(stepper.aggressive)),
+            maybe("dtmax", largest), one("aggressiveness", must_be({"1"})),
             maybe("cutback", into(stepper.cutback, part)), maybe("dtforce", into(stepper.force))});
   model.control.stepper = stepper;
 }

@@ -64,8 +64,7 @@ bool TimeStepper::retry() {
     return false;
   }
   log_.print("Retrying time step. Retry attempt %d of max %d\n\n", retries_ + 1, rules.max_retries);
-  if (retries_ == 0) reduction_ = increment_ / (rules.max_retries + 1);
-  increment_ = rules.aggressive ? increment_ * rules.cutback : increment_ - reduction_;
+  increment_ *= rules.cutback;
   log_.print("\nAUTO STEPPER: retry step, dt = %g\n\n", increment_);
   wanted_ = increment_;
   ++retries_;

@@ -26,8 +26,7 @@ class TimeStepper {
   const Model& model_;
   Log& log_;
   double increment_;
-  double wanted_;         ///< without the cut for a must point
-  double reduction_ = 0;  ///< what each retry takes off
+  double wanted_;  ///< without the cut for a must point
   int retries_ = 0;
   std::size_t next_must_ = 0;  ///< index of the next must point
   bool at_must_point_ = false;
