@@ -67,7 +67,8 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
     if (side == Side::secondary && settings_.enforcement == Enforcement::lagrange_multipliers) {
       throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
     }
-    passes_.push_back({side, std::make_unique<ContactPass>(mesh_[side], mesh_[other(side)], effects_, settings_)});
+    passes_.push_back(
+        {side, std::make_unique<ContactPass>(mesh_[side], mesh_[other(side)], effects_, settings_), {}, {}});
   }
 }
 
@@ -85,8 +86,8 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
   searched_ = search_all;
-  if (!effects_.traction) held_facing_.reset();
-  for (const Pass& pass : passes_) {
+  for (Pass& pass : passes_) {
+    if (!effects_.traction) pass.faced.reset();
     const Matrix3Xd& x1 = position_[pass.side];
     const Matrix3Xd& x2 = position_[other(pass.side)];
     if (search_all) {
@@ -99,8 +100,11 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 
 void ContactInterface::exchange_traction(bool traction) {
   effects_.traction = traction;
-  held_facing_.reset();
-  for (const Pass& pass : passes_) pass.integral->forget();
+  unnoticed_overlap_ = {};
+  for (Pass& pass : passes_) {
+    pass.faced.reset();
+    pass.integral->forget();
+  }
   for (Matrix3Xd& position : position_) position.resize(3, 0);
 }
 
@@ -112,7 +116,7 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
     changed = changed || pass_changed;
     timed.take(pass.integral->effect_times(), thread_count());
   }
-  hold_facing_contact();
+  for (Pass& pass : passes_) hold_facing_contact(pass);
   note_memory();
   return changed;
 }
@@ -130,25 +134,29 @@ void ContactInterface::note_memory() {
   if (now.bytes >= memory_.bytes) memory_ = now;
 }
 
-void ContactInterface::hold_facing_contact() {
-  if (passes_.size() != 1 || (held_facing_ && !effects_.traction)) return;
-  const std::vector<FacingNode> facing = facing_nodes(
-      Side::secondary, passes_[0].integral->sealed_nodes(position_[Side::primary], position_[Side::secondary]));
-  unnoticed_overlap_ = effects_.traction ? unnoticed_among(facing) : UnnoticedOverlap{};
+std::vector<bool> ContactInterface::sealed_nodes(const Pass& pass) const {
+  return pass.integral->sealed_nodes(position_[pass.side], position_[other(pass.side)]);
+}
+
+void ContactInterface::hold_facing_contact(Pass& pass) {
+  if (pass.faced && !effects_.traction) return;
+  const std::vector<FacingNode> facing = facing_nodes(other(pass.side), sealed_nodes(pass));
+  if (passes_.size() == 1 && effects_.traction) unnoticed_overlap_ = unnoticed_among(facing);
   std::vector<bool> next = in_contact_of(facing);
-  const bool first = !held_facing_;
-  if (first) facing_changes_.assign(next.size(), 0);
+  if (!pass.faced) pass.faced_changes.assign(next.size(), 0);
   for (std::size_t node = 0; node < next.size(); ++node) {
-    if (!first && next[node] != (*held_facing_)[node]) ++facing_changes_[node];
+    if (pass.faced && next[node] != (*pass.faced)[node]) ++pass.faced_changes[node];
     // At the edge of contact, as ContactPass::begin_iteration has it; here no load tells whether it is.
-    if (facing_changes_[node] > most_facing_changes) next[node] = false;
+    if (pass.faced_changes[node] > most_facing_changes) next[node] = false;
   }
-  held_facing_ = std::move(next);
+  pass.faced = std::move(next);
 }
 
 void ContactInterface::end_iterations() {
-  if (effects_.traction) held_facing_.reset();
-  for (const Pass& pass : passes_) pass.integral->end_iterations();
+  for (Pass& pass : passes_) {
+    if (effects_.traction) pass.faced.reset();
+    pass.integral->end_iterations();
+  }
 }
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
@@ -236,13 +244,16 @@ void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
 PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
   const TaskClock timed = clock(Task::stiffness);
   PerSide<std::vector<bool>> in_contact;
+  for (const Side side : both_sides) in_contact[side].assign(static_cast<std::size_t>(mesh_[side].nodes), false);
+  const auto add = [&](Side side, const std::vector<bool>& found) {
+    for (std::size_t node = 0; node < found.size(); ++node) {
+      if (found[node]) in_contact[side][node] = true;
+    }
+  };
   for (const Pass& pass : passes_) {
-    in_contact[pass.side] = pass.integral->sealed_nodes(position_[pass.side], position_[other(pass.side)]);
-  }
-  if (held_facing_) {
-    in_contact[Side::secondary] = *held_facing_;
-  } else if (passes_.size() == 1) {
-    in_contact[Side::secondary] = in_contact_of(facing_nodes(Side::secondary, in_contact[Side::primary]));
+    const std::vector<bool> own = sealed_nodes(pass);
+    add(pass.side, own);
+    add(other(pass.side), pass.faced ? *pass.faced : in_contact_of(facing_nodes(other(pass.side), own)));
   }
   return in_contact;
 }

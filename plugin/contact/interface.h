@@ -41,11 +41,11 @@ struct NodalOutput {
   VectorXd coverage;  ///< area in contact that belongs to the node [mm^2]
 };
 
-/// A node of the surface that is not integrated over counts as in contact where the contact of the nodes facing it,
-/// interpolated, reaches this share.
+/// A node counts as in contact where the contact of the nodes facing it, by the pass over their surface and
+/// interpolated, reaches this share; with two passes also where its own pass has it in contact.
 inline constexpr double covered = 0.5 - 1e-9;
 
-/// What a node of the surface that is not integrated over faces.
+/// What a node of the surface that a pass does not integrate over faces.
 struct FacingNode {
   bool in_contact = false;
   double overlap = 0;  ///< with a facet none of whose nodes is in contact [mm]
@@ -163,10 +163,13 @@ class ContactInterface {
   struct Pass {
     Side side;  ///< the surface integrated over
     std::unique_ptr<ContactPass> integral;
+    std::optional<std::vector<bool>> faced;  ///< nodes of the other surface that face contact, during iterations
+    std::vector<int> faced_changes;          ///< of these, since the iterations began
   };
 
   double search_radius(const PerSide<Matrix3Xd>& position) const;
-  void hold_facing_contact();
+  void hold_facing_contact(Pass& pass);
+  std::vector<bool> sealed_nodes(const Pass& pass) const;
   void note_memory();
   std::vector<FacingNode> facing_nodes(Side side, const std::vector<bool>& other_in_contact) const;
 
@@ -175,9 +178,6 @@ class ContactInterface {
   Settings settings_;
   std::vector<Pass> passes_;
   PerSide<Matrix3Xd> position_;
-  std::optional<std::vector<bool>>
-      held_facing_;  ///< secondary nodes in contact, while iterations are under way and there is one pass
-  std::vector<int> facing_changes_;
   UnnoticedOverlap unnoticed_overlap_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
   Memory memory_;

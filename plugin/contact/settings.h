@@ -29,9 +29,11 @@ struct PenaltyRule {
 /// factor sharpens.
 inline constexpr double default_traction_factor = 1e3;
 inline constexpr double default_flux_factor = 1e5;
-/// The traction's with two passes, which ask for twice as many conditions as the surfaces have nodes to meet them:
-/// where curved surfaces close, a stiffer penalty makes the nodes of both open and close in turn.
+/// The same with two passes, which ask for twice as many conditions as the surfaces have nodes to meet them:
+/// where curved surfaces close, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields
+/// of both.
 inline constexpr double two_pass_traction_factor = 1e2;
+inline constexpr double two_pass_flux_factor = 1e3;
 
 /// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
 struct Tolerances {

@@ -95,11 +95,11 @@ mixture_contact::Settings core_settings(const ContactParameters& p) {
   using namespace mixture_contact;
   Settings settings;
   settings.enforcement = enforcement(p.laugon);
-  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty,
-                                   p.two_pass ? two_pass_traction_factor : default_traction_factor);
-  settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, default_flux_factor);
-  settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty,
-                                 default_flux_factor);
+  const double traction_factor = p.two_pass ? two_pass_traction_factor : default_traction_factor;
+  const double flux_factor = p.two_pass ? two_pass_flux_factor : default_flux_factor;
+  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, traction_factor);
+  settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, flux_factor);
+  settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty, flux_factor);
   settings.tolerances.traction = {p.traction_tolerance_given ? p.traction_tolerance : p.tolerance, p.gaptol};
   settings.tolerances.solvent = {p.solvent_tolerance_given ? p.solvent_tolerance : p.tolerance, p.ptol};
   settings.tolerances.solute = {p.solute_tolerance_given ? p.solute_tolerance : p.tolerance, p.ctol};

@@ -25,8 +25,9 @@ CONVERGED = 1e-6
 """Relative: what is left of the residual after Newton's method, which is quadratic."""
 STEADY = 1e-6
 """Relative: what is left of the transient after ten steps of more than twice its slowest time."""
-JUMP = 1e-4
-"""Jump over the difference across the bodies: 1e-5 of the drop over the adjoining elements, by the default penalty."""
+JUMP, JUMP_TWO_PASSES = 1e-4, 1e-3
+"""Jump over the difference across the bodies: 1e-5 of the drop over the adjoining elements, by the default penalty; with
+two passes 1e-3 of it."""
 SEALED = 1e-9
 """Flux through a sealed contact over the one that the difference would drive."""
 
@@ -103,11 +104,11 @@ def driven(what):
     return pairs.POROSITY * pairs.DIFFUSIVITY * (pairs.BELOW - pairs.ABOVE) / (2.0 * pairs.HEIGHT)
 
 
-def check_jumps(run, pair):
+def check_jumps(run, pair, bar=JUMP):
     if isinstance(pair.lower, Mixture) and isinstance(pair.upper, Mixture):
-        assert compare.jump(run, "p", PAIR) < JUMP * pairs.PRESSURE
+        assert compare.jump(run, "p", PAIR) < bar * pairs.PRESSURE
     for sol in shared_solutes(pair):
-        assert compare.jump(run, f"c{sol}", PAIR) < JUMP * (pairs.BELOW - pairs.ABOVE)
+        assert compare.jump(run, f"c{sol}", PAIR) < bar * (pairs.BELOW - pairs.ABOVE)
 
 
 @pytest.mark.parametrize(("lower", "upper", "primary"), ORDERS)
@@ -148,7 +149,7 @@ def test_solutes_in_another_order_and_one_that_one_side_lacks(runner, lower, upp
     run = runner(pair.model())
     check_forces(run)
     check_fluxes(run, pair)
-    check_jumps(run, pair)
+    check_jumps(run, pair, JUMP_TWO_PASSES if two_pass else JUMP)
 
 
 def three_on_two(effects, name):

@@ -352,6 +352,25 @@ BOOST_AUTO_TEST_CASE(nodes_are_in_contact_up_to_the_rim_of_the_contact_zone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(with_two_passes_nodes_that_face_contact_are_in_contact_too) {
+  Settings settings;
+  settings.two_pass = true;
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0, 8, 1), effects_of(true, 0), settings);
+  Matrix3Xd& x1 = scene.fields[Side::primary].position;  // a bump at the corner of a single facet
+  const auto bump = (x1.row(0) + x1.row(1)).array() < 0.3;
+  x1.row(2) = bump.select(Eigen::RowVectorXd::Constant(x1.cols(), 0.05), -0.5);
+  const auto contact = scene.contact();
+  BOOST_TEST(contact->pass(1).nodal_loads(scene.fields[Side::secondary], scene.fields[Side::primary]).traction.norm() ==
+             0.0);
+  const std::vector<bool> touched = contact->nodes_in_contact()[Side::secondary];
+  const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+  for (std::size_t node = 0; node < touched.size(); ++node) {
+    BOOST_TEST(touched[node] == (x2.col(static_cast<Index>(node)).norm() < 0.1));
+  }
+  contact->begin_iteration(scene.fields);
+  BOOST_TEST((contact->nodes_in_contact()[Side::secondary] == touched));
+}
+
 BOOST_AUTO_TEST_CASE(nodes_of_graded_facets_are_in_contact_where_a_facet_around_them_is) {
   // A narrow facet in contact next to a wide one that is not: the nodes between them are in contact.
   PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 1);

@@ -74,14 +74,14 @@ def test_the_cut_is_not_seen_whatever_the_options(context, module, option):
     """Short runs with 2 x 2 facets in both modules.
 
     Closing the contact in one step presses the fluid up; there the pressure sees that the contact gives, by 1/factor of
-    what the elements beside it do.
+    what the elements beside it do. The concentration jumps by 1/factor of its drop over them, of another factor.
     """
-    factor = 1e2 if option.startswith("two passes") else 1e3
+    stiffness, conductance = (1e2, 1e3) if option.startswith("two passes") else (1e3, 1e5)
     data = {"elements": 10, "control": SHORT, "section": Section((1.0, 1.0), (2, 2)), "module": module}
     cut = context.runner(Diffusion(context.join, OPTIONS[option], name="diffusion-short", **data).model())
     whole = context.runner(Diffusion(Join.UNSPLIT, name="diffusion-short-whole", **data).model())
-    assert compare.largest_difference(cut, whole, "c1") <= 1e-6
-    assert compare.largest_difference(cut, whole, "p") <= np.abs(whole.nodes["p"]).max() / factor
+    assert compare.largest_difference(cut, whole, "c1") <= 0.1 / conductance
+    assert compare.largest_difference(cut, whole, "p") <= np.abs(whole.nodes["p"]).max() / stiffness
     allowed = {"augmented": 1.25, "two passes, augmented": 1.25, "symmetric": 2.0}.get(option, 1.05)
     assert cut.report.iterations <= allowed * whole.report.iterations
 
