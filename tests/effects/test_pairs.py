@@ -26,8 +26,8 @@ CONVERGED = 1e-6
 STEADY = 1e-6
 """Relative: what is left of the transient after ten steps of more than twice its slowest time."""
 JUMP, JUMP_TWO_PASSES = 1e-4, 1e-3
-"""Jump over the difference across the bodies: 1e-5 of the drop over the adjoining elements, by the default penalty; with
-two passes 1e-3 of it."""
+"""Jump over the difference across the bodies: 1e-5 of the drop over the adjoining elements, by the default
+penalty; with two passes 1e-3 of it."""
 SEALED = 1e-9
 """Flux through a sealed contact over the one that the difference would drive."""
 
