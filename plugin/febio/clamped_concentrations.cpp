@@ -91,6 +91,14 @@ bool ClampedConcentrations::update() {
   return !to_free.empty() || !to_hold.empty();
 }
 
+bool ClampedConcentrations::update_at_new_state() {
+  const ClampingSolver solver = clamping_solver(fem_);
+  if (solver.newton == nullptr) return false;
+  std::vector<double> residual(solver.newton->m_R0.size());
+  solver.newton->Residual(residual);
+  return update();
+}
+
 bool ClampedConcentrations::holds(const FENode& node, int dof) const {
   return std::any_of(held_.begin(), held_.end(),
                      [&](const Place& place) { return place.first == &node && place.second == dof; });

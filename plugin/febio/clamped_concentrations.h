@@ -23,6 +23,9 @@ class ClampedConcentrations {
   /// solver's solution vector, and frees held ones whose balance wants them positive. Returns whether anything changed.
   bool update();
 
+  /// The same at a state whose residual, and so its reactions, FEBio has not evaluated yet.
+  bool update_at_new_state();
+
   /// Whether update() would change nothing.
   bool settled() const;
 

@@ -136,8 +136,18 @@ bool FEMixtureContact::leads_extrapolation() {
 }
 
 void FEMixtureContact::begin_at_expected_state() {
-  if (tried_ || !leads_extrapolation() || !extrapolation_.move_to_expected_state(*newton_solver())) return;
-  for (FEMixtureContact* contact : active_contacts()) contact->moved_ = true;
+  if (tried_ || !leads_extrapolation()) return;
+  const std::vector<FEMixtureContact*> contacts = active_contacts();
+  const auto clamp = [&] {
+    if (contacts.back()->clamped_.update_at_new_state()) update_model_in_trial();
+  };
+  if (!extrapolation_.move_to_expected_state(*newton_solver(), clamp)) return;
+  for (FEMixtureContact* contact : contacts) contact->moved_ = true;
+}
+
+void FEMixtureContact::update_model_in_trial() {
+  for (FEMixtureContact* contact : active_contacts()) contact->in_trial_ = true;
+  newton_solver()->UpdateModel();
 }
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
@@ -150,8 +160,7 @@ void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   if (std::exchange(moved_, false)) {
     core_->move_iteration(fields());
   } else if (!begun && begin_iteration()) {
-    for (FEMixtureContact* contact : active_contacts()) contact->in_trial_ = true;
-    newton_solver()->UpdateModel();
+    update_model_in_trial();
     residual_outdated_ = true;
   }
   add_to_profile(matrix);

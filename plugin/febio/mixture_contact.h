@@ -85,6 +85,8 @@ class FEMixtureContact : public FEContactInterface {
   bool begin_iteration();
   bool leads_extrapolation();
   void begin_at_expected_state();
+  /// Evaluates the bodies again, with the status that is held.
+  void update_model_in_trial();
   FENewtonSolver* newton_solver();
   static bool on_matrix_reformed(FEModel* fem, unsigned int when, void* contact);
 

@@ -94,7 +94,7 @@ void StepExtrapolation::skip() {
   order_ = 0;
 }
 
-bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver) {
+bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver, const std::function<void()>& decide) {
   if (order_ == 0) return false;
   const MatrixXd change = expected(order_, fem_.GetTime().timeIncrement);
   first_guess_.assign(solver.m_Ui.size(), 0.0);
@@ -103,19 +103,24 @@ bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver) {
   std::vector<double> none = solver.m_Ui;
   solver.m_Ui = first_guess_;
   solver.Update(solver.m_ui);  // which holds the prescribed increments
+  decide();
   solver.m_Ui = std::move(none);
   return true;
 }
 
 void StepExtrapolation::complete_residual(FENewtonSolver& solver) {
   if (first_guess_.empty()) return;
-  std::vector<double> load(first_guess_.size());
-  solver.m_pK->GetSparseMatrixPtr()->mult_vector(first_guess_.data(), load.data());
-  first_guess_.clear();
   // What prescribed increments add to the equations of free values is in R(x + p) already.
+  std::vector<double> guess(first_guess_.size(), 0.0);
   std::vector<double> right = solver.m_Fd;
-  std::vector<double> residual(right.size());
+  for_each_free_value(fem_, [&](std::size_t equation, Index, Index) {
+    guess[equation] = first_guess_[equation];
+    right[equation] = 0;
+  });
+  first_guess_.clear();
+  std::vector<double> load(guess.size());
+  solver.m_pK->GetSparseMatrixPtr()->mult_vector(guess.data(), load.data());
+  std::vector<double> residual(guess.size());
   solver.Residual(residual);
-  for_each_free_value(fem_, [&](std::size_t equation, Index, Index) { right[equation] = 0; });
   for (std::size_t n = 0; n < right.size(); ++n) solver.m_R0[n] = residual[n] + load[n] + right[n];
 }

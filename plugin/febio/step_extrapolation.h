@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 class FEModel;
@@ -26,9 +27,10 @@ class StepExtrapolation {
   /// The next attempt starts at the end of the last step: after a failed one, and in a continued run.
   void skip();
 
-  /// Before the first matrix of a step: moves the model to the expected state, and returns whether there is one. The
+  /// Before the first matrix of a step: moves the model to the expected state, and returns whether there is one. There
+  /// `decide` is called, with the solver's increments being the expected ones; what it holds stays where it is put. The
   /// solver's solution vectors remain those of the start of the step.
-  bool move_to_expected_state(FENewtonSolver& solver);
+  bool move_to_expected_state(FENewtonSolver& solver, const std::function<void()>& decide);
 
   /// With the first matrix formed there: the right-hand side R(x + p) + K p. Nothing happens otherwise.
   void complete_residual(FENewtonSolver& solver);
