@@ -121,12 +121,12 @@ void Problem::start_step(double time, double dt) {
 // ------------------------------------------------------------ contact status
 
 void Problem::end_iterations() {
-  for (Contact& contact : contacts_) contact.core().end_iterations();
+  for (const Contact& contact : contacts_) contact.core().end_iterations();
 }
 
 bool Problem::begin_iteration() {
   bool changed = false;
-  for (Contact& contact : contacts_) {
+  for (const Contact& contact : contacts_) {
     const bool contact_changed = contact.core().begin_iteration(contact.fields(state_.values));
     changed = changed || contact_changed;
   }

@@ -7,8 +7,6 @@
 namespace standalone {
 namespace {
 
-using mixture_contact::Side;
-
 using Ids = std::map<int, int>;  ///< id in the file -> index
 
 using Faces = std::map<std::array<int, 4>, std::pair<int, int>>;  ///< corner nodes, sorted -> element, its face
@@ -27,14 +25,12 @@ std::vector<int> node_indices(const Tag& tag, const Ids& ids, std::size_t count)
 
 void read_nodes(const Tag& section, Mesh& mesh, Ids& ids) {
   std::vector<double> positions;
-  const auto node = [&](const Tag& tag) {
-    tag.read({"id"});
+  for (const Tag& tag : section.all("node")) {
     const std::vector<double> x = tag.numbers(3);
     if (!ids.emplace(tag.integer_attribute("id"), static_cast<int>(ids.size())).second)
       tag.fail("this id is used twice");
     positions.insert(positions.end(), x.begin(), x.end());
-  };
-  section.read({"name"}, {each("node", node)});
+  }
   const Index known = mesh.nodes.cols();
   mesh.nodes.conservativeResize(3, static_cast<Index>(ids.size()));
   mesh.nodes.rightCols(mesh.nodes.cols() - known) = Matrix3Xd::Map(positions.data(), 3, mesh.nodes.cols() - known);
@@ -44,15 +40,13 @@ void read_nodes(const Tag& section, Mesh& mesh, Ids& ids) {
 std::vector<int> read_elements(const Tag& section, const Ids& nodes, Mesh& mesh, std::set<int>& ids) {
   const std::size_t count = section.attribute("type", {"hex8", "hex20"}) == "hex8" ? 8 : 20;
   std::vector<int> part;
-  const auto add = [&](const Tag& tag) {
-    tag.read({"id"});
+  for (const Tag& tag : section.all("elem")) {
     Element element{tag.integer_attribute("id"), -1, node_indices(tag, nodes, count), tag.line()};
     if (std::set<int>(element.nodes.begin(), element.nodes.end()).size() != count) tag.fail("a node appears twice");
     if (!ids.insert(element.id).second) tag.fail("this id is used twice");
     part.push_back(static_cast<int>(mesh.elements.size()));
     mesh.elements.push_back(std::move(element));
-  };
-  section.read({"type", "name"}, {each("elem", add)});
+  }
   return part;
 }
 
@@ -87,25 +81,36 @@ bool is_outward(const std::vector<int>& facet, const Element& element, int face)
   return false;
 }
 
+SurfaceFacet read_facet(const Tag& tag, mixture_contact::FacetType type, const Ids& ids, const Faces& faces,
+                        const Mesh& mesh) {
+  tag.find_attribute("id");
+  SurfaceFacet facet;
+  facet.facet.type = type;
+  const std::vector<int> nodes = node_indices(tag, ids, static_cast<std::size_t>(node_count(type)));
+  std::copy(nodes.begin(), nodes.end(), facet.facet.nodes.begin());
+  const auto face = faces.find(corners_of(nodes));
+  if (face == faces.end()) tag.fail("the facet is not a face of any element");
+  std::tie(facet.element, facet.face) = face->second;
+  if (!is_outward(nodes, mesh.elements[static_cast<std::size_t>(facet.element)], facet.face))
+    tag.fail("the nodes of the facet must run counter-clockwise seen from outside the body");
+  return facet;
+}
+
 std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const Faces& faces, const Mesh& mesh) {
+  using mixture_contact::FacetType;
   std::vector<SurfaceFacet> surface;
-  const auto add = [&](const Tag& tag) {
-    tag.read({"id"});
-    SurfaceFacet facet;
-    facet.facet.type = tag.name() == "quad4" ? mixture_contact::FacetType::quad4 : mixture_contact::FacetType::quad8;
-    const auto count = static_cast<std::size_t>(mixture_contact::node_count(facet.facet.type));
-    const std::vector<int> nodes = node_indices(tag, ids, count);
-    std::copy(nodes.begin(), nodes.end(), facet.facet.nodes.begin());
-    const auto face = faces.find(corners_of(nodes));
-    if (face == faces.end()) tag.fail("the facet is not a face of any element");
-    std::tie(facet.element, facet.face) = face->second;
-    if (!is_outward(nodes, mesh.elements[static_cast<std::size_t>(facet.element)], facet.face))
-      tag.fail("the nodes of the facet must run counter-clockwise seen from outside the body");
-    surface.push_back(facet);
-  };
-  section.read({"name"}, {each("quad4", add), each("quad8", add)});
+  for (const Tag& tag : section.all("quad4")) surface.push_back(read_facet(tag, FacetType::quad4, ids, faces, mesh));
+  for (const Tag& tag : section.all("quad8")) surface.push_back(read_facet(tag, FacetType::quad8, ids, faces, mesh));
   if (surface.empty()) section.fail("the surface has no facet");
   return surface;
+}
+
+mixture_contact::PerSide<std::string> read_pair(const Tag& tag, const Mesh& mesh) {
+  mixture_contact::PerSide<std::string> names{{tag.one("primary").text(), tag.one("secondary").text()}};
+  for (const std::string& name : names) {
+    if (mesh.surfaces.count(name) == 0) tag.fail("the surface \"" + name + "\" does not exist");
+  }
+  return names;
 }
 
 template <class T>
@@ -119,39 +124,23 @@ void read_mesh(const Tag& section, Model& model) {
   Mesh& mesh = model.mesh;
   Ids nodes;
   std::set<int> elements;
-  Faces faces;
-  const auto pair = [&](const Tag& tag) {
-    mixture_contact::PerSide<std::string> names;
-    tag.read({"name"}, {one("primary", into(names[Side::primary])), one("secondary", into(names[Side::secondary]))});
-    for (const std::string& name : names) {
-      if (mesh.surfaces.count(name) == 0) tag.fail("the surface \"" + name + "\" does not exist");
-    }
-    insert(tag, mesh.pairs, std::move(names));
-  };
-  const auto part = [&](const Tag& tag) { insert(tag, mesh.parts, read_elements(tag, nodes, mesh, elements)); };
-  const auto node_set = [&](const Tag& tag) {
-    tag.read({"name"});
-    insert(tag, mesh.node_sets, node_indices(tag, nodes, 0));
-  };
-  const auto surface = [&](const Tag& tag) {
-    if (faces.empty()) faces = element_faces(mesh);
-    insert(tag, mesh.surfaces, read_surface(tag, nodes, faces, mesh));
-  };
-  section.read({}, {each("Nodes", [&](const Tag& tag) { read_nodes(tag, mesh, nodes); }), each("Elements", part),
-                    each("NodeSet", node_set), each("Surface", surface), each("SurfacePair", pair)});
+  for (const Tag& tag : section.all("Nodes")) read_nodes(tag, mesh, nodes);
+  for (const Tag& tag : section.all("Elements")) insert(tag, mesh.parts, read_elements(tag, nodes, mesh, elements));
   if (mesh.elements.empty()) section.fail("there are no elements");
+  for (const Tag& tag : section.all("NodeSet")) insert(tag, mesh.node_sets, node_indices(tag, nodes, 0));
+  const Faces faces = element_faces(mesh);
+  for (const Tag& tag : section.all("Surface")) insert(tag, mesh.surfaces, read_surface(tag, nodes, faces, mesh));
+  for (const Tag& tag : section.all("SurfacePair")) insert(tag, mesh.pairs, read_pair(tag, mesh));
 }
 
 void read_mesh_domains(const Tag& section, Model& model) {
   std::map<std::string, int> materials;
   for (const Material& material : model.materials) materials.emplace(material.name, static_cast<int>(materials.size()));
-  const auto domain = [&](const Tag& tag) {
-    tag.read({"name", "mat"});
+  for (const Tag& tag : section.all("SolidDomain")) {
     const int material = named(tag, "mat", materials);
     for (const int element : named(tag, "name", model.mesh.parts))
       model.mesh.elements[static_cast<std::size_t>(element)].material = material;
-  };
-  section.read({}, {each("SolidDomain", domain)});
+  }
   for (const Element& element : model.mesh.elements) {
     if (element.material < 0)
       section.fail("element " + std::to_string(element.id) + " has no material: a SolidDomain is missing");

@@ -28,45 +28,56 @@ bool parse(const std::string& word, T& value) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
-/// What takes a tag without attributes and children.
-template <class Use>
-Read leaf(const Use& use) {
-  return [use](const Tag& tag) {
-    tag.read({});
-    use(tag);
-  };
-}
-
 }  // namespace
 
 void Tag::fail(const std::string& what) const {
   throw InputError(*file_ + ", line " + std::to_string(line()) + ", <" + name() + ">: " + what);
 }
 
-void Tag::read(const Names& attributes, const std::vector<Child>& table) const {
+void Tag::check() const {
+  const Asked::OfTag& asked = asked_->tags[element_];
+  if (asked.everything) return;
   for (const auto* a = element_->FirstAttribute(); a != nullptr; a = a->Next()) {
-    if (std::find(attributes.begin(), attributes.end(), std::string(a->Name())) == attributes.end())
-      fail("the attribute \"" + std::string(a->Name()) + "\" is not supported; allowed: " + listed(attributes));
+    const std::string attribute = a->Name();
+    if (attribute != "name" && asked.attributes.count(attribute) == 0)
+      fail("the attribute \"" + attribute + "\" is not supported; allowed: " + listed(asked.attributes));
   }
-  const std::vector<Tag> all = children();
-  for (const Tag& tag : all) {
-    if (std::any_of(table.begin(), table.end(), [&](const Child& child) { return child.name == tag.name(); })) continue;
-    std::vector<std::string> known;
-    for (const Child& child : table) known.push_back(child.name);
-    tag.fail("not supported here; in <" + name() + "> there may be " + listed(known));
+  for (const auto* e = element_->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    const Tag child(*e, *file_, *asked_);
+    if (asked.children.count(child.name()) == 0)
+      child.fail("not supported here; in <" + name() + "> there may be " + listed(asked.children));
+    child.check();
   }
-  for (const Child& child : table) {
-    std::size_t count = 0;
-    for (const Tag& tag : all) {
-      if (tag.name() != child.name) continue;
-      if (++count > child.most) tag.fail("there may be only one in <" + name() + ">");
-      child.read(tag);
-    }
-    if (count < child.least) fail("the tag <" + child.name + "> is missing");
+}
+
+std::vector<Tag> Tag::all(const std::string& name) const {
+  asked_->tags[element_].children.insert(name);
+  std::vector<Tag> list;
+  for (const auto* e = element_->FirstChildElement(name.c_str()); e != nullptr; e = e->NextSiblingElement(name.c_str()))
+    list.emplace_back(*e, *file_, *asked_);
+  return list;
+}
+
+std::optional<Tag> Tag::find(const std::string& name) const {
+  const std::vector<Tag> list = all(name);
+  if (list.size() > 1) list[1].fail("there may be only one in <" + this->name() + ">");
+  return list.empty() ? std::nullopt : std::optional<Tag>(list.front());
+}
+
+Tag Tag::one(const std::string& name) const {
+  const std::optional<Tag> tag = find(name);
+  if (!tag) fail("the tag <" + name + "> is missing");
+  return *tag;
+}
+
+void Tag::ignore(const Names& names) const {
+  for (const char* name : names) {
+    for (const Tag& tag : all(name)) asked_->tags[tag.element_].everything = true;
   }
 }
 
 std::optional<std::string> Tag::find_attribute(const char* name) const {
+  asked_->tags[element_].attributes.insert(name);
   const char* value = element_->Attribute(name);
   return value ? std::optional<std::string>(value) : std::nullopt;
 }
@@ -84,13 +95,6 @@ std::string Tag::attribute(const char* name, const Names& allowed) const {
   if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
     fail("the " + std::string(name) + " \"" + value + "\" is not supported; allowed: " + listed(allowed));
   return value;
-}
-
-std::vector<Tag> Tag::children() const {
-  std::vector<Tag> list;
-  for (const auto* e = element_->FirstChildElement(); e != nullptr; e = e->NextSiblingElement())
-    list.emplace_back(*e, *file_);
-  return list;
 }
 
 std::string Tag::text() const {
@@ -142,7 +146,19 @@ std::vector<int> Tag::integers() const {
   return values;
 }
 
-void read_xml(const std::string& path, const Read& read) {
+void Tag::take(const char* name, double& value, const Range& range) const {
+  if (const auto tag = find(name)) value = tag->number(range);
+}
+
+void Tag::take(const char* name, int& value, int least, int most) const {
+  if (const auto tag = find(name)) value = tag->integer(least, most);
+}
+
+void Tag::must_be(const char* name, const Names& words) const {
+  if (const auto tag = find(name)) tag->one_of(words);
+}
+
+void read_xml(const std::string& path, const std::function<void(const Tag&)>& read) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   if (error) throw InputError("the model file " + path + " cannot be read: " + error.message());
@@ -152,26 +168,10 @@ void read_xml(const std::string& path, const Read& read) {
     throw InputError(path + ", line " + std::to_string(document.ErrorLineNum()) + ": no valid XML (" +
                      document.ErrorName() + ")");
   }
-  read({*document.RootElement(), path});
-}
-
-Read into(double& value, const Range& range) {
-  return leaf([&value, range](const Tag& tag) { value = tag.number(range); });
-}
-Read into(int& value, int least, int most) {
-  return leaf([&value, least, most](const Tag& tag) { value = tag.integer(least, most); });
-}
-Read into(bool& value) {
-  return leaf([&value](const Tag& tag) { value = tag.flag(); });
-}
-Read into(std::string& value) {
-  return leaf([&value](const Tag& tag) { value = tag.text(); });
-}
-Read must_be(const Names& words) {
-  return leaf([words](const Tag& tag) { tag.one_of(words); });
-}
-Read must_be(const Range& range) {
-  return leaf([range](const Tag& tag) { tag.number(range); });
+  Asked asked;
+  const Tag root(*document.RootElement(), path, asked);
+  read(root);
+  root.check();
 }
 
 }  // namespace standalone

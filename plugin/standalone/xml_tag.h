@@ -1,32 +1,20 @@
-/// Tags of an XML file, read strictly and by tables: whatever is missing, malformed or unknown is an InputError that
-/// names tag and line.
+/// Tags of an XML file, read strictly: whatever is missing, malformed or not asked for is an InputError that names tag
+/// and line.
 #pragma once
 
 #include <tinyxml2.h>
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace standalone {
 
-class Tag;
-using Read = std::function<void(const Tag&)>;
 using Names = std::vector<const char*>;
-
-/// A child tag: how often it may stand there, and what takes it.
-struct Child {
-  std::string name;
-  Read read;
-  std::size_t least, most;
-};
-inline Child one(std::string name, Read read) { return {std::move(name), std::move(read), 1, 1}; }
-inline Child maybe(std::string name, Read read) { return {std::move(name), std::move(read), 0, 1}; }
-inline Child each(std::string name, Read read) {
-  return {std::move(name), std::move(read), 0, std::numeric_limits<std::size_t>::max()};
-}
 
 /// Which numbers are allowed, in words for a message.
 struct Range {
@@ -37,18 +25,35 @@ inline constexpr Range any{[](double) { return true; }, "a number"};
 inline constexpr Range positive{[](double x) { return x > 0; }, "positive"};
 inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number that is not negative"};
 
-/// A tag of a document that outlives it.
+/// What a reader has asked for, tag by tag: all that a file may hold.
+struct Asked {
+  struct OfTag {
+    std::set<std::string> children;
+    std::set<std::string> attributes;
+    bool everything = false;
+  };
+  std::map<const tinyxml2::XMLElement*, OfTag> tags;
+};
+
+/// A tag of a document that outlives it. Asking notes what was asked for.
 class Tag {
  public:
-  Tag(const tinyxml2::XMLElement& element, const std::string& file) : element_(&element), file_(&file) {}
+  Tag(const tinyxml2::XMLElement& element, const std::string& file, Asked& asked)
+      : element_(&element), file_(&file), asked_(&asked) {}
 
   std::string name() const { return element_->Name(); }
   int line() const { return element_->GetLineNum(); }
   /// Throws the InputError "file, line 12, <tag>: what".
   [[noreturn]] void fail(const std::string& what) const;
+  /// Fails where this tag or one in it holds what was not asked for. Any tag may have a name.
+  void check() const;
 
-  /// Hands the children to the table, in the order of the table; no other attributes and children may be there.
-  void read(const Names& attributes, const std::vector<Child>& table = {}) const;
+  /// The children of a name; the one child, if there is one; and the one child that must be there.
+  std::vector<Tag> all(const std::string& name) const;
+  std::optional<Tag> find(const std::string& name) const;
+  Tag one(const std::string& name) const;
+  /// Children that mean nothing here, whatever they hold.
+  void ignore(const Names& names) const;
 
   std::optional<std::string> find_attribute(const char* name) const;
   std::string attribute(const char* name) const;
@@ -59,7 +64,7 @@ class Tag {
 
   std::string text() const;
   double number(const Range& range = any) const;
-  int integer(int least, int most = std::numeric_limits<int>::max()) const;
+  int integer(int least = std::numeric_limits<int>::min(), int most = std::numeric_limits<int>::max()) const;
   bool flag() const { return integer(0, 1) == 1; }
   /// Which of these words the text is, from 0.
   std::size_t one_of(const Names& words) const;
@@ -68,26 +73,24 @@ class Tag {
   /// Positive integers separated by commas or blanks.
   std::vector<int> integers() const;
 
+  /// Takes the number of a child, if there is one.
+  void take(const char* name, double& value, const Range& range) const;
+  void take(const char* name, int& value, int least, int most = std::numeric_limits<int>::max()) const;
+  /// Sees to it that a child, if there is one, says one of these words.
+  void must_be(const char* name, const Names& words) const;
+
  private:
-  std::vector<Tag> children() const;
   double to_number(const std::string& word) const;
   int to_integer(const std::string& word, int least, int most = std::numeric_limits<int>::max()) const;
 
   const tinyxml2::XMLElement* element_;
   const std::string* file_;
+  Asked* asked_;
 };
 
-/// Calls `read` with the root tag of a file; throws InputError where the file is missing, too large or no XML.
-void read_xml(const std::string& path, const Read& read);
-
-// What takes a tag without attributes and children: into a variable, ...
-Read into(double& value, const Range& range = any);
-Read into(int& value, int least = std::numeric_limits<int>::min(), int most = std::numeric_limits<int>::max());
-Read into(bool& value);
-Read into(std::string& value);
-/// ... or only to see that it says one of these words, or a number in this range.
-Read must_be(const Names& words);
-Read must_be(const Range& range);
+/// Calls `read` with the root tag of a file, which then must hold no more than it asked for; throws InputError where
+/// the file is missing, too large or no XML.
+void read_xml(const std::string& path, const std::function<void(const Tag&)>& read);
 
 /// Names in quotes with commas between, to say what is allowed.
 template <class List>

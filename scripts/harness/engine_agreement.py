@@ -46,7 +46,7 @@ COMPARISONS = (
     Comparison("diffusion", Diffusion().model, 1e-22),
     *(Comparison(f"convection-pe{peclet}", Convection(peclet=peclet).model, 1e-18) for peclet in PRESSURES),
     Comparison(
-        "indentation", replace(Variant.PLAIN.problem, module="multiphasic", clamp=False).model, 1e-24, bar=MOVING
+        "indentation", replace(Variant.PLAIN.problem, module="multiphasic", clamp=False).model, 1e-26, bar=MOVING
     ),
 )
 
