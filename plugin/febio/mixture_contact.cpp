@@ -1,5 +1,6 @@
 #include "mixture_contact.h"
 
+#include "host/augmentation.h"
 #include "host/price.h"
 #include "host/warnings.h"
 
@@ -137,40 +138,10 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
     keep_prediction_ = true;
     return false;
   }
-  const Settings& settings = core_->settings();
-  if (settings.enforcement == Enforcement::penalty) return true;
-  const PerSide<SurfaceFields> current = fields();
-  const GapReport report = core_->gaps(current);
-  log_gaps(augmentation, report);
-  if (settings.enforcement == Enforcement::lagrange_multipliers) return true;  // is_solution() has seen to the gaps
-  const bool met = core_->converged(report);
-  if (met && augmentation >= settings.min_augmentations) return true;
-  if (augmentation >= settings.max_augmentations) {
-    feLogWarning("sliding-mixture \"%s\": %d augmentations (maxaug) were not enough to meet the tolerances.",
-                 GetName().c_str(), augmentation);
-    return true;
-  }
-  core_->augment(current);
-  return false;
-}
-
-void FEMixtureContact::log_gaps(int augmentation, const GapReport& report) {
-  const Tolerances& tolerances = core_->settings().tolerances;
-  const auto row = [&](const std::string& name, const FieldGap& gap, const Tolerances::Field& tolerance) {
-    feLog("    %-16s %12.4le (%9.2le)  %12.4le (%9.2le)\n", name.c_str(), gap.relative, tolerance.relative, gap.largest,
-          tolerance.largest);
-  };
-  feLog(" sliding-mixture \"%s\", augmentation %d: gaps, with the tolerances (0: none)\n", GetName().c_str(),
-        augmentation);
-  feLog("                         RELATIVE                  LARGEST\n");
-  row("gap", report.traction, tolerances.traction);
-  for (std::size_t k = 0; k < report.flux.size(); ++k) {
-    const bool solvent = effects_.solvent && k == 0;
-    const std::string name = solvent ? "pressure jump"
-                                     : "jump of c" +
-                                           std::to_string(field_dof(static_cast<int>(k)) - concentration_dof_ + 1);
-    row(name, report.flux[k], solvent ? tolerances.solvent : tolerances.solute);
-  }
+  const Augmentation outcome = augment(GetName(), *core_, fields(), augmentation);
+  for (const std::string& line : outcome.lines) feLog("%s\n", line.c_str());
+  if (!outcome.warning.empty()) feLogWarning("%s", outcome.warning.c_str());
+  return outcome.done;
 }
 
 // ------------------------------------------------------------ output

@@ -105,7 +105,6 @@ class FEMixtureContact : public FEContactInterface {
   std::vector<int> equations(const mixture_contact::ContactInterface::Location& at, const std::vector<int>& nodes);
   /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
   bool has_free_equations(const std::vector<int>& nodes, const std::vector<int>& equations);
-  void log_gaps(int augmentation, const mixture_contact::GapReport& report);
   void store_output();
   void warn_of_overlap();
   static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);

@@ -32,12 +32,7 @@ bool has_negative_concentration(const MatrixXd& values) {
 class Steps {
  public:
   Steps(const Model& model, Log& log)
-      : model_(model),
-        log_(log),
-        problem_(model),
-        newton_(problem_, log),
-        output_(problem_, log),
-        stepper_(model, log) {}
+      : model_(model), log_(log), problem_(model), newton_(problem_, log), output_(problem_), stepper_(model, log) {}
 
   bool run() {
     for (const Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
@@ -90,7 +85,7 @@ class Steps {
   }
 
   void warn_of_overlap() {
-    for (Contact& contact : problem_.contacts()) {
+    for (const Contact& contact : problem_.contacts()) {
       const mixture_contact::UnnoticedOverlap& overlap = contact.core().unnoticed_overlap();
       if (overlap.nodes == 0 || !warned_.insert(&contact).second) continue;
       const auto& surfaces = contact.definition().surfaces;

@@ -123,11 +123,6 @@ Contact::PerSide<Matrix3Xd> Contact::positions(const MatrixXd& values) const {
   return all;
 }
 
-void Contact::project(const MatrixXd& values, bool keep_facets) {
-  using Search = mixture_contact::ContactInterface::Search;
-  core_->project(positions(values), keep_facets ? Search::same_facets : Search::everywhere);
-}
-
 int Contact::field_dof(int field) const {
   const int solute = solute_of(core_->effects(), field);
   return solute < 0 ? pressure_dof : concentration_dof(solute);

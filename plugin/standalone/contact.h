@@ -26,8 +26,8 @@ class Contact {
 
   /// Reads the materials behind the facets again: the convective part follows the current flow.
   void update_properties(const MatrixXd& values);
-  /// Finds out which facets face each other; `keep_facets`: no new search.
-  void project(const MatrixXd& values, bool keep_facets);
+  /// Finds out which facets face each other.
+  void project(const MatrixXd& values) { core_->project(positions(values)); }
   /// Positions and exchanged fields, as the core takes them.
   PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const;
   /// Places of nodal values (see Model::place) that a local vector of the core's belongs to.

@@ -1,6 +1,7 @@
 #include "newton.h"
 
 #include "error.h"
+#include "host/augmentation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,25 +77,6 @@ void Newton::log_norms(const Norms& now, const Norms& required, double time) con
   }
 }
 
-bool Newton::augment(Contact& contact) {
-  mixture_contact::ContactInterface& core = contact.core();
-  const mixture_contact::Settings& settings = core.settings();
-  if (settings.enforcement == mixture_contact::Enforcement::penalty) return true;
-  const auto fields = contact.fields(problem_.values());
-  const mixture_contact::GapReport report = core.gaps(fields);
-  log_.print(" sliding-mixture \"%s\": gap %12.4e", contact.definition().name.c_str(), report.traction.relative);
-  for (const mixture_contact::FieldGap& gap : report.flux) log_.print(", jump %12.4e", gap.relative);
-  log_.print(" (relative)\n");
-  if (core.converged(report) && augmentations_ >= settings.min_augmentations) return true;
-  if (augmentations_ >= settings.max_augmentations) {
-    log_.box("WARNING", "sliding-mixture \"" + contact.definition().name + "\": " + std::to_string(augmentations_) +
-                            " augmentations (maxaug) were not enough to meet the tolerances.");
-    return true;
-  }
-  core.augment(fields);
-  return false;
-}
-
 bool Newton::augment() {
   std::vector<Contact>& contacts = problem_.contacts();
   const auto is_solution = [&](const Contact& contact) {
@@ -109,7 +91,13 @@ bool Newton::augment() {
   if (contacts.empty()) return true;
   log_.print("\n........................ augmentation # %d\n", augmentations_ + 1);
   bool done = true;
-  for (Contact& contact : contacts) done = augment(contact) && done;
+  for (const Contact& contact : contacts) {
+    const Augmentation outcome = ::augment(contact.definition().name, contact.core(), contact.fields(problem_.values()),
+                                           augmentations_);
+    for (const std::string& line : outcome.lines) log_.print("%s\n", line.c_str());
+    if (!outcome.warning.empty()) log_.box("WARNING", outcome.warning);
+    done = done && outcome.done;
+  }
   ++augmentations_;
   allowed_reformations_ = control_.max_reformations;
   if (!done) {
@@ -131,7 +119,7 @@ void Newton::solve_step(double time, double dt) {
     log_.print(" %d\n", effort_.iterations + 1);
     const VectorXd change = system_.solve(start_);
     if (effort_.iterations == 0) first_ = norms(start_, change);
-    problem_.advance(change, effort_.iterations);
+    problem_.advance(change);
     evaluate();
     increment_ += change;
     const bool balanced = converged(norms(end_, change), time);

@@ -43,7 +43,6 @@ class Newton {
   bool converged(const Norms& now, double time);
   void log_norms(const Norms& now, const Norms& required, double time) const;
   bool augment();
-  bool augment(Contact& contact);
 
   Problem& problem_;
   Log& log_;

@@ -104,7 +104,7 @@ void add_grid(XMLElement& grid, const Model& model, const MatrixXd& values) {
 
 }  // namespace
 
-Output::Output(const Problem& problem, Log& log) : problem_(problem), log_(log) {
+Output::Output(const Problem& problem) : problem_(problem) {
   for (const DataFile& data : problem.model().data) {
     const auto path = std::filesystem::path(problem.model().file).parent_path() / data.file;
     streams_.emplace_back(path);
@@ -119,8 +119,6 @@ void Output::write(int step, double time) {
 
 void Output::write_data(std::size_t file, int step, double time) {
   const DataFile& data = problem_.model().data[file];
-  log_.print("\nData Record #%zu\n%s\nStep = %d\nTime = %.9g\nData = %s\nFile = %s\n", file + 1,
-             std::string(75, '=').c_str(), step, time, data.names.c_str(), data.file.c_str());
   std::ofstream& stream = streams_[file];
   stream.precision(9);
   stream << "*Step  = " << step << "\n*Time  = " << time << "\n*Data  = " << data.names << '\n';

@@ -1,7 +1,6 @@
 /// What a run writes beside its log: data files in FEBio's format, and files for ParaView.
 #pragma once
 
-#include "log.h"
 #include "problem.h"
 
 #include <fstream>
@@ -12,7 +11,7 @@ namespace standalone {
 class Output {
  public:
   /// Opens the files; throws InputError where one cannot be written.
-  Output(const Problem& problem, Log& log);
+  explicit Output(const Problem& problem);
 
   /// Writes the state at the end of a step (0: the initial one) at `time` [s].
   void write(int step, double time);
@@ -22,7 +21,6 @@ class Output {
   void write_vtk(int step, double time);
 
   const Problem& problem_;
-  Log& log_;
   std::vector<std::ofstream> streams_;                  ///< one per data file of the model
   std::vector<std::pair<double, std::string>> states_;  ///< time [s] and .vtu file of each state written
 };

@@ -81,7 +81,7 @@ Problem::Problem(const Model& model) : model_(model), bodies_(model) {
   accept_step();
   for (Contact& contact : contacts_) {
     contact.update_properties(state_.values);
-    contact.project(state_.values, false);
+    contact.project(state_.values);
   }
 }
 
@@ -172,13 +172,10 @@ bool Problem::switch_ambient(int node, bool in_contact, const ContactDefinition&
 
 // ------------------------------------------------------------ evaluations
 
-void Problem::advance(const VectorXd& change, int iteration) {
+void Problem::advance(const VectorXd& change) {
   state_.values.reshaped() += change + pending_;
   pending_.setZero();
-  for (Contact& contact : contacts_) {
-    const int seg_up = contact.definition().parameters.seg_up;
-    contact.project(state_.values, seg_up > 0 && iteration > seg_up);
-  }
+  for (Contact& contact : contacts_) contact.project(state_.values);
 }
 
 VectorXd Problem::residual() {
@@ -228,7 +225,7 @@ void Problem::restore(const State& state) {
   state_ = state;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].restore(state.contacts[k]);
-    contacts_[k].project(state_.values, false);
+    contacts_[k].project(state_.values);
   }
   state_.contacts.clear();
 }

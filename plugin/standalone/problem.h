@@ -36,9 +36,8 @@ class Problem {
   bool begin_iteration();
   /// Forgets what iterations hold of contact: status and linearised gaps.
   void end_iterations();
-  /// Adds a change to the nodal values, and what is pending. `iteration`: from 0, for contacts that do not search in
-  /// all of them.
-  void advance(const VectorXd& change, int iteration);
+  /// Adds a change to the nodal values, and what is pending.
+  void advance(const VectorXd& change);
   /// Prescribed increments that are not yet in the nodal values.
   const VectorXd& pending() const { return pending_; }
 

@@ -40,19 +40,18 @@ void TimeStepper::advance(double time, int iterations) {
   increment_ = std::min(up_to_must_point(time, wanted_), model_.control.end - time);
 }
 
-double TimeStepper::up_to_must_point(double time, double dt) {
-  at_must_point_ = false;
+double TimeStepper::up_to_must_point(double time, double dt) const {
   // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only asked where there is a stepper
   const int curve = model_.control.stepper->must_points;
   if (curve < 0) return dt;
-  const auto& points = model_.curves[static_cast<std::size_t>(curve)].points;
   const double near = model_.control.end * 1e-12;
-  while (next_must_ < points.size() && points[next_must_][0] < time + near) ++next_must_;
-  if (next_must_ == points.size() || points[next_must_][0] >= time + dt + near) return dt;
-  at_must_point_ = true;
-  const double cut = points[next_must_++][0] - time;
-  log_.print("MUST POINT CONTROLLER: adjusting time step. dt = %g\n\n", cut);
-  return cut;
+  for (const auto& point : model_.curves[static_cast<std::size_t>(curve)].points) {
+    if (point[0] < time + near) continue;
+    if (point[0] >= time + dt + near) return dt;
+    log_.print("MUST POINT CONTROLLER: adjusting time step. dt = %g\n\n", point[0] - time);
+    return point[0] - time;
+  }
+  return dt;
 }
 
 bool TimeStepper::retry() {
@@ -68,8 +67,6 @@ bool TimeStepper::retry() {
   log_.print("\nAUTO STEPPER: retry step, dt = %g\n\n", increment_);
   wanted_ = increment_;
   ++retries_;
-  if (at_must_point_) --next_must_;
-  at_must_point_ = false;
   return true;
 }
 

@@ -21,15 +21,13 @@ class TimeStepper {
 
  private:
   double grown(double time, int iterations) const;
-  double up_to_must_point(double time, double dt);
+  double up_to_must_point(double time, double dt) const;
 
   const Model& model_;
   Log& log_;
   double increment_;
   double wanted_;  ///< without the cut for a must point
   int retries_ = 0;
-  std::size_t next_must_ = 0;  ///< index of the next must point
-  bool at_must_point_ = false;
 };
 
 }  // namespace standalone

@@ -1,0 +1,20 @@
+/// What happens to a contact when its host has found a solution.
+#pragma once
+
+#include "contact/interface.h"
+
+#include <string>
+#include <vector>
+
+/// The outcome of augment().
+struct Augmentation {
+  bool done = true;                ///< no augmentation is needed, or allowed, any more
+  std::vector<std::string> lines;  ///< gaps with their tolerances, for the log; none where penalties are all there is
+  std::string warning;             ///< where the limit ended the augmentations
+};
+
+/// Reports the gaps of a contact at a solution, and augments it where they miss the tolerances.
+///
+/// `name`: of the contact; `augmentation`: how many there have been since the time step began.
+Augmentation augment(const std::string& name, mixture_contact::ContactInterface& core,
+                     const mixture_contact::PerSide<mixture_contact::SurfaceFields>& fields, int augmentation);
