@@ -150,7 +150,8 @@ def table(records: Sequence[Record]) -> str:
 
 
 def _short(measure: Measure) -> str:
-    return f"{measure.name} {measure.value:.2g} (bar {measure.bar:.2g})"
+    note = f"; {measure.note}" if measure.note else ""
+    return f"{measure.name} {measure.value:.2g} (bar {measure.bar:.2g}{note})"
 
 
 def _cell(record: Record | None) -> str:
