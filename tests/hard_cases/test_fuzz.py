@@ -5,10 +5,13 @@ from __future__ import annotations
 import pytest
 
 from harness.fuzz.draws import Kind, draw
-from harness.fuzz.trial import attempt
+from harness.fuzz.trial import ENDED, attempt
 
 FOUND: dict[Kind, tuple[int, ...]] = {Kind.SCENES: (), Kind.PARAMETERS: ()}
 """Seeds with faults. A flip whose message named the element alone stands in `test_bad_input.py`."""
+
+MENDED = (1479, 4666)
+"""Scenes that did not converge while two passes held nodes that face contact at the bath."""
 
 
 @pytest.mark.parametrize("kind", Kind)
@@ -23,3 +26,8 @@ def test_a_seed_is_one_model(kind):
 def test_no_fault(runner, kind, seed):
     trial = attempt(kind, seed, runner)
     assert not trial.faulty, trial.outcome
+
+
+@pytest.mark.parametrize("seed", MENDED)
+def test_a_mended_scene_ends(runner, seed):
+    assert attempt(Kind.SCENES, seed, runner).outcome == ENDED
