@@ -80,6 +80,16 @@ double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n
   return modulus_along(n, solid->Tangent(point));
 }
 
+/// Mean of the solvent flux at an element's material points.
+vec3d mean_flow(FEElement& element) {
+  vec3d sum(0, 0, 0);
+  for (int i = 0; i < element.GaussPoints(); ++i) {
+    const auto* point = element.GetMaterialPoint(i)->ExtractData<FEBiphasicMaterialPoint>();
+    if (point != nullptr) sum += point->m_w;
+  }
+  return sum / element.GaussPoints();
+}
+
 /// Solute conductance, diffusive and convective: phi_w kappa~ d + kappa~ (d/d0) |w_n| h, over the thickness h.
 double solute_conductance(FEMaterial& material, const FESolute& solute, FEMaterialPoint& point, const vec3d& n,
                           double convection, double thickness) {
@@ -137,8 +147,7 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
     result.permeability = n * (permeability->Permeability(*point) * n) / thickness;
   }
   if (auto* mixture = dynamic_cast<FESoluteInterface*>(material)) {
-    const auto* flow = original.ExtractData<FEBiphasicMaterialPoint>();
-    const double convection = flow ? std::abs(flow->m_w * n) : 0.0;
+    const double convection = std::abs(mean_flow(*element) * n);
     for (int k = 0; k < mixture->Solutes(); ++k) {
       FESolute& solute = *mixture->GetSolute(k);
       result.solutes[solute.GetSoluteID() - 1] = solute_conductance(*material, solute, *point, n, convection,

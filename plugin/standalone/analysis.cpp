@@ -37,6 +37,7 @@ class Steps {
   bool run() {
     for (const Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
     output_.write(0, 0);
+    problem_.begin_iteration();  // the bath is there when the first step begins
     const double end = model_.control.end;
     const double near = end * 1e-7;
     while (end - time_ > near) {

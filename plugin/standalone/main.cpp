@@ -39,17 +39,15 @@ int run_model(const std::string& path, bool check_only) {
 }
 
 int run_command_line(int argc, const char* const* argv) {
-  options::options_description shown(
+  options::options_description known(
       "Usage: mixture-contact [options] model.feb\n\nRuns a model (a subset of FEBio XML 4.0) and writes "
       "log and data beside it.\n\nOptions");
-  shown.add_options()("help,h", "show this text")("check",
-                                                  "read the model and say what is wrong with it, without running it");
-  options::options_description all;
-  all.add(shown).add_options()("model", options::value<std::string>());
+  known.add_options()("help,h", "show this text")("model", options::value<std::string>(), "the model")(
+      "check", "read the model and say what is wrong with it, without running it");
   options::variables_map given;
   try {
     options::store(options::command_line_parser(argc, argv)
-                       .options(all)
+                       .options(known)
                        .positional(options::positional_options_description().add("model", 1))
                        .run(),
                    given);
@@ -58,7 +56,7 @@ int run_command_line(int argc, const char* const* argv) {
     return 1;
   }
   if (given.count("help") > 0 || given.count("model") == 0) {
-    std::cout << shown << '\n';
+    std::cout << known << '\n';
     return given.count("help") > 0 ? 0 : 1;
   }
   return run_model(given["model"].as<std::string>(), given.count("check") > 0);

@@ -1,4 +1,4 @@
-#include "sections.h"
+#include "reader.h"
 
 #include <algorithm>
 #include <cstring>

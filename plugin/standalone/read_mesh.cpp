@@ -1,5 +1,5 @@
 #include "hexahedron.h"
-#include "sections.h"
+#include "reader.h"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,6 @@
 #include "reader.h"
 
 #include "error.h"
-#include "sections.h"
 
 #include <algorithm>
 #include <cmath>

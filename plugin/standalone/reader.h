@@ -2,12 +2,38 @@
 #pragma once
 
 #include "model.h"
-
-#include <string>
+#include "xml_tag.h"
 
 namespace standalone {
 
 /// Reads a .feb file. Throws InputError, naming tag and line, for whatever is malformed, inconsistent or not supported.
 Model read_model(const std::string& path);
+
+// The sections of a file, each read into its part of the model, and what they share.
+void read_globals(const Tag& section, Model& model);
+void read_materials(const Tag& section, Model& model);
+void read_mesh(const Tag& section, Model& model);
+void read_mesh_domains(const Tag& section, Model& model);
+void read_boundary(const Tag& section, Model& model);
+void read_initial(const Tag& section, Model& model);
+void read_rigid(const Tag& section, Model& model);
+void read_loads(const Tag& section, Model& model);
+void read_contacts(const Tag& section, Model& model);
+
+/// The index of the load curve of the attribute lc, which must exist; -1 if there is none.
+int read_curve(const Tag& tag, const Model& model);
+/// A number with its load curve.
+Parameter read_parameter(const Tag& tag, const Model& model);
+
+/// The value of a map under the name that an attribute gives; fails with the known names.
+template <class T>
+const T& named(const Tag& tag, const char* attribute, const std::map<std::string, T>& known) {
+  const std::string name = tag.attribute(attribute);
+  const auto entry = known.find(name);
+  if (entry != known.end()) return entry->second;
+  std::vector<std::string> names;
+  for (const auto& pair : known) names.push_back(pair.first);
+  tag.fail(std::string(attribute) + " \"" + name + "\" does not exist; there is " + listed(names));
+}
 
 }  // namespace standalone

@@ -6,17 +6,19 @@
 namespace standalone {
 
 TimeStepper::TimeStepper(const Model& model, Log& log)
-    : model_(model), log_(log), increment_(model.control.step_size), wanted_(increment_) {
-  if (model.control.stepper) advance(0, 0);
+    : model_(model),
+      log_(log),
+      rules_(model.control.stepper ? &*model.control.stepper : nullptr),
+      increment_(model.control.step_size),
+      wanted_(increment_) {
+  advance(0, 0);
 }
 
 double TimeStepper::grown(double time, int iterations) const {
   constexpr double largest_growth = 0.2;
   constexpr double largest_factor = 5;
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only asked where there is a stepper
-  const StepControl& rules = *model_.control.stepper;
-  const double largest = rules.must_points < 0 ? rules.largest
-                                               : model_.curves[static_cast<std::size_t>(rules.must_points)].at(time);
+  const StepControl& rules = *rules_;
+  const double largest = rules.must_points < 0 ? rules.largest : must_points().at(time);
   if (rules.force) return largest;
   double dt = std::max(wanted_, rules.least);
   const double scale = iterations > 0 ? std::sqrt(static_cast<double>(rules.optimal_iterations) / iterations) : 1.0;
@@ -31,7 +33,7 @@ double TimeStepper::grown(double time, int iterations) const {
 }
 
 void TimeStepper::advance(double time, int iterations) {
-  if (!model_.control.stepper) return;
+  if (rules_ == nullptr) return;
   const double last = increment_;
   wanted_ = grown(time, iterations);
   if (wanted_ != last) {
@@ -41,11 +43,9 @@ void TimeStepper::advance(double time, int iterations) {
 }
 
 double TimeStepper::up_to_must_point(double time, double dt) const {
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): only asked where there is a stepper
-  const int curve = model_.control.stepper->must_points;
-  if (curve < 0) return dt;
+  if (rules_->must_points < 0) return dt;
   const double near = model_.control.end * 1e-12;
-  for (const auto& point : model_.curves[static_cast<std::size_t>(curve)].points) {
+  for (const auto& point : must_points().points) {
     if (point[0] < time + near) continue;
     if (point[0] >= time + dt + near) return dt;
     log_.print("MUST POINT CONTROLLER: adjusting time step. dt = %g\n\n", point[0] - time);
@@ -55,15 +55,13 @@ double TimeStepper::up_to_must_point(double time, double dt) const {
 }
 
 bool TimeStepper::retry() {
-  if (!model_.control.stepper) return false;
-  const StepControl& rules = *model_.control
-                                  .stepper;  // NOLINT(bugprone-unchecked-optional-access): asked by next() only
-  if (retries_ >= rules.max_retries) {
+  if (rules_ == nullptr) return false;
+  if (retries_ >= rules_->max_retries) {
     log_.print("Max. nr of retries reached.\n\n");
     return false;
   }
-  log_.print("Retrying time step. Retry attempt %d of max %d\n\n", retries_ + 1, rules.max_retries);
-  increment_ *= rules.cutback;
+  log_.print("Retrying time step. Retry attempt %d of max %d\n\n", retries_ + 1, rules_->max_retries);
+  increment_ *= rules_->cutback;
   log_.print("\nAUTO STEPPER: retry step, dt = %g\n\n", increment_);
   wanted_ = increment_;
   ++retries_;

@@ -20,11 +20,13 @@ class TimeStepper {
   void succeeded() { retries_ = 0; }
 
  private:
+  const LoadCurve& must_points() const { return model_.curves[static_cast<std::size_t>(rules_->must_points)]; }
   double grown(double time, int iterations) const;
   double up_to_must_point(double time, double dt) const;
 
   const Model& model_;
   Log& log_;
+  const StepControl* rules_;  ///< null where increments are fixed
   double increment_;
   double wanted_;  ///< without the cut for a must point
   int retries_ = 0;

@@ -2,8 +2,9 @@
 
 #include "error.h"
 
+#include <boost/lexical_cast/try_lexical_convert.hpp>
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -19,13 +20,6 @@ std::vector<std::string> words(std::string text) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
-}
-
-template <class T>
-bool parse(const std::string& word, T& value) {
-  const char* end = word.data() + word.size();
-  const auto result = std::from_chars(word.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
 }
 
 }  // namespace
@@ -104,13 +98,14 @@ std::string Tag::text() const {
 
 double Tag::to_number(const std::string& word) const {
   double value = 0;
-  if (!parse(word, value) || !std::isfinite(value)) fail("\"" + word.substr(0, 40) + "\" is not a finite number");
+  if (!boost::conversion::try_lexical_convert(word, value) || !std::isfinite(value))
+    fail("\"" + word.substr(0, 40) + "\" is not a finite number");
   return value;
 }
 
 int Tag::to_integer(const std::string& word, int least, int most) const {
   int value = 0;
-  if (!parse(word, value) || value < least || value > most) {
+  if (!boost::conversion::try_lexical_convert(word, value) || value < least || value > most) {
     fail("\"" + word.substr(0, 40) + "\" is not an integer from " + std::to_string(least) + " to " +
          std::to_string(most));
   }
