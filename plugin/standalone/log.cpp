@@ -5,15 +5,6 @@
 #include <cstdarg>
 
 namespace standalone {
-namespace {
-
-constexpr std::size_t box_width = 71;
-
-std::string framed(const std::string& text) {
-  return " * " + text + std::string(box_width - std::min(box_width, text.size() + 1), ' ') + "*\n";
-}
-
-}  // namespace
 
 void Log::open(const std::string& path) {
   file_.reset(std::fopen(path.c_str(), "w"));
@@ -32,8 +23,8 @@ void Log::print(const char* format, ...) const {
 }
 
 void Log::box(const char* title, const std::string& text) const {
-  const std::string edge = " " + std::string(box_width + 2, '*') + "\n";
-  print("\n%s%s%s%s", edge.c_str(), framed(title).c_str(), framed(text).c_str(), edge.c_str());
+  const std::string edge(71, '*');
+  print("\n %s\n * %s *\n * %s *\n %s\n", edge.c_str(), title, text.c_str(), edge.c_str());
 }
 
 }  // namespace standalone

@@ -12,13 +12,12 @@ namespace {
 using Location = mixture_contact::ContactInterface::Location;
 using Status = Problem::Status;
 
-void check_rigid(const Model& model, const std::vector<Status>& status) {
-  for (const Element& element : model.mesh.elements) {
-    for (int k = 0; model.material(element).rigid && k < 3 * static_cast<int>(element.nodes.size()); ++k) {
-      const int place = model.place(k % 3, element.nodes[static_cast<std::size_t>(k / 3)]);
-      if (status[static_cast<std::size_t>(place)] == Status::prescribed) continue;
+void check_rigid(const Model& model, const Bodies& bodies, const std::vector<Status>& status) {
+  for (std::size_t e = 0; e < bodies.elements(); ++e) {
+    for (const int place : bodies.places(e)) {
+      if (!bodies.material(e).rigid || status[static_cast<std::size_t>(place)] == Status::prescribed) continue;
       throw InputError(
-          model.file + ": the rigid body \"" + model.material(element).name +
+          model.file + ": the rigid body \"" + bodies.material(e).name +
           "\" is free to move; all its translations must be given in <Rigid>, free rigid bodies are not supported");
     }
   }
@@ -36,7 +35,7 @@ std::vector<Status> initial_status(const Model& model, const Bodies& bodies) {
       if (now != Status::absent) now = Status::prescribed;
     }
   }
-  check_rigid(model, status);
+  check_rigid(model, bodies, status);
   if (std::find(status.begin(), status.end(), Status::free) == status.end())
     throw InputError(model.file + ": nothing is free, so there is nothing to solve");
   return status;

@@ -9,7 +9,7 @@ namespace {
 
 using Ids = std::map<int, int>;  ///< id in the file -> index
 
-using Faces = std::map<std::array<int, 4>, std::pair<int, int>>;  ///< corner nodes, sorted -> element, its face
+using Faces = std::map<std::array<int, 4>, std::pair<int, int>>;  ///< corners in_order() -> element, its face
 
 /// Indices of the nodes that a tag lists; `count`: how many these must be, 0 for any number.
 std::vector<int> node_indices(const Tag& tag, const Ids& ids, std::size_t count) {
@@ -50,10 +50,9 @@ std::vector<int> read_elements(const Tag& section, const Ids& nodes, Mesh& mesh,
   return part;
 }
 
-template <class Nodes>
-std::array<int, 4> corners_of(const Nodes& nodes) {
-  std::array<int, 4> corners{nodes[0], nodes[1], nodes[2], nodes[3]};
-  std::sort(corners.begin(), corners.end());
+/// Corners counter-clockwise, from the lowest on.
+std::array<int, 4> in_order(std::array<int, 4> corners) {
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
@@ -64,43 +63,30 @@ Faces element_faces(const Mesh& mesh) {
       std::array<int, 4> nodes{};
       for (std::size_t k = 0; k < 4; ++k)
         nodes[k] = mesh.elements[e].nodes[static_cast<std::size_t>(hexahedron_faces[f][k])];
-      faces.emplace(corners_of(nodes), std::pair<int, int>(e, f));
+      faces.emplace(in_order(nodes), std::pair<int, int>(e, f));
     }
   }
   return faces;
 }
 
-/// Whether the corners of a facet follow each other as those of an element's face do.
-bool is_outward(const std::vector<int>& facet, const Element& element, int face) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    const int now = hexahedron_faces[face][k];
-    const int next = hexahedron_faces[face][(k + 1) % 4];
-    if (element.nodes[static_cast<std::size_t>(now)] == facet[0])
-      return element.nodes[static_cast<std::size_t>(next)] == facet[1];
-  }
-  return false;
-}
-
-SurfaceFacet read_facet(const Tag& tag, mixture_contact::FacetType type, const Ids& ids, const Faces& faces,
-                        const Mesh& mesh) {
+SurfaceFacet read_facet(const Tag& tag, mixture_contact::FacetType type, const Ids& ids, const Faces& faces) {
   tag.find_attribute("id");
   SurfaceFacet facet;
   facet.facet.type = type;
   const std::vector<int> nodes = node_indices(tag, ids, static_cast<std::size_t>(node_count(type)));
   std::copy(nodes.begin(), nodes.end(), facet.facet.nodes.begin());
-  const auto face = faces.find(corners_of(nodes));
-  if (face == faces.end()) tag.fail("the facet is not a face of any element");
+  const auto face = faces.find(in_order({nodes[0], nodes[1], nodes[2], nodes[3]}));
+  if (face == faces.end())
+    tag.fail("the facet is not a face of any element, with its nodes counter-clockwise seen from outside");
   std::tie(facet.element, facet.face) = face->second;
-  if (!is_outward(nodes, mesh.elements[static_cast<std::size_t>(facet.element)], facet.face))
-    tag.fail("the nodes of the facet must run counter-clockwise seen from outside the body");
   return facet;
 }
 
-std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const Faces& faces, const Mesh& mesh) {
+std::vector<SurfaceFacet> read_surface(const Tag& section, const Ids& ids, const Faces& faces) {
   using mixture_contact::FacetType;
   std::vector<SurfaceFacet> surface;
-  for (const Tag& tag : section.all("quad4")) surface.push_back(read_facet(tag, FacetType::quad4, ids, faces, mesh));
-  for (const Tag& tag : section.all("quad8")) surface.push_back(read_facet(tag, FacetType::quad8, ids, faces, mesh));
+  for (const Tag& tag : section.all("quad4")) surface.push_back(read_facet(tag, FacetType::quad4, ids, faces));
+  for (const Tag& tag : section.all("quad8")) surface.push_back(read_facet(tag, FacetType::quad8, ids, faces));
   if (surface.empty()) section.fail("the surface has no facet");
   return surface;
 }
@@ -129,7 +115,7 @@ void read_mesh(const Tag& section, Model& model) {
   if (mesh.elements.empty()) section.fail("there are no elements");
   for (const Tag& tag : section.all("NodeSet")) insert(tag, mesh.node_sets, node_indices(tag, nodes, 0));
   const Faces faces = element_faces(mesh);
-  for (const Tag& tag : section.all("Surface")) insert(tag, mesh.surfaces, read_surface(tag, nodes, faces, mesh));
+  for (const Tag& tag : section.all("Surface")) insert(tag, mesh.surfaces, read_surface(tag, nodes, faces));
   for (const Tag& tag : section.all("SurfacePair")) insert(tag, mesh.pairs, read_pair(tag, mesh));
 }
 
