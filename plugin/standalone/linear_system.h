@@ -8,17 +8,18 @@
 
 namespace standalone {
 
-/// Assembles the tangent over all places of nodal values and solves with it. Entries that once came stay in the
-/// pattern, and the symbolic analysis is kept while no new ones come.
+/// Assembles the tangent over all places of nodal values and solves with it. The symbolic analysis is kept while the
+/// pattern stays the same.
 class LinearSystem {
  public:
+  using Matrix = Eigen::SparseMatrix<double>;
+
   explicit LinearSystem(Index places);
 
-  /// Sets all entries to zero.
-  void clear() { matrix_.coeffs().setZero(); }
+  void clear();
   void add(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& tangent);
 
-  /// The tangent times a vector.
+  /// The tangent, as it was factored last, times a vector.
   VectorXd times(const VectorXd& vector) const { return matrix_ * vector; }
   /// Factors the matrix, with rows and columns of places that are not `free` replaced by those of the identity. Throws
   /// StepFailure where it is singular.
@@ -26,9 +27,10 @@ class LinearSystem {
   VectorXd solve(const VectorXd& right_hand_side) const;
 
  private:
-  Eigen::SparseMatrix<double> matrix_;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
-  Index analysed_ = 0;  ///< entries of the last symbolic analysis
+  std::vector<Eigen::Triplet<double>> entries_;
+  Matrix matrix_;
+  Matrix constrained_;  ///< with the places that are not free left out
+  Eigen::SparseLU<Matrix> factors_;
 };
 
 }  // namespace standalone
