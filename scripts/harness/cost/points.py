@@ -45,10 +45,11 @@ class Knob(str, Enum):
     AUGLAG = "AUGLAG tolerance"
     LAGMULT = "LAGMULT"
     EXTRAPOLATION = "extrapolation"
+    EXTRAPOLATED_PENALTY = "penalty factor with extrapolation"
     NEWTON = "Newton tolerance"
 
 
-OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT, Knob.EXTRAPOLATION)
+OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT, Knob.EXTRAPOLATION, Knob.EXTRAPOLATED_PENALTY)
 """Of the plugin's interface alone."""
 VALUES: dict[Knob, tuple[float, ...]] = {
     Knob.DEFAULT: (0.0,),
@@ -72,6 +73,7 @@ VALUES_33: dict[Knob, tuple[float, ...]] = {
     Knob.AUGLAG: (1e-1, 1e-2),
     Knob.LAGMULT: (0, 1),
     Knob.EXTRAPOLATION: (1,),
+    Knob.EXTRAPOLATED_PENALTY: (10.0, 100.0, 1000.0),
     Knob.NEWTON: (1e-2, 1e-4),
 }
 """Of problem 3.3: elements over the half-width of the slab (else 9), and a factor on the number of steps."""
@@ -102,8 +104,9 @@ class Point:
             return replace(automatic(AUGLAG_START), laugon="AUGLAG", tolerance=self.value)
         if self.knob is Knob.ORDER:
             return replace(base, extra=(Param("integration_order", int(self.value)),))
-        if self.knob is Knob.EXTRAPOLATION:
-            return replace(base, extra=(Param("extrapolation", bool(self.value)),))
+        if self.knob in (Knob.EXTRAPOLATION, Knob.EXTRAPOLATED_PENALTY):
+            start = base if self.knob is Knob.EXTRAPOLATION else automatic(self.value)
+            return replace(start, extra=(Param("extrapolation", True),))
         if self.knob in (Knob.INTEGRATION, Knob.LAGMULT):
             return replace(
                 base,

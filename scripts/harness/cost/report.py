@@ -23,6 +23,7 @@ MARKERS = {
     Knob.AUGLAG: "^",
     Knob.LAGMULT: "X",
     Knob.EXTRAPOLATION: ">",
+    Knob.EXTRAPOLATED_PENALTY: "<",
     Knob.NEWTON: "P",
     Knob.DEFAULT: "*",
 }
@@ -67,7 +68,7 @@ def draw(data: Sequence[Datum], folder: Path) -> list[Path]:
     for problem in Problem:
         if not any(d.problem == problem.value for d in data):
             continue
-        figure = Figure(figsize=(9.0, 4.2), layout="constrained")
+        figure = Figure(figsize=(9.0, 5.0), layout="constrained")
         left, right = figure.subplots(1, 2)
         _panel(left, comparable(data, problem))
         unit = "processor time, s" if problem is Problem.INDENTATION else "processor time over that of the unsplit body"
@@ -117,7 +118,7 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
         if knob not in DISCRETISATION
     ]
     handles.append(axes.plot([], [], "k-", label="Pareto front")[0])
-    axes.legend(handles=handles, fontsize=6, loc="best")
+    axes.legend(handles=handles, fontsize=6, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.14))
 
 
 def _total(axes: Axes, data: Sequence[Datum]) -> None:
