@@ -100,7 +100,6 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 
 void ContactInterface::exchange_traction(bool traction) {
   effects_.traction = traction;
-  unnoticed_overlap_ = {};
   for (Pass& pass : passes_) {
     pass.faced.reset();
     pass.integral->forget();
@@ -116,7 +115,6 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
     changed = changed || pass_changed;
     timed.take(pass.integral->effect_times(), thread_count());
   }
-  for (Pass& pass : passes_) hold_facing_contact(pass);
   note_memory();
   return changed;
 }
@@ -140,9 +138,7 @@ std::vector<bool> ContactInterface::sealed_nodes(const Pass& pass) const {
 
 void ContactInterface::hold_facing_contact(Pass& pass) {
   if (pass.faced && !effects_.traction) return;
-  const std::vector<FacingNode> facing = facing_nodes(other(pass.side), sealed_nodes(pass));
-  if (passes_.size() == 1 && effects_.traction) unnoticed_overlap_ = unnoticed_among(facing);
-  std::vector<bool> next = in_contact_of(facing);
+  std::vector<bool> next = in_contact_of(facing_nodes(other(pass.side), sealed_nodes(pass)));
   if (!pass.faced) pass.faced_changes.assign(next.size(), 0);
   for (std::size_t node = 0; node < next.size(); ++node) {
     if (pass.faced && next[node] != (*pass.faced)[node]) ++pass.faced_changes[node];
@@ -239,6 +235,21 @@ void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
     pass.integral->augment(primary, secondary);
     grow_penalties(*pass.integral, report, settings_.tolerances, effects_);
   }
+}
+
+PerSide<std::vector<bool>> ContactInterface::hold_nodes_in_contact() {
+  {
+    const TaskClock timed = clock(Task::stiffness);
+    for (Pass& pass : passes_) hold_facing_contact(pass);
+  }
+  return nodes_in_contact();
+}
+
+UnnoticedOverlap ContactInterface::unnoticed_overlap() const {
+  if (passes_.size() != 1 || !effects_.traction) return {};
+  const TaskClock timed = clock(Task::output);
+  const Pass& pass = passes_.front();
+  return unnoticed_among(facing_nodes(other(pass.side), sealed_nodes(pass)));
 }
 
 PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {

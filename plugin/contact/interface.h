@@ -135,9 +135,13 @@ class ContactInterface {
   /// Which nodes of each surface are in contact and sealed by it; the others see the bath.
   PerSide<std::vector<bool>> nodes_in_contact() const;
 
-  /// As the last iteration began. None with two passes: then secondary nodes have laws of their own. None without
-  /// traction: surfaces that cannot move stay as the user placed them.
-  const UnnoticedOverlap& unnoticed_overlap() const { return unnoticed_overlap_; }
+  /// The same for an iteration that has begun: once in each, and only where there is a bath. Nodes that face contact
+  /// are held until the next one, so that those at the edge of contact do not come and go for ever.
+  PerSide<std::vector<bool>> hold_nodes_in_contact();
+
+  /// At the present state. None with two passes: then secondary nodes have laws of their own. None without traction:
+  /// surfaces that cannot move stay as the user placed them.
+  UnnoticedOverlap unnoticed_overlap() const;
 
   Balance balance(const PerSide<SurfaceFields>& fields) const;
   NodalOutput nodal_output(Side side, const PerSide<SurfaceFields>& fields) const;
@@ -178,7 +182,6 @@ class ContactInterface {
   Settings settings_;
   std::vector<Pass> passes_;
   PerSide<Matrix3Xd> position_;
-  UnnoticedOverlap unnoticed_overlap_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
   Memory memory_;
   mutable Times times_;  ///< a measurement, which no result depends on

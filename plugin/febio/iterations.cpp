@@ -207,7 +207,7 @@ bool FEMixtureContact::apply_ambient(const std::vector<FEMixtureContact*>& conta
   };
   std::map<FENode*, NodeStatus> nodes;
   for (FEMixtureContact* contact : contacts) {
-    const auto in_contact = contact->core_->nodes_in_contact();
+    const auto in_contact = contact->core_->hold_nodes_in_contact();
     for (const Side side : both_sides) {
       FEMixtureSurface& s = contact->surface(side);
       for (int i = 0; i < s.Nodes(); ++i) {

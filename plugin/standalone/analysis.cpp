@@ -87,8 +87,10 @@ class Steps {
 
   void warn_of_overlap() {
     for (const Contact& contact : problem_.contacts()) {
-      const mixture_contact::UnnoticedOverlap& overlap = contact.core().unnoticed_overlap();
-      if (overlap.nodes == 0 || !warned_.insert(&contact).second) continue;
+      if (warned_.count(&contact) > 0) continue;
+      const mixture_contact::UnnoticedOverlap overlap = contact.core().unnoticed_overlap();
+      if (overlap.nodes == 0) continue;
+      warned_.insert(&contact);
       const auto& surfaces = contact.definition().surfaces;
       log_.box("WARNING", overlap_warning(contact.definition().name, surfaces.front(), surfaces.back(), overlap));
     }

@@ -124,7 +124,10 @@ void Newton::solve_step(double time, double dt) {
     increment_ += change;
     const bool balanced = converged(norms(end_, change), time);
     done = balanced && augment();
-    if (!done) form_matrix(!balanced && !problem_.begin_iteration());  // where it balances, augment() has begun
+    if (done) continue;
+    // Where it balances, augment() has begun the next iteration, and its loads are to be evaluated.
+    const bool evaluated = !balanced && !problem_.begin_iteration();
+    form_matrix(evaluated);
   }
   problem_.accept_step();
 }

@@ -138,7 +138,7 @@ bool Problem::switch_ambient() {
   std::map<int, const ContactDefinition*> baths;
   std::set<int> in_contact;
   for (const Contact& contact : contacts_) {
-    const auto status = contact.core().nodes_in_contact();
+    const auto status = contact.core().hold_nodes_in_contact();
     for (const auto side : mixture_contact::both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
         baths.emplace(contact.nodes(side)[i], &contact.definition());

@@ -48,6 +48,7 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   scene.disturb(0.02, random);
   const auto moved = scene.contact();
   moved->begin_iteration(scene.fields);
+  moved->hold_nodes_in_contact();
   scene.disturb(0.02, random);
   const GlobalLayout layout(scene);
   moved->project(scene.position());

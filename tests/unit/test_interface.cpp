@@ -368,7 +368,7 @@ BOOST_AUTO_TEST_CASE(with_two_passes_nodes_that_face_contact_are_in_contact_too)
     BOOST_TEST(touched[node] == (x2.col(static_cast<Index>(node)).norm() < 0.1));
   }
   contact->begin_iteration(scene.fields);
-  BOOST_TEST((contact->nodes_in_contact()[Side::secondary] == touched));
+  BOOST_TEST((contact->hold_nodes_in_contact()[Side::secondary] == touched));
 }
 
 BOOST_AUTO_TEST_CASE(nodes_of_graded_facets_are_in_contact_where_a_facet_around_them_is) {
