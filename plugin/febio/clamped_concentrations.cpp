@@ -94,8 +94,10 @@ bool ClampedConcentrations::update() {
 bool ClampedConcentrations::update_at_new_state() {
   const ClampingSolver solver = clamping_solver(fem_);
   if (solver.newton == nullptr) return false;
-  std::vector<double> residual(solver.newton->m_R0.size());
-  solver.newton->Residual(residual);
+  if (!held_.empty()) {  // reactions are theirs
+    std::vector<double> residual(solver.newton->m_R0.size());
+    solver.newton->Residual(residual);
+  }
   return update();
 }
 

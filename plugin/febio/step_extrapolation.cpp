@@ -110,17 +110,15 @@ bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver, const std
 
 void StepExtrapolation::complete_residual(FENewtonSolver& solver) {
   if (first_guess_.empty()) return;
-  // What prescribed increments add to the equations of free values is in R(x + p) already.
+  // FEBio's right-hand side is R(x + p) and what prescribed increments add. To free values these have added already, in
+  // R(x + p).
   std::vector<double> guess(first_guess_.size(), 0.0);
-  std::vector<double> right = solver.m_Fd;
   for_each_free_value(fem_, [&](std::size_t equation, Index, Index) {
     guess[equation] = first_guess_[equation];
-    right[equation] = 0;
+    solver.m_R0[equation] -= solver.m_Fd[equation];
   });
   first_guess_.clear();
   std::vector<double> load(guess.size());
   solver.m_pK->GetSparseMatrixPtr()->mult_vector(guess.data(), load.data());
-  std::vector<double> residual(guess.size());
-  solver.Residual(residual);
-  for (std::size_t n = 0; n < right.size(); ++n) solver.m_R0[n] = residual[n] + load[n] + right[n];
+  for (std::size_t n = 0; n < load.size(); ++n) solver.m_R0[n] += load[n];
 }

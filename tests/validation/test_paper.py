@@ -46,6 +46,17 @@ def test_a_penalty_leaks_what_its_value_says(context):
     assert compare.missed(checks.leak_of_a_penalty(context)) == []
 
 
+def test_extrapolation_takes_no_further_evaluation_of_the_residual(runner):
+    """Where each step takes two iterations anyway, so that nothing makes up for one."""
+    control = Control(20, 100.0)
+    plain, ahead = (
+        runner(Diffusion(settings=ContactSettings(extra=(Param("extrapolation", on),)), control=control).model())
+        for on in (False, True)
+    )
+    assert plain.report.residuals == ahead.report.residuals == plain.report.iterations + plain.report.steps
+    assert not np.array_equal(plain.nodes["c1"], ahead.nodes["c1"])
+
+
 @pytest.mark.parametrize("penalty", [1e-4, 4e-4, 4e-3])
 def test_the_leak_follows_the_penalty(context, penalty):
     settings = ContactSettings(
