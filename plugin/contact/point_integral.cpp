@@ -3,11 +3,16 @@
 namespace mixture_contact {
 namespace {
 
+/// One row per node of a pair, variations with the nodal positions, shape (n1 + n2, 3 (n1 + n2)).
+using PairRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, max_pair_nodes,
+                               max_pair_displacements>;
+
 /// Derivative of the weights h = (N1(xi), -N2(eta)) with the nodal positions.
-Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> weight_variation(
-    const PointKinematics& point, const KinematicVariations& vary) {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(point.nodes(), 3 * point.nodes());
-  rows << point.primary_gradient * vary.xi, -point.secondary_gradient * vary.eta;
+PairRows weight_variation(const PointKinematics& point, const KinematicVariations& vary) {
+  PairRows rows(point.nodes(), 3 * point.nodes());
+  // Small products: Eigen's kernels for large ones would cost more than they save.
+  rows.topRows(point.primary_nodes()) = point.primary_gradient.lazyProduct(vary.xi);
+  rows.bottomRows(point.secondary_shape.size()) = -point.secondary_gradient.lazyProduct(vary.eta);
   return rows;
 }
 
@@ -38,7 +43,7 @@ MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariation
                           const LocalLayout& layout) {
   // d[w t_n h_a a] = w [ h_a ((dt_n + t_n dw/w) a + t_n da) + t_n a dh_a ],  dt_n = t_n' dg + t_n,alpha dxi_alpha
   const PairVector h = point.jump_weights();
-  const auto dh = weight_variation(point, vary);
+  const PairRows dh = weight_variation(point, vary);
   const PairVariation<1> dtn = loads.traction.derivative * vary.gap + loads.traction_slope.transpose() * vary.xi +
                                loads.traction.value * vary.weight;
   const PairVariation<3> dtraction = loads.weight * (point.area_vector * dtn + loads.traction.value * vary.area_vector);
@@ -59,7 +64,7 @@ MatrixXd flux_tangent(const PointKinematics& point, const KinematicVariations& v
   PairVariation<1> dq = flux.derivative * jump_drift(point, vary, values) + flux.value * vary.weight;
   if (loads.flux_slope.rows() > 0) dq += loads.flux_slope.row(k) * vary.xi;
   const PairVariation<1> dflux = weight * (flux.value * vary.area + point.area * dq);
-  const MatrixXd drift = h * dflux + weight * point.area * flux.value * weight_variation(point, vary);
+  const PairRows drift = h * dflux + weight * point.area * flux.value * weight_variation(point, vary);
   MatrixXd tangent(layout.nodes(), layout.size());
   for (Index column = 0; column < layout.nodes(); ++column) {
     tangent.middleCols<3>(layout.displacement(column, 0)) = drift.middleCols<3>(3 * column);

@@ -4,6 +4,7 @@
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
+#include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FESolidDomain.h>
 
 #include <algorithm>
@@ -13,6 +14,17 @@
 using namespace mixture_contact;
 
 // Newton iterations: the model's state, the contact's status in it, ambient conditions outside.
+
+namespace {
+
+/// Whether a solver may go on with the matrix of an earlier iteration: all but full Newton.
+bool keeps_matrices(const FENewtonSolver* solver) {
+  if (solver == nullptr) return false;
+  const FENewtonStrategy* strategy = solver->m_qnstrategy;
+  return strategy->m_maxups > 0 || dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
+}
+
+}  // namespace
 
 int FEMixtureContact::field_dof(int field) const {
   const int solute = solute_of(effects_, field);
@@ -71,7 +83,7 @@ void FEMixtureContact::Update() {
   project();
   if (std::exchange(in_trial_, false)) {
     // Contact changes where a matrix is formed: where it must change, quasi-Newton methods have to form one.
-    if (newton_solver() != nullptr && !core_->is_solution(fields())) newton_solver()->QNForceReform(true);
+    if (keeps_matrices(newton_solver()) && !core_->is_solution(fields())) newton_solver()->QNForceReform(true);
     return;
   }
   // The start of a step, or an augmentation. FEBio has evaluated the bodies already in this pass: ask for it again if

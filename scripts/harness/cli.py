@@ -60,6 +60,7 @@ app.command()(fuzz_command.fuzz)
 app.command()(fuzz_command.fuzz_seeds)
 app.command()(cost_command.cost)
 app.command()(cost_command.cost_sweep)
+app.command()(cost_command.cost_turn)
 app.command()(price_command.price)
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import pytest
 
-from harness.cost import command, measure, report
+from harness.cost import command, files, report, turns
 from harness.cost.measure import Datum
 from harness.cost.points import OWN, Problem, points
+from harness.cost.turns import Timing
 from harness.errors import DataFileError
 from harness.models.interface import Join
 
@@ -42,18 +43,18 @@ def test_the_answer_is_the_cheapest_that_is_good_enough():
 
 
 def test_a_table_is_read_back(tmp_path):
-    measure.write_csv(DATA, tmp_path / "cost.csv", "a comment")
-    found = measure.read_csv(tmp_path / "cost.csv")
+    files.write_csv(DATA, Datum, tmp_path / "cost.csv", "a comment")
+    found = files.read_csv(tmp_path / "cost.csv", Datum)
     assert [replace(d, contact_error=0.0, ratio=0.0) for d in found] == [
         replace(d, contact_error=0.0, ratio=0.0) for d in DATA
     ]
     (tmp_path / "bad.csv").write_text("problem,knob\n3.1,default\n")
     with pytest.raises(DataFileError, match=r"bad\.csv is no table of `cost`"):
-        measure.read_csv(tmp_path / "bad.csv")
+        files.read_csv(tmp_path / "bad.csv", Datum)
 
 
 def test_what_comes_with_the_documentation_can_be_asked():
-    data = measure.read_csv(command.DATA)
+    data = files.read_csv(command.DATA, Datum)
     assert {d.problem for d in data} == {problem.value for problem in Problem}
     for problem in Problem:
         assert "leave the defaults" in command.answer(data, 1.0, [problem]) or "set " in command.answer(
@@ -72,3 +73,40 @@ def test_every_point_has_a_model_and_a_name_of_its_own():
 
 def test_the_pictures_are_drawn(tmp_path):
     assert [path.name for path in report.draw(DATA, tmp_path)] == ["cost-3.2.png"]
+
+
+def timing(interface, knob, value, cpu, *, turn=1, error=1e-6, instructions=math.nan):
+    return Timing("3.2", interface, knob, value, turn, error, 24, 44, cpu, instructions)
+
+
+def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
+    theirs = replace(BASE, interface="sliding-multiphasic", knob="penalty factor")
+    febio = [replace(theirs, value=factor, contact_error=1 / factor) for factor in (1e2, 1e4)]
+    chosen = turns.contenders([*DATA, *febio], Problem.CONVECTION)
+    named = {(p.interface.value, p.knob.value, p.value) for p in chosen}
+    assert named == {
+        ("unsplit", "default", 0.0),
+        ("sliding-mixture", "extrapolation", 0.0),
+        ("sliding-mixture", "extrapolation", 1.0),
+        ("sliding-mixture", "penalty factor", 10.0),
+        ("sliding-mixture", "default", 0.0),
+        ("sliding-multiphasic", "penalty factor", 1e2),
+        ("sliding-multiphasic", "penalty factor", 1e4),
+    }
+
+
+def test_ratios_are_those_within_a_turn_to_the_faster_that_is_good_enough():
+    ours, slow, poor = (
+        ("sliding-mixture", "default", 0.0),
+        ("sliding-multiphasic", "default", 0.0),
+        ("sliding-biphasic-solute", "penalty factor", 1.0),
+    )
+    found = [timing(*ours, cpu, turn=n) for n, cpu in enumerate((1.0, 3.0, 2.2), 1)]
+    found += [timing(*slow, cpu, turn=n) for n, cpu in enumerate((2.0, 4.0, 2.0), 1)]
+    found += [timing(*poor, 0.1, turn=n, error=0.05) for n in (1, 2, 3)]
+    found += [timing(*ours, 50.0, turn=0, instructions=9e8), timing(*slow, 50.0, turn=0, instructions=1e9)]
+    assert turns.ratios(found, ours, slow) == pytest.approx((0.625, 0.75, 0.925))
+    rows = turns.ratio_table(found).splitlines()[2:]
+    assert len(rows) == 6
+    assert "penalty factor 1: 24 | default | 24 | 22.000 [" in rows[0]
+    assert rows[1].endswith("`sliding-multiphasic`, default: 24 | default | 24 | 0.750 [0.625, 0.925] | 0.900 |")

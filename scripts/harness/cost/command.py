@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
+from enum import Enum
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -9,9 +12,11 @@ import typer
 from rich.console import Console
 
 from harness import workflow
-from harness.cost import measure, report
+from harness.cost import files, measure, report, turns
 from harness.cost.measure import Datum
 from harness.cost.points import INTERFACES, Knob, Problem, points
+from harness.cost.turns import Timing
+from harness.errors import HarnessError
 from harness.models.interface import Join
 from harness.paths import REPOSITORY, RESULTS
 from harness.runner import Runner
@@ -19,45 +24,89 @@ from harness.runner import Runner
 console = Console(highlight=False, soft_wrap=True)
 DATA = REPOSITORY / "docs" / "data" / "cost.csv"
 """What was measured, as it comes with the documentation."""
+COMMENT = "FEBio 4.11, one thread; scripts/mixcontact cost; columns are explained in docs/cost.md"
 TIMEOUT = 120.0
 """s of wall time for one run."""
+
+
+class Part(str, Enum):
+    """What there is to measure."""
+
+    SWEEP = "sweep"
+    """Error and cost over all knobs."""
+    TURNS = "turns"
+    """Longer runs of 3.1 and 3.2 by all interfaces in turn, with the settings that reach each error at least cost."""
 
 
 def cost(
     error: Annotated[float | None, typer.Option(min=0.0, help="Answer for this error instead of measuring.")] = None,
     problem: Annotated[list[Problem] | None, typer.Option(help="This problem alone; may be repeated.")] = None,
-    data: Annotated[Path, typer.Option(help="Where answers come from.")] = DATA,
+    data: Annotated[Path, typer.Option(help="Where answers, and settings to be timed in turn, come from.")] = DATA,
+    only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
+    number: Annotated[int, typer.Option("--turns", min=2, help="How often interfaces are timed in turn.")] = 9,
     folder: Annotated[Path, typer.Option(help="Where measurements and pictures go.")] = RESULTS / "cost",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
     """Measure error and cost over all knobs, problems and interfaces; or, with --error, say what to set at what cost.
 
-    The measurement is some two hundred runs; one that was interrupted goes on where it was.
+    The measurement is some hundreds of runs; one that was interrupted goes on where it was.
     """
     chosen = problem or list(Problem)
     if error is not None:
-        console.print(answer(measure.read_csv(data), error, chosen), markup=False)
+        console.print(answer(files.read_csv(data, Datum), error, chosen), markup=False)
         return
+    start = partial(workflow.run, folder=folder.resolve(), cores=jobs, options=snakemake or ())
+    if only is None or Part.SWEEP in only:
+        _sweep(chosen, folder, start)
+    if only is None or Part.TURNS in only:
+        _turns(chosen, number, data.resolve(), folder, start)
+
+
+Start = Callable[[Mapping[str, Sequence[str]]], list[Path]]
+"""Does jobs of the harness, by their names, and returns the files that they wrote."""
+
+
+def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
     sweeps = dict.fromkeys((point.problem, point.interface, point.knob) for point in points(chosen))
-    wanted = {
-        f"{problem.value}-{interface.slug}-{knob.name.lower()}": (
-            "cost-sweep",
-            problem.value,
-            interface.value,
-            knob.value,
-        )
-        for problem, interface, knob in sweeps
-    }
-    paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=snakemake or ())
-    found = [datum for path in paths for datum in measure.read_json(path)]
-    comment = "FEBio 4.11, one thread; scripts/mixcontact cost; columns are explained in docs/cost.md"
-    measure.write_csv(found, folder / "cost.csv", comment)
+    paths = start(
+        {
+            f"{problem.value}-{interface.slug}-{knob.name.lower()}": (
+                "cost-sweep",
+                problem.value,
+                interface.value,
+                knob.value,
+            )
+            for problem, interface, knob in sweeps
+        }
+    )
+    found = [datum for path in paths for datum in files.read_json(path, Datum)]
+    files.write_csv(found, Datum, folder / "cost.csv", COMMENT)
     (folder / "cost.md").write_text(f"{report.comparison(found)}\n\n{report.table(found)}\n")
     written = [folder / "cost.csv", folder / "cost.md", *report.draw(found, folder)]
     console.print(report.comparison(found), markup=False)
+    _finish(written, len(paths) == len(sweeps))
+
+
+def _turns(chosen: list[Problem], number: int, data: Path, folder: Path, start: Start) -> None:
+    timed = [problem for problem in chosen if problem in turns.WIDTHS]
+    wanted = {
+        f"turn-{problem.value}-{turn}": ("cost-turn", problem.value, str(turn), "--data", str(data))
+        for problem in timed
+        for turn in range(number + 1)
+    }
+    paths = start(wanted)
+    found = [timing for path in paths for timing in files.read_json(path, Timing)]
+    files.write_csv(found, Timing, folder / "cost-turns.csv", COMMENT)
+    text = turns.ratio_table(found)
+    (folder / "cost-turns.md").write_text(text + "\n")
+    console.print(text, markup=False)
+    _finish([folder / "cost-turns.csv", folder / "cost-turns.md"], len(paths) == len(wanted))
+
+
+def _finish(written: list[Path], complete: bool) -> None:
     console.print("Written: " + ", ".join(map(str, written)))
-    if len(paths) < len(wanted):
+    if not complete:
         raise typer.Exit(1)
 
 
@@ -70,7 +119,21 @@ def cost_sweep(
     """Measure one problem with one interface, one knob varied."""
     runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
     chosen = [point for point in points([problem]) if (point.interface, point.knob) == (interface, knob)]
-    measure.write_json([measure.measure(point, runner) for point in chosen], out)
+    files.write_json([measure.measure(point, runner) for point in chosen], out)
+
+
+def cost_turn(
+    problem: Problem,
+    number: Annotated[int, typer.Argument(min=0, help="Which turn; 0 counts instructions instead.")],
+    data: Annotated[Path, typer.Option(help="Where settings come from.")] = DATA,
+    out: Annotated[Path, typer.Option(help="Where the times go, as JSON.")] = Path("turn.json"),
+) -> None:
+    """Time the interfaces once, one after the other, on one of the problems 3.1 and 3.2."""
+    if problem not in turns.WIDTHS:
+        raise HarnessError(f"problem {problem.value} is not timed in turn; {', '.join(turns.WIDTHS)} are")
+    runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
+    chosen = turns.contenders(files.read_csv(data, Datum), problem)
+    files.write_json(turns.turn(chosen, number, runner) if number else turns.count(chosen, runner), out)
 
 
 def answer(data: list[Datum], error: float, problems: list[Problem]) -> str:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import json
 import math
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass, fields, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
@@ -15,7 +13,6 @@ import numpy as np
 
 from harness import checks, compare, engine
 from harness.cost.points import TIMES_33, Knob, Point, Problem, finest
-from harness.errors import DataFileError
 from harness.indentation_results import curves
 from harness.models.document import Model
 from harness.models.interface import Join
@@ -121,62 +118,25 @@ def _error_33(run: Outcome, reference: Outcome) -> float:
 
 def _pairs(model: Model, whole: Model, timeout: float | None) -> tuple[float, float, float]:
     """Median wall and processor time (s) of a model, and of the ratio of the latter to that of the unsplit one."""
-    runs = [tuple(_again(each, timeout) for each in (model, whole)) for _ in range(PAIRS)]
+    runs = [tuple(execute(each, timeout) for each in (model, whole)) for _ in range(PAIRS)]
     own = [first for first, _ in runs]
     return median(r.wall for r in own), median(r.cpu for r in own), median(a.cpu / b.cpu for a, b in runs)
 
 
-def _again(model: Model, timeout: float | None) -> engine.Run:
+def execute(model: Model, timeout: float | None, prefix: Sequence[str] = ()) -> engine.Run:
+    """Run a model by itself, and keep nothing but what febio4 said; `prefix` stands before its command line.
+
+    Raises
+    ------
+    EngineNotFoundError, PluginNotFoundError, EngineFailedError
+        See `harness.engine`.
+    """
     plugin = any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
     with TemporaryDirectory() as folder:
         command = engine.Febio4().command(model.write(Path(folder)), plugin)
-        return engine.execute(command, Path(folder), timeout=timeout)
+        return engine.execute([*prefix, *command], Path(folder), timeout=timeout)
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:
     """The parameters of the contact that a datum was measured with."""
     return Point(Problem(datum.problem), Join(datum.interface), Knob(datum.knob), datum.value).settings.params()
-
-
-def write_json(data: Sequence[Datum], path: Path) -> None:
-    """Write data."""
-    path.write_text(json.dumps([asdict(datum) for datum in data], indent=1))
-
-
-def read_json(path: Path) -> list[Datum]:
-    """Read what `write_json` wrote."""
-    return [Datum(**entry) for entry in json.loads(path.read_text())]
-
-
-def write_csv(data: Iterable[Datum], path: Path, comment: str) -> None:
-    """Write data as a table; `comment` stands in its first line."""
-    with path.open("w", newline="") as file:
-        file.write(f"# {comment}\n")
-        rows = csv.writer(file, lineterminator="\n")
-        names = [field.name for field in fields(Datum)]
-        rows.writerow(names)
-        for datum in data:
-            values = asdict(datum)
-            rows.writerow([f"{v:.4g}" if isinstance(v, float) else v for v in (values[name] for name in names)])
-
-
-def read_csv(path: Path) -> list[Datum]:
-    """Read what `write_csv` wrote.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one of another form.
-    """
-    try:
-        with path.open() as file:
-            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-        return [_datum(row) for row in rows]
-    except (OSError, KeyError, ValueError) as error:
-        raise DataFileError(f"{path} is no table of `cost` ({error}); `cost` writes it") from error
-
-
-def _datum(row: dict[str, str]) -> Datum:
-    kinds: dict[str, Callable[[str], object]] = {"str": str, "int": int, "float": float, "bool": "True".__eq__}
-    found = {field.name: kinds[str(field.type)](row[field.name]) for field in fields(Datum)}
-    return Datum(**found)  # type: ignore[arg-type]

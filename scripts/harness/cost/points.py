@@ -13,6 +13,7 @@ from harness.models.document import Model
 from harness.models.indentation import Indentation
 from harness.models.indentation_mesh import LEVELS
 from harness.models.interface import ContactSettings, Join, automatic, default_settings
+from harness.models.mesh import Section
 from harness.models.parts import Control, Curve, Param
 
 INTERFACES = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
@@ -81,12 +82,24 @@ VALUES_33: dict[Knob, tuple[float, ...]] = {
 
 @dataclass(frozen=True)
 class Point:
-    """One run of the sweep."""
+    """One run of the sweep.
+
+    Attributes
+    ----------
+    problem : Problem
+    interface : Join
+    knob : Knob
+    value : float
+    width : int
+        Elements along x and y of the cubes of 3.1 and 3.2. Nothing varies there: more of them make a run longer, not
+        different.
+    """
 
     problem: Problem
     interface: Join
     knob: Knob
     value: float
+    width: int = 1
 
     @property
     def name(self) -> str:
@@ -106,7 +119,8 @@ class Point:
             return replace(base, extra=(Param("integration_order", int(self.value)),))
         if self.knob in (Knob.EXTRAPOLATION, Knob.EXTRAPOLATED_PENALTY):
             start = base if self.knob is Knob.EXTRAPOLATION else automatic(self.value)
-            return replace(start, extra=(Param("extrapolation", True),))
+            ahead = self.knob is Knob.EXTRAPOLATED_PENALTY or bool(self.value)
+            return replace(start, extra=(Param("extrapolation", ahead),))
         if self.knob in (Knob.INTEGRATION, Knob.LAGMULT):
             return replace(
                 base,
@@ -148,6 +162,7 @@ def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Join],
             join=join,
             settings=point.settings if join.is_contact else None,
             elements=point._elements,
+            section=Section(elements=(point.width, point.width)),
             control=point._steps(end),
             module=point.interface.module,
             name=f"cost-{point.name}-{join.slug}",

@@ -1,0 +1,60 @@
+"""Files of measured data: a frozen dataclass of plain values per row, as JSON or as a table."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+from harness.errors import DataFileError
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+Row = TypeVar("Row", bound="DataclassInstance")
+
+
+def write_json(data: Sequence[Row], path: Path) -> None:
+    """Write data."""
+    path.write_text(json.dumps([asdict(datum) for datum in data], indent=1))
+
+
+def read_json(path: Path, kind: type[Row]) -> list[Row]:
+    """Read what `write_json` wrote."""
+    return [kind(**entry) for entry in json.loads(path.read_text())]
+
+
+def write_csv(data: Sequence[Row], kind: type[Row], path: Path, comment: str) -> None:
+    """Write data of a kind as a table; `comment` stands in its first line."""
+    with path.open("w", newline="") as file:
+        file.write(f"# {comment}\n")
+        rows = csv.writer(file, lineterminator="\n")
+        names = [field.name for field in fields(kind)]
+        rows.writerow(names)
+        for datum in data:
+            values = asdict(datum)
+            rows.writerow([f"{v:.6g}" if isinstance(v, float) else v for v in (values[name] for name in names)])
+
+
+def read_csv(path: Path, kind: type[Row]) -> list[Row]:
+    """Read what `write_csv` wrote.
+
+    Raises
+    ------
+    DataFileError
+        A missing file, or one of another form.
+    """
+    try:
+        with path.open() as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        return [_row(row, kind) for row in rows]
+    except (OSError, KeyError, ValueError) as error:
+        raise DataFileError(f"{path} is no table of `cost` ({error}); `cost` writes it") from error
+
+
+def _row(row: dict[str, str], kind: type[Row]) -> Row:
+    kinds: dict[str, Callable[[str], object]] = {"str": str, "int": int, "float": float, "bool": "True".__eq__}
+    return kind(**{field.name: kinds[str(field.type)](row[field.name]) for field in fields(kind)})
