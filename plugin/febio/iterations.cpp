@@ -103,7 +103,7 @@ void FEMixtureContact::Update(const std::vector<double>& total, const std::vecto
   set_multipliers(total, increment);
   project();
   in_trial_ = tried_ = true;
-  begun_ = false;
+  begun_ = at_step_start_ = false;
 }
 
 void FEMixtureContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {
@@ -142,13 +142,13 @@ bool FEMixtureContact::begin_iteration() {
 bool FEMixtureContact::leads_extrapolation() {
   // It concerns the whole model: one contact does it for all.
   const std::vector<FEMixtureContact*> contacts = active_contacts();
-  return !contacts.empty() && contacts.front() == this &&
+  return !contacts.empty() && contacts.front() == this && StepExtrapolation::is_available(*GetFEModel()) &&
          std::any_of(contacts.begin(), contacts.end(),
                      [](const FEMixtureContact* contact) { return contact->parameters_.extrapolation; });
 }
 
 void FEMixtureContact::begin_at_expected_state() {
-  if (tried_ || !leads_extrapolation()) return;
+  if (!at_step_start_ || !leads_extrapolation()) return;
   const std::vector<FEMixtureContact*> contacts = active_contacts();
   const auto clamp = [&] {
     if (contacts.back()->clamped_.update_at_new_state()) update_model_in_trial();

@@ -89,8 +89,8 @@ bool FEMixtureContact::check_parameters() {
   if (m_psf != 1 || m_psfmax != 0)
     feLog("sliding-mixture \"%s\": <penalty_sf> and <max_penalty_sf> have no effect: penalties grow by themselves.\n",
           GetName().c_str());
-  const auto* mechanics = dynamic_cast<const FEMechModel*>(GetFEModel());
-  const bool unfit = parameters_.extrapolation && mechanics != nullptr && mechanics->RigidBodies() > 0;
+  const bool unfit = parameters_.extrapolation && parameters_.extrapolation_given &&
+                     !StepExtrapolation::is_available(*GetFEModel());
   if (unfit)
     feLogError("sliding-mixture \"%s\": <extrapolation> is not available in models with rigid bodies; set it to 0.",
                GetName().c_str());
@@ -122,6 +122,7 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
 void FEMixtureContact::PrepStep() {
   if (!may_run_) throw FatalError();
   disputes_ = 0;
+  at_step_start_ = true;
   ambient_.synchronise();
   if (reads_properties_again(parameters_)) update_properties();
   if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();

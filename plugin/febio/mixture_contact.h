@@ -132,6 +132,7 @@ class FEMixtureContact : public FEContactInterface {
   mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way
+  bool at_step_start_ = false;      ///< no trial has been evaluated in this step
   bool tried_ = false;              ///< a trial has been evaluated since the iterations began
   bool begun_ = false;              ///< an iteration has begun at this state
   bool keep_prediction_ = false;    ///< the next iteration goes on from what the last one predicts

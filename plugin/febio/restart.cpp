@@ -53,10 +53,11 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     for (int& dof : displacement_dofs_) ar & dof;
     archive(ar, step_start_);
     ar & effects_.traction & effects_.solvent & effects_.solutes;
-    ar & parameters_.traction_tolerance_given & parameters_.solvent_tolerance_given &
-        parameters_.solute_tolerance_given;
-    ar & parameters_.penalty_given & parameters_.pressure_penalty_given & parameters_.concentration_penalty_given;
-    ar & parameters_.search_radius_given;
+    for_each_parameter(parameters_, [&ar](const ParameterTag& tag, auto& /*value*/) {
+      if (tag.given == nullptr) return;
+      bool& given = *tag.given;
+      ar & given;
+    });
     PerSide<SurfaceMesh> meshes;
     for (const Side side : both_sides) {
       if (ar.IsSaving()) meshes[side] = core_->mesh(side);
@@ -64,11 +65,11 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     }
     if (!ar.IsSaving()) build_core(std::move(meshes));
   }
+  extrapolation_.serialize(ar);
   for (std::size_t pass = 0; pass < core_->passes(); ++pass) archive_multipliers(ar, core_->multipliers(pass));
   if (ar.IsSaving()) return;
   core_->end_iterations();
   in_trial_ = keep_prediction_ = begun_ = false;  // a trial that was cut back is over
   residual_outdated_ = moved_ = false;
-  extrapolation_.skip();
   add_callbacks();
 }

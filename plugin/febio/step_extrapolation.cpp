@@ -1,6 +1,11 @@
 #include "step_extrapolation.h"
 
+#include "archive.h"
+
+#include <FEBioMech/FEMechModel.h>
+#include <FECore/DumpStream.h>
 #include <FECore/FEGlobalMatrix.h>
+#include <FECore/FELoadController.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
@@ -8,7 +13,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
@@ -17,6 +24,8 @@ namespace {
 constexpr int highest_order = 2;
 /// Extrapolation starts a step where it would have told the change of the last one to this part.
 constexpr double largest_error = 1.0 / 3.0;
+/// Of the differences of load values of 1, extrapolated.
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Calls `use` with the equation, the degree of freedom and the node (index) of every free nodal value.
 template <class Use>
@@ -41,20 +50,26 @@ MatrixXd changes_of_step(FEModel& fem) {
   return change;
 }
 
+MatrixXd load_values(FEModel& fem) {
+  MatrixXd values(1, fem.LoadControllers());
+  for (Index n = 0; n < values.size(); ++n) values(n) = fem.GetLoadController(static_cast<int>(n))->Value();
+  return values;
+}
+
 }  // namespace
 
-MatrixXd StepExtrapolation::expected(int order, double dt) const {
+MatrixXd StepExtrapolation::expected(MatrixXd Change::* of, int order, double dt) const {
   // Newton's form of the polynomial through the last states, with divided differences.
-  const MatrixXd rate = last_[0].values / last_[0].dt;
+  const MatrixXd rate = last_[0].*of / last_[0].dt;
   if (order == 1) return dt * rate;
   const double span = last_[0].dt + last_[1].dt;
-  const MatrixXd bend = (rate - last_[1].values / last_[1].dt) / span;
+  const MatrixXd bend = (rate - last_[1].*of / last_[1].dt) / span;
   return dt * (rate + (dt + last_[0].dt) * bend);
 }
 
 double StepExtrapolation::worst_error(const Change& actual, int order) const {
   // Each variable (displacement, pressure, concentration) by itself, since their units differ.
-  const MatrixXd error = expected(order, actual.dt) - actual.values;
+  const MatrixXd error = expected(&Change::values, order, actual.dt) - actual.values;
   DOFS& variables = fem_.GetDOFS();
   double worst = 0;
   for (int variable = 0; variable < variables.Variables(); ++variable) {
@@ -82,21 +97,49 @@ void StepExtrapolation::choose_order(const Change& actual) {
   }
 }
 
+bool StepExtrapolation::is_available(FEModel& fem) {
+  const auto* mechanics = dynamic_cast<const FEMechModel*>(&fem);
+  return mechanics == nullptr || mechanics->RigidBodies() == 0;
+}
+
 void StepExtrapolation::step_solved() {
-  Change actual{changes_of_step(fem_), fem_.GetTime().timeIncrement};
+  if (std::exchange(analysis_step_, fem_.GetCurrentStepIndex()) != fem_.GetCurrentStepIndex()) last_.clear();
+  const MatrixXd before = std::exchange(loads_, load_values(fem_));
+  if (before.size() != loads_.size()) return;  // the first step: what the loads were at its start is not known
+  Change actual{changes_of_step(fem_), loads_ - before, fem_.GetTime().timeIncrement};
   choose_order(actual);
   last_.insert(last_.begin(), std::move(actual));
   if (last_.size() > highest_order) last_.pop_back();
 }
 
-void StepExtrapolation::skip() {
-  first_guess_.clear();
-  order_ = 0;
+void StepExtrapolation::serialize(DumpStream& ar) {
+  if (ar.IsShallow()) {
+    if (ar.IsSaving()) return;
+    first_guess_.clear();
+    order_ = 0;
+    return;
+  }
+  int changes = static_cast<int>(last_.size());
+  ar & order_ & analysis_step_ & changes;
+  archive(ar, loads_);
+  last_.resize(static_cast<std::size_t>(changes));
+  for (Change& change : last_) {
+    archive(ar, change.values);
+    archive(ar, change.loads);
+    ar & change.dt;
+  }
+}
+
+bool StepExtrapolation::loads_turn() const {
+  const ArrayXXd loads = load_values(fem_);
+  const ArrayXXd actual = loads - loads_.array();
+  const ArrayXXd foretold = expected(&Change::loads, order_, fem_.GetTime().timeIncrement);
+  return ((foretold - actual).abs() > largest_error * actual.abs() + rounding * loads.abs()).any();
 }
 
 bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver, const std::function<void()>& decide) {
-  if (order_ == 0) return false;
-  const MatrixXd change = expected(order_, fem_.GetTime().timeIncrement);
+  if (order_ == 0 || analysis_step_ != fem_.GetCurrentStepIndex() || loads_turn()) return false;
+  const MatrixXd change = expected(&Change::values, order_, fem_.GetTime().timeIncrement);
   first_guess_.assign(solver.m_Ui.size(), 0.0);
   for_each_free_value(fem_,
                       [&](std::size_t equation, Index dof, Index node) { first_guess_[equation] = change(dof, node); });

@@ -2,9 +2,9 @@
 ///
 /// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, the polynomial through
 /// the last states foretells the next one to a few parts in a hundred, and an iteration that starts there leaves an
-/// error smaller by as much again. Only the way to the solution changes: FEBio's increments count from the start of the
-/// step, and its convergence test, line search and tolerances act as ever. With p the expected change and K the matrix
-/// at x + p, the first increment is
+/// error smaller by as much again. Where a load curve turns it does not, and the step starts as FEBio would. Only the
+/// way to the solution changes: FEBio's increments count from the start of the step, and its convergence test, line
+/// search and tolerances act as ever. With p the expected change and K the matrix at x + p, the first increment is
 ///
 ///   u = p + K^-1 R(x + p),   that is   K u = R(x + p) + K p .
 #pragma once
@@ -14,6 +14,7 @@
 #include <functional>
 #include <vector>
 
+class DumpStream;
 class FEModel;
 class FENewtonSolver;
 
@@ -21,11 +22,15 @@ class StepExtrapolation {
  public:
   explicit StepExtrapolation(FEModel& fem) : fem_(fem) {}
 
+  /// Rigid bodies move with unknowns of their own, which are not extrapolated.
+  static bool is_available(FEModel& fem);
+
   /// Keeps the change of the step that has been solved, and judges by it what would have foretold it best.
   void step_solved();
 
-  /// The next attempt starts at the end of the last step: after a failed one, and in a continued run.
-  void skip();
+  /// A continued run goes on as if it had not been interrupted. After a failed attempt, when FEBio restores the state
+  /// in memory, the next one starts at the end of the last step.
+  void serialize(DumpStream& ar);
 
   /// Before the first matrix of a step: moves the model to the expected state, and returns whether there is one. There
   /// `decide` is called, with the solver's increments being the expected ones; what it holds stays where it is put. The
@@ -36,17 +41,21 @@ class StepExtrapolation {
   void complete_residual(FENewtonSolver& solver);
 
  private:
-  /// Changes of all nodal values (degrees of freedom, nodes) in a step of length dt [s].
+  /// What a step of length dt [s] changed.
   struct Change {
-    Eigen::MatrixXd values;
+    Eigen::MatrixXd values;  ///< nodal ones (degrees of freedom, nodes)
+    Eigen::MatrixXd loads;   ///< of load controllers (1, controllers)
     double dt = 0;
   };
-  Eigen::MatrixXd expected(int order, double dt) const;
+  Eigen::MatrixXd expected(Eigen::MatrixXd Change::* of, int order, double dt) const;
   double worst_error(const Change& actual, int order) const;
   void choose_order(const Change& actual);
+  bool loads_turn() const;
 
   FEModel& fem_;
-  std::vector<Change> last_;         ///< the latest first, two at the most
+  std::vector<Change> last_;         ///< within an analysis step; the latest first, two at the most
+  int analysis_step_ = -1;           ///< whose changes those are
+  Eigen::MatrixXd loads_;            ///< at the end of the last step, (1, controllers); empty before the first
   int order_ = 0;                    ///< of the polynomial for the next step; 0: none
   std::vector<double> first_guess_;  ///< p, per equation; empty but for the first iteration of a step
 };

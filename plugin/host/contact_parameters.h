@@ -33,13 +33,15 @@ struct ContactParameters {
 
   bool two_pass = false;
   bool symmetric_stiffness = false;
-  int integration = 0;  ///< 0: gauss, 1: segments
+  int integration = 0;  ///< 0: gauss, 1: segments; where not given, segments in one pass, gauss in two
+  bool integration_given = false;
   int integration_order = 0;
   double search_tol = 0.01;
   double search_radius = 0;  ///< [length]
   bool search_radius_given = false;
   int seg_up = 0;
-  bool extrapolation = false;
+  bool extrapolation = true;
+  bool extrapolation_given = false;
   bool node_reloc = false;
   int minaug = 0;
   int maxaug = 10;
@@ -95,12 +97,12 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"update_penalty"}, p.update_penalty);
   take({"two_pass"}, p.two_pass);
   take({"symmetric_stiffness"}, p.symmetric_stiffness);
-  take({"integration", nullptr, Unit::none, "gauss\0segments\0"}, p.integration);
+  take({"integration", &p.integration_given, Unit::none, "gauss\0segments\0"}, p.integration);
   take({"integration_order"}, p.integration_order);
   take({"search_tol"}, p.search_tol);
   take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);
   take({"seg_up"}, p.seg_up);
-  take({"extrapolation"}, p.extrapolation);
+  take({"extrapolation", &p.extrapolation_given}, p.extrapolation);
   take({"node_reloc"}, p.node_reloc);
   take({"minaug"}, p.minaug);
   take({"maxaug"}, p.maxaug);
