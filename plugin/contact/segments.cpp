@@ -108,21 +108,24 @@ std::optional<Place> carry(const VaryingFacet& facet, const VaryingVector& y, co
   return place;
 }
 
-/// A convex polygon cut into quadrilaterals, and a triangle if need be, around its first corner.
-std::vector<Polygon> pieces(const Polygon& polygon) {
-  std::vector<Polygon> result;
-  for (std::size_t i = 1; i + 1 < polygon.size(); i += 2) {
-    result.push_back({polygon[0], polygon[i], polygon[i + 1]});
-    if (i + 2 < polygon.size()) result.back().push_back(polygon[i + 2]);
-  }
-  return result;
-}
-
 /// Sum of the corners of a polygon with given weights.
 VaryingVector combined(const Polygon& corners, const Eigen::Ref<const VectorXd>& weights) {
   VaryingVector sum = weights[0] * corners[0];
   for (std::size_t a = 1; a < corners.size(); ++a) sum = sum + weights[static_cast<Index>(a)] * corners[a];
   return sum;
+}
+
+/// A convex polygon as triangles and quadrilaterals: itself, or triangles around its middle, so that a mirrored polygon
+/// has mirrored pieces.
+std::vector<Polygon> pieces(const Polygon& polygon) {
+  const std::size_t corners = polygon.size();
+  if (corners < 3) return {};
+  if (corners <= 4) return {polygon};
+  const auto count = static_cast<Index>(corners);
+  const VaryingVector centre = combined(polygon, VectorXd::Constant(count, 1.0 / static_cast<double>(count)));
+  std::vector<Polygon> result;
+  for (std::size_t i = 0; i < corners; ++i) result.push_back({centre, polygon[i], polygon[(i + 1) % corners]});
+  return result;
 }
 
 /// Adds the points of a piece, a linear triangle or quadrilateral in space seen along n.

@@ -202,6 +202,7 @@ NOTES = {
         "cut each other, see [which](user-guide.md#gauss-points-or-segments) (0 or 1).",
         "`segments`: more points, and their motion in the tangent",
         "Gauss points",
+        default="`segments`; `gauss` with `two_pass`",
     ),
     "integration_order": Note(
         "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the same "
@@ -222,8 +223,8 @@ NOTES = {
     ),
     "extrapolation": Note(
         "Form the first matrix of a step where the last steps lead to expect the solution, where that would have told "
-        "the last step's change to a third. For the whole model; not with rigid bodies. "
-        "See [theory](theory.md#the-start-of-a-step).",
+        "the last step's change to a third and no load curve turns. For the whole model, if one of its contacts has it; "
+        "without effect where there are rigid bodies. See [theory](theory.md#the-start-of-a-step).",
         "memory for the nodal values of two steps",
         "not there",
     ),
