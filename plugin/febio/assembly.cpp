@@ -69,8 +69,7 @@ std::vector<int> FEMixtureContact::equations(const ContactInterface::Location& a
   return ids;
 }
 
-void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
-  const TaskClock timed = core_->clock(Task::stiffness);
+void FEMixtureContact::for_each_coupling(const std::function<void(std::vector<int>&)>& use) {
   // Rigid nodes bring the equations of their body's rotations in as well.
   FEModel& fem = *GetFEModel();
   const std::array<int, 3> rotation{fem.GetDOFIndex("Ru"), fem.GetDOFIndex("Rv"), fem.GetDOFIndex("Rw")};
@@ -83,8 +82,40 @@ void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
           ids.push_back(fem.GetMesh().Node(node).m_ID[static_cast<std::size_t>(dof)]);
       }
     }
+    for (int& id : ids) id = id < -1 ? -id - 2 : id;  // prescribed values have their places in the matrix, too
+    use(ids);
+  });
+}
+
+Fingerprint FEMixtureContact::couplings() {
+  Fingerprint found;
+  for_each_coupling([&](const std::vector<int>& ids) { found.add(ids); });
+  return found;
+}
+
+void FEMixtureContact::add_to_profile(FEGlobalMatrix& matrix) {
+  const TaskClock timed = core_->clock(Task::stiffness);
+  couplings_of_matrix_ = Fingerprint();
+  for_each_coupling([&](std::vector<int>& ids) {
+    couplings_of_matrix_.add(ids);
     matrix.build_add(ids);
   });
+}
+
+void FEMixtureContact::keep_matrix_if_it_fits() {
+  // FEBio shapes the matrix of a model with contact anew for each iteration, at the first one of a step even what the
+  // bodies add. There the iteration has begun already, so that nothing but the shape is left to BuildMatrixProfile.
+  const std::vector<FEMixtureContact*> contacts = active_contacts();
+  FENewtonSolver* solver = newton_solver();
+  if (solver == nullptr || contacts.back() != this) return;
+  FEModel& fem = *GetFEModel();
+  const bool alone = static_cast<int>(contacts.size()) == fem.SurfacePairConstraints() &&
+                     fem.NonlinearConstraints() == 0;
+  const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !contacts.front()->extrapolation_.begins_ahead() &&
+                    std::all_of(contacts.begin(), contacts.end(), [](FEMixtureContact* contact) {
+                      return contact->begun_ && contact->couplings() == contact->couplings_of_matrix_;
+                    });
+  solver->m_breshape = !fits;
 }
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {

@@ -182,6 +182,7 @@ bool FEMixtureContact::on_matrix_reformed(FEModel* /*fem*/, unsigned int /*when*
   auto* self = static_cast<FEMixtureContact*>(contact);
   FENewtonSolver* solver = self->newton_solver();
   if (!self->IsActive() || solver == nullptr) return true;
+  solver->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
   self->extrapolation_.complete_residual(*solver);
   if (!std::exchange(self->residual_outdated_, false)) return true;
   solver->Residual(solver->m_R0);

@@ -126,6 +126,7 @@ void FEMixtureContact::PrepStep() {
   ambient_.synchronise();
   if (reads_properties_again(parameters_)) update_properties();
   if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();
+  keep_matrix_if_it_fits();
 }
 
 // ------------------------------------------------------------ augmentation
@@ -171,7 +172,8 @@ bool FEMixtureContact::on_step_solved(FEModel* /*fem*/, unsigned int /*when*/, v
   self->store_output();
   self->warn_of_overlap();
   self->clamped_.end_step();
-  if (self->leads_extrapolation()) self->extrapolation_.step_solved();
+  if (self->leads_extrapolation())
+    self->extrapolation_.step_solved(self->GetFEModel()->GetCurrentStep()->GetFESolver()->m_niter);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include "ambient_nodes.h"
 #include "clamped_concentrations.h"
 #include "contact/interface.h"
+#include "fingerprint.h"
 #include "host/contact_parameters.h"
 #include "host/facet_material.h"
 #include "mixture_surface.h"
@@ -13,6 +14,7 @@
 #include <FEBioMech/FEContactInterface.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -100,7 +102,12 @@ class FEMixtureContact : public FEContactInterface {
   int deformable_node();
 
   // Local to global
+  /// Equations that stand in one block of the matrix, for each of its blocks.
+  void for_each_coupling(const std::function<void(std::vector<int>&)>& use);
+  Fingerprint couplings();
   void add_to_profile(FEGlobalMatrix& matrix);
+  /// At the start of a step, when the iteration has begun: lets FEBio keep the shape of the matrix if nothing changed.
+  void keep_matrix_if_it_fits();
   std::vector<int> node_ids(const mixture_contact::ContactInterface::Location& at);
   std::vector<int> equations(const mixture_contact::ContactInterface::Location& at, const std::vector<int>& nodes);
   /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
@@ -130,6 +137,7 @@ class FEMixtureContact : public FEContactInterface {
   /// the block of multipliers.
   int multiplier_node_ = -1;
   mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
+  Fingerprint couplings_of_matrix_;       ///< as added to the matrix's profile last
   bool relocated_ = false;
   bool in_trial_ = false;           ///< an evaluation that must keep status is under way
   bool at_step_start_ = false;      ///< no trial has been evaluated in this step

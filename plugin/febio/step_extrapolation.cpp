@@ -26,6 +26,8 @@ constexpr int highest_order = 2;
 constexpr double largest_error = 1.0 / 3.0;
 /// Of the differences of load values of 1, extrapolated.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+/// FEBio compares increments with the first one of a step, and so takes two, but where the residual vanishes.
+constexpr int least_iterations = 2;
 
 /// Calls `use` with the equation, the degree of freedom and the node (index) of every free nodal value.
 template <class Use>
@@ -102,12 +104,14 @@ bool StepExtrapolation::is_available(FEModel& fem) {
   return mechanics == nullptr || mechanics->RigidBodies() == 0;
 }
 
-void StepExtrapolation::step_solved() {
+void StepExtrapolation::step_solved(int iterations) {
+  (std::exchange(ahead_, false) ? iterations_ahead_ : iterations_plain_) = iterations;
   if (std::exchange(analysis_step_, fem_.GetCurrentStepIndex()) != fem_.GetCurrentStepIndex()) last_.clear();
   const MatrixXd before = std::exchange(loads_, load_values(fem_));
   if (before.size() != loads_.size()) return;  // the first step: what the loads were at its start is not known
   Change actual{changes_of_step(fem_), loads_ - before, fem_.GetTime().timeIncrement};
   choose_order(actual);
+  if (iterations_plain_ <= least_iterations && iterations_ahead_ >= iterations_plain_) order_ = 0;
   last_.insert(last_.begin(), std::move(actual));
   if (last_.size() > highest_order) last_.pop_back();
 }
@@ -117,10 +121,11 @@ void StepExtrapolation::serialize(DumpStream& ar) {
     if (ar.IsSaving()) return;
     first_guess_.clear();
     order_ = 0;
+    ahead_ = false;
     return;
   }
   int changes = static_cast<int>(last_.size());
-  ar & order_ & analysis_step_ & changes;
+  ar & order_ & analysis_step_ & changes & iterations_ahead_ & iterations_plain_;
   archive(ar, loads_);
   last_.resize(static_cast<std::size_t>(changes));
   for (Change& change : last_) {
@@ -137,8 +142,13 @@ bool StepExtrapolation::loads_turn() const {
   return ((foretold - actual).abs() > largest_error * actual.abs() + rounding * loads.abs()).any();
 }
 
+bool StepExtrapolation::begins_ahead() const {
+  return order_ > 0 && analysis_step_ == fem_.GetCurrentStepIndex() && !loads_turn();
+}
+
 bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver, const std::function<void()>& decide) {
-  if (order_ == 0 || analysis_step_ != fem_.GetCurrentStepIndex() || loads_turn()) return false;
+  ahead_ = begins_ahead();
+  if (!ahead_) return false;
   const MatrixXd change = expected(&Change::values, order_, fem_.GetTime().timeIncrement);
   first_guess_.assign(solver.m_Ui.size(), 0.0);
   for_each_free_value(fem_,

@@ -25,12 +25,16 @@ class StepExtrapolation {
   /// Rigid bodies move with unknowns of their own, which are not extrapolated.
   static bool is_available(FEModel& fem);
 
-  /// Keeps the change of the step that has been solved, and judges by it what would have foretold it best.
-  void step_solved();
+  /// Keeps the change of the step that has been solved, and judges by it what would have foretold it best. Where steps
+  /// take FEBio's least number of iterations anyway, and no fewer from the expected state, it is left out.
+  void step_solved(int iterations);
 
   /// A continued run goes on as if it had not been interrupted. After a failed attempt, when FEBio restores the state
   /// in memory, the next one starts at the end of the last step.
   void serialize(DumpStream& ar);
+
+  /// At the start of a step, whether it is to begin at the expected state.
+  bool begins_ahead() const;
 
   /// Before the first matrix of a step: moves the model to the expected state, and returns whether there is one. There
   /// `decide` is called, with the solver's increments being the expected ones; what it holds stays where it is put. The
@@ -57,5 +61,8 @@ class StepExtrapolation {
   int analysis_step_ = -1;           ///< whose changes those are
   Eigen::MatrixXd loads_;            ///< at the end of the last step, (1, controllers); empty before the first
   int order_ = 0;                    ///< of the polynomial for the next step; 0: none
+  bool ahead_ = false;               ///< whether the present step began at the expected state
+  int iterations_ahead_ = 0;         ///< of the last step that did; none yet: to be tried
+  int iterations_plain_ = 1;         ///< of the last step that did not
   std::vector<double> first_guess_;  ///< p, per equation; empty but for the first iteration of a step
 };

@@ -57,6 +57,12 @@ def test_extrapolation_takes_no_further_evaluation_of_the_residual(runner):
     assert not np.array_equal(plain.nodes["c1"], ahead.nodes["c1"])
 
 
+def test_the_matrix_is_shaped_anew_only_where_an_iteration_may_change_contact(runner):
+    """Each iteration but the first one of a step, and that of the first step."""
+    run = runner(Diffusion(control=Control(20, 100.0)).model())
+    assert run.log.count("= reforming stiffness matrix:") == run.report.iterations - run.report.steps + 1
+
+
 @pytest.mark.parametrize("penalty", [1e-4, 4e-4, 4e-3])
 def test_the_leak_follows_the_penalty(context, penalty):
     settings = ContactSettings(

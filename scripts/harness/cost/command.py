@@ -43,7 +43,7 @@ def cost(
     problem: Annotated[list[Problem] | None, typer.Option(help="This problem alone; may be repeated.")] = None,
     data: Annotated[Path, typer.Option(help="Where answers, and settings to be timed in turn, come from.")] = DATA,
     only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
-    number: Annotated[int, typer.Option("--turns", min=2, help="How often interfaces are timed in turn.")] = 9,
+    number: Annotated[int, typer.Option("--turns", min=1, help="How often interfaces are timed in turn.")] = 9,
     folder: Annotated[Path, typer.Option(help="Where measurements and pictures go.")] = RESULTS / "cost",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
@@ -89,11 +89,19 @@ def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
 
 
 def _turns(chosen: list[Problem], number: int, data: Path, folder: Path, start: Start) -> None:
-    timed = [problem for problem in chosen if problem in turns.WIDTHS]
     wanted = {
-        f"turn-{problem.value}-{turn}": ("cost-turn", problem.value, str(turn), "--data", str(data))
-        for problem in timed
-        for turn in range(number + 1)
+        f"turn-{problem.value}-{kind.value}-{turn}": (
+            "cost-turn",
+            problem.value,
+            kind.value,
+            str(turn),
+            "--data",
+            str(data),
+        )
+        for kind in turns.Kind
+        for problem in turns.PROBLEMS
+        if problem in chosen
+        for turn in (range(1, number + 1) if kind is not turns.Kind.SHORT else (0,))
     }
     paths = start(wanted)
     found = [timing for path in paths for timing in files.read_json(path, Timing)]
@@ -124,16 +132,18 @@ def cost_sweep(
 
 def cost_turn(
     problem: Problem,
-    number: Annotated[int, typer.Argument(min=0, help="Which turn; 0 counts instructions instead.")],
+    kind: Annotated[turns.Kind, typer.Argument(help="Which size; instructions are counted of the short one.")],
+    number: Annotated[int, typer.Argument(min=0, help="Which turn.")],
     data: Annotated[Path, typer.Option(help="Where settings come from.")] = DATA,
     out: Annotated[Path, typer.Option(help="Where the times go, as JSON.")] = Path("turn.json"),
 ) -> None:
     """Time the interfaces once, one after the other, on one of the problems 3.1 and 3.2."""
-    if problem not in turns.WIDTHS:
-        raise HarnessError(f"problem {problem.value} is not timed in turn; {', '.join(turns.WIDTHS)} are")
+    if problem not in turns.PROBLEMS:
+        raise HarnessError(f"problem {problem.value} is not timed in turn; {', '.join(turns.PROBLEMS)} are")
     runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
     chosen = turns.contenders(files.read_csv(data, Datum), problem)
-    files.write_json(turns.turn(chosen, number, runner) if number else turns.count(chosen, runner), out)
+    short = kind is turns.Kind.SHORT
+    files.write_json(turns.count(chosen, runner) if short else turns.turn(chosen, kind, number, runner), out)
 
 
 def answer(data: list[Datum], error: float, problems: list[Problem]) -> str:

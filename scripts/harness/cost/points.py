@@ -17,8 +17,6 @@ from harness.models.mesh import Section
 from harness.models.parts import Control, Curve, Param
 
 INTERFACES = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
-ELEMENTS, STEPS = 5, 20
-"""Elements of each cube and time steps, unless these are the knob: 3.1 to 2000 s and 3.2 to 20000 s."""
 END_33 = 100.0
 """s up to which problem 3.3 is run: first touch, the moving edge of contact, and the first diffusion."""
 TIMES_33 = (1.0, END_33)
@@ -81,6 +79,24 @@ VALUES_33: dict[Knob, tuple[float, ...]] = {
 
 
 @dataclass(frozen=True)
+class Size:
+    """Mesh and number of time steps of 3.1 (to 2000 s) and 3.2 (to 20000 s), unless these are the knob.
+
+    Attributes
+    ----------
+    elements : int
+        Elements through each cube.
+    width : int
+        Elements along x and along y, where nothing varies: more of them make a run longer, not different.
+    steps : int
+    """
+
+    elements: int = 5
+    width: int = 1
+    steps: int = 20
+
+
+@dataclass(frozen=True)
 class Point:
     """One run of the sweep.
 
@@ -90,16 +106,15 @@ class Point:
     interface : Join
     knob : Knob
     value : float
-    width : int
-        Elements along x and y of the cubes of 3.1 and 3.2. Nothing varies there: more of them make a run longer, not
-        different.
+    size : Size
+        Of 3.1 and 3.2.
     """
 
     problem: Problem
     interface: Join
     knob: Knob
     value: float
-    width: int = 1
+    size: Size = Size()
 
     @property
     def name(self) -> str:
@@ -145,12 +160,12 @@ class Point:
         )
 
     def _steps(self, end: float) -> Control:
-        steps = int(self.value) if self.knob is Knob.STEP else STEPS
+        steps = int(self.value) if self.knob is Knob.STEP else self.size.steps
         return self._control(Control(steps, end / steps))
 
     @property
     def _elements(self) -> int:
-        return int(self.value) if self.knob is Knob.MESH else ELEMENTS
+        return int(self.value) if self.knob is Knob.MESH else self.size.elements
 
 
 def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Join], Model]:
@@ -162,7 +177,7 @@ def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Join],
             join=join,
             settings=point.settings if join.is_contact else None,
             elements=point._elements,
-            section=Section(elements=(point.width, point.width)),
+            section=Section(elements=(point.size.width, point.size.width)),
             control=point._steps(end),
             module=point.interface.module,
             name=f"cost-{point.name}-{join.slug}",

@@ -7,18 +7,37 @@ import re
 import shutil
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from enum import Enum
 from statistics import median, quantiles
 
 from harness import compare, engine
 from harness.cost.measure import Datum, execute
-from harness.cost.points import INTERFACES, Knob, Point, Problem
-from harness.cost.report import LEVELS, cheapest, comparable
+from harness.cost.points import INTERFACES, Knob, Point, Problem, Size
+from harness.cost.report import LEVELS, comparable, error_of
 from harness.models.interface import Join
 from harness.runner import Runner
 
-WIDTHS = {Problem.DIFFUSION: 6, Problem.CONVECTION: 8}
-"""Elements along x and y of the cubes: a run takes some seconds."""
+PROBLEMS = (Problem.DIFFUSION, Problem.CONVECTION)
+
+
+class Kind(str, Enum):
+    """Sizes of the problems."""
+
+    SHORT = "short"
+    """That of the sweep; its instructions are counted."""
+    COLUMN = "column"
+    """One facet in contact, many elements and steps."""
+    WIDE = "wide"
+    """Many facets in contact."""
+
+
+SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=400), Kind.WIDE: Size(width=6)}
+"""Runs of the two that are timed take some seconds."""
 _COUNT = re.compile(r"refs:\s+([\d,]+)")
+
+
+Setting = tuple[str, str, float]
+"""Interface, knob and value."""
 
 
 @dataclass(frozen=True)
@@ -29,8 +48,10 @@ class Timing:
     ----------
     problem, interface, knob : str
     value : float
+    size : str
+        Value of `Kind`.
     turn : int
-        From 1; 0 for a run of the sweep's size whose instructions were counted.
+        From 1; 0 where instructions were counted.
     contact_error : float
         Largest difference of c from the unsplit body, relative to the bath.
     iterations, residuals : int
@@ -44,6 +65,7 @@ class Timing:
     interface: str
     knob: str
     value: float
+    size: str
     turn: int
     contact_error: float
     iterations: int
@@ -52,43 +74,49 @@ class Timing:
     instructions: float
 
     @property
-    def setting(self) -> tuple[str, str, float]:
+    def setting(self) -> Setting:
         """What was set in which interface."""
         return (self.interface, self.knob, self.value)
 
 
 def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
-    """The unsplit body; ours without and with extrapolation; and what reached each error at the least cost."""
+    """The unsplit body; ours without and with extrapolation; and what reached each error in the fewest iterations."""
     own = comparable(data, problem)
-    best = (cheapest([d for d in own if d.interface == i.value], e) for i in INTERFACES for e in LEVELS)
+    best = (_fewest([d for d in own if d.interface == i.value], e) for i in INTERFACES for e in LEVELS)
     chosen = [(Join.UNSPLIT, Knob.DEFAULT, 0.0)]
     chosen += [(Join.MIXTURE, Knob.EXTRAPOLATION, on) for on in (0.0, 1.0)]
     chosen += [(Join(d.interface), Knob(d.knob), d.value) for d in best if d]
-    return [Point(problem, *one) for one in dict.fromkeys(chosen)]
+    ours = (Join.MIXTURE, Knob.DEFAULT, 0.0)  # is one of those without and with extrapolation
+    return [Point(problem, *one) for one in dict.fromkeys(chosen) if one != ours]
 
 
-def turn(points: Sequence[Point], number: int, runner: Runner) -> list[Timing]:
-    """Time each point once on a wide mesh, one after the other.
+def _fewest(data: Sequence[Datum], error: float) -> Datum | None:
+    good = [d for d in data if error_of(d) <= error]
+    return min(good, key=lambda d: (d.iterations, d.residuals, d.knob != Knob.DEFAULT.value, d.value), default=None)
+
+
+def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> list[Timing]:
+    """Time each point once, one after the other.
 
     Raises
     ------
     HarnessError
         Without an engine or plugin, or where a run fails.
     """
-    wide = [replace(point, width=WIDTHS[point.problem]) for point in points]
-    return [_timed(point, number, execute(point.model(), runner.timeout), runner) for point in wide]
+    sized = [replace(point, size=SIZES[kind]) for point in points]
+    return [_timed(point, kind, number, execute(point.model(), runner.timeout), runner) for point in sized]
 
 
 def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
-    """Count the instructions of each point on the mesh of the sweep; nothing without valgrind."""
+    """Count the instructions of each point at the size of the sweep; nothing without valgrind."""
     tool = shutil.which("valgrind")
     if tool is None:
         return []
     prefix = [tool, "--tool=callgrind", "--callgrind-out-file=/dev/null"]
-    return [_timed(point, 0, execute(point.model(), None, prefix), runner) for point in points]
+    return [_timed(point, Kind.SHORT, 0, execute(point.model(), None, prefix), runner) for point in points]
 
 
-def _timed(point: Point, number: int, run: engine.Run, runner: Runner) -> Timing:
+def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runner) -> Timing:
     error = compare.largest_difference(runner(point.model()), runner(point.model(Join.UNSPLIT)), "c1")
     counted = _COUNT.search(run.output)
     return Timing(
@@ -96,6 +124,7 @@ def _timed(point: Point, number: int, run: engine.Run, runner: Runner) -> Timing
         point.interface.value,
         point.knob.value,
         point.value,
+        kind.value,
         number,
         error,
         run.report.iterations,
@@ -106,64 +135,50 @@ def _timed(point: Point, number: int, run: engine.Run, runner: Runner) -> Timing
 
 
 def ratio_table(timings: Sequence[Timing]) -> str:
-    """A Markdown table: our processor time over that of FEBio's faster interface, as accurate, run in the same turn.
+    """A Markdown table: our processor time over that of the faster of FEBio's, as accurate and run in the same turn.
 
-    Medians, with quartiles in brackets; then the same ratio of instructions.
+    Medians, with quartiles in brackets. At the size of the sweep the ratio is one of instructions.
     """
     lines = [
-        "| problem | error | the faster of FEBio's | ours | iterations | ratio of times | ratio of instructions |",
+        "| problem | size | error | the best of FEBio's | ours | iterations | ratio |",
         "|---|---|---|---|---|---|---|",
     ]
-    for problem in dict.fromkeys(t.problem for t in timings):
-        own = [t for t in timings if t.problem == problem and t.interface != Join.UNSPLIT.value]
-        lines += [
-            row for error in LEVELS for row in _rows(problem, error, [t for t in own if t.contact_error <= error])
-        ]
+    for problem, size in dict.fromkeys((t.problem, t.size) for t in timings):
+        own = [t for t in timings if (t.problem, t.size) == (problem, size) and t.interface != Join.UNSPLIT.value]
+        for error in LEVELS:
+            good = [t for t in own if t.contact_error <= error]
+            lines += [f"| {problem} | {size} | {error:.0e} | {row} |" for row in _rows(good)]
     return "\n".join(lines)
 
 
-def _rows(problem: str, error: float, good: Sequence[Timing]) -> Iterator[str]:
-    """A row for each setting of ours that is good enough, beside the best of FEBio's; none where there is none."""
+def _rows(good: Sequence[Timing]) -> Iterator[str]:
+    """For each setting of ours: the best of FEBio's, ours, iterations, ratio; none where FEBio's has none."""
     ours = dict.fromkeys(t.setting for t in good if t.interface == Join.MIXTURE.value)
     theirs = dict.fromkeys(t.setting for t in good if t.interface != Join.MIXTURE.value)
     if not theirs:
         return
-    best = min(theirs, key=lambda setting: median(times(good, setting).values()))
-    fewest = min(instructions(good, setting) for setting in theirs)
+    best = min(theirs, key=lambda setting: median(costs(good, setting).values()))
     for setting in ours:
         low, middle, high = ratios(good, setting, best)
-        counted = instructions(good, setting) / fewest
-        yield (
-            f"| {problem} | {error:.0e} | {_told(best)}: {iterations(good, best)} | {_told(setting)} | "
-            f"{iterations(good, setting)} | {middle:.3f} [{low:.3f}, {high:.3f}] | {counted:.3f} |"
-        )
+        spread = f" [{low:.3f}, {high:.3f}]" if high > low else ""
+        yield " | ".join((_told(good, best), _told(good, setting, named=False), f"{middle:.3f}{spread}"))
 
 
-def times(timings: Sequence[Timing], setting: tuple[str, str, float]) -> dict[int, float]:
-    """Processor time (s) of a setting by turn."""
-    return {t.turn: t.cpu for t in timings if t.setting == setting and t.turn > 0}
+def costs(timings: Sequence[Timing], setting: Setting) -> dict[int, float]:
+    """By turn, the processor time (s) of a setting; its instructions where they were counted."""
+    return {t.turn: t.cpu if math.isnan(t.instructions) else t.instructions for t in timings if t.setting == setting}
 
 
-def ratios(
-    timings: Sequence[Timing], ours: tuple[str, str, float], theirs: tuple[str, str, float]
-) -> tuple[float, float, float]:
-    """Quartiles of the ratio of processor times in the turns that both were run in; needs two of them."""
-    own, other = times(timings, ours), times(timings, theirs)
-    low, middle, high = quantiles((own[n] / other[n] for n in own if n in other), n=4, method="inclusive")
+def ratios(timings: Sequence[Timing], ours: Setting, theirs: Setting) -> tuple[float, float, float]:
+    """Quartiles of the ratio of costs in the turns that both were run in."""
+    own, other = costs(timings, ours), costs(timings, theirs)
+    found = [own[n] / other[n] for n in own if n in other]
+    low, middle, high = quantiles(found, n=4, method="inclusive") if len(found) > 1 else found * 3
     return low, middle, high
 
 
-def instructions(timings: Sequence[Timing], setting: tuple[str, str, float]) -> float:
-    """Instructions of a setting; nan where they were not counted."""
-    return next((t.instructions for t in timings if t.setting == setting and t.turn == 0), math.nan)
-
-
-def iterations(timings: Sequence[Timing], setting: tuple[str, str, float]) -> int:
-    """Iterations of a setting."""
-    return next(t.iterations for t in timings if t.setting == setting)
-
-
-def _told(setting: tuple[str, str, float]) -> str:
+def _told(timings: Sequence[Timing], setting: Setting, *, named: bool = True) -> str:
     interface, knob, value = setting
+    iterations = next(t.iterations for t in timings if t.setting == setting)
     what = knob if knob == Knob.DEFAULT.value else f"{knob} {value:g}"
-    return what if interface == Join.MIXTURE.value else f"`{interface}`, {what}"
+    return f"`{interface}`, {what}: {iterations} it." if named else f"{what} | {iterations}"
