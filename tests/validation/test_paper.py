@@ -59,7 +59,8 @@ def test_extrapolation_takes_no_further_evaluation_of_the_residual(runner):
 
 def test_the_matrix_is_shaped_anew_only_where_an_iteration_may_change_contact(runner):
     """Each iteration but the first one of a step, and that of the first step."""
-    run = runner(Diffusion(control=Control(20, 100.0)).model())
+    plain = ContactSettings(extra=(Param("extrapolation", False),))
+    run = runner(Diffusion(settings=plain, control=Control(20, 100.0)).model())
     assert run.log.count("= reforming stiffness matrix:") == run.report.iterations - run.report.steps + 1
 
 
