@@ -86,8 +86,9 @@ def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
     named = {(p.interface.value, p.knob.value, p.value) for p in chosen}
     assert named == {
         ("unsplit", "default", 0.0),
+        ("sliding-mixture", "default", 0.0),
         ("sliding-mixture", "extrapolation", 0.0),
-        ("sliding-mixture", "extrapolation", 1.0),
+        ("sliding-mixture", "integration", 0.0),
         ("sliding-mixture", "penalty factor", 10.0),
         ("sliding-multiphasic", "penalty factor", 1e2),
         ("sliding-multiphasic", "penalty factor", 1e4),
@@ -105,9 +106,10 @@ def test_ratios_are_those_within_a_turn_to_the_faster_that_is_good_enough():
     found += [timing(*poor, 0.1, turn=n, error=0.05) for n in (1, 2, 3)]
     assert turns.ratios(found, ours, slow) == pytest.approx((0.625, 0.75, 0.925))
     rows = turns.ratio_table(found).splitlines()[2:]
-    assert len(rows) == 6
-    assert "penalty factor 1: 24 it. | default | 24 | 22.000 [" in rows[0]
-    assert rows[1].endswith("`sliding-multiphasic`, default: 24 it. | default | 24 | 0.750 [0.625, 0.925] |")
+    assert len(rows) == 2
+    assert "| 1e-01 | `sliding-biphasic-solute`, penalty factor 1: 24 it. | default | 24 | 22.000 [" in rows[0]
+    last = "| 1e-02 to 1e-06 | `sliding-multiphasic`, default: 24 it. | default | 24 | 0.750 [0.625, 0.925] |"
+    assert rows[1].endswith(last)
 
 
 def test_instructions_are_compared_where_they_were_counted():

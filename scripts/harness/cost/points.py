@@ -140,7 +140,7 @@ class Point:
             return replace(
                 base,
                 laugon="LAGMULT" if self.knob is Knob.LAGMULT else None,
-                integration="segments" if self.value else None,
+                integration="segments" if self.value else "gauss",
             )
         return base
 
