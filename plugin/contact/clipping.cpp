@@ -20,16 +20,17 @@ Polygon left_of(const Polygon& polygon, const VaryingVector& from, const Varying
                 double coincident) {
   const VaryingVector edge = to - from;
   const double on_line = coincident * edge.value.norm();
-  std::vector<VaryingNumber> side;
+  std::vector<double> side;
   side.reserve(polygon.size());
-  for (const VaryingVector& corner : polygon) side.push_back(triple(n, edge, corner - from));
+  for (const VaryingVector& corner : polygon) side.push_back(n.value.dot(edge.value.cross(corner.value - from.value)));
+  const auto varying_side = [&](std::size_t i) { return triple(n, edge, polygon[i] - from); };
   Polygon rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t next = (i + 1) % polygon.size();
-    if (side[i].value >= -on_line) rest.push_back(polygon[i]);
-    const bool leaves = side[i].value > on_line && side[next].value < -on_line;
-    const bool enters = side[i].value < -on_line && side[next].value > on_line;
-    if (leaves || enters) rest.push_back(crossing(polygon[i], polygon[next], side[i], side[next]));
+    if (side[i] >= -on_line) rest.push_back(polygon[i]);
+    const bool leaves = side[i] > on_line && side[next] < -on_line;
+    const bool enters = side[i] < -on_line && side[next] > on_line;
+    if (leaves || enters) rest.push_back(crossing(polygon[i], polygon[next], varying_side(i), varying_side(next)));
   }
   return rest;
 }

@@ -31,8 +31,8 @@ class Kind(str, Enum):
     """Many facets in contact."""
 
 
-SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=400), Kind.WIDE: Size(width=6)}
-"""Runs of the two that are timed take some seconds."""
+SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=100), Kind.WIDE: Size(width=4)}
+"""Runs of the two that are timed take ten times as long as those of the sweep."""
 _COUNT = re.compile(r"refs:\s+([\d,]+)")
 
 
