@@ -49,6 +49,10 @@ VaryingVector operator*(double factor, const VaryingVector& vector) {
   return {factor * vector.value, factor * vector.variation};
 }
 
+VaryingVector operator*(const VaryingNumber& factor, const VaryingVector& vector) {
+  return {factor.value * vector.value, factor.value * vector.variation + vector.value * factor.variation};
+}
+
 VaryingNumber triple(const VaryingVector& n, const VaryingVector& a, const VaryingVector& b) {
   const Vector3d ab = a.value.cross(b.value);
   const Vector3d bn = b.value.cross(n.value);
@@ -68,6 +72,20 @@ double twice_area(const Polygon& polygon, const Vector3d& n) {
     sum += n.dot((polygon[i - 1].value - polygon[0].value).cross(polygon[i].value - polygon[0].value));
   }
   return sum;
+}
+
+VaryingVector centroid(const Polygon& polygon, const VaryingVector& n) {
+  VaryingNumber area = triple(n, polygon[1] - polygon[0], polygon[2] - polygon[0]);
+  VaryingVector moment = area * (polygon[1] + polygon[2] - 2 * polygon[0]);
+  for (std::size_t i = 3; i < polygon.size(); ++i) {
+    const VaryingVector one = polygon[i - 1] - polygon[0];
+    const VaryingVector two = polygon[i] - polygon[0];
+    const VaryingNumber part = triple(n, one, two);
+    area = {area.value + part.value, area.variation + part.variation};
+    moment = moment + part * (one + two);
+  }
+  const VaryingNumber share{1 / (3 * area.value), -area.variation / (3 * area.value * area.value)};
+  return polygon[0] + share * moment;
 }
 
 Polygon clip(Polygon polygon, const Polygon& window, const VaryingVector& n, double coincident) {

@@ -25,6 +25,7 @@ struct VaryingVector {
 VaryingVector operator+(const VaryingVector& one, const VaryingVector& two);
 VaryingVector operator-(const VaryingVector& one, const VaryingVector& two);
 VaryingVector operator*(double factor, const VaryingVector& vector);
+VaryingVector operator*(const VaryingNumber& factor, const VaryingVector& vector);
 
 /// n.(a x b): of two edges of a triangle twice its area seen along -n, positive where they turn counter-clockwise.
 VaryingNumber triple(const VaryingVector& n, const VaryingVector& a, const VaryingVector& b);
@@ -38,6 +39,9 @@ using Polygon = std::vector<VaryingVector>;
 
 /// Twice the area of a polygon seen along -n; negative if its corners go clockwise.
 double twice_area(const Polygon& polygon, const Vector3d& n);
+
+/// Centre of the area of a polygon seen along n; it must have an area.
+VaryingVector centroid(const Polygon& polygon, const VaryingVector& n);
 
 /// The part of a polygon within a convex window, both seen along n (Sutherland and Hodgman 1974, Commun ACM 17(1):32).
 ///

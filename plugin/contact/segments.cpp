@@ -115,16 +115,15 @@ VaryingVector combined(const Polygon& corners, const Eigen::Ref<const VectorXd>&
   return sum;
 }
 
-/// A convex polygon as triangles and quadrilaterals: itself, or triangles around its middle, so that a mirrored polygon
-/// has mirrored pieces.
-std::vector<Polygon> pieces(const Polygon& polygon) {
-  const std::size_t corners = polygon.size();
-  if (corners < 3) return {};
-  if (corners <= 4) return {polygon};
-  const auto count = static_cast<Index>(corners);
-  const VaryingVector centre = combined(polygon, VectorXd::Constant(count, 1.0 / static_cast<double>(count)));
+/// A convex polygon as triangles around its centroid: integrals over it change smoothly where it gains or loses a
+/// corner, and those of a mirrored polygon are mirrored.
+std::vector<Polygon> pieces(const Polygon& polygon, const VaryingVector& n, double negligible) {
   std::vector<Polygon> result;
-  for (std::size_t i = 0; i < corners; ++i) result.push_back({centre, polygon[i], polygon[(i + 1) % corners]});
+  if (polygon.size() < 3 || twice_area(polygon, n.value) <= negligible) return result;
+  const VaryingVector centre = centroid(polygon, n);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    result.push_back({centre, polygon[i], polygon[(i + 1) % polygon.size()]});
+  }
   return result;
 }
 
@@ -158,8 +157,9 @@ std::vector<Place> overlap(const VaryingFacet& primary, const VaryingFacet& seco
       if (twice_area(window, n.value) >= 0) continue;  // it faces away
       std::reverse(window.begin(), window.end());
       const Polygon both = clip(polygon, window, n, coincident_fraction * std::sqrt(area));
-      for (const Polygon& piece : pieces(both)) {
-        add_places(places, primary, piece, n, order, negligible_fraction * area);
+      const double negligible = negligible_fraction * area;
+      for (const Polygon& piece : pieces(both, n, negligible)) {
+        add_places(places, primary, piece, n, order, negligible);
       }
     }
     for (std::size_t i = first; i < places.size(); ++i) places[i].sub_facet = static_cast<int>(part);

@@ -4,7 +4,7 @@
 /// Facets of both sides are polygons through their nodes (quadratic ones: four polygons whose straight edges
 /// join neighbouring nodes), seen along the normal in the middle of the primary polygon (Puso and Laursen 2004, Comput
 /// Methods Appl Mech Eng 193:601-629; Puso, Laursen and Solberg 2008, 197:555-566). Their overlap is divided into
-/// quadrilaterals and triangles. A point of such a piece is carried along that normal to the primary facet, and from
+/// triangles around its centroid. A point of such a piece is carried along that normal to the primary facet, and from
 /// there along the facet's own normal, as everywhere, to the secondary one.
 #pragma once
 
