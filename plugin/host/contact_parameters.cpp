@@ -107,8 +107,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p) {
   settings.max_augmentations = p.maxaug;
   settings.two_pass = p.two_pass;
   settings.symmetric = p.symmetric_stiffness;
-  const bool segments = p.integration_given ? p.integration == 1 : !p.two_pass;
-  settings.integration = segments ? Integration::segments : Integration::gauss;
+  settings.integration = p.integration == 1 ? Integration::segments : Integration::gauss;
   settings.integration_order = p.integration_order;
   settings.search_radius = p.search_radius_given ? p.search_radius : 0;
   settings.search_tolerance = p.search_tol;
