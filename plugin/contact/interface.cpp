@@ -42,16 +42,37 @@ std::vector<bool> in_contact_of(const std::vector<FacingNode>& nodes) {
   return in_contact;
 }
 
-UnnoticedOverlap unnoticed_among(const std::vector<FacingNode>& nodes) {
+/// Of all nodes but some.
+UnnoticedOverlap unnoticed_among(const std::vector<FacingNode>& nodes, const std::vector<bool>& but) {
   UnnoticedOverlap found;
-  for (const FacingNode& node : nodes) {
-    if (node.share <= sound_overlap) continue;
+  for (std::size_t index = 0; index < nodes.size(); ++index) {
+    const FacingNode& node = nodes[index];
+    if (node.share <= sound_overlap || but[index]) continue;
     ++found.nodes;
     found.depth = std::max(found.depth, node.overlap);
     found.share = std::max(found.share, node.share);
   }
   return found;
 }
+
+/// Settings of a second pass beside a first one that has them: its own, but for unknown multipliers.
+Settings beside(Settings settings) {
+  if (settings.enforcement != Enforcement::lagrange_multipliers) return settings;
+  settings.enforcement = Enforcement::penalty;
+  settings.traction = {true, default_traction_factor};
+  settings.solvent = settings.solute = {true, default_flux_factor};
+  return settings;
+}
+
+/// Area of a point in contact, shared among the nodes of its facet on the surface that is integrated over, or on the
+/// other [mm^2].
+FacetVector area_of_nodes(const PointContact& contact, bool integrated) {
+  const PointKinematics& point = contact.kinematics;
+  const FacetVector shape = (integrated ? point.primary_shape : point.secondary_shape).cwiseAbs();
+  return contact.loads.weight * point.area / shape.sum() * shape;
+}
+
+VectorXd inverse_or_zero(const VectorXd& values) { return (values.array() > 0).select(values.array().inverse(), 0.0); }
 
 void keep_worst(FieldGap& worst, const FieldGap& gap) {
   worst.relative = larger(worst.relative, gap.relative);
@@ -61,15 +82,21 @@ void keep_worst(FieldGap& worst, const FieldGap& gap) {
 }  // namespace
 
 ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings)
-    : mesh_(std::move(mesh)), effects_(std::move(effects)), settings_(settings), times_(effects_.scalar_fields()) {
-  for (const Side side : both_sides) {
-    if (side == Side::secondary && !settings_.two_pass) continue;
-    if (side == Side::secondary && settings_.enforcement == Enforcement::lagrange_multipliers) {
-      throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
-    }
-    passes_.push_back(
-        {side, std::make_unique<ContactPass>(mesh_[side], mesh_[other(side)], effects_, settings_), {}, {}});
+    : mesh_(std::move(mesh)),
+      effects_(std::move(effects)),
+      settings_(settings),
+      settings_of_noticed_(beside(settings)),
+      noticed_(static_cast<std::size_t>(mesh_[Side::secondary].nodes), false),
+      times_(effects_.scalar_fields()) {
+  if (settings_.two_pass && settings_.enforcement == Enforcement::lagrange_multipliers) {
+    throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
   }
+  passes_.push_back(make_pass(Side::primary, settings_));
+  if (settings_.two_pass) passes_.push_back(make_pass(Side::secondary, settings_));
+}
+
+ContactInterface::Pass ContactInterface::make_pass(Side side, const Settings& settings) const {
+  return {side, std::make_unique<ContactPass>(mesh_[side], mesh_[other(side)], effects_, settings), {}, {}};
 }
 
 double ContactInterface::search_radius(const PerSide<Matrix3Xd>& position) const {
@@ -88,14 +115,16 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   searched_ = search_all;
   for (Pass& pass : passes_) {
     if (!effects_.traction) pass.faced.reset();
-    const Matrix3Xd& x1 = position_[pass.side];
-    const Matrix3Xd& x2 = position_[other(pass.side)];
     if (search_all) {
-      pass.integral->project(x1, x2, search_radius(position_));
+      find_points(pass);
     } else {
-      pass.integral->project_on_same_facets(x1, x2);
+      pass.integral->project_on_same_facets(position_[pass.side], position_[other(pass.side)]);
     }
   }
+}
+
+void ContactInterface::find_points(Pass& pass) {
+  pass.integral->project(position_[pass.side], position_[other(pass.side)], search_radius(position_));
 }
 
 void ContactInterface::exchange_traction(bool traction) {
@@ -210,6 +239,8 @@ GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = clock(Task::augmentation);
   GapReport worst{{}, std::vector<FieldGap>(static_cast<std::size_t>(effects_.scalar_fields()))};
   for (const Pass& pass : passes_) {
+    // Beside unknown multipliers penalties leave gaps of their own, which no augmentation closes.
+    if (settings_.enforcement != pass.integral->enforcement()) continue;
     const GapReport report = measure_gaps(*pass.integral, fields[pass.side], fields[other(pass.side)], effects_);
     keep_worst(worst.traction, report.traction);
     for (std::size_t k = 0; k < worst.flux.size(); ++k) keep_worst(worst.flux[k], report.flux[k]);
@@ -245,11 +276,60 @@ PerSide<std::vector<bool>> ContactInterface::hold_nodes_in_contact() {
   return nodes_in_contact();
 }
 
-UnnoticedOverlap ContactInterface::unnoticed_overlap() const {
-  if (passes_.size() != 1 || !effects_.traction) return {};
-  const TaskClock timed = clock(Task::output);
-  const Pass& pass = passes_.front();
-  return unnoticed_among(facing_nodes(other(pass.side), sealed_nodes(pass)));
+UnnoticedOverlap ContactInterface::notice_overlap(const PerSide<SurfaceFields>& fields) {
+  unnoticed_ = {};
+  if (settings_.two_pass || !effects_.traction) return {};
+  const TaskClock timed = clock(Task::augmentation);
+  const std::vector<FacingNode> nodes = facing_nodes(Side::secondary, sealed_nodes(passes_.front()));
+  const std::vector<bool> loaded = passes_.size() > 1 ? sealed_nodes(passes_.back()) : noticed_;
+  unnoticed_ = unnoticed_among(nodes, loaded);
+  const UnnoticedOverlap found = unnoticed_among(nodes, noticed_);
+  if (found.nodes > 0) notice(nodes, fields);
+  return found;
+}
+
+void ContactInterface::notice(const std::vector<FacingNode>& nodes, const PerSide<SurfaceFields>& fields) {
+  std::vector<bool> entered(mesh_[Side::primary].facets.size(), false);
+  for (const FacingNode& node : nodes) {
+    if (node.share > sound_overlap) entered[static_cast<std::size_t>(node.facet)] = true;
+  }
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    if (nodes[node].facet >= 0 && entered[static_cast<std::size_t>(nodes[node].facet)]) noticed_[node] = true;
+  }
+  const bool joins = passes_.size() == 1;
+  limit_second_pass();
+  Pass& pass = passes_.back();
+  find_points(pass);
+  if (joins) pass.integral->begin_open(fields[Side::secondary], fields[Side::primary]);
+}
+
+void ContactInterface::limit_second_pass() {
+  if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, settings_of_noticed_));
+  passes_.back().integral->limit_to(noticed_);
+}
+
+ContactInterface::State ContactInterface::state() const {
+  State state;
+  for (std::size_t node = 0; node < noticed_.size(); ++node) {
+    if (noticed_[node]) state.noticed.push_back(static_cast<int>(node));
+  }
+  for (const Pass& pass : passes_) state.multipliers.push_back(pass.integral->multipliers);
+  return state;
+}
+
+void ContactInterface::restore(State state) {
+  std::vector<bool> noticed(noticed_.size(), false);
+  for (const int node : state.noticed) noticed[static_cast<std::size_t>(node)] = true;
+  if (noticed != noticed_) {
+    noticed_ = std::move(noticed);
+    passes_.erase(passes_.begin() + 1, passes_.end());
+    if (!state.noticed.empty()) limit_second_pass();
+    for (Matrix3Xd& position : position_) position.resize(3, 0);
+  }
+  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    passes_[pass].integral->multipliers = std::move(state.multipliers[pass]);
+  }
+  end_iterations();
 }
 
 PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
@@ -284,6 +364,7 @@ std::vector<FacingNode> ContactInterface::facing_nodes(Side side, const std::vec
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
     if (!hit) return;
+    nodes[index].facet = hit->facet;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
     const int sub_facet = sub_facet_at(facet.type, hit->eta);
     const FacetVector shape = multiplier_functions(facet.type, sub_facet, hit->eta).value;
@@ -300,19 +381,25 @@ Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = clock(Task::output);
   Balance balance;
   balance.flow = VectorXd::Zero(effects_.scalar_fields());
+  VectorXd coverage = VectorXd::Zero(mesh_[Side::primary].nodes);
   for (const Pass& pass : passes_) {
-    const double sign = pass.side == Side::primary ? 1 : -1;
-    const double share = 1.0 / static_cast<double>(passes_.size());
+    const bool integrated = pass.side == Side::primary;
+    const double sign = integrated ? 1 : -1;
+    VectorXd area = VectorXd::Zero(coverage.size());
     pass.integral->for_each_contact(fields[pass.side], fields[other(pass.side)], 1.0, [&](const PointContact& contact) {
       const double weight = contact.loads.weight;
       balance.force += sign * weight * contact.loads.traction.value * contact.kinematics.area_vector;
-      balance.area += share * weight * contact.kinematics.area;
+      const Facet& facet = facet_at(contact, Side::primary, integrated);
+      const FacetVector shares = area_of_nodes(contact, integrated);
+      for (Index a = 0; a < shares.size(); ++a) area[facet.nodes[static_cast<std::size_t>(a)]] += shares[a];
       for (std::size_t k = 0; k < contact.fields.size(); ++k) {
         balance.flow[contact.fields[k]] += sign * weight * contact.kinematics.area *
                                            contact.loads.flux[static_cast<Index>(k)].value;
       }
     });
+    coverage = coverage.cwiseMax(area);
   }
+  balance.area = coverage.sum();
   return balance;
 }
 
@@ -322,40 +409,43 @@ NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceField
   const Index scalars = effects_.scalar_fields();
   NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
                   MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes)};
-  VectorXd& weight = out.coverage;  // the sum of weights of all passes until the end
+  VectorXd weight = VectorXd::Zero(nodes);  // area of all passes
   for (const Pass& pass : passes_) {
     const bool integrated = pass.side == side;
     const double sign = integrated ? 1 : -1;
+    VectorXd area = VectorXd::Zero(nodes);
     pass.integral->for_each_contact(fields[pass.side], fields[other(pass.side)], 1.0, [&](const PointContact& contact) {
-      const PointKinematics& point = contact.kinematics;
-      const int facet_index = integrated ? contact.pair->primary : contact.pair->secondary;
-      const Facet& facet = mesh_[side].facets[static_cast<std::size_t>(facet_index)];
-      const FacetVector& shape = integrated ? point.primary_shape : point.secondary_shape;
-      const PairVector h = point.jump_weights();
-      const double area = contact.loads.weight * point.area / shape.cwiseAbs().sum();
-      for (Index a = 0; a < shape.size(); ++a) {
+      const Facet& facet = facet_at(contact, side, integrated);
+      const FacetVector shares = area_of_nodes(contact, integrated);
+      const PairVector h = contact.kinematics.jump_weights();
+      for (Index a = 0; a < shares.size(); ++a) {
         const int node = facet.nodes[static_cast<std::size_t>(a)];
-        const double share = area * std::abs(shape[a]);
-        weight[node] += share;
-        out.gap[node] += share * point.gap;
-        out.pressure[node] -= share * contact.loads.traction.value;
+        area[node] += shares[a];
+        out.gap[node] += shares[a] * contact.kinematics.gap;
+        out.pressure[node] -= shares[a] * contact.loads.traction.value;
         for (std::size_t k = 0; k < contact.fields.size(); ++k) {
           const auto column = static_cast<Index>(k);
-          out.flux(contact.fields[k], node) += sign * share * contact.loads.flux[column].value;
-          out.jump(contact.fields[k], node) += sign * share * h.dot(contact.values.col(column));
+          out.flux(contact.fields[k], node) += sign * shares[a] * contact.loads.flux[column].value;
+          out.jump(contact.fields[k], node) += sign * shares[a] * h.dot(contact.values.col(column));
         }
       }
     });
+    weight += area;
+    out.coverage = out.coverage.cwiseMax(area);
   }
-  const VectorXd scale = (weight.array() > 0).select(weight.array().inverse(), 0.0);
-  // Two passes share the load: each integrates its part of it.
-  const double parts = static_cast<double>(passes_.size());
-  out.gap.array() *= scale.array();
-  out.pressure.array() *= parts * scale.array();
-  out.flux = parts * out.flux * scale.asDiagonal();
-  out.jump = out.jump * scale.asDiagonal();
-  out.coverage /= parts;
+  const VectorXd mean = inverse_or_zero(weight);
+  out.gap.array() *= mean.array();
+  out.jump = out.jump * mean.asDiagonal();
+  // Passes that cover the same area share the load: each integrates its part of it.
+  const VectorXd per_area = inverse_or_zero(out.coverage);
+  out.pressure.array() *= per_area.array();
+  out.flux = out.flux * per_area.asDiagonal();
   return out;
+}
+
+const Facet& ContactInterface::facet_at(const PointContact& contact, Side side, bool integrated) const {
+  const int facet = integrated ? contact.pair->primary : contact.pair->secondary;
+  return mesh_[side].facets[static_cast<std::size_t>(facet)];
 }
 
 void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance) {

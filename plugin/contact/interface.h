@@ -47,13 +47,15 @@ inline constexpr double covered = 0.5 - 1e-9;
 
 /// What a node of the surface that a pass does not integrate over faces.
 struct FacingNode {
+  int facet = -1;  ///< of the surface integrated over; -1: none
   bool in_contact = false;
   double overlap = 0;  ///< with a facet none of whose nodes is in contact [mm]
   double share = 0;    ///< the same over the facet's longest edge [-]
 };
 
 /// Secondary nodes inside the primary body at facets none of whose nodes is in contact. The laws hold as averages
-/// around primary nodes: what is smaller than a primary facet may overlap it without any load.
+/// around primary nodes: what is smaller than a primary facet may overlap it without any load, unless a second pass
+/// notices it.
 struct UnnoticedOverlap {
   int nodes = 0;     ///< how many lie deeper than sound_overlap
   double depth = 0;  ///< of the deepest [mm]
@@ -70,7 +72,8 @@ struct Memory {
   std::size_t bytes = 0;   ///< for them, their facets and nodes, between calls
 };
 
-/// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers.
+/// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers,
+/// notice_overlap() the nodes that a second pass is limited to.
 class ContactInterface {
  public:
   /// Where a local residual or tangent belongs.
@@ -139,9 +142,17 @@ class ContactInterface {
   /// are held until the next one, so that those at the edge of contact do not come and go for ever.
   PerSide<std::vector<bool>> hold_nodes_in_contact();
 
-  /// At the present state. None with two passes: then secondary nodes have laws of their own. None without traction:
-  /// surfaces that cannot move stay as the user placed them.
-  UnnoticedOverlap unnoticed_overlap() const;
+  /// Looks, at a solution, for secondary nodes inside the primary body that no pass notices. All secondary nodes that
+  /// face the same primary facets become nodes of a second pass, in which no others can close, and remain so: open they
+  /// bear nothing. Whether that changes the loads, is_solution() tells. Returns what is noticed for the first time.
+  ///
+  /// Nothing with two passes, where secondary nodes have laws of their own already, and without traction: surfaces that
+  /// cannot move stay as the user placed them. Beside unknown multipliers noticed nodes have the default penalties:
+  /// there is no room for unknowns on both surfaces.
+  UnnoticedOverlap notice_overlap(const PerSide<SurfaceFields>& fields);
+
+  /// What the last notice_overlap() left without load.
+  const UnnoticedOverlap& unnoticed_overlap() const { return unnoticed_; }
 
   Balance balance(const PerSide<SurfaceFields>& fields) const;
   NodalOutput nodal_output(Side side, const PerSide<SurfaceFields>& fields) const;
@@ -160,8 +171,16 @@ class ContactInterface {
   const Times& times() const { return times_; }
   /// Times what a host does for a task around its calls; those are not counted twice.
   TaskClock clock(Task task) const { return TaskClock(times_[task]); }
-  /// Multipliers of a pass: all the state there is between time steps, to be stored and restored by the host.
   Multipliers& multipliers(std::size_t index) { return passes_[index].integral->multipliers; }
+
+  /// All that is kept between time steps, to be stored and restored by the host.
+  struct State {
+    std::vector<int> noticed;              ///< secondary nodes that a second pass is limited to, ascending
+    std::vector<Multipliers> multipliers;  ///< per pass
+  };
+  State state() const;
+  /// Iterations end with it.
+  void restore(State state);
 
  private:
   struct Pass {
@@ -171,6 +190,12 @@ class ContactInterface {
     std::vector<int> faced_changes;          ///< of these, since the iterations began
   };
 
+  Pass make_pass(Side side, const Settings& settings) const;
+  void find_points(Pass& pass);
+  void notice(const std::vector<FacingNode>& nodes, const PerSide<SurfaceFields>& fields);
+  void limit_second_pass();
+  /// The facet of one side that a point lies on, or faces; `integrated`: whether its pass integrates over that side.
+  const Facet& facet_at(const PointContact& contact, Side side, bool integrated) const;
   double search_radius(const PerSide<Matrix3Xd>& position) const;
   void hold_facing_contact(Pass& pass);
   std::vector<bool> sealed_nodes(const Pass& pass) const;
@@ -180,6 +205,9 @@ class ContactInterface {
   PerSide<SurfaceMesh> mesh_;
   Effects effects_;
   Settings settings_;
+  Settings settings_of_noticed_;  ///< of a second pass that is limited to noticed nodes
+  std::vector<bool> noticed_;     ///< secondary nodes that it is limited to
+  UnnoticedOverlap unnoticed_;
   std::vector<Pass> passes_;
   PerSide<Matrix3Xd> position_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere

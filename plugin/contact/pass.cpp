@@ -25,12 +25,20 @@ void ContactPass::update_penalties() {
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   touch_ = touch_fraction * half_diagonal(x1);
   pairs_ = points_->search(x1, x2, radius);
+  keep_limited();
   if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   pairs_ = points_->on_same_facets(x1, x2);
+  keep_limited();
   if (!effects_.traction) frozen_ = freeze(x1, x2);
+}
+
+void ContactPass::keep_limited() {
+  if (!limited_to_) return;
+  const auto apart = [&](const FacetPair& pair) { return !carries_load(pair, *limited_to_); };
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
 }
 
 void ContactPass::forget() {

@@ -92,6 +92,13 @@ class ContactPass {
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
 
+  /// Lets only some nodes close, all of whose facets then take part, and no others. Takes effect with the next
+  /// project().
+  void limit_to(std::vector<bool> nodes) { limited_to_ = std::move(nodes); }
+
+  /// Begins an iteration with every node open: for a pass that joins others within a step.
+  void begin_open(const SurfaceFields& primary, const SurfaceFields& secondary);
+
   /// Moves what an iteration holds to another state of the fields, at which project() has been called: gaps and jumps
   /// are measured and linearised there, while status and predicted loads remain. Nodes that see nothing there open.
   void move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
@@ -141,6 +148,7 @@ class ContactPass {
   /// tangent(): gap or jump = 0 in contact, mu = 0 elsewhere (laws.h), weighted such that the equation is in the units
   /// of the residual of its field, and rows and columns of the tangent are alike.
   bool has_unknown_multipliers() const { return settings_.enforcement == Enforcement::lagrange_multipliers; }
+  Enforcement enforcement() const { return settings_.enforcement; }
   MultiplierLayout multiplier_layout() const { return {primary_.nodes, effects_.scalar_fields(), effects_.traction}; }
   /// The unknowns mu = lambda/k in the order of multiplier_layout() [mm, and the units of the fields].
   VectorXd unknown_multipliers() const;
@@ -231,6 +239,10 @@ class ContactPass {
   PointContact contact(const FacetPair& pair, const IntegrationPoint& place, const NodalLoads& loads,
                        const SurfaceFields& primary, const SurfaceFields& secondary, double dt) const;
   bool carries_load(const FacetPair& pair, const std::vector<bool>& in_contact) const;
+  bool may_close(Index node) const { return !limited_to_ || (*limited_to_)[static_cast<std::size_t>(node)]; }
+  void keep_limited();
+  Held held_at(const SurfaceFields& primary, const SurfaceFields& secondary, std::vector<bool> in_contact,
+               std::vector<bool> sealed) const;
   std::vector<std::vector<const FacetPair*>> pairs_around_nodes(const std::vector<bool>& in_contact) const;
   Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
   std::vector<NodeLinearisation> linearise(const NodalLoads& loads, const SurfaceFields& primary,
@@ -286,6 +298,7 @@ class ContactPass {
   Penalties penalties_;
   std::unique_ptr<PointFinder> points_;
   std::vector<FacetPair> pairs_;
+  std::optional<std::vector<bool>> limited_to_;  ///< nodes that may close; none: all
   std::optional<Held> held_;
   bool augmented_ = false;            ///< since the last iteration began
   mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on

@@ -52,7 +52,7 @@ std::vector<bool> ContactPass::natural_status(const Matrix3Xd& x1, const Matrix3
     // Surfaces that exchange no traction touch whatever the penalty.
     const double penalty = effects_.traction ? traction_penalty(node) : penalties_.stiffness[node];
     const LawValue law = normal_traction(multipliers.traction[node], penalty, loads.gap[node], touch_);
-    status.push_back(seen(loads, node) && law.derivative > 0);
+    status.push_back(may_close(node) && seen(loads, node) && law.derivative > 0);
   }
   return status;
 }
@@ -68,7 +68,7 @@ std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const S
     const bool was = predicted.in_contact[static_cast<std::size_t>(node)];
     const double overlap_load = multipliers.traction[node] + traction_penalty(node) * now.gap[node];
     const bool stays = predicted.traction[node] <= negligible;
-    status.push_back(seen(now, node) && (was ? stays : overlap_load < -negligible));
+    status.push_back(may_close(node) && seen(now, node) && (was ? stays : overlap_load < -negligible));
   }
   return status;
 }
@@ -103,33 +103,49 @@ NodalLoads ContactPass::predicted_loads(const Held& held, const SurfaceFields& p
   return loads;
 }
 
+ContactPass::Held ContactPass::held_at(const SurfaceFields& primary, const SurfaceFields& secondary,
+                                       std::vector<bool> in_contact, std::vector<bool> sealed) const {
+  Held held;
+  held.loads = averages(primary, secondary, std::move(in_contact), std::move(sealed));
+  apply_laws(held.loads);
+  held.nodes = linearise(held.loads, primary, secondary);
+  held.primary = primary;
+  held.secondary = secondary;
+  if (has_unknown_multipliers()) held.multiplier_weights = multiplier_weights(held.loads, primary.position);
+  return held;
+}
+
 bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
   if (frozen_) return false;  // the laws are linear, and no status changes
   const NodalLoads before = nodal_loads(primary, secondary);
   const bool predicted = held_.has_value();
-  Held next;
   const std::vector<bool> status = next_status(primary, secondary);
-  next.changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
+  std::vector<int> changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
   std::vector<bool> sealed = status;
   for (std::size_t node = 0; node < status.size(); ++node) {
-    if (predicted && status[node] != before.in_contact[node]) ++next.changes[node];
-    if (next.changes[node] > most_status_changes) sealed[node] = false;
+    if (predicted && status[node] != before.in_contact[node]) ++changes[node];
+    if (changes[node] > most_status_changes) sealed[node] = false;
   }
-  next.loads = averages(primary, secondary, status, sealed);
-  apply_laws(next.loads);
-  next.nodes = linearise(next.loads, primary, secondary);
-  next.primary = primary;
-  next.secondary = secondary;
+  Held next = held_at(primary, secondary, status, std::move(sealed));
+  next.changes = std::move(changes);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && !has_unknown_multipliers() ? before : next.loads;
   const bool augmented = std::exchange(augmented_, false);
   next.geometric_traction = augmented ? multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? multipliers.flux : geometric.flux;
-  if (has_unknown_multipliers()) next.multiplier_weights = multiplier_weights(next.loads, primary.position);
   const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
                        loads_differ(before, next.loads, load_rounding, primary, secondary);
   held_ = std::move(next);
   return changed;
+}
+
+void ContactPass::begin_open(const SurfaceFields& primary, const SurfaceFields& secondary) {
+  const std::vector<bool> open(static_cast<std::size_t>(primary_.nodes), false);
+  Held held = held_at(primary, secondary, open, open);
+  held.changes.assign(open.size(), 0);
+  held.geometric_traction = held.loads.traction;
+  held.geometric_flux = held.loads.flux;
+  held_ = std::move(held);
 }
 
 void ContactPass::augment(const SurfaceFields& primary, const SurfaceFields& secondary) {
@@ -141,22 +157,19 @@ void ContactPass::augment(const SurfaceFields& primary, const SurfaceFields& sec
 
 void ContactPass::move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
   if (!held_) return;
-  Held next = *held_;
+  std::vector<bool> in_contact = held_->loads.in_contact;
+  std::vector<bool> sealed = held_->loads.sealed;
   NodalLoads now;
   average_gaps(primary.position, secondary.position, now);
   for (Index node = 0; node < primary_.nodes; ++node) {
     if (seen(now, node)) continue;
-    next.loads.in_contact[static_cast<std::size_t>(node)] = false;
-    next.loads.sealed[static_cast<std::size_t>(node)] = false;
+    in_contact[static_cast<std::size_t>(node)] = false;
+    sealed[static_cast<std::size_t>(node)] = false;
   }
-  next.loads = averages(primary, secondary, next.loads.in_contact, next.loads.sealed);
-  apply_laws(next.loads);
-  next.nodes = linearise(next.loads, primary, secondary);
-  next.primary = primary;
-  next.secondary = secondary;
+  Held next = held_at(primary, secondary, std::move(in_contact), std::move(sealed));
+  next.changes = held_->changes;
   next.geometric_traction = held_->loads.traction;
   next.geometric_flux = held_->loads.flux;
-  if (has_unknown_multipliers()) next.multiplier_weights = multiplier_weights(next.loads, primary.position);
   held_ = std::move(next);
 }
 

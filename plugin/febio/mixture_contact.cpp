@@ -134,7 +134,7 @@ void FEMixtureContact::PrepStep() {
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   const TaskClock timed = core_->clock(Task::augmentation);
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
-  if (!core_->is_solution(fields()) || !clamped_.settled()) {
+  if (!core_->is_solution(fields()) || !clamped_.settled() || notices_overlap()) {
     // FEBio counts reformations anew after this: the limit on them is to hold all the same.
     if (++disputes_ > newton_solver()->m_maxref) throw MaxStiffnessReformations();
     keep_prediction_ = true;
@@ -144,6 +144,15 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   for (const std::string& line : outcome.lines) feLog("%s\n", line.c_str());
   if (!outcome.warning.empty()) feLogWarning("%s", outcome.warning.c_str());
   return outcome.done;
+}
+
+bool FEMixtureContact::notices_overlap() {
+  const UnnoticedOverlap noticed = core_->notice_overlap(fields());
+  if (noticed.nodes == 0) return false;
+  if (!std::exchange(said_noticed_, true)) {
+    feLog("%s\n", noticed_line(GetName(), primary_.GetName(), secondary_.GetName(), noticed).c_str());
+  }
+  return !core_->is_solution(fields());
 }
 
 // ------------------------------------------------------------ output

@@ -113,6 +113,8 @@ class FEMixtureContact : public FEContactInterface {
   /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
   bool has_free_equations(const std::vector<int>& nodes, const std::vector<int>& equations);
   void store_output();
+  /// Whether the iterations go on with nodes that a second pass has just noticed.
+  bool notices_overlap();
   void warn_of_overlap();
   static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);
   static bool on_solved(FEModel* fem, unsigned int when, void* contact);
@@ -149,6 +151,7 @@ class FEMixtureContact : public FEContactInterface {
   int disputes_ = 0;                ///< solutions of FEBio's in this step that were none
   bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;
+  bool said_noticed_ = false;                      ///< in this run
   bool warned_of_overlap_ = false;                 ///< in this run
   mixture_contact::Stopwatch run_;                 ///< since the contact was read
   std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow

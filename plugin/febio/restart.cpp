@@ -42,6 +42,13 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux_growth);
 }
 
+void archive_state(DumpStream& ar, ContactInterface::State& state) {
+  int passes = static_cast<int>(state.multipliers.size());
+  ar & state.noticed & passes;
+  state.multipliers.resize(static_cast<std::size_t>(passes));
+  for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
+}
+
 }  // namespace
 
 void FEMixtureContact::Serialize(DumpStream& ar) {
@@ -66,9 +73,10 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     if (!ar.IsSaving()) build_core(std::move(meshes));
   }
   extrapolation_.serialize(ar);
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass) archive_multipliers(ar, core_->multipliers(pass));
+  ContactInterface::State state = core_->state();
+  archive_state(ar, state);
   if (ar.IsSaving()) return;
-  core_->end_iterations();
+  core_->restore(std::move(state));
   in_trial_ = keep_prediction_ = begun_ = false;  // a trial that was cut back is over
   residual_outdated_ = moved_ = false;
   add_callbacks();

@@ -3,15 +3,36 @@
 #include <iomanip>
 #include <sstream>
 
-std::string overlap_warning(const std::string& contact, const std::string& primary, const std::string& secondary,
-                            const mixture_contact::UnnoticedOverlap& overlap) {
+using mixture_contact::UnnoticedOverlap;
+
+namespace {
+
+/// "contact: n nodes of the secondary surface ... inside the body of ...", and how deep.
+std::ostringstream nodes_inside(const std::string& contact, const std::string& primary, const std::string& secondary,
+                                const UnnoticedOverlap& overlap) {
   std::ostringstream text;
   text << std::setprecision(3) << "sliding-mixture \"" << contact << "\": " << overlap.nodes
        << (overlap.nodes == 1 ? " node" : " nodes") << " of the secondary surface \"" << secondary
-       << "\" inside the body of \"" << primary << "\" without any load there, up to a depth of " << overlap.depth
-       << ", which is " << overlap.share
-       << " of a facet's edge. Primary facets do not notice what is smaller than they "
-       << "are: take the finer or more pointed surface as the primary one, set <two_pass>1</two_pass>, or refine \""
-       << primary << "\". This is said once in a run.";
+       << "\" inside the body of \"" << primary << "\", up to a depth of " << overlap.depth << ", which is "
+       << overlap.share << " of a facet's edge, ";
+  return text;
+}
+
+}  // namespace
+
+std::string noticed_line(const std::string& contact, const std::string& primary, const std::string& secondary,
+                         const UnnoticedOverlap& overlap) {
+  std::ostringstream text = nodes_inside(contact, primary, secondary, overlap);
+  text << "where no node of \"" << primary
+       << "\" is in contact: primary facets do not notice what is smaller than they are. From now on these nodes, and "
+       << "others like them, have contact conditions of their own. This is said once in a run.";
+  return text.str();
+}
+
+std::string overlap_warning(const std::string& contact, const std::string& primary, const std::string& secondary,
+                            const UnnoticedOverlap& overlap) {
+  std::ostringstream text = nodes_inside(contact, primary, secondary, overlap);
+  text << "without any load there: means over the facets around nodes are open on both sides. Refine both surfaces "
+       << "there, or take the finer or more pointed one as the primary one. This is said once in a run.";
   return text.str();
 }

@@ -157,15 +157,4 @@ std::vector<int> Contact::places(const mixture_contact::ContactInterface::Locati
   return all;
 }
 
-Contact::Saved Contact::save() {
-  Saved saved;
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass) saved.push_back(core_->multipliers(pass));
-  return saved;
-}
-
-void Contact::restore(const Saved& saved) {
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass) core_->multipliers(pass) = saved[pass];
-  core_->end_iterations();
-}
-
 }  // namespace standalone

@@ -33,11 +33,6 @@ class Contact {
   /// Places of nodal values (see Model::place) that a local vector of the core's belongs to.
   std::vector<int> places(const mixture_contact::ContactInterface::Location& at) const;
 
-  /// Multipliers of each pass: what is to be kept for a time step that is tried again.
-  using Saved = std::vector<mixture_contact::Multipliers>;
-  Saved save();
-  void restore(const Saved& saved);
-
  private:
   bool can_move() const;
   FacetMaterial material(const SurfaceFacet& facet, const MatrixXd& values) const;

@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "host/augmentation.h"
+#include "host/warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ void Newton::log_norms(const Norms& now, const Norms& required, double time) con
 bool Newton::augment() {
   std::vector<Contact>& contacts = problem_.contacts();
   const auto is_solution = [&](const Contact& contact) {
-    return contact.core().is_solution(contact.fields(problem_.values()));
+    return contact.core().is_solution(contact.fields(problem_.values())) && !notices_overlap(contact);
   };
   // What converged with contact held is a solution only if it agrees with that; if not, iterations go on.
   if (!std::all_of(contacts.begin(), contacts.end(), is_solution)) {
@@ -105,6 +106,17 @@ bool Newton::augment() {
     problem_.begin_iteration();
   }
   return done;
+}
+
+bool Newton::notices_overlap(const Contact& contact) {
+  const auto fields = contact.fields(problem_.values());
+  const mixture_contact::UnnoticedOverlap noticed = contact.core().notice_overlap(fields);
+  if (noticed.nodes == 0) return false;
+  const ContactDefinition& definition = contact.definition();
+  const auto& surfaces = definition.surfaces;
+  if (said_noticed_.insert(&contact).second)
+    log_.print("%s\n", noticed_line(definition.name, surfaces.front(), surfaces.back(), noticed).c_str());
+  return !contact.core().is_solution(fields);
 }
 
 void Newton::solve_step(double time, double dt) {

@@ -4,6 +4,8 @@
 #include "log.h"
 #include "problem.h"
 
+#include <set>
+
 namespace standalone {
 
 /// How much work was done.
@@ -43,6 +45,8 @@ class Newton {
   bool converged(const Norms& now, double time);
   void log_norms(const Norms& now, const Norms& required, double time) const;
   bool augment();
+  /// Whether the iterations go on with nodes that a second pass has just noticed.
+  bool notices_overlap(const Contact& contact);
 
   Problem& problem_;
   Log& log_;
@@ -53,7 +57,8 @@ class Newton {
   int augmentations_ = 0;
   VectorXd start_, end_;  ///< residual before and after an iteration
   Norms first_;
-  VectorXd increment_;  ///< of the step so far
+  VectorXd increment_;                     ///< of the step so far
+  std::set<const Contact*> said_noticed_;  ///< whose first noticed nodes the log has named
 };
 
 }  // namespace standalone

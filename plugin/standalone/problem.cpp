@@ -216,14 +216,14 @@ void Problem::assemble(LinearSystem& system) const {
 
 Problem::State Problem::save() {
   State state = state_;
-  for (Contact& contact : contacts_) state.contacts.push_back(contact.save());
+  for (Contact& contact : contacts_) state.contacts.push_back(contact.core().state());
   return state;
 }
 
 void Problem::restore(const State& state) {
   state_ = state;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    contacts_[k].restore(state.contacts[k]);
+    contacts_[k].core().restore(state.contacts[k]);
     contacts_[k].project(state_.values);
   }
   state_.contacts.clear();

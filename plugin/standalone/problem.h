@@ -55,7 +55,7 @@ class Problem {
   struct State {
     MatrixXd values;
     std::vector<Status> status;
-    std::vector<Contact::Saved> contacts;
+    std::vector<mixture_contact::ContactInterface::State> contacts;
   };
   State save();
   void restore(const State& state);

@@ -223,11 +223,11 @@ BOOST_AUTO_TEST_CASE(a_search_follows_a_projection_on_the_same_facets_at_the_sam
   });
 }
 
-BOOST_AUTO_TEST_CASE(stored_multipliers_restore_a_contact) {
+BOOST_AUTO_TEST_CASE(a_stored_state_restores_a_contact) {
   for_random_contacts(9, [](const Scene& scene, ContactInterface& contact) {
     const auto fresh = scene.contact();
     BOOST_TEST((answers(*fresh, scene) != answers(contact, scene)));
-    for (std::size_t pass = 0; pass < contact.passes(); ++pass) fresh->multipliers(pass) = contact.multipliers(pass);
+    fresh->restore(contact.state());
     BOOST_TEST((answers(*fresh, scene) == answers(contact, scene)));
   });
 }
@@ -384,31 +384,6 @@ BOOST_AUTO_TEST_CASE(nodes_of_graded_facets_are_in_contact_where_a_facet_around_
   for (std::size_t node = 0; node < touched.size(); ++node) {
     BOOST_TEST(touched[node] == (x1(0, static_cast<Index>(node)) < 1));
   }
-}
-
-BOOST_AUTO_TEST_CASE(an_overlap_between_integration_points_is_reported) {
-  const auto overlap_of_spike = [](double depth, bool two_pass, double around) {
-    Settings settings;
-    settings.two_pass = two_pass;
-    const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, around, 1, 8);
-    Scene scene(grids, effects_of(false, 0), settings);
-    Matrix3Xd& x2 = scene.fields[Side::secondary].position;
-    Index middle = 0;
-    (x2.topRows<2>().colwise() - Vector2d(0.5, 0.5)).colwise().norm().minCoeff(&middle);
-    x2(2, middle) = -depth;
-    const std::unique_ptr<ContactInterface> contact = scene.contact();
-    contact->begin_iteration(scene.fields);
-    return contact->unnoticed_overlap();
-  };
-  const double deep = 2 * sound_overlap;  // the edge of the primary facet is 1
-  const UnnoticedOverlap found = overlap_of_spike(deep, false, -0.1);
-  BOOST_TEST(found.nodes == 1);
-  BOOST_TEST(std::abs(found.depth - deep) <= rounding);
-  BOOST_TEST(std::abs(found.share - deep) <= rounding);
-  BOOST_TEST(overlap_of_spike(0.5 * sound_overlap, false, -0.1).nodes == 0);
-  BOOST_TEST(overlap_of_spike(-deep, false, -0.1).nodes == 0);       // a gap
-  BOOST_TEST(overlap_of_spike(deep, false, 0.5 * deep).nodes == 0);  // the facet is in contact
-  BOOST_TEST(overlap_of_spike(deep, true, -0.1).nodes == 0);         // the second pass sees it
 }
 
 BOOST_AUTO_TEST_CASE(overlapping_nodes_can_be_moved_onto_the_other_surface) {
