@@ -381,11 +381,11 @@ Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = clock(Task::output);
   Balance balance;
   balance.flow = VectorXd::Zero(effects_.scalar_fields());
-  VectorXd coverage = VectorXd::Zero(mesh_[Side::primary].nodes);
+  std::vector<VectorXd> areas;
   for (const Pass& pass : passes_) {
     const bool integrated = pass.side == Side::primary;
     const double sign = integrated ? 1 : -1;
-    VectorXd area = VectorXd::Zero(coverage.size());
+    VectorXd& area = areas.emplace_back(VectorXd::Zero(mesh_[Side::primary].nodes));
     pass.integral->for_each_contact(fields[pass.side], fields[other(pass.side)], 1.0, [&](const PointContact& contact) {
       const double weight = contact.loads.weight;
       balance.force += sign * weight * contact.loads.traction.value * contact.kinematics.area_vector;
@@ -397,10 +397,17 @@ Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
                                            contact.loads.flux[static_cast<Index>(k)].value;
       }
     });
-    coverage = coverage.cwiseMax(area);
   }
-  balance.area = coverage.sum();
+  balance.area = coverage(areas).sum();
   return balance;
+}
+
+VectorXd ContactInterface::coverage(const std::vector<VectorXd>& areas) const {
+  const VectorXd& first = areas.front();
+  const VectorXd& second = areas.back();  // the same where there is one pass
+  if (!settings_.two_pass) return first.cwiseMax(second);
+  const auto both = first.array() > 0 && second.array() > 0;
+  return both.select(0.5 * (first + second), first + second);
 }
 
 NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceFields>& fields) const {
@@ -410,10 +417,11 @@ NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceField
   NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
                   MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes)};
   VectorXd weight = VectorXd::Zero(nodes);  // area of all passes
+  std::vector<VectorXd> areas;
   for (const Pass& pass : passes_) {
     const bool integrated = pass.side == side;
     const double sign = integrated ? 1 : -1;
-    VectorXd area = VectorXd::Zero(nodes);
+    VectorXd& area = areas.emplace_back(VectorXd::Zero(nodes));
     pass.integral->for_each_contact(fields[pass.side], fields[other(pass.side)], 1.0, [&](const PointContact& contact) {
       const Facet& facet = facet_at(contact, side, integrated);
       const FacetVector shares = area_of_nodes(contact, integrated);
@@ -431,12 +439,12 @@ NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceField
       }
     });
     weight += area;
-    out.coverage = out.coverage.cwiseMax(area);
   }
+  out.coverage = coverage(areas);
   const VectorXd mean = inverse_or_zero(weight);
   out.gap.array() *= mean.array();
   out.jump = out.jump * mean.asDiagonal();
-  // Passes that cover the same area share the load: each integrates its part of it.
+  // Passes that cover the same area share its load: each integrates a part of it.
   const VectorXd per_area = inverse_or_zero(out.coverage);
   out.pressure.array() *= per_area.array();
   out.flux = out.flux * per_area.asDiagonal();

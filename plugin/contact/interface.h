@@ -194,6 +194,10 @@ class ContactInterface {
   void find_points(Pass& pass);
   void notice(const std::vector<FacingNode>& nodes, const PerSide<SurfaceFields>& fields);
   void limit_second_pass();
+  /// Area in contact that belongs to each node of a side, given that of each pass: two full passes cover the same area,
+  /// each with the errors of its own integration; a pass of noticed nodes covers what the first one leaves, and its
+  /// edge.
+  VectorXd coverage(const std::vector<VectorXd>& areas) const;
   /// The facet of one side that a point lies on, or faces; `integrated`: whether its pass integrates over that side.
   const Facet& facet_at(const PointContact& contact, Side side, bool integrated) const;
   double search_radius(const PerSide<Matrix3Xd>& position) const;
