@@ -108,11 +108,11 @@ def test_ratios_are_those_within_a_turn_to_the_faster_that_is_good_enough():
     rows = turns.ratio_table(found).splitlines()[2:]
     assert len(rows) == 2
     assert "| 1e-01 | `sliding-biphasic-solute`, penalty factor 1: 24 it. | default | 24 | 22.000 [" in rows[0]
-    last = "| 1e-02 to 1e-06 | `sliding-multiphasic`, default: 24 it. | default | 24 | 0.750 [0.625, 0.925] |"
+    last = "| 1e-02 to 1e-06 | `sliding-multiphasic`, default: 24 it. | default | 24 | 0.750 [0.625, 0.925] | 0.500 |"
     assert rows[1].endswith(last)
 
 
 def test_instructions_are_compared_where_they_were_counted():
     ours, theirs = ("sliding-mixture", "default", 0.0), ("sliding-multiphasic", "default", 0.0)
     counted = [timing(*ours, 50.0, turn=0, instructions=9e8), timing(*theirs, 40.0, turn=0, instructions=1e9)]
-    assert turns.ratio_table(counted).endswith("default | 24 | 0.900 |")
+    assert turns.ratio_table(counted).endswith("default | 24 | 0.900 | 0.900 |")

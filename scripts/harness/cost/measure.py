@@ -123,7 +123,7 @@ def _pairs(model: Model, whole: Model, timeout: float | None) -> tuple[float, fl
     return median(r.wall for r in own), median(r.cpu for r in own), median(a.cpu / b.cpu for a, b in runs)
 
 
-def execute(model: Model, timeout: float | None, prefix: Sequence[str] = ()) -> engine.Run:
+def execute(model: Model, timeout: float | None, prefix: Sequence[str] = (), *, check: bool = True) -> engine.Run:
     """Run a model by itself, and keep nothing but what febio4 said; `prefix` stands before its command line.
 
     Raises
@@ -134,7 +134,7 @@ def execute(model: Model, timeout: float | None, prefix: Sequence[str] = ()) -> 
     plugin = any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
     with TemporaryDirectory() as folder:
         command = engine.Febio4().command(model.write(Path(folder)), plugin)
-        return engine.execute([*prefix, *command], Path(folder), timeout=timeout)
+        return engine.execute([*prefix, *command], Path(folder), check=check, timeout=timeout)
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:
