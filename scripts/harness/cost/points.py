@@ -45,6 +45,7 @@ class Knob(str, Enum):
     LAGMULT = "LAGMULT"
     EXTRAPOLATION = "extrapolation"
     EXTRAPOLATED_PENALTY = "penalty factor with extrapolation"
+    """Of data from before extrapolation was the default."""
     NEWTON = "Newton tolerance"
 
 
@@ -55,11 +56,11 @@ VALUES: dict[Knob, tuple[float, ...]] = {
     Knob.MESH: (3, 10, 20),
     Knob.STEP: (10, 40, 80),
     Knob.ORDER: (1, 3, 5),
-    Knob.INTEGRATION: (1,),
+    Knob.INTEGRATION: (0,),
     Knob.PENALTY: tuple(10.0**k for k in range(7)),
     Knob.AUGLAG: tuple(10.0**-k for k in range(1, 8)),
     Knob.LAGMULT: (0, 1),
-    Knob.EXTRAPOLATION: (1,),
+    Knob.EXTRAPOLATION: (0,),
     Knob.NEWTON: (1e-1, 1e-3, 1e-6),
 }
 VALUES_33: dict[Knob, tuple[float, ...]] = {
@@ -67,12 +68,11 @@ VALUES_33: dict[Knob, tuple[float, ...]] = {
     Knob.MESH: (18,),
     Knob.STEP: (0.5, 2.0),
     Knob.ORDER: (3,),
-    Knob.INTEGRATION: (1,),
+    Knob.INTEGRATION: (0,),
     Knob.PENALTY: (1.0, 10.0, 100.0, 1000.0),
     Knob.AUGLAG: (1e-1, 1e-2),
     Knob.LAGMULT: (0, 1),
-    Knob.EXTRAPOLATION: (1,),
-    Knob.EXTRAPOLATED_PENALTY: (10.0, 100.0, 1000.0),
+    Knob.EXTRAPOLATION: (0,),
     Knob.NEWTON: (1e-2, 1e-4),
 }
 """Of problem 3.3: elements over the half-width of the slab (else 9), and a factor on the number of steps."""
