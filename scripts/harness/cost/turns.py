@@ -33,6 +33,8 @@ class Kind(str, Enum):
 
 SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=100), Kind.WIDE: Size(width=4)}
 """Runs of the two that are timed take ten times as long as those of the sweep."""
+OTHERWISE = ((Knob.DEFAULT, 0.0), (Knob.EXTRAPOLATION, 0.0), (Knob.INTEGRATION, 1.0))
+"""Settings of ours that are always timed."""
 _COUNT = re.compile(r"refs:\s+([\d,]+)")
 
 
@@ -80,14 +82,14 @@ class Timing:
 
 
 def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
-    """The unsplit body; ours by default, without extrapolation, and with Gauss points; and what reached each error.
+    """The unsplit body; ours by default, without extrapolation, and with segments; and what reached each error.
 
     Of settings that reached it the one that took the fewest iterations.
     """
     own = comparable(data, problem)
     best = (_fewest([d for d in own if d.interface == i.value], e) for i in INTERFACES for e in LEVELS)
     chosen = [(Join.UNSPLIT, Knob.DEFAULT, 0.0)]
-    chosen += [(Join.MIXTURE, knob, 0.0) for knob in (Knob.DEFAULT, Knob.EXTRAPOLATION, Knob.INTEGRATION)]
+    chosen += [(Join.MIXTURE, knob, value) for knob, value in OTHERWISE]
     chosen += [(Join(d.interface), Knob(d.knob), d.value) for d in best if d]
     return [Point(problem, *one) for one in dict.fromkeys(chosen)]
 
