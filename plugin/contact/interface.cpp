@@ -42,6 +42,24 @@ std::vector<bool> in_contact_of(const std::vector<FacingNode>& nodes) {
   return in_contact;
 }
 
+/// All nodes of facets some of whose nodes are among the given ones.
+std::vector<bool> nodes_of_facets_with(const std::vector<bool>& given, const std::vector<Facet>& facets) {
+  std::vector<bool> found(given.size(), false);
+  for (const Facet& facet : facets) {
+    const auto* end = facet.nodes.begin() + node_count(facet.type);
+    const auto is_given = [&](int node) { return given[static_cast<std::size_t>(node)]; };
+    if (std::none_of(facet.nodes.begin(), end, is_given)) continue;
+    std::for_each(facet.nodes.begin(), end, [&](int node) { found[static_cast<std::size_t>(node)] = true; });
+  }
+  return found;
+}
+
+/// 1 at the given nodes, 0 elsewhere.
+VectorXd shares_of(const std::vector<bool>& given) {
+  return VectorXd::NullaryExpr(static_cast<Index>(given.size()),
+                               [&](Index node) { return given[static_cast<std::size_t>(node)] ? 1.0 : 0.0; });
+}
+
 /// Of all nodes but some.
 UnnoticedOverlap unnoticed_among(const std::vector<FacingNode>& nodes, const std::vector<bool>& but) {
   UnnoticedOverlap found;
@@ -356,9 +374,8 @@ std::vector<FacingNode> ContactInterface::facing_nodes(Side side, const std::vec
   const std::vector<Facet>& facets = mesh_[other(side)].facets;
   const FacetTree tree(facets, position_[other(side)], box_margin);
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
-  const VectorXd other_share = VectorXd::NullaryExpr(static_cast<Index>(other_in_contact.size()), [&](Index node) {
-    return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
-  });
+  const VectorXd other_share = shares_of(other_in_contact);
+  const VectorXd beside_contact = shares_of(nodes_of_facets_with(other_in_contact, facets));
   in_parallel(nodes.size(), [&](std::size_t index) {
     const auto node = static_cast<Index>(index);
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
@@ -370,7 +387,7 @@ std::vector<FacingNode> ContactInterface::facing_nodes(Side side, const std::vec
     const FacetVector shape = multiplier_functions(facet.type, sub_facet, hit->eta).value;
     const FacetVector shares = facet_values(facet, other_share);
     nodes[index].in_contact = shape.dot(shares) >= covered;
-    if (hit->gap >= 0 || shares.maxCoeff() > 0) return;
+    if (hit->gap >= 0 || facet_values(facet, beside_contact).maxCoeff() > 0) return;
     nodes[index].overlap = -hit->gap;
     nodes[index].share = -hit->gap / longest_edge(facet, position_[other(side)]);
   });

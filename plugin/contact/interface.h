@@ -49,13 +49,15 @@ inline constexpr double covered = 0.5 - 1e-9;
 struct FacingNode {
   int facet = -1;  ///< of the surface integrated over; -1: none
   bool in_contact = false;
-  double overlap = 0;  ///< with a facet none of whose nodes is in contact [mm]
-  double share = 0;    ///< the same over the facet's longest edge [-]
+  double
+      overlap = 0;   ///< with a facet away from contact: none of whose nodes belongs to one with a node in contact [mm]
+  double share = 0;  ///< the same over the facet's longest edge [-]
 };
 
-/// Secondary nodes inside the primary body at facets none of whose nodes is in contact. The laws hold as averages
-/// around primary nodes: what is smaller than a primary facet may overlap it without any load, unless a second pass
-/// notices it.
+/// Secondary nodes inside the primary body at facets away from contact. The laws hold as averages around primary nodes:
+/// what is smaller than a primary facet may overlap it without any load, unless a second pass notices it. Beside facets
+/// in contact the average reaches that far: an overlap there is the error of the edge of contact, which no second law
+/// mends.
 struct UnnoticedOverlap {
   int nodes = 0;     ///< how many lie deeper than sound_overlap
   double depth = 0;  ///< of the deepest [mm]

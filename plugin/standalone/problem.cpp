@@ -216,7 +216,7 @@ void Problem::assemble(LinearSystem& system) const {
 
 Problem::State Problem::save() {
   State state = state_;
-  for (Contact& contact : contacts_) state.contacts.push_back(contact.core().state());
+  for (const Contact& contact : contacts_) state.contacts.push_back(contact.core().state());
   return state;
 }
 
