@@ -42,33 +42,32 @@ std::vector<bool> in_contact_of(const std::vector<FacingNode>& nodes) {
   return in_contact;
 }
 
+bool has_node_among(const Facet& facet, const std::vector<bool>& given) {
+  return std::any_of(facet.nodes.begin(), facet.nodes.begin() + node_count(facet.type),
+                     [&](int node) { return given[static_cast<std::size_t>(node)]; });
+}
+
 /// All nodes of facets some of whose nodes are among the given ones.
 std::vector<bool> nodes_of_facets_with(const std::vector<bool>& given, const std::vector<Facet>& facets) {
   std::vector<bool> found(given.size(), false);
   for (const Facet& facet : facets) {
-    const auto* end = facet.nodes.begin() + node_count(facet.type);
-    const auto is_given = [&](int node) { return given[static_cast<std::size_t>(node)]; };
-    if (std::none_of(facet.nodes.begin(), end, is_given)) continue;
-    std::for_each(facet.nodes.begin(), end, [&](int node) { found[static_cast<std::size_t>(node)] = true; });
+    if (!has_node_among(facet, given)) continue;
+    std::for_each(facet.nodes.begin(), facet.nodes.begin() + node_count(facet.type),
+                  [&](int node) { found[static_cast<std::size_t>(node)] = true; });
   }
   return found;
 }
 
-/// 1 at the given nodes, 0 elsewhere.
-VectorXd shares_of(const std::vector<bool>& given) {
-  return VectorXd::NullaryExpr(static_cast<Index>(given.size()),
-                               [&](Index node) { return given[static_cast<std::size_t>(node)] ? 1.0 : 0.0; });
-}
-
-/// Of all nodes but some.
-UnnoticedOverlap unnoticed_among(const std::vector<FacingNode>& nodes, const std::vector<bool>& but) {
+/// Of nodes deeper than sound_overlap, all but some.
+UnnoticedOverlap unnoticed_among(const std::vector<FacingNode>& nodes, const VectorXd& shares,
+                                 const std::vector<bool>& but) {
   UnnoticedOverlap found;
   for (std::size_t index = 0; index < nodes.size(); ++index) {
-    const FacingNode& node = nodes[index];
-    if (node.share <= sound_overlap || but[index]) continue;
+    const double share = shares[static_cast<Index>(index)];
+    if (share <= sound_overlap || but[index]) continue;
     ++found.nodes;
-    found.depth = std::max(found.depth, node.overlap);
-    found.share = std::max(found.share, node.share);
+    found.depth = std::max(found.depth, -nodes[index].gap);
+    found.share = std::max(found.share, share);
   }
   return found;
 }
@@ -298,18 +297,36 @@ UnnoticedOverlap ContactInterface::notice_overlap(const PerSide<SurfaceFields>& 
   unnoticed_ = {};
   if (settings_.two_pass || !effects_.traction) return {};
   const TaskClock timed = clock(Task::augmentation);
-  const std::vector<FacingNode> nodes = facing_nodes(Side::secondary, sealed_nodes(passes_.front()));
+  const std::vector<bool> in_contact = sealed_nodes(passes_.front());
+  const std::vector<FacingNode> nodes = facing_nodes(Side::secondary, in_contact);
+  const VectorXd shares = overlap_shares(nodes, in_contact);
   const std::vector<bool> loaded = passes_.size() > 1 ? sealed_nodes(passes_.back()) : noticed_;
-  unnoticed_ = unnoticed_among(nodes, loaded);
-  const UnnoticedOverlap found = unnoticed_among(nodes, noticed_);
-  if (found.nodes > 0) notice(nodes, fields);
+  unnoticed_ = unnoticed_among(nodes, shares, loaded);
+  const UnnoticedOverlap found = unnoticed_among(nodes, shares, noticed_);
+  if (found.nodes > 0) notice(nodes, shares, fields);
   return found;
 }
 
-void ContactInterface::notice(const std::vector<FacingNode>& nodes, const PerSide<SurfaceFields>& fields) {
+VectorXd ContactInterface::overlap_shares(const std::vector<FacingNode>& nodes,
+                                          const std::vector<bool>& primary_in_contact) const {
+  const std::vector<Facet>& facets = mesh_[Side::primary].facets;
+  const std::vector<bool> beside_contact = nodes_of_facets_with(primary_in_contact, facets);
+  VectorXd shares = VectorXd::Zero(static_cast<Index>(nodes.size()));
+  for (std::size_t index = 0; index < nodes.size(); ++index) {
+    const FacingNode& node = nodes[index];
+    if (node.facet < 0 || node.gap >= 0) continue;
+    const Facet& facet = facets[static_cast<std::size_t>(node.facet)];
+    if (has_node_among(facet, beside_contact)) continue;
+    shares[static_cast<Index>(index)] = -node.gap / longest_edge(facet, position_[Side::primary]);
+  }
+  return shares;
+}
+
+void ContactInterface::notice(const std::vector<FacingNode>& nodes, const VectorXd& shares,
+                              const PerSide<SurfaceFields>& fields) {
   std::vector<bool> entered(mesh_[Side::primary].facets.size(), false);
-  for (const FacingNode& node : nodes) {
-    if (node.share > sound_overlap) entered[static_cast<std::size_t>(node.facet)] = true;
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    if (shares[static_cast<Index>(node)] > sound_overlap) entered[static_cast<std::size_t>(nodes[node].facet)] = true;
   }
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     if (nodes[node].facet >= 0 && entered[static_cast<std::size_t>(nodes[node].facet)]) noticed_[node] = true;
@@ -374,22 +391,18 @@ std::vector<FacingNode> ContactInterface::facing_nodes(Side side, const std::vec
   const std::vector<Facet>& facets = mesh_[other(side)].facets;
   const FacetTree tree(facets, position_[other(side)], box_margin);
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
-  const VectorXd other_share = shares_of(other_in_contact);
-  const VectorXd beside_contact = shares_of(nodes_of_facets_with(other_in_contact, facets));
+  const VectorXd other_share = VectorXd::NullaryExpr(static_cast<Index>(other_in_contact.size()), [&](Index node) {
+    return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
+  });
   in_parallel(nodes.size(), [&](std::size_t index) {
     const auto node = static_cast<Index>(index);
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
     const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position_[other(side)], ray);
     if (!hit) return;
-    nodes[index].facet = hit->facet;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
     const int sub_facet = sub_facet_at(facet.type, hit->eta);
     const FacetVector shape = multiplier_functions(facet.type, sub_facet, hit->eta).value;
-    const FacetVector shares = facet_values(facet, other_share);
-    nodes[index].in_contact = shape.dot(shares) >= covered;
-    if (hit->gap >= 0 || facet_values(facet, beside_contact).maxCoeff() > 0) return;
-    nodes[index].overlap = -hit->gap;
-    nodes[index].share = -hit->gap / longest_edge(facet, position_[other(side)]);
+    nodes[index] = {hit->facet, hit->gap, shape.dot(facet_values(facet, other_share)) >= covered};
   });
   return nodes;
 }

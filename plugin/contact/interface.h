@@ -48,13 +48,12 @@ inline constexpr double covered = 0.5 - 1e-9;
 /// What a node of the surface that a pass does not integrate over faces.
 struct FacingNode {
   int facet = -1;  ///< of the surface integrated over; -1: none
+  double gap = 0;  ///< along the node's own normal [mm]
   bool in_contact = false;
-  double
-      overlap = 0;   ///< with a facet away from contact: none of whose nodes belongs to one with a node in contact [mm]
-  double share = 0;  ///< the same over the facet's longest edge [-]
 };
 
-/// Secondary nodes inside the primary body at facets away from contact. The laws hold as averages around primary nodes:
+/// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
+/// contact. The laws hold as averages around primary nodes:
 /// what is smaller than a primary facet may overlap it without any load, unless a second pass notices it. Beside facets
 /// in contact the average reaches that far: an overlap there is the error of the edge of contact, which no second law
 /// mends.
@@ -194,7 +193,10 @@ class ContactInterface {
 
   Pass make_pass(Side side, const Settings& settings) const;
   void find_points(Pass& pass);
-  void notice(const std::vector<FacingNode>& nodes, const PerSide<SurfaceFields>& fields);
+  /// For each secondary node, its overlap with a primary facet away from contact, over the facet's longest edge; else
+  /// 0.
+  VectorXd overlap_shares(const std::vector<FacingNode>& nodes, const std::vector<bool>& primary_in_contact) const;
+  void notice(const std::vector<FacingNode>& nodes, const VectorXd& shares, const PerSide<SurfaceFields>& fields);
   void limit_second_pass();
   /// Area in contact that belongs to each node of a side, given that of each pass: two full passes cover the same area,
   /// each with the errors of its own integration; a pass of noticed nodes covers what the first one leaves, and its

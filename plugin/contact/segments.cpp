@@ -127,16 +127,13 @@ std::vector<Polygon> pieces(const Polygon& polygon, const VaryingVector& n, doub
   return result;
 }
 
-/// Adds the points of a piece, a linear triangle or quadrilateral in space seen along n.
-void add_places(std::vector<Place>& places, const VaryingFacet& primary, const Polygon& piece, const VaryingVector& n,
-                int order, double negligible) {
-  const FacetType type = piece.size() == 3 ? FacetType::tri3 : FacetType::quad4;
-  for (const QuadraturePoint& q : quadrature(type, order)) {
-    const ShapeFunctions shape = shape_functions(type, q.xi);
-    const VaryingNumber area = triple(n, combined(piece, shape.gradient.col(0)),
-                                      combined(piece, shape.gradient.col(1)));
-    if (area.value <= negligible) continue;
-    const auto place = carry(primary, combined(piece, shape.value), n,
+/// Adds the points of a triangle in space seen along n. `primary`: the facet that it is carried to.
+void add_places(std::vector<Place>& places, const VaryingFacet& primary, const Polygon& triangle,
+                const VaryingVector& n, int order, double negligible) {
+  const VaryingNumber area = triple(n, triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  if (area.value <= negligible) return;
+  for (const QuadraturePoint& q : quadrature(FacetType::tri3, order)) {
+    const auto place = carry(primary, combined(triangle, shape_functions(FacetType::tri3, q.xi).value), n,
                              {q.weight * area.value, q.weight * area.variation});
     if (place) places.push_back(*place);
   }

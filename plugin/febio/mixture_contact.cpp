@@ -169,7 +169,7 @@ void FEMixtureContact::store_output() {
 
 void FEMixtureContact::warn_of_overlap() {
   if (warned_of_overlap_) return;
-  const UnnoticedOverlap overlap = core_->unnoticed_overlap();
+  const UnnoticedOverlap& overlap = core_->unnoticed_overlap();
   warned_of_overlap_ = overlap.nodes > 0;
   if (!warned_of_overlap_) return;
   feLogWarning("%s", overlap_warning(GetName(), primary_.GetName(), secondary_.GetName(), overlap).c_str());

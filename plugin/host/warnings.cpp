@@ -23,8 +23,7 @@ std::ostringstream nodes_inside(const std::string& contact, const std::string& p
 std::string noticed_line(const std::string& contact, const std::string& primary, const std::string& secondary,
                          const UnnoticedOverlap& overlap) {
   std::ostringstream text = nodes_inside(contact, primary, secondary, overlap);
-  text << "where no node of \"" << primary
-       << "\" is in contact: primary facets do not notice what is smaller than they are. From now on these nodes, and "
+  text << "away from contact: primary facets do not notice what is smaller than they are. From now on these nodes, and "
        << "others like them, have contact conditions of their own. This is said once in a run.";
   return text.str();
 }

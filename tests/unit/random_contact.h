@@ -27,16 +27,23 @@ inline constexpr std::array all_facets{FacetType::tri3,  FacetType::tri6,  Facet
 inline const double difference_step = std::cbrt(std::numeric_limits<double>::epsilon());
 
 /// Central-difference derivative of a vector function, shape (rows, x.size()).
-inline MatrixXd differences(const std::function<VectorXd(const VectorXd&)>& function, const VectorXd& x) {
+inline MatrixXd differences(const std::function<VectorXd(const VectorXd&)>& function, const VectorXd& x,
+                            double step = difference_step) {
   MatrixXd derivative(function(x).size(), x.size());
   for (Index i = 0; i < x.size(); ++i) {
     VectorXd up = x;
     VectorXd down = x;
-    up[i] += difference_step;
-    down[i] -= difference_step;
+    up[i] += step;
+    down[i] -= step;
     derivative.col(i) = (function(up) - function(down)) / (up[i] - down[i]);
   }
   return derivative;
+}
+
+/// The same without the truncation error of second order (Richardson): for functions that vary over lengths l well
+/// below 1 it leaves an error of (step/l)^4.
+inline MatrixXd fine_differences(const std::function<VectorXd(const VectorXd&)>& function, const VectorXd& x) {
+  return (4 * differences(function, x, 0.5 * difference_step) - differences(function, x)) / 3;
 }
 
 /// Bound on the relative error of such a difference: with third derivatives up to 1e3 times the first (facets of size 1

@@ -5,6 +5,8 @@
 #include "contact/quadrature.h"
 #include "random_contact.h"
 
+#include <Eigen/Geometry>
+
 #include <map>
 #include <utility>
 
@@ -156,6 +158,13 @@ inline PerSide<Grid> facing_grids(FacetType one, FacetType two, double overlap, 
   secondary.z = -overlap;
   secondary.faces_up = false;
   return {{primary, secondary}};
+}
+
+/// Turns a surface about the z axis through the middle of the unit square.
+inline void turn(Matrix3Xd& position, double angle) {
+  const Vector3d middle(0.5, 0.5, 0);
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+  position = (rotation * (position.colwise() - middle)).colwise() + middle;
 }
 
 /// Explicit penalties, so that loads are known.

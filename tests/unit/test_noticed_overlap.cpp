@@ -116,6 +116,29 @@ BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {
   BOOST_TEST(loads.traction[tips[1]] == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(nothing_is_noticed_beside_facets_in_contact) {
+  // A row of primary facets, the first of which is pressed; a spike over the second or the third.
+  const auto noticed = [](double x) {
+    Spike spike(deep);
+    Scene& scene = spike.scene;
+    const GridSurface row = grid_surface({FacetType::quad4, 3, 1}, 3);
+    scene.mesh[Side::primary] = row.mesh;
+    scene.fields[Side::primary] = {row.position, MatrixXd::Zero(row.mesh.nodes, 2)};
+    Matrix3Xd& x1 = scene.fields[Side::primary].position;
+    for (Index node = 0; node < x1.cols(); ++node) x1(2, node) = x1(0, node) < 0.1 ? 2 * around : 0;
+    Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+    x2.row(2).setConstant(around);
+    Index tip = 0;
+    (x2.topRows<2>().colwise() - Vector2d(x, 0.5)).colwise().norm().minCoeff(&tip);
+    x2(2, tip) = -deep;
+    spike.contact = scene.contact();
+    spike.go_on();
+    return spike.notice().nodes;
+  };
+  BOOST_TEST(noticed(0.5) == 0);
+  BOOST_TEST(noticed(0.875) == 1);
+}
+
 BOOST_AUTO_TEST_CASE(residual_and_tangent_agree_with_noticed_nodes) {
   std::mt19937 random(3);
   double worst = 0;

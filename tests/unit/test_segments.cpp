@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <numeric>
+
 using namespace test;
 
 namespace {
@@ -13,7 +15,10 @@ namespace {
 /// Sums over hundreds of points, each the outcome of a few dozen operations, are exact to this.
 constexpr double exact = 1e-12;
 
-constexpr std::array<std::pair<int, int>, 5> divisions{{{1, 1}, {2, 3}, {3, 4}, {4, 3}, {7, 5}}};
+constexpr std::array<std::pair<int, int>, 3> divisions{{{1, 1}, {2, 3}, {4, 3}}};
+
+/// Triangles and quadrilaterals of one linear piece and of several.
+constexpr std::array differently_cut{FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8};
 
 /// Facing unit squares with different divisions.
 Scene squares(FacetType one, FacetType two, int cells_one, int cells_two, double overlap = 0.0625) {
@@ -64,11 +69,13 @@ VectorXd nodal_integrals(const SurfaceMesh& mesh, const Matrix3Xd& position, boo
   return sum;
 }
 
-/// Turns a surface about the z axis through the middle of the unit square.
-void turn(Matrix3Xd& position, double angle) {
-  const Vector3d middle(0.5, 0.5, 0);
-  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
-  position = (rotation * (position.colwise() - middle)).colwise() + middle;
+/// A facet against four or eight that lie turned over it: edges cross at an angle, as the third derivatives of a
+/// crossing grow with the cube of its cotangent.
+Scene turned_squares(FacetType one, FacetType two, std::mt19937& random) {
+  Scene scene = squares(one, two, 1, 2, 0.08);
+  turn(scene.fields[Side::secondary].position, 0.5);
+  scene.disturb(0.02, random);
+  return scene;
 }
 
 /// Residual of a scene's contact with the status of its nodes held against its tangent.
@@ -87,6 +94,64 @@ double tangent_error(const Scene& scene) {
   contact->project(scene.position());
   const MatrixXd tangent = assembled_tangent(*contact, layout, scene.fields, 0.3);
   return (tangent - approximate).norm() / tangent.norm();
+}
+
+/// A primary facet and one that faces it, by themselves.
+struct LonePair {
+  std::vector<Facet> primary;
+  std::vector<Facet> secondary;
+  VectorXd nodes;  ///< coordinates of the primary facet's nodes, then of the other's
+
+  LonePair(const Scene& scene, Facet one, Facet two) {
+    nodes.resize(3 * (node_count(one.type) + node_count(two.type)));
+    nodes << facet_coordinates(one, scene.fields[Side::primary].position).reshaped(),
+        facet_coordinates(two, scene.fields[Side::secondary].position).reshaped();
+    for (Facet* facet : {&one, &two}) std::iota(facet->nodes.begin(), facet->nodes.end(), 0);
+    primary = {one};
+    secondary = {two};
+  }
+  Index primary_size() const { return 3 * node_count(primary.front().type); }
+  Matrix3Xd x1(const VectorXd& at) const { return at.head(primary_size()).reshaped(3, primary_size() / 3); }
+  Matrix3Xd x2(const VectorXd& at) const {
+    const Index size = at.size() - primary_size();
+    return at.tail(size).reshaped(3, size / 3);
+  }
+};
+
+/// Weights of a pair's points and their places times the weights, which is what integrals take from them.
+VectorXd weighted(const FacetPair& pair) {
+  VectorXd result(3 * static_cast<Index>(pair.points.size()));
+  Index row = 0;
+  for (const IntegrationPoint& point : pair.points) {
+    result.segment<3>(row) = point.weight * Vector3d(1, point.xi[0], point.xi[1]);
+    row += 3;
+  }
+  return result;
+}
+
+/// The variation of weighted() by the motions of the points.
+MatrixXd weighted_motion(const FacetPair& pair, const std::vector<PointMotion>& motions) {
+  MatrixXd result(3 * static_cast<Index>(motions.size()), motions.front().weight.cols());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const IntegrationPoint& point = pair.points[i];
+    result.middleRows<3>(3 * static_cast<Index>(i)) << motions[i].weight, motions[i].xi + point.xi * motions[i].weight;
+    result.middleRows<3>(3 * static_cast<Index>(i)) *= point.weight;
+  }
+  return result;
+}
+
+/// Squares of the error and of the size of the motions of a pair's points, by central differences: slivers vary over
+/// lengths of their width, of which a few are 1e-3.
+Vector2d motion_error(const LonePair& lone) {
+  Segments segments(lone.primary, lone.secondary, 0);
+  const std::vector<FacetPair> found = segments.search(lone.x1(lone.nodes), lone.x2(lone.nodes), 1);
+  if (found.empty()) return {0, 0};
+  const MatrixXd approximate = fine_differences(
+      [&](const VectorXd& at) { return weighted(segments.on_same_facets(lone.x1(at), lone.x2(at)).front()); },
+      lone.nodes);
+  const MatrixXd motion = weighted_motion(found.front(),
+                                          segments.motions(found.front(), lone.x1(lone.nodes), lone.x2(lone.nodes)));
+  return {(motion - approximate).squaredNorm(), approximate.squaredNorm()};
 }
 
 }  // namespace
@@ -130,6 +195,32 @@ BOOST_AUTO_TEST_CASE(weighted_integrals_of_an_affine_gap_are_exact) {
         BOOST_TEST((sum - expected).norm() <= exact);
       }
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(integrals_do_not_jump_where_corners_pass_edges) {
+  // A corner of four turned facets passes the middle of each edge of a square. The rule of order 2 is in error for x^4;
+  // the error may not jump there. A shift moves the overlaps' edges, 8 long at most in all, by itself, and x^4 is 1 at
+  // most.
+  constexpr double shift = 1e-7;
+  const auto integral = [](const Vector2d& corner) {
+    Scene scene = squares(FacetType::quad4, FacetType::quad4, 1, 2);
+    turn(scene.fields[Side::secondary].position, 0.5);
+    scene.fields[Side::secondary].position.topRows<2>().colwise() += corner - Vector2d(0.5, 0.5);
+    double sum = 0;
+    for_each_point(scene, pairs_of(scene),
+                   [&](const Facet& facet, const Facet&, const IntegrationPoint& place, const PointKinematics& point) {
+                     const Vector3d x = facet_coordinates(facet, scene.fields[Side::primary].position) *
+                                        point.primary_shape;
+                     sum += place.weight * point.area * std::pow(x[0], 4);
+                   });
+    return sum;
+  };
+  for (const Vector2d& inwards : {Vector2d(1, 0), Vector2d(-1, 0), Vector2d(0, 1), Vector2d(0, -1)}) {
+    const Vector2d edge = 0.5 * (Vector2d::Ones() - inwards);
+    const double inside = integral(edge + shift * inwards);
+    BOOST_TEST(std::abs(inside - integral(edge - shift * inwards)) <= 2 * 8 * shift);
+    BOOST_TEST(std::abs(inside - integral(edge)) <= 8 * shift);
   }
 }
 
@@ -250,22 +341,29 @@ BOOST_AUTO_TEST_CASE(points_on_the_same_facets_are_those_of_the_search) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_tangent_holds_the_motion_of_the_segments_corners) {
-  std::mt19937 random(11);
-  double worst = 0;
+BOOST_AUTO_TEST_CASE(points_move_as_their_motion_says) {
+  std::mt19937 random(10);
   for (const FacetType one : all_facets) {
-    for (const FacetType two : all_facets) {
-      // Turned, so that edges cross at an angle: the third derivatives of a crossing grow with its cube.
-      Scene scene = squares(one, two, 1, 2, 0.08);
-      turn(scene.fields[Side::secondary].position, 0.5);
-      scene.disturb(0.02, random);
-      const double error = tangent_error(scene);
-      BOOST_TEST_MESSAGE(static_cast<int>(one) << " " << static_cast<int>(two) << ": " << error);
-      worst = std::max(worst, error);
+    for (const FacetType two : differently_cut) {
+      const Scene scene = turned_squares(one, two, random);
+      Vector2d error(0, 0);
+      for (const Facet& secondary : scene.mesh[Side::secondary].facets) {
+        error += motion_error(LonePair(scene, scene.mesh[Side::primary].facets.front(), secondary));
+      }
+      BOOST_TEST_CONTEXT(static_cast<int>(one) << " on " << static_cast<int>(two)) {
+        BOOST_TEST(std::sqrt(error[0] / error[1]) <= difference_tolerance);
+      }
     }
   }
-  BOOST_TEST_MESSAGE("largest relative difference " << worst);
-  BOOST_TEST(worst <= difference_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_holds_the_motion_of_the_segments_corners) {
+  std::mt19937 random(11);
+  for (const FacetType type : differently_cut) {
+    BOOST_TEST_CONTEXT(static_cast<int>(type)) {
+      BOOST_TEST(tangent_error(turned_squares(type, type, random)) <= difference_tolerance);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_tangent_is_exact_for_turned_and_partly_covered_surfaces) {
