@@ -107,7 +107,7 @@ void FEMixtureContact::keep_matrix_if_it_fits() {
   // bodies add. There the iteration has begun already, so that nothing but the shape is left to BuildMatrixProfile.
   const std::vector<FEMixtureContact*> contacts = active_contacts();
   FENewtonSolver* solver = newton_solver();
-  if (solver == nullptr || contacts.back() != this) return;
+  if (solver == nullptr || contacts.empty() || contacts.back() != this) return;
   FEModel& fem = *GetFEModel();
   const bool alone = static_cast<int>(contacts.size()) == fem.SurfacePairConstraints() &&
                      fem.NonlinearConstraints() == 0;

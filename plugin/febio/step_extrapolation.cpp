@@ -24,6 +24,9 @@ namespace {
 constexpr int highest_order = 2;
 /// Extrapolation starts a step where it would have told the change of the last one to this part.
 constexpr double largest_error = 1.0 / 3.0;
+/// Polynomials whose errors differ by less than this part of the change are as good as each other, and the lower one is
+/// taken: of a motion at constant speed rounding would choose.
+constexpr double same_error = 1e-6;
 /// Of the differences of load values of 1, extrapolated.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 /// FEBio compares increments with the first one of a step, and so takes two, but where the residual vanishes.
@@ -93,7 +96,7 @@ void StepExtrapolation::choose_order(const Change& actual) {
   double least = largest_error;
   for (int order = 1; order <= static_cast<int>(last_.size()); ++order) {
     const double error = worst_error(actual, order);
-    if (error >= least) continue;
+    if (error >= least - same_error) continue;
     least = error;
     order_ = order;
   }
@@ -111,7 +114,8 @@ void StepExtrapolation::step_solved(int iterations) {
   if (before.size() != loads_.size()) return;  // the first step: what the loads were at its start is not known
   Change actual{changes_of_step(fem_), loads_ - before, fem_.GetTime().timeIncrement};
   choose_order(actual);
-  if (iterations_plain_ <= least_iterations && iterations_ahead_ >= iterations_plain_) order_ = 0;
+  const bool tried_in_vain = iterations_plain_ <= least_iterations && iterations_ahead_ >= iterations_plain_;
+  if (iterations_plain_ == 1 || tried_in_vain) order_ = 0;
   last_.insert(last_.begin(), std::move(actual));
   if (last_.size() > highest_order) last_.pop_back();
 }

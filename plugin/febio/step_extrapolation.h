@@ -26,7 +26,7 @@ class StepExtrapolation {
   static bool is_available(FEModel& fem);
 
   /// Keeps the change of the step that has been solved, and judges by it what would have foretold it best. Where steps
-  /// take FEBio's least number of iterations anyway, and no fewer from the expected state, it is left out.
+  /// take one iteration, or FEBio's usual least number and no fewer from the expected state, it is left out.
   void step_solved(int iterations);
 
   /// A continued run goes on as if it had not been interrupted. After a failed attempt, when FEBio restores the state

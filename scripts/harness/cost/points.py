@@ -44,12 +44,10 @@ class Knob(str, Enum):
     AUGLAG = "AUGLAG tolerance"
     LAGMULT = "LAGMULT"
     EXTRAPOLATION = "extrapolation"
-    EXTRAPOLATED_PENALTY = "penalty factor with extrapolation"
-    """Of data from before extrapolation was the default."""
     NEWTON = "Newton tolerance"
 
 
-OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT, Knob.EXTRAPOLATION, Knob.EXTRAPOLATED_PENALTY)
+OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT, Knob.EXTRAPOLATION)
 """Of the plugin's interface alone."""
 VALUES: dict[Knob, tuple[float, ...]] = {
     Knob.DEFAULT: (0.0,),
@@ -132,10 +130,8 @@ class Point:
             return replace(automatic(AUGLAG_START), laugon="AUGLAG", tolerance=self.value)
         if self.knob is Knob.ORDER:
             return replace(base, extra=(Param("integration_order", int(self.value)),))
-        if self.knob in (Knob.EXTRAPOLATION, Knob.EXTRAPOLATED_PENALTY):
-            start = base if self.knob is Knob.EXTRAPOLATION else automatic(self.value)
-            ahead = self.knob is Knob.EXTRAPOLATED_PENALTY or bool(self.value)
-            return replace(start, extra=(Param("extrapolation", ahead),))
+        if self.knob is Knob.EXTRAPOLATION:
+            return replace(base, extra=(Param("extrapolation", bool(self.value)),))
         if self.knob in (Knob.INTEGRATION, Knob.LAGMULT):
             return replace(
                 base,

@@ -23,7 +23,6 @@ MARKERS = {
     Knob.AUGLAG: "^",
     Knob.LAGMULT: "X",
     Knob.EXTRAPOLATION: ">",
-    Knob.EXTRAPOLATED_PENALTY: "<",
     Knob.NEWTON: "P",
     Knob.DEFAULT: "*",
 }
