@@ -47,7 +47,7 @@ inline constexpr double covered = 0.5 - 1e-9;
 
 /// What a node of the surface that a pass does not integrate over faces.
 struct FacingNode {
-  int facet = -1;  ///< of the surface integrated over; -1: none
+  int facet = -1;  ///< of the surface integrated over; -1: none, or passed at its edge
   double gap = 0;  ///< along the node's own normal [mm]
   bool in_contact = false;
 };

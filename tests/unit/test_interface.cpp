@@ -338,6 +338,24 @@ BOOST_AUTO_TEST_CASE(all_nodes_of_the_smaller_surface_are_in_contact_and_no_dist
   }
 }
 
+BOOST_AUTO_TEST_CASE(nodes_at_the_edge_of_tilted_surfaces_face_what_their_normals_miss) {
+  // Both surfaces rise towards x = 1, as beside a plane of symmetry: the normals of one's nodes at x = 0 pass the edge
+  // of the other at 0.01, a tenth of their distance and a twenty-fifth of a facet. Its next row of nodes lies beyond.
+  for (const FacetType type : all_facets) {
+    PerSide<Grid> grids = facing_grids(type, type, 0.1, 4, 6);
+    grids[Side::secondary].low[0] = -0.5;
+    grids[Side::secondary].cells_x = 9;
+    Scene scene(grids, effects_of(true, 1), explicit_settings(4, 2, 8));
+    for (SurfaceFields& side : scene.fields) side.position.row(2) += 0.1 * side.position.row(0);
+    const std::vector<bool> touched = scene.contact()->nodes_in_contact()[Side::secondary];
+    for (std::size_t node = 0; node < touched.size(); ++node) {
+      const double x = scene.fields[Side::secondary].position(0, static_cast<Index>(node));
+      if (x > -1e-9) BOOST_TEST(touched[node]);
+      if (x < -0.05) BOOST_TEST(!touched[node]);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(nodes_are_in_contact_up_to_the_rim_of_the_contact_zone) {
   for (const FacetType type : all_facets) {
     PerSide<Grid> grids = facing_grids(type, FacetType::quad4, 0.05);
