@@ -35,13 +35,13 @@ constexpr double widest_miss = 1;
 std::optional<SurfaceHit> passing_hit(const FacetTree& tree, const std::vector<Facet>& facets,
                                       const Matrix3Xd& position, Ray ray) {
   ray.tolerance = widest_miss;
-  const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position, ray);
-  if (!hit) return std::nullopt;
+  std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position, ray);
+  if (!hit) return hit;
   const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
   const Eigen::Matrix<double, 3, 2> tangents = facet_coordinates(facet, position) *
                                                shape_functions(facet.type, hit->eta).gradient;
   const double miss = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
-  if (miss > largest_miss * std::abs(hit->gap)) return std::nullopt;
+  if (miss > largest_miss * std::abs(hit->gap)) hit.reset();
   return hit;
 }
 
