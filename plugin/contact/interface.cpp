@@ -25,26 +25,6 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   return normals;
 }
 
-/// Where a surface ends at a plane of symmetry the normal at its edge, the mean over one side, is off by up to half the
-/// turn between two facets: a ray that misses the other surface by less than this part of the gap belongs to it.
-constexpr double largest_miss = 0.2;
-/// How far beyond the edge of a facet such a ray is looked for, in parametric coordinates.
-constexpr double widest_miss = 1;
-
-/// The hit of a ray that passes the edge of a surface so closely.
-std::optional<SurfaceHit> passing_hit(const FacetTree& tree, const std::vector<Facet>& facets,
-                                      const Matrix3Xd& position, Ray ray) {
-  ray.tolerance = widest_miss;
-  std::optional<SurfaceHit> hit = nearest_facing(tree, facets, position, ray);
-  if (!hit) return hit;
-  const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
-  const Eigen::Matrix<double, 3, 2> tangents = facet_coordinates(facet, position) *
-                                               shape_functions(facet.type, hit->eta).gradient;
-  const double miss = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
-  if (miss > largest_miss * std::abs(hit->gap)) hit.reset();
-  return hit;
-}
-
 double longest_edge(const Facet& facet, const Matrix3Xd& position) {
   const int corners = is_triangle(facet.type) ? 3 : 4;  // the first nodes of every type
   double longest = 0;
@@ -417,16 +397,12 @@ std::vector<FacingNode> ContactInterface::facing_nodes(Side side, const std::vec
   in_parallel(nodes.size(), [&](std::size_t index) {
     const auto node = static_cast<Index>(index);
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
-    const std::optional<SurfaceHit> met = nearest_facing(tree, facets, position_[other(side)], ray);
-    const std::optional<SurfaceHit> hit = met ? met : passing_hit(tree, facets, position_[other(side)], ray);
+    const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, position_[other(side)], ray);
     if (!hit) return;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
     const int sub_facet = sub_facet_at(facet.type, hit->eta);
     const FacetVector shape = multiplier_functions(facet.type, sub_facet, hit->eta).value;
-    nodes[index].in_contact = shape.dot(facet_values(facet, other_share)) >= covered;
-    if (!met) return;
-    nodes[index].facet = hit->facet;
-    nodes[index].gap = hit->gap;
+    nodes[index] = {hit->facet, hit->gap, shape.dot(facet_values(facet, other_share)) >= covered};
   });
   return nodes;
 }

@@ -47,16 +47,15 @@ inline constexpr double covered = 0.5 - 1e-9;
 
 /// What a node of the surface that a pass does not integrate over faces.
 struct FacingNode {
-  int facet = -1;  ///< of the surface integrated over; -1: none, or passed at its edge
+  int facet = -1;  ///< of the surface integrated over; -1: none
   double gap = 0;  ///< along the node's own normal [mm]
   bool in_contact = false;
 };
 
 /// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
-/// contact. The laws hold as averages around primary nodes:
-/// what is smaller than a primary facet may overlap it without any load, unless a second pass notices it. Beside facets
-/// in contact the average reaches that far: an overlap there is the error of the edge of contact, which no second law
-/// mends.
+/// contact. The laws hold as averages around primary nodes: what is smaller than a primary facet may overlap it without
+/// any load, unless a second pass notices it. Beside facets in contact the average reaches that far: an overlap there
+/// is the error of the edge of contact, which no second law mends.
 struct UnnoticedOverlap {
   int nodes = 0;     ///< how many lie deeper than sound_overlap
   double depth = 0;  ///< of the deepest [mm]

@@ -7,6 +7,11 @@
 namespace mixture_contact {
 namespace {
 
+/// By how much a node's ray may pass a facet that it counts as meeting: a part of the gap, and in parametric
+/// coordinates.
+constexpr double largest_miss = 0.2;
+constexpr double widest_miss = 1;
+
 using Box = Eigen::AlignedBox3d;
 
 /// The slack of a surface that moves, over the mean diagonal of its facets' boxes. A smaller one is used up sooner, a
@@ -80,8 +85,8 @@ double mean_diagonal(const std::vector<Box>& boxes) {
 /// The hit of nearest_facing() among some of the facets, in ascending order.
 std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, const std::vector<Facet>& facets,
                                         const Matrix3Xd& positions, const Ray& ray) {
+  const auto length = [](const SurfaceHit& hit) { return std::abs(hit.gap) + hit.outside; };
   std::optional<SurfaceHit> best;
-  double best_length = 0;
   for (const int candidate : candidates) {
     const Facet& facet = facets[static_cast<std::size_t>(candidate)];
     const FacetCoordinates x = facet_coordinates(facet, positions);
@@ -90,10 +95,8 @@ std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, cons
     const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
     if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) >= 0) continue;
     const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
-    const double length = std::abs(hit->gap) + outside;
-    if (best && length >= best_length) continue;
-    best = {candidate, hit->eta, hit->gap};
-    best_length = length;
+    const SurfaceHit found{candidate, hit->eta, hit->gap, outside};
+    if (!best || length(found) < length(*best)) best = found;
   }
   return best;
 }
@@ -123,6 +126,17 @@ bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reac
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray) {
   return nearest_among(tree.candidates(ray.origin, ray.direction, ray.reach), facets, positions, ray);
+}
+
+std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const std::vector<Facet>& facets,
+                                                   const Matrix3Xd& positions, Ray ray) {
+  const std::vector<int> candidates = tree.candidates(ray.origin, ray.direction, ray.reach);
+  std::optional<SurfaceHit> hit = nearest_among(candidates, facets, positions, ray);
+  if (hit) return hit;
+  ray.tolerance = widest_miss;
+  hit = nearest_among(candidates, facets, positions, ray);
+  if (hit && hit->outside > largest_miss * std::abs(hit->gap)) hit.reset();
+  return hit;
 }
 
 void MovingSurface::move_to(const Matrix3Xd& positions) {

@@ -23,13 +23,33 @@ struct Spike {
   explicit Spike(double depth, double gap = around, Settings settings = explicit_settings(4, 2, 8),
                  FacetType primary = FacetType::quad4)
       : scene(facing_grids(primary, FacetType::quad4, -gap, 1, 8), effects_of(true, 1), settings) {
-    Matrix3Xd& x2 = scene.fields[Side::secondary].position;
-    (x2.topRows<2>().colwise() - Vector2d(0.5, 0.5)).colwise().norm().minCoeff(&tip);
-    x2(2, tip) = -depth;
+    tip = spike_at(0.5, depth);
     scene.set_field(0, 0.5, 0.25);
     scene.set_field(1, 1, 3);
+    begin();
+  }
+
+  /// The same over a row of primary facets, the secondary surface flat but for what spike_at() makes.
+  void over_row(int cells) {
+    const GridSurface row = grid_surface({FacetType::quad4, cells, 1}, scene.effects.scalar_fields());
+    scene.mesh[Side::primary] = row.mesh;
+    scene.fields[Side::primary] = {row.position, MatrixXd::Zero(row.mesh.nodes, scene.effects.scalar_fields())};
+    scene.fields[Side::secondary].position.row(2).setConstant(around);
+  }
+
+  /// Moves the secondary node nearest to a place in the middle line; returns it.
+  Index spike_at(double x, double depth) {
+    Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+    Index node = 0;
+    (x2.topRows<2>().colwise() - Vector2d(x, 0.5)).colwise().norm().minCoeff(&node);
+    x2(2, node) = -depth;
+    return node;
+  }
+
+  /// Begins with the scene as it is now.
+  void begin() {
     contact = scene.contact();
-    contact->begin_iteration(scene.fields);
+    go_on();
   }
 
   UnnoticedOverlap notice() { return contact->notice_overlap(scene.fields); }
@@ -91,20 +111,9 @@ BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {
   // Two primary facets side by side, and a spike over each: one as deep as sound meshes may go, one deeper.
   Spike spike(deep);
   Scene& scene = spike.scene;
-  const GridSurface wide = grid_surface({FacetType::quad4, 2, 1}, 2);
-  scene.mesh[Side::primary] = wide.mesh;
-  scene.fields[Side::primary] = {wide.position, MatrixXd::Zero(wide.mesh.nodes, 2)};
-  Matrix3Xd& x2 = scene.fields[Side::secondary].position;
-  x2.row(2).setConstant(around);
-  std::array<Index, 2> tips{};
-  for (std::size_t k = 0; k < tips.size(); ++k) {
-    const Vector2d middle(0.25 + 0.5 * static_cast<double>(k), 0.5);
-    (x2.topRows<2>().colwise() - middle).colwise().norm().minCoeff(&tips[k]);
-  }
-  x2(2, tips[0]) = -deep;
-  x2(2, tips[1]) = -0.9 * sound_overlap;
-  spike.contact = scene.contact();
-  spike.go_on();
+  spike.over_row(2);
+  const std::array<Index, 2> tips{spike.spike_at(0.25, deep), spike.spike_at(0.75, 0.9 * sound_overlap)};
+  spike.begin();
   BOOST_TEST(spike.notice().nodes == 1);
   spike.go_on();
   const std::vector<int> noticed = spike.contact->state().noticed;
@@ -120,19 +129,11 @@ BOOST_AUTO_TEST_CASE(nothing_is_noticed_beside_facets_in_contact) {
   // A row of primary facets, the first of which is pressed; a spike over the second or the third.
   const auto noticed = [](double x) {
     Spike spike(deep);
-    Scene& scene = spike.scene;
-    const GridSurface row = grid_surface({FacetType::quad4, 3, 1}, 3);
-    scene.mesh[Side::primary] = row.mesh;
-    scene.fields[Side::primary] = {row.position, MatrixXd::Zero(row.mesh.nodes, 2)};
-    Matrix3Xd& x1 = scene.fields[Side::primary].position;
+    spike.over_row(3);
+    Matrix3Xd& x1 = spike.scene.fields[Side::primary].position;
     for (Index node = 0; node < x1.cols(); ++node) x1(2, node) = x1(0, node) < 0.1 ? 2 * around : 0;
-    Matrix3Xd& x2 = scene.fields[Side::secondary].position;
-    x2.row(2).setConstant(around);
-    Index tip = 0;
-    (x2.topRows<2>().colwise() - Vector2d(x, 0.5)).colwise().norm().minCoeff(&tip);
-    x2(2, tip) = -deep;
-    spike.contact = scene.contact();
-    spike.go_on();
+    spike.spike_at(x, deep);
+    spike.begin();
     return spike.notice().nodes;
   };
   BOOST_TEST(noticed(0.5) == 0);

@@ -50,10 +50,6 @@ VectorXd random_values(Index size, double low, double high, std::mt19937& random
   return VectorXd::NullaryExpr(size, [&] { return value(random); });
 }
 
-}  // namespace
-
-namespace {
-
 /// Relative error of the tangent of a facet's contact with what it faces, fields and multipliers at random.
 double tangent_error(Scene scene, std::mt19937& random) {
   scene.disturb(0.02, random);
