@@ -73,6 +73,33 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   BOOST_TEST(std::abs(started->balance(scene.fields).force[2]) == 0.0);
 }
 
+/// Two squares of side h = 1 under the traction t = penalty * g, which tilt together: their nodes move by a (1 - 2x)
+/// along the normal. The gaps remain, but the points that the normals meet move by 2 a g / h, and the loads of a
+/// surface that rays meet differ by 4 t g a / h between its two edges, along its tilt. With two passes rays meet both
+/// surfaces.
+BOOST_AUTO_TEST_CASE(surfaces_that_rays_meet_are_pushed_the_way_both_tilt) {
+  for (const bool two_pass : {false, true}) {
+    Settings settings = explicit_settings(2.5, 1.5, 0.8);
+    settings.two_pass = two_pass;
+    const double overlap = 0.25;
+    const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap, 1, 1), effects_of(false, 0), settings);
+    const auto contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    const GlobalLayout layout(scene);
+    PerSide<VectorXd> tilt;
+    for (const Side side : both_sides) {
+      tilt[side] = VectorXd::Zero(layout.size());
+      for (Index node = 0; node < 4; ++node)
+        tilt[side][layout.entry(side, node, 2)] = 1 - 2 * scene.fields[side].position(0, node);
+    }
+    const VectorXd change = assembled_tangent(*contact, layout, scene.fields, 1) *
+                            (tilt[Side::primary] + tilt[Side::secondary]);
+    const double pushed = 4 * 2.5 * overlap * overlap;
+    BOOST_TEST(std::abs(tilt[Side::secondary].dot(change) - pushed) <= rounding);
+    BOOST_TEST(std::abs(tilt[Side::primary].dot(change) - (two_pass ? pushed : 0)) <= rounding);
+  }
+}
+
 /// An augmentation doubles the loads until the gaps are closed. The stiffness is that of the equilibrium that it left.
 BOOST_AUTO_TEST_CASE(an_augmentation_leaves_the_tangent_as_it_is) {
   std::mt19937 random(13);
