@@ -178,6 +178,10 @@ class Press:
             made = replace(made, nodes=warped(made.nodes, self.warp))
         return replace(made, pairs={"lower/upper": ("lower-top", "upper-bottom")})
 
+    def fineness(self, run: Outcome) -> Fineness:
+        """The mesh of a run."""
+        return next(m for m in Fineness if len(self._mesh(m).nodes) == len(run.model.mesh.nodes))
+
     def whole(self, mesh: Fineness) -> Model:
         """The same two blocks as one body; their facets must match and their surfaces must be flat."""
         (x, y, below), (_, _, above) = self._elements(mesh)
