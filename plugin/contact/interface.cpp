@@ -218,7 +218,7 @@ Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) 
   const double reach = search_radius(position);
   for (Index node = 0; node < moved.cols(); ++node) {
     const Ray ray{moved.col(node), normals.col(node), reach, settings_.search_tolerance};
-    const std::optional<SurfaceHit> hit = nearest_facing(tree, facets, x2, ray);
+    const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, x2, ray);
     if (hit && hit->gap < 0) moved.col(node) += hit->gap * normals.col(node);
   }
   return moved;

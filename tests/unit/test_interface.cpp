@@ -418,6 +418,18 @@ BOOST_AUTO_TEST_CASE(overlapping_nodes_can_be_moved_onto_the_other_surface) {
   BOOST_TEST((apart.contact()->without_overlap(apart.position()) == apart.fields[Side::primary].position));
 }
 
+BOOST_AUTO_TEST_CASE(overlapping_nodes_whose_normals_pass_an_edge_are_moved_onto_the_surface_beyond_it) {
+  // Both surfaces rise towards x = 1, as beside a plane of symmetry: there the primary normals pass the other's edge.
+  for (const FacetType type : all_facets) {
+    Scene scene(facing_grids(type, type, 0.1, 4, 6), effects_of(false, 0));
+    for (SurfaceFields& side : scene.fields) side.position.row(2) += 0.1 * side.position.row(0);
+    const Matrix3Xd moved = scene.contact()->without_overlap(scene.position());
+    const Eigen::RowVectorXd above = moved.row(2) - 0.1 * moved.row(0) +
+                                     Eigen::RowVectorXd::Constant(moved.cols(), 0.1);
+    BOOST_TEST(above.cwiseAbs().maxCoeff() <= rounding);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(new_properties_change_the_automatic_penalties) {
   Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, true);
   scene.settings = Settings{};
