@@ -23,6 +23,7 @@ void ContactPass::update_penalties() {
 }
 
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
+  radius_ = radius;
   touch_ = touch_fraction * half_diagonal(x1);
   pairs_ = points_->search(x1, x2, radius);
   keep_limited();
@@ -41,8 +42,13 @@ void ContactPass::keep_limited() {
   pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
 }
 
-void ContactPass::forget() {
+void ContactPass::end_iterations() {
   held_.reset();
+  points_->end_iterations();
+}
+
+void ContactPass::forget() {
+  end_iterations();
   augmented_ = false;
   frozen_.reset();
   pairs_.clear();

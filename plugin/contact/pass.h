@@ -110,7 +110,7 @@ class ContactPass {
   void augment(const SurfaceFields& primary, const SurfaceFields& secondary);
 
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
-  void end_iterations() { held_.reset(); }
+  void end_iterations();
 
   /// Forgets the configuration: to be called after the effects have changed, before the next project().
   void forget();
@@ -303,6 +303,7 @@ class ContactPass {
   bool augmented_ = false;            ///< since the last iteration began
   mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
   std::optional<Frozen> frozen_;      ///< where no traction is exchanged
+  double radius_ = 0;                 ///< within which the last project() looked for facets [mm]
   double touch_ = 0;                  ///< distance at which surfaces touch to rounding [mm]
 };
 

@@ -9,7 +9,8 @@
 namespace mixture_contact {
 namespace {
 
-constexpr int nothing_seen = -1;
+/// A point that loses sight of the other surface as often as this within a step is at its edge.
+constexpr int most_losses = 2;
 
 /// Adds a point to its pair of facets. Points come facet by facet, so only the pairs of the last primary facet count.
 void add_point(std::vector<FacetPair>& pairs, int primary, int secondary, const IntegrationPoint& point) {
@@ -47,31 +48,56 @@ GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Fa
       points_.push_back({static_cast<int>(f), q.xi, q.weight, sub_facet_at(type, q.xi)});
     }
   }
-  seen_.assign(points_.size(), nothing_seen);
+  sights_.resize(points_.size());
   neighbours_.resize(points_.size());
+}
+
+bool GaussPoints::is_kept(const Sight& sight) const { return sight.losses >= most_losses; }
+
+bool GaussPoints::begin_iteration() {
+  bool finds_more = false;
+  for (Sight& sight : sights_) {
+    const bool lost = sight.at_iteration != nothing_seen && sight.facet == nothing_seen;
+    if (lost && ++sight.losses == most_losses) finds_more = true;
+    if (sight.facet != nothing_seen) sight.last = sight.facet;
+    sight.at_iteration = sight.facet;
+  }
+  return finds_more;
+}
+
+void GaussPoints::end_iterations() {
+  for (Sight& sight : sights_) sight = {sight.facet};
+}
+
+std::optional<SurfaceHit> GaussPoints::beyond_edge(const Sight& sight, const Ray& ray, const Matrix3Xd& x2) const {
+  const Facet& facet = secondary_[static_cast<std::size_t>(sight.last)];
+  const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, widest_miss);
+  if (!hit || std::abs(hit->gap) > ray.reach) return std::nullopt;
+  return SurfaceHit{sight.last, hit->eta, hit->gap};
 }
 
 std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   std::vector<FacetPair> pairs;
-  seen_.assign(points_.size(), nothing_seen);
+  for (Sight& sight : sights_) sight.facet = nothing_seen;
   if (!surfaces_within_reach(x1, x2, radius)) return pairs;
   moving_.move_to(x2);
   const auto hit_of = [&](std::size_t q) {
     const Point& point = points_[q];
     const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
-    return moving_.nearest_facing(ray, neighbours_[q]);
+    const std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q]);
+    return hit || !is_kept(sights_[q]) ? hit : beyond_edge(sights_[q], ray, x2);
   };
   in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];
     if (!hit) return;
-    seen_[q] = hit->facet;
+    sights_[q].facet = hit->facet;
     add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
   return pairs;
 }
 
 std::size_t GaussPoints::memory() const {
-  std::size_t sum = points_.size() * (sizeof(Point) + sizeof(int) + sizeof(RayNeighbours));
+  std::size_t sum = points_.size() * (sizeof(Point) + sizeof(Sight) + sizeof(RayNeighbours));
   for (const RayNeighbours& ray : neighbours_) sum += ray.facets.capacity() * sizeof(int);
   return sum;
 }
@@ -86,15 +112,17 @@ std::vector<PointMotion> GaussPoints::motions(const FacetPair& pair, const Matri
 std::vector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   std::vector<FacetPair> pairs;
   const auto hit_of = [&](std::size_t q) -> std::optional<RayHit> {
-    if (seen_[q] == nothing_seen) return std::nullopt;
+    const Sight& sight = sights_[q];
+    if (sight.facet == nothing_seen) return std::nullopt;
     const Point& point = points_[q];
-    const Facet& facet = secondary_[static_cast<std::size_t>(seen_[q])];
-    const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, 0, tolerance_);
+    const Facet& facet = secondary_[static_cast<std::size_t>(sight.facet)];
+    const double tolerance = is_kept(sight) ? widest_miss : tolerance_;
+    const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, 0, tolerance);
     return intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
   };
   in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<RayHit>& hit) {
     const Point& point = points_[q];
-    if (hit) add_point(pairs, point.facet, seen_[q], {point.xi, hit->eta, point.weight, point.sub_facet});
+    if (hit) add_point(pairs, point.facet, sights_[q].facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
   return pairs;
 }

@@ -38,13 +38,20 @@ class PointFinder {
   PointFinder& operator=(PointFinder&&) = delete;
   virtual ~PointFinder() = default;
 
-  /// Pairs of facets that face each other within `radius`, in ascending order of the primary facets. The result depends
-  /// on the positions alone.
+  /// Pairs of facets that face each other within `radius`, in ascending order of the primary facets. Within an
+  /// iteration the result depends on the positions alone.
   virtual std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
 
   /// The same without a search: points keep to the facets that the last search() found for them. The result depends on
   /// that search and the positions alone.
   virtual std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+
+  /// Begins a Newton iteration where the last search was made. Returns whether a search there would now find more,
+  /// since points at the edge of the other surface are kept on it from now on.
+  virtual bool begin_iteration() { return false; }
+
+  /// Ends the iterations of a step: no point is kept any more.
+  virtual void end_iterations() {}
 
   /// How the points of a pair, found at these positions, move with them; one entry per point.
   virtual std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
@@ -58,6 +65,11 @@ std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, con
                                           const Settings& settings);
 
 /// Gauss points at fixed places of the primary facets: each sees the nearest facet that faces it.
+///
+/// What a point bears ends where it passes the edge of the other surface: it is a jump, and where a whole contact hangs
+/// on one point there may be no equilibrium on either side of it. A point that loses sight of the surface for the
+/// second time within a step is at its edge: up to the end of the step it is kept on the facet that it saw last,
+/// continued beyond its edge.
 class GaussPoints : public PointFinder {
  public:
   /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
@@ -66,6 +78,8 @@ class GaussPoints : public PointFinder {
   std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   /// A point that leaves its facet comes back with it.
   std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  bool begin_iteration() override;
+  void end_iterations() override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::size_t memory() const override;
 
@@ -76,12 +90,22 @@ class GaussPoints : public PointFinder {
     double weight = 0;
     int sub_facet = 0;
   };
+  static constexpr int nothing_seen = -1;
+  /// Secondary facets, or nothing_seen.
+  struct Sight {
+    int facet = nothing_seen;         ///< what the last search() found
+    int at_iteration = nothing_seen;  ///< what was seen as the iteration began
+    int last = nothing_seen;          ///< the last one seen as an iteration of the step began
+    int losses = 0;                   ///< how often nothing was seen where the iteration before had seen something
+  };
+  bool is_kept(const Sight& sight) const;
+  std::optional<SurfaceHit> beyond_edge(const Sight& sight, const Ray& ray, const Matrix3Xd& x2) const;
 
   const std::vector<Facet>& primary_;
   const std::vector<Facet>& secondary_;
   double tolerance_;
   std::vector<Point> points_;
-  std::vector<int> seen_;                  ///< per point: the secondary facet that the last search() found, or -1
+  std::vector<Sight> sights_;              ///< per point
   MovingSurface moving_;                   ///< the secondary surface
   std::vector<RayNeighbours> neighbours_;  ///< per point
 };

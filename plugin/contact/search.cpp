@@ -7,10 +7,8 @@
 namespace mixture_contact {
 namespace {
 
-/// By how much a node's ray may pass a facet that it counts as meeting: a part of the gap, and in parametric
-/// coordinates.
+/// By how much a node's ray may pass a facet that it counts as meeting: a part of the gap.
 constexpr double largest_miss = 0.2;
-constexpr double widest_miss = 1;
 
 using Box = Eigen::AlignedBox3d;
 

@@ -43,6 +43,10 @@ struct Ray {
   double tolerance;    ///< how far outside a facet a hit still counts, in parametric coordinates
 };
 
+/// How far beyond its edge a facet may be continued, in parametric coordinates: the tolerance of a ray that looks
+/// there.
+inline constexpr double widest_miss = 1;
+
 /// Where a ray meets a surface.
 struct SurfaceHit {
   int facet;

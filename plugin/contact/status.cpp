@@ -117,6 +117,8 @@ ContactPass::Held ContactPass::held_at(const SurfaceFields& primary, const Surfa
 
 bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary) {
   if (frozen_) return false;  // the laws are linear, and no status changes
+  const bool finds_more = points_->begin_iteration();
+  if (finds_more) project(primary.position, secondary.position, radius_);
   const NodalLoads before = nodal_loads(primary, secondary);
   const bool predicted = held_.has_value();
   const std::vector<bool> status = next_status(primary, secondary);
@@ -133,7 +135,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   const bool augmented = std::exchange(augmented_, false);
   next.geometric_traction = augmented ? multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? multipliers.flux : geometric.flux;
-  const bool changed = before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
+  const bool changed = finds_more || before.in_contact != next.loads.in_contact || before.sealed != next.loads.sealed ||
                        loads_differ(before, next.loads, load_rounding, primary, secondary);
   held_ = std::move(next);
   return changed;
