@@ -15,8 +15,12 @@ namespace mixture_contact {
 
 /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
 inline constexpr int most_status_changes = 3;
-/// The same for nodes of the surface that faces the primary one, a change earlier. One that went and came back is not
-/// at the edge: where a surface slides over a finer one many do, and they would empty it into the bath.
+/// Where a node has changed more often than this within a time step, nodes that change together lead each other round
+/// in circles: from then on they change one at a time.
+inline constexpr int most_joint_changes = 2 * most_status_changes;
+/// As most_status_changes, for nodes of the surface that faces the primary one, a change earlier. One that went and
+/// came back is not at the edge: where a surface slides over a finer one many do, and they would empty it into the
+/// bath.
 inline constexpr int most_facing_changes = 2;
 
 /// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
@@ -87,7 +91,10 @@ class ContactPass {
   /// points, Magisano, Leonetti and Garcea 2017).
   ///
   /// A node whose status keeps changing is at the edge of contact: sealed it opens, at the bath's pressure it closes.
-  /// There traction and pressure both tend to those of the bath, so it is in contact but not sealed from then on.
+  /// There traction and pressure both tend to those of the bath, so it is in contact but not sealed from then on. Where
+  /// nodes keep changing together, closed pulled and open overlapping, the first of those that would change does so
+  /// alone (least index rule, Murty 1974, Opsearch 11:123-130, which ends where each load grows with its own gap
+  /// however the others are held: a P matrix).
   ///
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);

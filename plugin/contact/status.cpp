@@ -40,6 +40,14 @@ VectorXd displacements_at(const Patch& patch, const SurfaceFields& primary, cons
   return values;
 }
 
+/// The status before with the first of the changes alone.
+std::vector<bool> with_first_change(const std::vector<bool>& before, const std::vector<bool>& status) {
+  std::vector<bool> next = before;
+  const auto [was, is] = std::mismatch(before.begin(), before.end(), status.begin());
+  if (was != before.end()) next[static_cast<std::size_t>(was - before.begin())] = *is;
+  return next;
+}
+
 }  // namespace
 
 bool ContactPass::seen(const NodalLoads& loads, Index node) { return loads.area[node] > 0; }
@@ -121,8 +129,10 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   if (finds_more) project(primary.position, secondary.position, radius_);
   const NodalLoads before = nodal_loads(primary, secondary);
   const bool predicted = held_.has_value();
-  const std::vector<bool> status = next_status(primary, secondary);
+  std::vector<bool> status = next_status(primary, secondary);
   std::vector<int> changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
+  const bool in_circles = !changes.empty() && *std::max_element(changes.begin(), changes.end()) > most_joint_changes;
+  if (in_circles) status = with_first_change(before.in_contact, status);
   std::vector<bool> sealed = status;
   for (std::size_t node = 0; node < status.size(); ++node) {
     if (predicted && status[node] != before.in_contact[node]) ++changes[node];

@@ -27,6 +27,13 @@ struct Approach {
     contact->begin_iteration(scene.fields);
   }
 
+  /// In contact, sealed or not.
+  std::ptrdiff_t closed() const {
+    const std::vector<bool>
+        nodes = contact->pass(0).nodal_loads(scene.fields[Side::primary], scene.fields[Side::secondary]).in_contact;
+    return std::count(nodes.begin(), nodes.end(), true);
+  }
+
   std::ptrdiff_t sealed() const {
     const std::vector<bool> nodes = contact->nodes_in_contact()[Side::primary];
     return std::count(nodes.begin(), nodes.end(), true);
@@ -72,4 +79,17 @@ BOOST_AUTO_TEST_CASE(nodes_that_keep_changing_bear_load_but_are_not_sealed) {
   approach.move_to(0.125);
   BOOST_TEST(approach.sealed() == 0);
   BOOST_TEST(approach.contact->balance(approach.scene.fields).area > 0);
+}
+
+BOOST_AUTO_TEST_CASE(nodes_that_change_together_too_often_change_one_at_a_time) {
+  Approach approach(0.125);
+  for (int change = 1; change <= most_joint_changes + 1; ++change) {
+    BOOST_TEST(approach.closed() == (change % 2 == 1 ? all : 0));
+    approach.move_to(change % 2 == 1 ? -0.125 : 0.125);
+  }
+  BOOST_TEST(approach.closed() == 0);
+  for (int change = 1; change <= all; ++change) {
+    approach.move_to(0.125);
+    BOOST_TEST(approach.closed() == change);
+  }
 }
