@@ -9,9 +9,6 @@
 namespace mixture_contact {
 namespace {
 
-/// A point that loses sight of the other surface as often as this within a step is at its edge.
-constexpr int most_losses = 2;
-
 /// Adds a point to its pair of facets. Points come facet by facet, so only the pairs of the last primary facet count.
 void add_point(std::vector<FacetPair>& pairs, int primary, int secondary, const IntegrationPoint& point) {
   for (auto pair = pairs.rbegin(); pair != pairs.rend() && pair->primary == primary; ++pair) {
@@ -52,8 +49,6 @@ GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Fa
   neighbours_.resize(points_.size());
 }
 
-bool GaussPoints::is_kept(const Sight& sight) const { return sight.losses >= most_losses; }
-
 bool GaussPoints::begin_iteration() {
   bool finds_more = false;
   for (Sight& sight : sights_) {
@@ -85,7 +80,7 @@ std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd&
     const Point& point = points_[q];
     const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
     const std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q]);
-    return hit || !is_kept(sights_[q]) ? hit : beyond_edge(sights_[q], ray, x2);
+    return hit || !sights_[q].is_kept() ? hit : beyond_edge(sights_[q], ray, x2);
   };
   in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];
@@ -116,7 +111,7 @@ std::vector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Ma
     if (sight.facet == nothing_seen) return std::nullopt;
     const Point& point = points_[q];
     const Facet& facet = secondary_[static_cast<std::size_t>(sight.facet)];
-    const double tolerance = is_kept(sight) ? widest_miss : tolerance_;
+    const double tolerance = sight.is_kept() ? widest_miss : tolerance_;
     const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, 0, tolerance);
     return intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
   };

@@ -91,14 +91,17 @@ class GaussPoints : public PointFinder {
     int sub_facet = 0;
   };
   static constexpr int nothing_seen = -1;
+  static constexpr int most_losses = 2;
   /// Secondary facets, or nothing_seen.
   struct Sight {
     int facet = nothing_seen;         ///< what the last search() found
     int at_iteration = nothing_seen;  ///< what was seen as the iteration began
     int last = nothing_seen;          ///< the last one seen as an iteration of the step began
     int losses = 0;                   ///< how often nothing was seen where the iteration before had seen something
+
+    /// Whether the point is at the edge of the other surface.
+    bool is_kept() const { return losses >= most_losses; }
   };
-  bool is_kept(const Sight& sight) const;
   std::optional<SurfaceHit> beyond_edge(const Sight& sight, const Ray& ray, const Matrix3Xd& x2) const;
 
   const std::vector<Facet>& primary_;
