@@ -64,13 +64,6 @@ void GaussPoints::end_iterations() {
   for (Sight& sight : sights_) sight = {sight.facet};
 }
 
-std::optional<SurfaceHit> GaussPoints::beyond_edge(const Sight& sight, const Ray& ray, const Matrix3Xd& x2) const {
-  const Facet& facet = secondary_[static_cast<std::size_t>(sight.last)];
-  const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, widest_miss);
-  if (!hit || std::abs(hit->gap) > ray.reach) return std::nullopt;
-  return SurfaceHit{sight.last, hit->eta, hit->gap};
-}
-
 std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   std::vector<FacetPair> pairs;
   for (Sight& sight : sights_) sight.facet = nothing_seen;
@@ -78,9 +71,11 @@ std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd&
   moving_.move_to(x2);
   const auto hit_of = [&](std::size_t q) {
     const Point& point = points_[q];
-    const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
-    const std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q]);
-    return hit || !sights_[q].is_kept() ? hit : beyond_edge(sights_[q], ray, x2);
+    Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
+    std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q]);
+    if (hit || !sights_[q].is_kept()) return hit;
+    ray.tolerance = widest_miss;
+    return facing_hit(sights_[q].last, secondary_, x2, ray);
   };
   in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];

@@ -50,7 +50,7 @@ class PointFinder {
   /// since points at the edge of the other surface are kept on it from now on.
   virtual bool begin_iteration() { return false; }
 
-  /// Ends the iterations of a step: no point is kept any more.
+  /// Ends the iterations of a step, or those before an augmentation: no point is kept any more.
   virtual void end_iterations() {}
 
   /// How the points of a pair, found at these positions, move with them; one entry per point.
@@ -68,7 +68,7 @@ std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, con
 ///
 /// What a point bears ends where it passes the edge of the other surface: it is a jump, and where a whole contact hangs
 /// on one point there may be no equilibrium on either side of it. A point that loses sight of the surface for the
-/// second time within a step is at its edge: up to the end of the step it is kept on the facet that it saw last,
+/// second time between iterations is at its edge: until they end it is kept on the facet that it saw last,
 /// continued beyond its edge.
 class GaussPoints : public PointFinder {
  public:
@@ -102,7 +102,6 @@ class GaussPoints : public PointFinder {
     /// Whether the point is at the edge of the other surface.
     bool is_kept() const { return losses >= most_losses; }
   };
-  std::optional<SurfaceHit> beyond_edge(const Sight& sight, const Ray& ray, const Matrix3Xd& x2) const;
 
   const std::vector<Facet>& primary_;
   const std::vector<Facet>& secondary_;

@@ -86,15 +86,8 @@ std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, cons
   const auto length = [](const SurfaceHit& hit) { return std::abs(hit.gap) + hit.outside; };
   std::optional<SurfaceHit> best;
   for (const int candidate : candidates) {
-    const Facet& facet = facets[static_cast<std::size_t>(candidate)];
-    const FacetCoordinates x = facet_coordinates(facet, positions);
-    const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
-    if (!hit || std::abs(hit->gap) > ray.reach) continue;
-    const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
-    if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) >= 0) continue;
-    const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
-    const SurfaceHit found{candidate, hit->eta, hit->gap, outside};
-    if (!best || length(found) < length(*best)) best = found;
+    const std::optional<SurfaceHit> hit = facing_hit(candidate, facets, positions, ray);
+    if (hit && (!best || length(*hit) < length(*best))) best = hit;
   }
   return best;
 }
@@ -121,6 +114,18 @@ bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reac
   return surface_box(x1).exteriorDistance(surface_box(x2)) <= reach;
 }
 
+std::optional<SurfaceHit> facing_hit(int index, const std::vector<Facet>& facets, const Matrix3Xd& positions,
+                                     const Ray& ray) {
+  const Facet& facet = facets[static_cast<std::size_t>(index)];
+  const FacetCoordinates x = facet_coordinates(facet, positions);
+  const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
+  if (!hit || std::abs(hit->gap) > ray.reach) return std::nullopt;
+  const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
+  if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) >= 0) return std::nullopt;
+  const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
+  return SurfaceHit{index, hit->eta, hit->gap, outside};
+}
+
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray) {
   return nearest_among(tree.candidates(ray.origin, ray.direction, ray.reach), facets, positions, ray);
@@ -128,11 +133,10 @@ std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vecto
 
 std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const std::vector<Facet>& facets,
                                                    const Matrix3Xd& positions, Ray ray) {
-  const std::vector<int> candidates = tree.candidates(ray.origin, ray.direction, ray.reach);
-  std::optional<SurfaceHit> hit = nearest_among(candidates, facets, positions, ray);
+  std::optional<SurfaceHit> hit = nearest_facing(tree, facets, positions, ray);
   if (hit) return hit;
   ray.tolerance = widest_miss;
-  hit = nearest_among(candidates, facets, positions, ray);
+  hit = nearest_facing(tree, facets, positions, ray);
   if (hit && hit->outside > largest_miss * std::abs(hit->gap)) hit.reset();
   return hit;
 }

@@ -55,6 +55,10 @@ struct SurfaceHit {
   double outside = 0;  ///< how far beyond the facet's edge it lies [length]
 };
 
+/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction.
+std::optional<SurfaceHit> facing_hit(int index, const std::vector<Facet>& facets, const Matrix3Xd& positions,
+                                     const Ray& ray);
+
 /// The nearest hit of a ray on the facets of a tree whose outward normals oppose its direction; empty if there is none.
 /// A hit outside its facet, within the tolerance, counts as farther by as much as it lies outside: where facets adjoin
 /// at less than 45 degrees the one that the ray does meet wins, so that the gap does not jump as the hit crosses their

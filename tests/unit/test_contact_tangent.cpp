@@ -79,9 +79,10 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
 /// surfaces.
 BOOST_AUTO_TEST_CASE(surfaces_that_rays_meet_are_pushed_the_way_both_tilt) {
   for (const bool two_pass : {false, true}) {
-    Settings settings = explicit_settings(2.5, 1.5, 0.8);
-    settings.two_pass = two_pass;
+    const double penalty = 2.5;
     const double overlap = 0.25;
+    Settings settings = explicit_settings(penalty, 1.5, 0.8);
+    settings.two_pass = two_pass;
     const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap, 1, 1), effects_of(false, 0), settings);
     const auto contact = scene.contact();
     contact->begin_iteration(scene.fields);
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_rays_meet_are_pushed_the_way_both_tilt) {
     }
     const VectorXd change = assembled_tangent(*contact, layout, scene.fields, 1) *
                             (tilt[Side::primary] + tilt[Side::secondary]);
-    const double pushed = 4 * 2.5 * overlap * overlap;
+    const double pushed = 4 * penalty * overlap * overlap;
     BOOST_TEST(std::abs(tilt[Side::secondary].dot(change) - pushed) <= rounding);
     BOOST_TEST(std::abs(tilt[Side::primary].dot(change) - (two_pass ? pushed : 0)) <= rounding);
   }

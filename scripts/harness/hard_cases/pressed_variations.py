@@ -14,7 +14,8 @@ from harness.compare import Measure
 from harness.hard_cases import variants
 from harness.hard_cases.checks import INVARIANT
 from harness.hard_cases.press import Press
-from harness.hard_cases.scene import NEWTON, Fineness, Interface
+from harness.hard_cases.scene import NEWTON, Interface
+from harness.preflight.penalty import TRACTION_FACTOR
 from harness.runner import Outcome, Runner
 
 SPLIT = NEWTON
@@ -56,20 +57,17 @@ class Soft(Press):
         facets = run.facets("lower-top")  # of one size; FEBio counts an overlap as positive
         load, overlap = facets["contact pressure"].mean(axis=1), facets["contact gap"].mean(axis=1)
         left = replace(self, shortening=self.shortening - float(overlap[-1]))
-        force, *concentrations = Press.check(left, run, rerun)
+        force, *concentrations = super(Soft, left).check(run, rerun)
         measures = [replace(force, bar=Press.bar), *concentrations]
         if run.model.contacts[0].kind == Interface.MIXTURE.value:
-            error = float(np.abs(load - self._penalty(self.fineness(run)) * overlap).max() / load.max())
+            error = float(np.abs(load - self._penalty(run) * overlap).max() / load.max())
             measures.append(Measure("mean traction, penalty times mean overlap, relative difference", error, INVARIANT))
         return measures
 
-    def _penalty(self, mesh: Fineness) -> float:
-        """The default penalty (MPa/mm) times `penalties`, of blocks of 1 mm and one isotropic material.
-
-        It is 1e3 times 2 k1 k2/(k1 + k2) with k = E/h.
-        """
-        one, two = (self.lower.solid.modulus * elements[2] for elements in self._elements(mesh))
-        return self.penalties * 1e3 * 2.0 * one * two / (one + two)
+    def _penalty(self, run: Outcome) -> float:
+        """The penalty (MPa/mm) of blocks of 1 mm and one isotropic material: a factor on 2 k1 k2/(k1 + k2), k = E/h."""
+        one, two = (self.lower.solid.modulus * elements[2] for elements in self._elements(self.fineness(run)))
+        return self.penalties * TRACTION_FACTOR * 2.0 * one * two / (one + two)
 
 
 @dataclass(frozen=True)
