@@ -27,10 +27,10 @@ class Kind(str, Enum):
     PARAMETERS = "parameters"
 
 
-def draw(kind: Kind, seed: int) -> Model:
-    """The model of a seed."""
+def draw(kind: Kind, seed: int, *, integration: str | None = None) -> Model:
+    """The model of a seed; with the given `integration` of a scene instead of the one that is drawn."""
     random = np.random.default_rng(seed)
-    model = _scene(random) if kind is Kind.SCENES else _parameters(random)
+    model = _scene(random, integration) if kind is Kind.SCENES else _parameters(random)
     return replace(model, name=f"{kind.value}-{seed}")
 
 
@@ -59,10 +59,12 @@ def _settings(random: Random) -> ContactSettings:
     return base
 
 
-def _scene(random: Random) -> Model:
+def _scene(random: Random, integration: str | None) -> Model:
     """Two confined blocks, or a turned block that is pushed into a slab and along it."""
     made = _pressed(random) if random.random() < 0.5 else _pushed(random)
-    contact = replace(made.contacts[0], params=_settings(random).params())
+    settings = _settings(random)
+    drawn = (None, "gauss", "segments")[int(random.integers(3))]
+    contact = replace(made.contacts[0], params=replace(settings, integration=integration or drawn).params())
     return replace(made, contacts=(contact,))
 
 

@@ -39,9 +39,9 @@ class Trial:
         return self.outcome.startswith("FAULT")
 
 
-def attempt(kind: Kind, seed: int, runner: Runner) -> Trial:
-    """Run a seed."""
-    model = draw(kind, seed)
+def attempt(kind: Kind, seed: int, runner: Runner, *, integration: str | None = None) -> Trial:
+    """Run a seed; as in `draw`."""
+    model = draw(kind, seed, integration=integration)
     run = runner(model, check=False)
     return Trial(kind.value, seed, _judge(model, run, runner.timeout or math.inf))
 
