@@ -323,6 +323,14 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
   return psi;
 }
 
+ShapeFunctions shared_out(const ShapeFunctions& psi, const FacetVector& counts) {
+  const double sum = psi.value.dot(counts);
+  if (sum <= 0) return psi;
+  const FacetVector value = psi.value.cwiseProduct(counts) / sum;
+  const FacetGradient slope = counts.asDiagonal() * psi.gradient;
+  return {value, (slope - value * slope.colwise().sum()) / sum};
+}
+
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions) {
   const int n = node_count(facet.type);
   FacetCoordinates coordinates(3, n);

@@ -25,7 +25,7 @@ void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLo
     GapSums sums = GapSums::Zero(2, node_count(primary_facet(pair).type));
     for (const IntegrationPoint& place : pair.points) {
       const PointKinematics point = kinematics(pair, place, x1, x2);
-      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place);
+      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place).value;
       sums.row(0) += share;
       sums.row(1) += point.gap * share;
     }
@@ -55,7 +55,7 @@ void ContactPass::average_jumps(const SurfaceFields& primary, const SurfaceField
     sums.jump.setZero(static_cast<Index>(sums.fields.size()), sums.area.size());
     for (const IntegrationPoint& place : pair.points) {
       const PointKinematics point = kinematics(pair, place, primary.position, secondary.position);
-      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place);
+      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place).value;
       const PairVector h = point.jump_weights();
       sums.area += share;
       for (std::size_t k = 0; k < sums.fields.size(); ++k) {

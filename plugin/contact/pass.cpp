@@ -27,12 +27,14 @@ void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radiu
   touch_ = touch_fraction * half_diagonal(x1);
   pairs_ = points_->search(x1, x2, radius);
   keep_limited();
+  if (!held_) find_hardly_covered(x1, x2);
   if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   pairs_ = points_->on_same_facets(x1, x2);
   keep_limited();
+  if (!held_) find_hardly_covered(x1, x2);
   if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
@@ -52,6 +54,7 @@ void ContactPass::forget() {
   augmented_ = false;
   frozen_.reset();
   pairs_.clear();
+  hardly_covered_.clear();
 }
 
 const Facet& ContactPass::primary_facet(const FacetPair& pair) const {
@@ -62,8 +65,23 @@ const Facet& ContactPass::secondary_facet(const FacetPair& pair) const {
   return secondary_.facets[static_cast<std::size_t>(pair.secondary)];
 }
 
-FacetVector ContactPass::multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const {
-  return multiplier_functions(primary_facet(pair).type, place.sub_facet, place.xi).value;
+ShapeFunctions ContactPass::multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const {
+  const Facet& facet = primary_facet(pair);
+  ShapeFunctions psi = multiplier_functions(facet.type, place.sub_facet, place.xi);
+  if (hardly_covered_.empty()) return psi;
+  return shared_out(psi, FacetVector::NullaryExpr(psi.value.size(), [&](Index a) {
+                      return hardly_covered_[static_cast<std::size_t>(facet.nodes[static_cast<std::size_t>(a)])] ? 0
+                                                                                                                 : 1;
+                    }));
+}
+
+void ContactPass::find_hardly_covered(const Matrix3Xd& x1, const Matrix3Xd& x2) {
+  hardly_covered_.clear();
+  if (settings_.integration != Integration::segments || pairs_.empty()) return;
+  NodalLoads measured;
+  average_gaps(x1, x2, measured);
+  const VectorXd least = least_covered * nodal_areas(primary_, x1);
+  for (Index node = 0; node < primary_.nodes; ++node) hardly_covered_.push_back(measured.area[node] < least[node]);
 }
 
 PointKinematics ContactPass::kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
@@ -104,7 +122,7 @@ PointContact ContactPass::contact(const FacetPair& pair, const IntegrationPoint&
   PointContact contact;
   contact.pair = &pair;
   contact.kinematics = kinematics(pair, place, primary.position, secondary.position);
-  const ShapeFunctions psi = multiplier_functions(primary_facet(pair).type, place.sub_facet, place.xi);
+  const ShapeFunctions psi = multiplier_shape(pair, place);
   contact.psi = psi.value;
   contact.psi_gradient = psi.gradient;
   contact.fields = exchanged_fields(pair);

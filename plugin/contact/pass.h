@@ -23,6 +23,9 @@ inline constexpr int most_joint_changes = 2 * most_status_changes;
 /// bath.
 inline constexpr int most_facing_changes = 2;
 
+/// A node of whose area less than this part faces the other surface has no conditions of its own on segments.
+inline constexpr double least_covered = 0.05;
+
 /// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
 /// are unknowns, the host with every trial state.
 struct Multipliers {
@@ -211,7 +214,11 @@ class ContactPass {
 
   const Facet& primary_facet(const FacetPair& pair) const;
   const Facet& secondary_facet(const FacetPair& pair) const;
-  FacetVector multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const;
+  /// psi_a where a pair of facets sees each other. On segments those of nodes that are hardly covered are shared out
+  /// among the others of the facet, psi_a/sum_b psi_b over these: far from its node a psi_a says next to nothing, and
+  /// conditions on such averages contradict those of the nodes that bear the load.
+  ShapeFunctions multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const;
+  void find_hardly_covered(const Matrix3Xd& x1, const Matrix3Xd& x2);
   PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
                              const Matrix3Xd& x2) const;
   PairVector pair_values(const FacetPair& pair, int field, const SurfaceFields& primary,
@@ -310,6 +317,7 @@ class ContactPass {
   bool augmented_ = false;            ///< since the last iteration began
   mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
   std::optional<Frozen> frozen_;      ///< where no traction is exchanged
+  std::vector<bool> hardly_covered_;  ///< primary nodes, where the iterations of a step began; on segments alone
   double radius_ = 0;                 ///< within which the last project() looked for facets [mm]
   double touch_ = 0;                  ///< distance at which surfaces touch to rounding [mm]
 };

@@ -1,6 +1,7 @@
 #include "segments.h"
 
 #include "parallel.h"
+#include "polygon_quadrature.h"
 #include "quadrature.h"
 
 #include <Eigen/Geometry>
@@ -19,12 +20,11 @@ constexpr double negligible_fraction = 1e-14;
 /// How far outside a facet a point may be carried, in parametric coordinates: as far as a neighbour reaches.
 constexpr double reach_outside = 2;
 
-/// A place on the primary facet with its weight, and how they move.
-struct Place {
-  Vector2d xi;
-  double weight = 0;
-  PointMotion motion;
-  int sub_facet = 0;  ///< of the primary facet
+/// A point of a piece as it is seen along n, before it is carried to the primary facet, and how it varies.
+struct Sample {
+  const PolygonPoint& point;
+  const VaryingVector& n;
+  int sub_facet;  ///< of the primary facet
 };
 
 /// Nodal coordinates of a facet, and the columns of its nodes in variations; no columns: values only.
@@ -44,30 +44,22 @@ struct VaryingFacet {
   }
 };
 
-using ParametricPolygon = std::vector<Vector2d>;
-
-/// Convex polygons that make up a facet, by the parametric coordinates of their corners: its linear pieces.
-std::vector<ParametricPolygon> polygons(FacetType type) {
-  std::vector<ParametricPolygon> result;
-  for (const SubFacet& piece : sub_facets(type)) {
-    result.emplace_back();
-    for (int a = 0; a < node_count(piece.type); ++a) {
-      result.back().push_back(parametric_node(type, piece.nodes[static_cast<std::size_t>(a)]));
-    }
-  }
-  return result;
-}
-
-Vector2d middle(const ParametricPolygon& polygon) {
-  Vector2d sum(0, 0);
-  for (const Vector2d& corner : polygon) sum += corner;
-  return sum / static_cast<double>(polygon.size());
-}
-
-Polygon in_space(const VaryingFacet& facet, const ParametricPolygon& corners) {
+/// A linear piece of a facet as a polygon in space.
+Polygon in_space(const VaryingFacet& facet, const SubFacet& piece) {
   Polygon polygon;
-  for (const Vector2d& corner : corners) polygon.push_back(facet.at(corner));
+  polygon.reserve(piece.nodes.size());
+  for (int a = 0; a < node_count(piece.type); ++a) {
+    polygon.push_back(facet.at(parametric_node(facet.type, piece.nodes[static_cast<std::size_t>(a)])));
+  }
   return polygon;
+}
+
+/// The middle of a linear piece of a facet, in parametric coordinates.
+Vector2d middle(FacetType type, const SubFacet& piece) {
+  const int corners = node_count(piece.type);
+  Vector2d sum(0, 0);
+  for (int a = 0; a < corners; ++a) sum += parametric_node(type, piece.nodes[static_cast<std::size_t>(a)]);
+  return sum / corners;
 }
 
 /// Unit normal at a place on the facet that comes first in its pair.
@@ -79,89 +71,64 @@ VaryingVector normal_at(const VaryingFacet& facet, const Vector2d& xi) {
   return normalized(area);
 }
 
-/// Carries a point y of a piece along n to the primary facet: x1(xi) = y + s n. `area`: the part of the area seen
-/// along n that belongs to the point; weight = area/(a.n). Empty if the line misses the facet.
-std::optional<Place> carry(const VaryingFacet& facet, const VaryingVector& y, const VaryingVector& n,
-                           const VaryingNumber& area) {
-  const std::optional<RayHit> hit = intersect(facet.type, facet.x, y.value, n.value, reach_outside);
-  if (!hit) return std::nullopt;
-  const ShapeFunctions shape = shape_functions(facet.type, hit->eta);
+/// Where a sample stands on the primary facet, carried along n: x1(xi) = y + s n. Empty if the line misses the facet.
+std::optional<Vector2d> carried(const VaryingFacet& facet, const Sample& sample) {
+  const auto hit = intersect(facet.type, facet.x, sample.point.place.value, sample.n.value, reach_outside);
+  return hit ? std::optional(hit->eta) : std::nullopt;
+}
+
+/// The quadrature weight of a sample carried to a place on the primary facet: area/(a.n).
+double carried_weight(const VaryingFacet& facet, const Sample& sample, const Vector2d& xi) {
+  const Eigen::Matrix<double, 3, 2> tangents = facet.x * shape_functions(facet.type, xi).gradient;
+  return sample.point.area.value / tangents.col(0).cross(tangents.col(1)).dot(sample.n.value);
+}
+
+/// How that place and weight move with the nodes.
+PointMotion carried_motion(const VaryingFacet& facet, const Sample& sample, const Vector2d& xi) {
+  const VaryingVector& y = sample.point.place;
+  const VaryingVector& n = sample.n;
+  const ShapeFunctions shape = shape_functions(facet.type, xi);
   const Eigen::Matrix<double, 3, 2> tangents = facet.x * shape.gradient;
   const Vector3d area_vector = tangents.col(0).cross(tangents.col(1));
-  const double facing = area_vector.dot(n.value);
-  Place place{hit->eta, area.value / facing, {}, 0};
-  if (facet.nodes == 0) return place;
+  const double s = n.value.dot(facet.x * shape.value - y.value);
 
   // x1,alpha dxi_alpha - n ds = dy + s dn - N dx1
   Eigen::Matrix3d slope;
   slope << tangents, -n.value;
-  PairVariation<3> shift = y.variation + hit->gap * n.variation;
+  PairVariation<3> shift = y.variation + s * n.variation;
   for (Index a = 0; a < shape.value.size(); ++a) {
     shift.middleCols<3>(3 * (facet.first_node + a)) -= shape.value[a] * Eigen::Matrix3d::Identity();
   }
-  place.motion.xi = (slope.inverse() * shift).topRows<2>();
-  place.motion.curvature = facet.x * shape_hessian(facet.type, hit->eta);
+  PointMotion motion;
+  motion.xi = Eigen::Matrix3d(slope.inverse()).topRows<2>() * shift;
+  motion.curvature = facet.x * shape_hessian(facet.type, xi);
   const PairVariation<3> area_variation = area_vector_variation(tangents, shape.gradient, facet.nodes) +
-                                          area_vector_slope(tangents, place.motion.curvature) * place.motion.xi;
-  place.motion.weight = area.variation / area.value -
-                        (n.value.transpose() * area_variation + area_vector.transpose() * n.variation) / facing;
-  return place;
+                                          area_vector_slope(tangents, motion.curvature) * motion.xi;
+  motion.weight = sample.point.area.variation / sample.point.area.value -
+                  (n.value.transpose() * area_variation + area_vector.transpose() * n.variation) /
+                      area_vector.dot(n.value);
+  return motion;
 }
 
-/// Sum of the corners of a polygon with given weights.
-VaryingVector combined(const Polygon& corners, const Eigen::Ref<const VectorXd>& weights) {
-  VaryingVector sum = weights[0] * corners[0];
-  for (std::size_t a = 1; a < corners.size(); ++a) sum = sum + weights[static_cast<Index>(a)] * corners[a];
-  return sum;
-}
-
-/// A convex polygon as triangles around its centroid: integrals over it change smoothly where it gains or loses a
-/// corner, and those of a mirrored polygon are mirrored.
-std::vector<Polygon> pieces(const Polygon& polygon, const VaryingVector& n, double negligible) {
-  std::vector<Polygon> result;
-  if (polygon.size() < 3 || twice_area(polygon, n.value) <= negligible) return result;
-  const VaryingVector centre = centroid(polygon, n);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    result.push_back({centre, polygon[i], polygon[(i + 1) % polygon.size()]});
-  }
-  return result;
-}
-
-/// Adds the points of a triangle in space seen along n. `primary`: the facet that it is carried to.
-void add_places(std::vector<Place>& places, const VaryingFacet& primary, const Polygon& triangle,
-                const VaryingVector& n, int order, double negligible) {
-  const VaryingNumber area = triple(n, triangle[1] - triangle[0], triangle[2] - triangle[0]);
-  if (area.value <= negligible) return;
-  for (const QuadraturePoint& q : quadrature(FacetType::tri3, order)) {
-    const auto place = carry(primary, combined(triangle, shape_functions(FacetType::tri3, q.xi).value), n,
-                             {q.weight * area.value, q.weight * area.variation});
-    if (place) places.push_back(*place);
-  }
-}
-
-/// Integration points on the overlap of two facets, with their motion if the facets vary.
-std::vector<Place> overlap(const VaryingFacet& primary, const VaryingFacet& secondary, int order) {
-  std::vector<Place> places;
-  const std::vector<ParametricPolygon> parts = polygons(primary.type);
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    const ParametricPolygon& corners = parts[part];
-    const std::size_t first = places.size();
-    const Polygon polygon = in_space(primary, corners);
-    const VaryingVector n = normal_at(primary, middle(corners));
+/// Calls use(sample) for the points on the overlap of two facets, in a fixed order.
+template <class Use>
+void sample_overlap(const VaryingFacet& primary, const VaryingFacet& secondary, int order, const Use& use) {
+  int sub_facet = 0;
+  for (const SubFacet& part : sub_facets(primary.type)) {
+    const Polygon polygon = in_space(primary, part);
+    const VaryingVector n = normal_at(primary, middle(primary.type, part));
     const double area = twice_area(polygon, n.value);
-    for (const ParametricPolygon& other : polygons(secondary.type)) {
+    const Alignment aligned = alignment(polygon);
+    for (const SubFacet& other : sub_facets(secondary.type)) {
       Polygon window = in_space(secondary, other);
       if (twice_area(window, n.value) >= 0) continue;  // it faces away
       std::reverse(window.begin(), window.end());
       const Polygon both = clip(polygon, window, n, coincident_fraction * std::sqrt(area));
-      const double negligible = negligible_fraction * area;
-      for (const Polygon& piece : pieces(both, n, negligible)) {
-        add_places(places, primary, piece, n, order, negligible);
-      }
+      if (both.size() < 3 || twice_area(both, n.value) <= negligible_fraction * area) continue;
+      for (const PolygonPoint& point : polygon_quadrature(both, n, aligned, order)) use(Sample{point, n, sub_facet});
     }
-    for (std::size_t i = first; i < places.size(); ++i) places[i].sub_facet = static_cast<int>(part);
+    ++sub_facet;
   }
-  return places;
 }
 
 bool share_a_node(const Facet& one, const Facet& two) {
@@ -202,12 +169,16 @@ FacetPair Segments::pair_of(const Facing& facing, const Matrix3Xd& x1, const Mat
   const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, 0};
   const VaryingFacet secondary{two.type, facet_coordinates(two, x2), 0, 0};
   FacetPair pair{facing.primary, facing.secondary, {}};
-  for (const Place& place : overlap(primary, secondary, order(facing))) {
-    const Ray ray = normal_ray(one, x1, place.xi, 0, reach_outside);
+  bool complete = true;
+  sample_overlap(primary, secondary, order(facing), [&](const Sample& sample) {
+    const std::optional<Vector2d> xi = carried(primary, sample);
+    if (!xi) return void(complete = false);
+    const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
     const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
-    if (!hit) return {facing.primary, facing.secondary, {}};
-    pair.points.push_back({place.xi, hit->eta, place.weight, place.sub_facet});
-  }
+    if (!hit) return void(complete = false);
+    pair.points.push_back({*xi, hit->eta, carried_weight(primary, sample, *xi), sample.sub_facet});
+  });
+  if (!complete) pair.points.clear();
   return pair;
 }
 
@@ -279,9 +250,10 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, nodes};
   const VaryingFacet secondary{two.type, facet_coordinates(two, x2), first, nodes};
   std::vector<PointMotion> motions;
-  for (const Place& place : overlap(primary, secondary, order({pair.primary, pair.secondary}))) {
-    motions.push_back(place.motion);
-  }
+  motions.reserve(pair.points.size());
+  sample_overlap(primary, secondary, order({pair.primary, pair.secondary}), [&](const Sample& sample) {
+    motions.push_back(carried_motion(primary, sample, pair.points[motions.size()].xi));
+  });
   return motions;
 }
 

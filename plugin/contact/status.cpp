@@ -127,8 +127,9 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   if (frozen_) return false;  // the laws are linear, and no status changes
   const bool finds_more = points_->begin_iteration();
   if (finds_more) project(primary.position, secondary.position, radius_);
-  const NodalLoads before = nodal_loads(primary, secondary);
   const bool predicted = held_.has_value();
+  if (!predicted) find_hardly_covered(primary.position, secondary.position);
+  const NodalLoads before = nodal_loads(primary, secondary);
   std::vector<bool> status = next_status(primary, secondary);
   std::vector<int> changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
   const bool in_circles = !changes.empty() && *std::max_element(changes.begin(), changes.end()) > most_joint_changes;

@@ -23,6 +23,9 @@ struct SurfaceFields {
   MatrixXd scalar;     ///< exchanged scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects
 };
 
+/// INT psi_a da over all facets around each node [mm^2].
+VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position);
+
 /// Half the diagonal of the box around all nodes [length].
 double half_diagonal(const Matrix3Xd& position);
 

@@ -37,6 +37,11 @@ mixture_contact::Enforcement enforcement(int laugon) {
   return laugon == 1 ? Enforcement::augmented_lagrangian : Enforcement::penalty;
 }
 
+mixture_contact::Integration integration(const ContactParameters& p) {
+  using mixture_contact::Integration;
+  return p.integration == 1 ? Integration::segments : Integration::gauss;
+}
+
 }  // namespace
 
 std::vector<std::string> complaints(const ContactParameters& p) {
@@ -83,6 +88,9 @@ std::vector<std::string> notices(const ContactParameters& p) {
   if (p.smooth_aug_given && p.smooth_aug)
     list.emplace_back("<smooth_aug> has no effect: multipliers take the contact's own loads.");
   if (p.smooth_fls_given && p.smooth_fls) list.emplace_back("<smooth_fls> has no effect: there is no friction.");
+  if (p.search_tol_given && integration(p) == mixture_contact::Integration::segments) {
+    list.emplace_back("<search_tol> has no effect with segments: they end where facets end.");
+  }
   if (p.contact_frac_given) list.emplace_back("<contact_frac> has no effect: there is no friction.");
   return list;
 }
@@ -107,7 +115,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p) {
   settings.max_augmentations = p.maxaug;
   settings.two_pass = p.two_pass;
   settings.symmetric = p.symmetric_stiffness;
-  settings.integration = p.integration == 1 ? Integration::segments : Integration::gauss;
+  settings.integration = integration(p);
   settings.integration_order = p.integration_order;
   settings.search_radius = p.search_radius_given ? p.search_radius : 0;
   settings.search_tolerance = p.search_tol;

@@ -36,6 +36,7 @@ struct ContactParameters {
   int integration = 0;  ///< 0: gauss, 1: segments
   int integration_order = 0;
   double search_tol = 0.01;
+  bool search_tol_given = false;
   double search_radius = 0;  ///< [length]
   bool search_radius_given = false;
   int seg_up = 0;
@@ -98,7 +99,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"symmetric_stiffness"}, p.symmetric_stiffness);
   take({"integration", nullptr, Unit::none, "gauss\0segments\0"}, p.integration);
   take({"integration_order"}, p.integration_order);
-  take({"search_tol"}, p.search_tol);
+  take({"search_tol", &p.search_tol_given}, p.search_tol);
   take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);
   take({"seg_up"}, p.seg_up);
   take({"extrapolation", &p.extrapolation_given}, p.extrapolation);

@@ -123,6 +123,28 @@ BOOST_AUTO_TEST_CASE(slopes_of_multiplier_functions_are_the_differences_of_the_v
   }
 }
 
+BOOST_AUTO_TEST_CASE(functions_shared_out_among_some_nodes_add_up_to_one_with_their_slopes) {
+  std::mt19937 random(6);
+  for (const FacetType type : all_facets) {
+    const Vector2d xi = 0.8 * random_inside(type, random) + 0.2 * parametric_centre(type);
+    const int piece = sub_facet_at(type, xi);
+    FacetVector counts = FacetVector::Ones(node_count(type));
+    counts[0] = 0;
+    const auto shared = [&](const VectorXd& at) {
+      return shared_out(multiplier_functions(type, piece, at.head<2>()), counts);
+    };
+    const ShapeFunctions psi = shared(xi);
+    BOOST_TEST(std::abs(psi.value.sum() - 1) <= rounding);
+    BOOST_TEST(psi.value[0] == 0.0);
+    // psi over a sum of psi that is not less than 0.1 here, so lengths of variation are 0.1 at least.
+    const MatrixXd slopes = differences([&](const VectorXd& at) -> VectorXd { return shared(at).value; }, xi,
+                                        0.1 * difference_step);
+    BOOST_TEST((psi.gradient - slopes).norm() <= 1e-8);
+    const ShapeFunctions plain = multiplier_functions(type, piece, xi);
+    BOOST_TEST((shared_out(plain, FacetVector::Zero(node_count(type))).value == plain.value));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(second_derivatives_are_the_differences_of_the_gradients) {
   std::mt19937 random(3);
   for (const FacetType type : all_facets) {
