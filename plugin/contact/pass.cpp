@@ -77,7 +77,8 @@ ShapeFunctions ContactPass::multiplier_shape(const FacetPair& pair, const Integr
 
 void ContactPass::find_hardly_covered(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   hardly_covered_.clear();
-  if (settings_.integration != Integration::segments || pairs_.empty()) return;
+  // Nodes that a limited pass is for keep their conditions: there are no others to bear their load.
+  if (settings_.integration != Integration::segments || limited_to_ || pairs_.empty()) return;
   NodalLoads measured;
   average_gaps(x1, x2, measured);
   const VectorXd least = least_covered * nodal_areas(primary_, x1);
