@@ -6,22 +6,6 @@
 
 namespace mixture_contact {
 
-VaryingNumber operator+(const VaryingNumber& one, const VaryingNumber& two) {
-  return {one.value + two.value, one.variation + two.variation};
-}
-
-VaryingNumber operator-(const VaryingNumber& one, const VaryingNumber& two) {
-  return {one.value - two.value, one.variation - two.variation};
-}
-
-VaryingNumber operator*(double factor, const VaryingNumber& number) {
-  return {factor * number.value, factor * number.variation};
-}
-
-VaryingNumber operator*(const VaryingNumber& one, const VaryingNumber& two) {
-  return {one.value * two.value, one.value * two.variation + two.value * one.variation};
-}
-
 VaryingNumber operator/(const VaryingNumber& one, const VaryingNumber& two) {
   const double ratio = one.value / two.value;
   return {ratio, (one.variation - ratio * two.variation) / two.value};
@@ -30,22 +14,6 @@ VaryingNumber operator/(const VaryingNumber& one, const VaryingNumber& two) {
 VaryingNumber sqrt(const VaryingNumber& number) {
   const double root = std::sqrt(number.value);
   return {root, number.variation / (2 * root)};
-}
-
-VaryingVector operator+(const VaryingVector& one, const VaryingVector& two) {
-  return {one.value + two.value, one.variation + two.variation};
-}
-
-VaryingVector operator-(const VaryingVector& one, const VaryingVector& two) {
-  return {one.value - two.value, one.variation - two.variation};
-}
-
-VaryingVector operator*(double factor, const VaryingVector& vector) {
-  return {factor * vector.value, factor * vector.variation};
-}
-
-VaryingVector operator*(const VaryingNumber& factor, const VaryingVector& vector) {
-  return {factor.value * vector.value, factor.value * vector.variation + vector.value * factor.variation};
 }
 
 VaryingNumber triple(const VaryingVector& n, const VaryingVector& a, const VaryingVector& b) {

@@ -8,30 +8,40 @@
 
 namespace mixture_contact {
 
-/// A number with its variation.
-struct VaryingNumber {
-  double value = 0;
-  PairVariation<1> variation;
+/// A value with R components and its variation.
+template <class Value, int R>
+struct Varying {
+  Value value{};
+  PairVariation<R> variation;
 };
 
-/// A point or vector with its variation.
-struct VaryingVector {
-  Vector3d value{0, 0, 0};
-  PairVariation<3> variation;
-};
+using VaryingNumber = Varying<double, 1>;
+/// A point or vector.
+using VaryingVector = Varying<Vector3d, 3>;
 
-VaryingNumber operator+(const VaryingNumber& one, const VaryingNumber& two);
-VaryingNumber operator-(const VaryingNumber& one, const VaryingNumber& two);
-VaryingNumber operator*(double factor, const VaryingNumber& number);
-VaryingNumber operator*(const VaryingNumber& one, const VaryingNumber& two);
+template <class Value, int R>
+Varying<Value, R> operator+(const Varying<Value, R>& one, const Varying<Value, R>& two) {
+  return {one.value + two.value, one.variation + two.variation};
+}
+
+template <class Value, int R>
+Varying<Value, R> operator-(const Varying<Value, R>& one, const Varying<Value, R>& two) {
+  return {one.value - two.value, one.variation - two.variation};
+}
+
+template <class Value, int R>
+Varying<Value, R> operator*(double factor, const Varying<Value, R>& varying) {
+  return {factor * varying.value, factor * varying.variation};
+}
+
+template <class Value, int R>
+Varying<Value, R> operator*(const VaryingNumber& factor, const Varying<Value, R>& varying) {
+  return {factor.value * varying.value, factor.value * varying.variation + varying.value * factor.variation};
+}
+
 VaryingNumber operator/(const VaryingNumber& one, const VaryingNumber& two);
 /// The root of a positive number.
 VaryingNumber sqrt(const VaryingNumber& number);
-
-VaryingVector operator+(const VaryingVector& one, const VaryingVector& two);
-VaryingVector operator-(const VaryingVector& one, const VaryingVector& two);
-VaryingVector operator*(double factor, const VaryingVector& vector);
-VaryingVector operator*(const VaryingNumber& factor, const VaryingVector& vector);
 
 /// n.(a x b): of two edges of a triangle twice its area seen along -n, positive where they turn counter-clockwise.
 VaryingNumber triple(const VaryingVector& n, const VaryingVector& a, const VaryingVector& b);
