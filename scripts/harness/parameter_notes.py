@@ -200,7 +200,7 @@ NOTES = {
     "integration": Note(
         "`gauss`: at Gauss points of the primary facets. `segments`: on the pieces into which the facets of both sides "
         "cut each other, see [which](user-guide.md#gauss-points-or-segments) (0 or 1).",
-        "`segments`: two to four times the contact's own work",
+        "`segments`: about three times the contact's own work, more on quadratic facets",
         "Gauss points",
     ),
     "integration_order": Note(
