@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace mixture_contact {
@@ -270,6 +271,28 @@ SubPlace place_on(const SubFacet& piece, FacetType type, const Vector2d& xi) {
   return {parametric_node(piece.type, 0) + slope * (xi - corner(0)), slope};
 }
 
+/// Whether two nodes end a common edge of a linear piece of a facet.
+bool adjacent(FacetType type, int one, int two) {
+  const auto ends_with_both = [&](const SubFacet& piece) {
+    const auto last = piece.nodes.begin() + node_count(piece.type);
+    const auto a = std::find(piece.nodes.begin(), last, one);
+    const auto b = std::find(piece.nodes.begin(), last, two);
+    if (a == last || b == last) return false;
+    const auto apart = std::abs(a - b);
+    return apart == 1 || apart == node_count(piece.type) - 1;
+  };
+  return std::any_of(sub_facets(type).begin(), sub_facets(type).end(), ends_with_both);
+}
+
+/// In which parts the nodes that count take a node's function.
+FacetVector heirs_of(FacetType type, int node, const FacetVector& counts) {
+  if (counts[node] > 0) return FacetVector::Unit(counts.size(), node);
+  const FacetVector beside = FacetVector::NullaryExpr(
+      counts.size(), [&](Index a) { return adjacent(type, node, static_cast<int>(a)) ? counts[a] : 0.0; });
+  const FacetVector& heirs = beside.sum() > 0 ? beside : counts;
+  return heirs / heirs.sum();
+}
+
 }  // namespace
 
 const std::vector<SubFacet>& sub_facets(FacetType type) {
@@ -323,12 +346,14 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
   return psi;
 }
 
-ShapeFunctions shared_out(const ShapeFunctions& psi, const FacetVector& counts) {
-  const double sum = psi.value.dot(counts);
-  if (sum <= 0) return psi;
-  const FacetVector value = psi.value.cwiseProduct(counts) / sum;
-  const FacetGradient slope = counts.asDiagonal() * psi.gradient;
-  return {value, (slope - value * slope.colwise().sum()) / sum};
+ShapeFunctions shared_out(FacetType type, const ShapeFunctions& psi, const FacetVector& counts) {
+  ShapeFunctions shared{FacetVector::Zero(psi.value.size()), FacetGradient::Zero(psi.value.size(), 2)};
+  for (Index node = 0; node < psi.value.size(); ++node) {
+    const FacetVector heirs = heirs_of(type, static_cast<int>(node), counts);
+    shared.value += heirs * psi.value[node];
+    shared.gradient += heirs * psi.gradient.row(node);
+  }
+  return shared;
 }
 
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions) {

@@ -68,9 +68,11 @@ int sub_facet_at(FacetType type, const Vector2d& xi);
 /// beyond it.
 ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
 
-/// Functions psi_a shared out among some nodes of their facet, psi_a/sum_b psi_b over these and 0 for the others: they
-/// add up to 1 as before. `counts`: 1 for these, 0 for the others, shape (n); unchanged where there are none.
-ShapeFunctions shared_out(const ShapeFunctions& psi, const FacetVector& counts);
+/// Functions psi_a shared out among the nodes of their facet that count, at least one: each of the others gives its
+/// own, in equal parts, to those beside it that count, or where there are none to all that do. They add up to 1 as
+/// before and are nowhere negative where those given are not. `counts`: 1 for nodes that count, 0 for the others, shape
+/// (n).
+ShapeFunctions shared_out(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);
 
 /// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
 struct Facet {

@@ -184,7 +184,7 @@ std::vector<bool> ContactInterface::sealed_nodes(const Pass& pass) const {
 
 void ContactInterface::hold_facing_contact(Pass& pass) {
   if (pass.faced && !effects_.traction) return;
-  std::vector<bool> next = in_contact_of(facing_nodes(other(pass.side), sealed_nodes(pass)));
+  std::vector<bool> next = in_contact_of(facing_nodes(pass, sealed_nodes(pass)));
   if (!pass.faced) pass.faced_changes.assign(next.size(), 0);
   for (std::size_t node = 0; node < next.size(); ++node) {
     if (pass.faced && next[node] != (*pass.faced)[node]) ++pass.faced_changes[node];
@@ -298,7 +298,7 @@ UnnoticedOverlap ContactInterface::notice_overlap(const PerSide<SurfaceFields>& 
   if (settings_.two_pass || !effects_.traction) return {};
   const TaskClock timed = clock(Task::augmentation);
   const std::vector<bool> in_contact = sealed_nodes(passes_.front());
-  const std::vector<FacingNode> nodes = facing_nodes(Side::secondary, in_contact);
+  const std::vector<FacingNode> nodes = facing_nodes(passes_.front(), in_contact);
   const VectorXd shares = overlap_shares(nodes, in_contact);
   const std::vector<bool> loaded = passes_.size() > 1 ? sealed_nodes(passes_.back()) : noticed_;
   unnoticed_ = unnoticed_among(nodes, shares, loaded);
@@ -379,30 +379,31 @@ PerSide<std::vector<bool>> ContactInterface::nodes_in_contact() const {
   for (const Pass& pass : passes_) {
     const std::vector<bool> own = sealed_nodes(pass);
     add(pass.side, own);
-    add(other(pass.side), pass.faced ? *pass.faced : in_contact_of(facing_nodes(other(pass.side), own)));
+    add(other(pass.side), pass.faced ? *pass.faced : in_contact_of(facing_nodes(pass, own)));
   }
   return in_contact;
 }
 
-std::vector<FacingNode> ContactInterface::facing_nodes(Side side, const std::vector<bool>& other_in_contact) const {
+std::vector<FacingNode> ContactInterface::facing_nodes(const Pass& pass, const std::vector<bool>& in_contact) const {
+  const Side side = other(pass.side);
   std::vector<FacingNode> nodes(static_cast<std::size_t>(mesh_[side].nodes));
   const double reach = search_radius(position_);
-  if (!surfaces_within_reach(position_[side], position_[other(side)], reach)) return nodes;
-  const std::vector<Facet>& facets = mesh_[other(side)].facets;
-  const FacetTree tree(facets, position_[other(side)], box_margin);
+  if (!surfaces_within_reach(position_[side], position_[pass.side], reach)) return nodes;
+  const std::vector<Facet>& facets = mesh_[pass.side].facets;
+  const FacetTree tree(facets, position_[pass.side], box_margin);
   const Matrix3Xd normals = nodal_normals(mesh_[side], position_[side]);
-  const VectorXd other_share = VectorXd::NullaryExpr(static_cast<Index>(other_in_contact.size()), [&](Index node) {
-    return other_in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
+  const VectorXd share = VectorXd::NullaryExpr(static_cast<Index>(in_contact.size()), [&](Index node) {
+    return in_contact[static_cast<std::size_t>(node)] ? 1.0 : 0.0;
   });
   in_parallel(nodes.size(), [&](std::size_t index) {
     const auto node = static_cast<Index>(index);
     const Ray ray{position_[side].col(node), normals.col(node), reach, settings_.search_tolerance};
-    const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, position_[other(side)], ray);
+    const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, position_[pass.side], ray);
     if (!hit) return;
     const Facet& facet = facets[static_cast<std::size_t>(hit->facet)];
     const int sub_facet = sub_facet_at(facet.type, hit->eta);
-    const FacetVector shape = multiplier_functions(facet.type, sub_facet, hit->eta).value;
-    nodes[index] = {hit->facet, hit->gap, shape.dot(facet_values(facet, other_share)) >= covered};
+    const FacetVector psi = pass.integral->multiplier_shape(hit->facet, sub_facet, hit->eta).value;
+    nodes[index] = {hit->facet, hit->gap, psi.dot(facet_values(facet, share)) >= covered};
   });
   return nodes;
 }

@@ -207,7 +207,8 @@ class ContactInterface {
   void hold_facing_contact(Pass& pass);
   std::vector<bool> sealed_nodes(const Pass& pass) const;
   void note_memory();
-  std::vector<FacingNode> facing_nodes(Side side, const std::vector<bool>& other_in_contact) const;
+  /// What the nodes of the surface that a pass does not integrate over face, given which of its own are in contact.
+  std::vector<FacingNode> facing_nodes(const Pass& pass, const std::vector<bool>& in_contact) const;
 
   PerSide<SurfaceMesh> mesh_;
   Effects effects_;

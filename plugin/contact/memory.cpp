@@ -27,7 +27,7 @@ std::size_t bytes(const SurfaceFields& fields) { return bytes(fields.position) +
 
 std::size_t ContactPass::memory() const {
   std::size_t sum = points_->memory() + bytes(pairs_) + bytes(multipliers.traction) + bytes(multipliers.flux) +
-                    bytes(penalties_.traction) + bytes(penalties_.flux);
+                    bytes(penalties_.traction) + bytes(penalties_.flux) + bytes(bearing_);
   for (const FacetPair& pair : pairs_) sum += bytes(pair.points);
   if (!held_) return sum;
   sum += bytes(held_->loads) + bytes(held_->primary) + bytes(held_->secondary) + bytes(held_->geometric_traction) +

@@ -5,10 +5,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Of one pair of facets, per node of the primary one: INT psi_a da and INT psi_a g da.
-using GapSums = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, max_facet_nodes>;
-
-/// The same for the jumps of the fields that a pair exchanges; no fields where it carries no load.
+/// As SeenGaps for the jumps of the fields that a pair exchanges; no fields where it carries no load.
 struct JumpSums {
   std::vector<int> fields;
   FacetVector area;  ///< INT psi_a da
@@ -17,21 +14,22 @@ struct JumpSums {
 
 }  // namespace
 
+SeenGaps ContactPass::gap_sums(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  SeenGaps sums = SeenGaps::Zero(2, node_count(primary_facet(pair).type));
+  for (const IntegrationPoint& place : pair.points) {
+    const PointKinematics point = kinematics(pair, place, x1, x2);
+    const FacetVector psi = multiplier_shape(pair.primary, place.sub_facet, place.xi).value;
+    sums.row(0) += place.weight * point.area * psi;
+    sums.row(1) += place.weight * point.area * point.gap * psi;
+  }
+  return sums;
+}
+
 void ContactPass::average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const {
   loads.area.setZero(primary_.nodes);
   loads.gap.setZero(primary_.nodes);
-  const auto sums_of = [&](std::size_t index) {
-    const FacetPair& pair = pairs_[index];
-    GapSums sums = GapSums::Zero(2, node_count(primary_facet(pair).type));
-    for (const IntegrationPoint& place : pair.points) {
-      const PointKinematics point = kinematics(pair, place, x1, x2);
-      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place).value;
-      sums.row(0) += share;
-      sums.row(1) += point.gap * share;
-    }
-    return sums;
-  };
-  in_order(pairs_.size(), sums_of, [&](std::size_t index, const GapSums& sums) {
+  const auto sums_of = [&](std::size_t index) { return gap_sums(pairs_[index], x1, x2); };
+  in_order(pairs_.size(), sums_of, [&](std::size_t index, const SeenGaps& sums) {
     const Facet& facet = primary_facet(pairs_[index]);
     for (Index a = 0; a < sums.cols(); ++a) {
       const int node = facet.nodes[static_cast<std::size_t>(a)];
@@ -55,7 +53,8 @@ void ContactPass::average_jumps(const SurfaceFields& primary, const SurfaceField
     sums.jump.setZero(static_cast<Index>(sums.fields.size()), sums.area.size());
     for (const IntegrationPoint& place : pair.points) {
       const PointKinematics point = kinematics(pair, place, primary.position, secondary.position);
-      const FacetVector share = place.weight * point.area * multiplier_shape(pair, place).value;
+      const FacetVector share = place.weight * point.area *
+                                multiplier_shape(pair.primary, place.sub_facet, place.xi).value;
       const PairVector h = point.jump_weights();
       sums.area += share;
       for (std::size_t k = 0; k < sums.fields.size(); ++k) {

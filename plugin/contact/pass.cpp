@@ -27,14 +27,14 @@ void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radiu
   touch_ = touch_fraction * half_diagonal(x1);
   pairs_ = points_->search(x1, x2, radius);
   keep_limited();
-  if (!held_) find_hardly_covered(x1, x2);
+  if (!held_) find_bearing_nodes(x1, x2);
   if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   pairs_ = points_->on_same_facets(x1, x2);
   keep_limited();
-  if (!held_) find_hardly_covered(x1, x2);
+  if (!held_) find_bearing_nodes(x1, x2);
   if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
@@ -54,7 +54,7 @@ void ContactPass::forget() {
   augmented_ = false;
   frozen_.reset();
   pairs_.clear();
-  hardly_covered_.clear();
+  bearing_.clear();
 }
 
 const Facet& ContactPass::primary_facet(const FacetPair& pair) const {
@@ -65,24 +65,12 @@ const Facet& ContactPass::secondary_facet(const FacetPair& pair) const {
   return secondary_.facets[static_cast<std::size_t>(pair.secondary)];
 }
 
-ShapeFunctions ContactPass::multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const {
-  const Facet& facet = primary_facet(pair);
-  ShapeFunctions psi = multiplier_functions(facet.type, place.sub_facet, place.xi);
-  if (hardly_covered_.empty()) return psi;
-  return shared_out(psi, FacetVector::NullaryExpr(psi.value.size(), [&](Index a) {
-                      return hardly_covered_[static_cast<std::size_t>(facet.nodes[static_cast<std::size_t>(a)])] ? 0
-                                                                                                                 : 1;
-                    }));
-}
-
-void ContactPass::find_hardly_covered(const Matrix3Xd& x1, const Matrix3Xd& x2) {
-  hardly_covered_.clear();
-  // Nodes that a limited pass is for keep their conditions: there are no others to bear their load.
-  if (settings_.integration != Integration::segments || limited_to_ || pairs_.empty()) return;
-  NodalLoads measured;
-  average_gaps(x1, x2, measured);
-  const VectorXd least = least_covered * nodal_areas(primary_, x1);
-  for (Index node = 0; node < primary_.nodes; ++node) hardly_covered_.push_back(measured.area[node] < least[node]);
+ShapeFunctions ContactPass::multiplier_shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
+  const auto index = static_cast<std::size_t>(primary_facet);
+  const FacetType type = primary_.facets[index].type;
+  const ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
+  if (bearing_.empty() || bearing_[index].minCoeff() > 0) return psi;
+  return shared_out(type, psi, bearing_[index]);
 }
 
 PointKinematics ContactPass::kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
@@ -123,7 +111,7 @@ PointContact ContactPass::contact(const FacetPair& pair, const IntegrationPoint&
   PointContact contact;
   contact.pair = &pair;
   contact.kinematics = kinematics(pair, place, primary.position, secondary.position);
-  const ShapeFunctions psi = multiplier_shape(pair, place);
+  const ShapeFunctions psi = multiplier_shape(pair.primary, place.sub_facet, place.xi);
   contact.psi = psi.value;
   contact.psi_gradient = psi.gradient;
   contact.fields = exchanged_fields(pair);

@@ -23,8 +23,8 @@ inline constexpr int most_joint_changes = 2 * most_status_changes;
 /// bath.
 inline constexpr int most_facing_changes = 2;
 
-/// A node of whose area less than this part faces the other surface has no conditions of its own on segments.
-inline constexpr double least_covered = 0.05;
+/// Of what is seen from one facet, per node of it: INT psi_a da [mm^2] and INT psi_a g da [mm^3], shape (2, n).
+using SeenGaps = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, max_facet_nodes>;
 
 /// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
 /// are unknowns, the host with every trial state.
@@ -151,6 +151,12 @@ class ContactPass {
   /// Which primary nodes are in contact and sealed by it; the others see the bath.
   std::vector<bool> sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2) const;
 
+  /// Functions psi_a of a primary facet at a place on it, which weight averages and interpolate loads: those of
+  /// multiplier_functions(), but that on segments nodes covered least have shared theirs out among the others of the
+  /// facet. Far from its node a psi_a says next to nothing, and conditions on such averages contradict those of the
+  /// nodes that bear the load.
+  ShapeFunctions multiplier_shape(int primary_facet, int sub_facet, const Vector2d& xi) const;
+
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 
@@ -214,11 +220,7 @@ class ContactPass {
 
   const Facet& primary_facet(const FacetPair& pair) const;
   const Facet& secondary_facet(const FacetPair& pair) const;
-  /// psi_a where a pair of facets sees each other. On segments those of nodes that are hardly covered are shared out
-  /// among the others of the facet, psi_a/sum_b psi_b over these: far from its node a psi_a says next to nothing, and
-  /// conditions on such averages contradict those of the nodes that bear the load.
-  ShapeFunctions multiplier_shape(const FacetPair& pair, const IntegrationPoint& place) const;
-  void find_hardly_covered(const Matrix3Xd& x1, const Matrix3Xd& x2);
+  void find_bearing_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2);
   PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
                              const Matrix3Xd& x2) const;
   PairVector pair_values(const FacetPair& pair, int field, const SurfaceFields& primary,
@@ -226,6 +228,7 @@ class ContactPass {
   std::vector<int> exchanged_fields(const FacetPair& pair) const;
   Patch facet_patch(const FacetPair& pair) const;
 
+  SeenGaps gap_sums(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   void average_gaps(const Matrix3Xd& x1, const Matrix3Xd& x2, NodalLoads& loads) const;
   void average_jumps(const SurfaceFields& primary, const SurfaceFields& secondary, NodalLoads& loads) const;
   double traction_penalty(Index node) const { return multipliers.traction_growth * penalties_.traction[node]; }
@@ -317,7 +320,8 @@ class ContactPass {
   bool augmented_ = false;            ///< since the last iteration began
   mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
   std::optional<Frozen> frozen_;      ///< where no traction is exchanged
-  std::vector<bool> hardly_covered_;  ///< primary nodes, where the iterations of a step began; on segments alone
+  std::vector<FacetVector> bearing_;  ///< per facet which of its nodes bear load, 1 or 0, where the iterations of a
+                                      ///< step began; on segments alone
   double radius_ = 0;                 ///< within which the last project() looked for facets [mm]
   double touch_ = 0;                  ///< distance at which surfaces touch to rounding [mm]
 };

@@ -1,6 +1,7 @@
 #include "quadrature.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <stdexcept>
@@ -73,6 +74,22 @@ std::vector<QuadraturePoint> quadrature(FacetType type, int order) {
                                 std::to_string(max_quadrature_order));
   }
   return is_triangle(type) ? triangle_rule(order) : quadrilateral_rule(order);
+}
+
+std::vector<QuadraturePoint> piecewise_quadrature(FacetType type, int order) {
+  std::vector<QuadraturePoint> rule;
+  for (const SubFacet& piece : sub_facets(type)) {
+    Eigen::Matrix2Xd corners(2, node_count(piece.type));
+    for (Index a = 0; a < corners.cols(); ++a) {
+      corners.col(a) = parametric_node(type, piece.nodes[static_cast<std::size_t>(a)]);
+    }
+    for (const QuadraturePoint& q : quadrature(piece.type, order)) {
+      const ShapeFunctions shape = shape_functions(piece.type, q.xi);
+      const Eigen::Matrix2d slope = corners * shape.gradient;
+      rule.push_back({corners * shape.value, q.weight * std::abs(slope.determinant())});
+    }
+  }
+  return rule;
 }
 
 int default_quadrature_order(FacetType type) { return edge_degree(type) + 1; }

@@ -25,6 +25,10 @@ Eigen::MatrixX2d gauss_legendre(int points);
 /// order <= max_quadrature_order.
 std::vector<QuadraturePoint> quadrature(FacetType type, int order);
 
+/// The same on each linear piece of a facet, for functions that are polynomials there; in parametric coordinates of the
+/// facet.
+std::vector<QuadraturePoint> piecewise_quadrature(FacetType type, int order);
+
 inline constexpr int max_quadrature_order = 10;
 
 /// The order used where the user gives none: 2 for linear facets, 3 for quadratic ones.

@@ -15,8 +15,9 @@ namespace {
 
 /// Edges closer than this part of a polygon's size coincide.
 constexpr double coincident_fraction = 1e-9;
-/// A piece smaller than this part of the polygon that it was cut from is left out.
-constexpr double negligible_fraction = 1e-14;
+/// A piece smaller than this part of the polygon that it was cut from is left out: where surfaces end in the same place
+/// rounding would cut such pieces.
+constexpr double negligible_fraction = 1e-8;
 /// How far outside a facet a point may be carried, in parametric coordinates: as far as a neighbour reaches.
 constexpr double reach_outside = 2;
 

@@ -59,7 +59,7 @@ struct Settings {
   int max_augmentations = 10;
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
   bool symmetric = false;  ///< hand out the symmetric part of the tangent
-  Integration integration = Integration::gauss;
+  Integration integration = Integration::segments;
   int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on
                               ///< segments alike
   double search_radius = 0;  ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces'

@@ -23,6 +23,9 @@ struct SurfaceFields {
   MatrixXd scalar;     ///< exchanged scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects
 };
 
+/// INT psi_a da over one facet, shape (n) [mm^2].
+FacetVector areas_of_nodes(const Facet& facet, const Matrix3Xd& position);
+
 /// INT psi_a da over all facets around each node [mm^2].
 VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position);
 

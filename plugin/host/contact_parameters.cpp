@@ -39,6 +39,7 @@ mixture_contact::Enforcement enforcement(int laugon) {
 
 mixture_contact::Integration integration(const ContactParameters& p) {
   using mixture_contact::Integration;
+  if (!p.integration_given) return p.two_pass ? Integration::gauss : Integration::segments;
   return p.integration == 1 ? Integration::segments : Integration::gauss;
 }
 

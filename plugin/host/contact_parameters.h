@@ -34,6 +34,7 @@ struct ContactParameters {
   bool two_pass = false;
   bool symmetric_stiffness = false;
   int integration = 0;  ///< 0: gauss, 1: segments
+  bool integration_given = false;
   int integration_order = 0;
   double search_tol = 0.01;
   bool search_tol_given = false;
@@ -97,7 +98,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"update_penalty"}, p.update_penalty);
   take({"two_pass"}, p.two_pass);
   take({"symmetric_stiffness"}, p.symmetric_stiffness);
-  take({"integration", nullptr, Unit::none, "gauss\0segments\0"}, p.integration);
+  take({"integration", &p.integration_given, Unit::none, "gauss\0segments\0"}, p.integration);
   take({"integration_order"}, p.integration_order);
   take({"search_tol", &p.search_tol_given}, p.search_tol);
   take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);

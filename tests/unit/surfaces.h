@@ -84,23 +84,6 @@ inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness =
   return surface;
 }
 
-/// A rule for functions that are polynomials on each linear piece of a facet.
-inline std::vector<QuadraturePoint> piecewise_quadrature(FacetType type, int order) {
-  std::vector<QuadraturePoint> rule;
-  for (const SubFacet& piece : sub_facets(type)) {
-    Eigen::Matrix2Xd corners(2, node_count(piece.type));
-    for (Index a = 0; a < corners.cols(); ++a) {
-      corners.col(a) = parametric_node(type, piece.nodes[static_cast<std::size_t>(a)]);
-    }
-    for (const QuadraturePoint& q : quadrature(piece.type, order)) {
-      const ShapeFunctions shape = shape_functions(piece.type, q.xi);
-      const Eigen::Matrix2d slope = corners * shape.gradient;
-      rule.push_back({corners * shape.value, q.weight * std::abs(slope.determinant())});
-    }
-  }
-  return rule;
-}
-
 /// The solvent, if asked for, and solutes with the ids 0, 1, ...
 inline Effects effects_of(bool solvent, int solutes) {
   Effects effects;
@@ -173,6 +156,7 @@ inline Settings explicit_settings(double traction, double solvent, double solute
   settings.traction = {false, traction};
   settings.solvent = {false, solvent};
   settings.solute = {false, solute};
+  settings.integration = Integration::gauss;
   return settings;
 }
 

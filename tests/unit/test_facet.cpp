@@ -126,25 +126,38 @@ BOOST_AUTO_TEST_CASE(slopes_of_multiplier_functions_are_the_differences_of_the_v
 BOOST_AUTO_TEST_CASE(functions_shared_out_among_some_nodes_add_up_to_one_with_their_slopes) {
   std::mt19937 random(6);
   for (const FacetType type : all_facets) {
-    const Vector2d xi = 0.8 * random_inside(type, random) + 0.2 * parametric_centre(type);
+    const Vector2d xi = random_inside(type, random);
     const int piece = sub_facet_at(type, xi);
-    FacetVector counts = FacetVector::Ones(node_count(type));
-    counts[0] = 0;
-    const auto shared = [&](const VectorXd& at) {
-      return shared_out(multiplier_functions(type, piece, at.head<2>()), counts);
-    };
-    const ShapeFunctions psi = shared(xi);
-    BOOST_TEST(std::abs(psi.value.sum() - 1) <= rounding);
-    BOOST_TEST(psi.value[0] == 0.0);
-    // psi over a sum of psi that is not less than 0.1 here, so it varies over 0.1 at least: with a tenth of the step
-    // the truncation error is as derived there, the rounding ten times as large, 4e-10 in each of up to 18 slopes of
-    // size 1 to 10.
-    const MatrixXd slopes = differences([&](const VectorXd& at) -> VectorXd { return shared(at).value; }, xi,
-                                        0.1 * difference_step);
-    BOOST_TEST((psi.gradient - slopes).norm() <= 1e-8);
-    const ShapeFunctions plain = multiplier_functions(type, piece, xi);
-    BOOST_TEST((shared_out(plain, FacetVector::Zero(node_count(type))).value == plain.value));
+    for (Index alone = 0; alone < node_count(type); ++alone) {
+      FacetVector counts = FacetVector::Ones(node_count(type));
+      counts[alone] = 0;
+      const auto shared = [&](const Vector2d& at) {
+        return shared_out(type, multiplier_functions(type, piece, at), counts);
+      };
+      const ShapeFunctions psi = shared(xi);
+      BOOST_TEST(std::abs(psi.value.sum() - 1) <= rounding);
+      BOOST_TEST(psi.value[alone] == 0.0);
+      BOOST_TEST(psi.value.minCoeff() >= -rounding);
+      for (int i = 0; i < 2; ++i) {
+        // Linear in each coordinate, as psi itself: central differences have no truncation error.
+        const Vector2d step = 0.5 * Vector2d::Unit(i);
+        const FacetVector difference = shared(xi + step).value - shared(xi - step).value;
+        BOOST_TEST((psi.gradient.col(i) - difference).cwiseAbs().maxCoeff() <= rounding);
+      }
+    }
   }
+}
+
+BOOST_AUTO_TEST_CASE(functions_are_shared_out_beside_their_nodes_where_these_have_someone_there) {
+  const Vector2d xi(0.2, -0.6);
+  const auto shared = [&](const FacetVector& counts) {
+    return shared_out(FacetType::quad4, shape_functions(FacetType::quad4, xi), counts).value;
+  };
+  // The far edge, nodes 1 and 2, gives each to the node across: along the near one functions are linear as before.
+  const FacetVector edge = shared(Eigen::Vector4d(1, 0, 0, 1));
+  BOOST_TEST((edge - FacetVector(Eigen::Vector4d(0.8, 0, 0, 0.2))).norm() <= rounding);
+  const FacetVector corner = shared(Eigen::Vector4d(0, 1, 0, 0));
+  BOOST_TEST((corner - FacetVector(Eigen::Vector4d(0, 1, 0, 0))).norm() <= rounding);
 }
 
 BOOST_AUTO_TEST_CASE(second_derivatives_are_the_differences_of_the_gradients) {

@@ -394,6 +394,31 @@ BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_the_bath_from_the_nodes_beyond_it) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(nodes_covered_least_bear_nothing_unless_they_are_far_away) {
+  // Two facets along x, the second covered to a half: 0.125/0.5 of the area of the nodes at its end, half an edge long
+  // on one side of them, and (0.25 + 0.1875)/0.5 of those in the middle.
+  for (const double away : {0.0, 0.5}) {
+    PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.0625, 2, 1);
+    grids[Side::secondary].high[0] = 0.75;
+    Scene scene(grids, effects_of(true, 1), explicit_settings(4, 2, 8));
+    scene.settings.integration = Integration::segments;
+    Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+    for (Index node = 0; node < x2.cols(); ++node) x2(2, node) += away * x2(0, node);
+    ContactPass pass(scene.mesh[Side::primary], scene.mesh[Side::secondary], scene.effects, scene.settings);
+    const Matrix3Xd& x1 = scene.fields[Side::primary].position;
+    pass.project(x1, x2, 1);
+    const std::vector<Facet>& facets = scene.mesh[Side::primary].facets;
+    const Vector2d xi(0.2, -0.6);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+      const FacetVector x = facet_coordinates(facets[f], x1).row(0).transpose();
+      const FacetVector psi = pass.multiplier_shape(static_cast<int>(f), 0, xi).value;
+      const double at_the_end = (x.array() > 0.75).select(psi, 0).sum();
+      const double before = (x.array() > 0.75).select(shape_functions(facets[f].type, xi).value, 0).sum();
+      BOOST_TEST(at_the_end == (away > 0 ? before : 0));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_tangent_is_exact_where_nodes_are_hardly_covered) {
   // A fifth of the facets beyond the middle is covered: 0.02 of the area of the nodes at their far end.
   PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.08, 2, 1);
