@@ -202,6 +202,7 @@ NOTES = {
         "cut each other, see [which](user-guide.md#gauss-points-or-segments) (0 or 1).",
         "`segments`: about three times the contact's own work, more on quadratic facets",
         "Gauss points",
+        default="`segments`; `gauss` with `two_pass`",
     ),
     "integration_order": Note(
         "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the same "

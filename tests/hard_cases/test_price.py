@@ -75,7 +75,10 @@ def test_a_scene_lists_its_effects_and_their_times(name, runner):
     assert all(times.seconds["stiffness"][effect] > 0.0 for effect in times.effects)
     assert 0.0 < times.host < times.total
     assert 0.0 < times.share < 1.0
-    assert times.points == 4 * scene.section**2
+    # Bodies with fluid widen differently, and each facet is cut by the edges of those beside the one opposite.
+    differ = scene.kind is not Kind.ELASTIC and not scene.frozen
+    pieces = (2 * scene.section - 1) ** 2 if differ else scene.section**2
+    assert times.points == 4 * pieces
 
 
 def test_contacts_are_compared_on_the_same_model():

@@ -138,8 +138,6 @@ CORNER = Pushed(
 )
 CURVED = Pushed(round_base, round_top, along(DOWN), PUSH, mirrored(1, 1e-6), half=True, base_is_primary=True)
 BOTH_PRESSING = Seesaw(((0.0, -0.1), (1000.0, 1.0)), ((0.0, -0.1), (1000.0, 1.0)))
-SEGMENTS = (Param("integration", "segments"),)
-"""Then quadrature is exact where a facet faces parts of several."""
 TWO_PASS = (Param("two_pass", True),)
 """Then each side notices what is smaller than its facets with the nodes of the other."""
 
@@ -269,9 +267,6 @@ CASES: dict[str, Case] = {
     "penalty-1e3": Case("penalties 1e3 of automatic", Press(penalties=1e3, gap=1e-3)),
     "penalty-1e6": Case("penalties 1e6 of automatic", Press(penalties=1e6, gap=1e-3)),
     "three-bodies": Case("three bodies meeting at shared nodes", BOTH_PRESSING),
-    "three-segments": Case(
-        "three bodies meeting at shared nodes, integration segments", replace(BOTH_PRESSING, own=SEGMENTS)
-    ),
     "one-closes-one-opens": Case(
         "a node on two interfaces, one closing while the other opens",
         Seesaw(((0.0, 0.0), (200.0, 1.0), (1000.0, -1.0)), ((0.0, -1.0), (200.0, -1.0), (1000.0, 1.0))),
