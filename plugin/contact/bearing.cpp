@@ -3,6 +3,7 @@
 #include "pass.h"
 
 #include <cmath>
+#include <map>
 
 namespace mixture_contact {
 namespace {
@@ -31,16 +32,23 @@ FacetVector bearing_nodes(const SeenGaps& seen, const FacetVector& whole) {
 }  // namespace
 
 void ContactPass::find_bearing_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2) {
-  bearing_.clear();
   // Nodes that a limited pass is for keep their conditions: there are no others to bear their load.
-  if (settings_.integration != Integration::segments || limited_to_ || pairs_.empty()) return;
-  std::vector<SeenGaps> sums;
-  for (const Facet& facet : primary_.facets) sums.push_back(SeenGaps::Zero(2, node_count(facet.type)));
+  if (settings_.integration != Integration::segments || limited_to_) return;
+  bearing_.resize(primary_.facets.size());
+  std::vector<const FacetPair*> unknown;
+  for (const FacetPair& pair : pairs_) {
+    if (bearing_[static_cast<std::size_t>(pair.primary)].size() == 0) unknown.push_back(&pair);
+  }
+  std::map<int, SeenGaps> seen;
   in_order(
-      pairs_.size(), [&](std::size_t index) { return gap_sums(pairs_[index], x1, x2); },
-      [&](std::size_t index, const SeenGaps& seen) { sums[static_cast<std::size_t>(pairs_[index].primary)] += seen; });
-  for (std::size_t index = 0; index < sums.size(); ++index) {
-    bearing_.push_back(bearing_nodes(sums[index], areas_of_nodes(primary_.facets[index], x1)));
+      unknown.size(), [&](std::size_t index) { return gap_sums(*unknown[index], x1, x2); },
+      [&](std::size_t index, const SeenGaps& sums) {
+        const auto [place, first] = seen.try_emplace(unknown[index]->primary, sums);
+        if (!first) place->second += sums;
+      });
+  for (const auto& [index, sums] : seen) {
+    const auto facet = static_cast<std::size_t>(index);
+    bearing_[facet] = bearing_nodes(sums, areas_of_nodes(primary_.facets[facet], x1));
   }
 }
 

@@ -27,14 +27,16 @@ void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radiu
   touch_ = touch_fraction * half_diagonal(x1);
   pairs_ = points_->search(x1, x2, radius);
   keep_limited();
-  if (!held_) find_bearing_nodes(x1, x2);
+  if (!held_) bearing_.clear();
+  find_bearing_nodes(x1, x2);
   if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   pairs_ = points_->on_same_facets(x1, x2);
   keep_limited();
-  if (!held_) find_bearing_nodes(x1, x2);
+  if (!held_) bearing_.clear();
+  find_bearing_nodes(x1, x2);
   if (!effects_.traction) frozen_ = freeze(x1, x2);
 }
 
@@ -69,7 +71,7 @@ ShapeFunctions ContactPass::multiplier_shape(int primary_facet, int sub_facet, c
   const auto index = static_cast<std::size_t>(primary_facet);
   const FacetType type = primary_.facets[index].type;
   const ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
-  if (bearing_.empty() || bearing_[index].minCoeff() > 0) return psi;
+  if (bearing_.empty() || bearing_[index].size() == 0 || bearing_[index].minCoeff() > 0) return psi;
   return shared_out(type, psi, bearing_[index]);
 }
 

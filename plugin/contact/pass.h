@@ -320,8 +320,8 @@ class ContactPass {
   bool augmented_ = false;            ///< since the last iteration began
   mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
   std::optional<Frozen> frozen_;      ///< where no traction is exchanged
-  std::vector<FacetVector> bearing_;  ///< per facet which of its nodes bear load, 1 or 0, where the iterations of a
-                                      ///< step began; on segments alone
+  std::vector<FacetVector> bearing_;  ///< per facet which of its nodes bear load, 1 or 0, decided where it is first
+                                      ///< seen in a step; on segments alone
   double radius_ = 0;                 ///< within which the last project() looked for facets [mm]
   double touch_ = 0;                  ///< distance at which surfaces touch to rounding [mm]
 };
