@@ -70,7 +70,7 @@ const Facet& ContactPass::secondary_facet(const FacetPair& pair) const {
 ShapeFunctions ContactPass::multiplier_shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
   const auto index = static_cast<std::size_t>(primary_facet);
   const FacetType type = primary_.facets[index].type;
-  const ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
+  ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
   if (bearing_.empty() || bearing_[index].size() == 0 || bearing_[index].minCoeff() > 0) return psi;
   return shared_out(type, psi, bearing_[index]);
 }
