@@ -110,7 +110,8 @@ class ContactPass {
   void begin_open(const SurfaceFields& primary, const SurfaceFields& secondary);
 
   /// Moves what an iteration holds to another state of the fields, at which project() has been called: gaps and jumps
-  /// are measured and linearised there, while status and predicted loads remain. Nodes that see nothing there open.
+  /// are measured and linearised there, while status and predicted loads remain. Nodes that see nothing there open, and
+  /// those that overlap there close.
   void move_iteration(const SurfaceFields& primary, const SurfaceFields& secondary);
 
   /// Uzawa's update: the loads of an equilibrium become the multipliers, lambda <- t_n, w_n, j_n; nodes out of contact
@@ -249,6 +250,9 @@ class ContactPass {
   static bool seen(const NodalLoads& loads, Index node);
   /// What a large penalty makes of the rounding of gaps [MPa].
   double traction_rounding() const;
+  double negligible_traction(const NodalLoads& loads) const;
+  /// Whether a node that is not in contact comes into it, given what it sees.
+  bool closes(const NodalLoads& now, Index node, double negligible) const;
   bool loads_differ(const NodalLoads& one, const NodalLoads& other, double part, const SurfaceFields& primary,
                     const SurfaceFields& secondary) const;
   std::vector<bool> natural_status(const Matrix3Xd& x1, const Matrix3Xd& x2) const;

@@ -70,15 +70,23 @@ std::vector<bool> ContactPass::next_status(const SurfaceFields& primary, const S
   const NodalLoads predicted = predicted_loads(*held_, primary, secondary);
   NodalLoads now;
   average_gaps(primary.position, secondary.position, now);
-  const double negligible = std::max(status_tolerance * predicted.traction.cwiseAbs().maxCoeff(), traction_rounding());
+  const double negligible = negligible_traction(predicted);
   std::vector<bool> status;
   for (Index node = 0; node < primary_.nodes; ++node) {
     const bool was = predicted.in_contact[static_cast<std::size_t>(node)];
-    const double overlap_load = multipliers.traction[node] + traction_penalty(node) * now.gap[node];
-    const bool stays = predicted.traction[node] <= negligible;
-    status.push_back(may_close(node) && seen(now, node) && (was ? stays : overlap_load < -negligible));
+    const bool stays = may_close(node) && seen(now, node) && predicted.traction[node] <= negligible;
+    status.push_back(was ? stays : closes(now, node, negligible));
   }
   return status;
+}
+
+double ContactPass::negligible_traction(const NodalLoads& loads) const {
+  return std::max(status_tolerance * loads.traction.cwiseAbs().maxCoeff(), traction_rounding());
+}
+
+bool ContactPass::closes(const NodalLoads& now, Index node, double negligible) const {
+  const double overlap_load = multipliers.traction[node] + traction_penalty(node) * now.gap[node];
+  return may_close(node) && seen(now, node) && overlap_load < -negligible;
 }
 
 std::vector<bool> ContactPass::sealed_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
@@ -177,10 +185,11 @@ void ContactPass::move_iteration(const SurfaceFields& primary, const SurfaceFiel
   std::vector<bool> sealed = held_->loads.sealed;
   NodalLoads now;
   average_gaps(primary.position, secondary.position, now);
+  const double negligible = negligible_traction(held_->loads);
   for (Index node = 0; node < primary_.nodes; ++node) {
-    if (seen(now, node)) continue;
-    in_contact[static_cast<std::size_t>(node)] = false;
-    sealed[static_cast<std::size_t>(node)] = false;
+    const auto index = static_cast<std::size_t>(node);
+    if (!seen(now, node)) in_contact[index] = sealed[index] = false;
+    if (!in_contact[index] && closes(now, node, negligible)) in_contact[index] = sealed[index] = true;
   }
   Held next = held_at(primary, secondary, std::move(in_contact), std::move(sealed));
   next.changes = held_->changes;

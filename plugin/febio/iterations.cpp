@@ -171,6 +171,8 @@ void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   const bool begun = std::exchange(begun_, false);
   if (std::exchange(moved_, false)) {
     core_->move_iteration(fields());
+    const std::vector<FEMixtureContact*> contacts = active_contacts();
+    if (contacts.back() == this && apply_ambient(contacts)) update_model_in_trial();
   } else if (!begun && begin_iteration()) {
     update_model_in_trial();
     residual_outdated_ = true;

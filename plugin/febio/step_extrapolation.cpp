@@ -2,6 +2,8 @@
 
 #include "archive.h"
 
+#include <Eigen/QR>
+
 #include <FEBioMech/FEMechModel.h>
 #include <FECore/DumpStream.h>
 #include <FECore/FEGlobalMatrix.h>
@@ -11,22 +13,21 @@
 #include <FECore/FENewtonSolver.h>
 #include <FECore/SparseMatrix.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 namespace {
 
-constexpr int highest_order = 2;
-/// Extrapolation starts a step where it would have told the change of the last one to this part.
+constexpr Index highest_degree = 2;
+/// What would have been told to this part of its last change is extrapolated.
 constexpr double largest_error = 1.0 / 3.0;
-/// Polynomials whose errors differ by less than this part of the change are as good as each other, and the lower one is
-/// taken: of a motion at constant speed rounding would choose.
-constexpr double same_error = 1e-6;
+/// Polynomials that differ by less than this part are the same: of a motion at constant speed rounding would choose.
+constexpr double same_change = 1e-6;
 /// Of the differences of load values of 1, extrapolated.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 /// FEBio compares increments with the first one of a step, and so takes two, but where the residual vanishes.
@@ -56,50 +57,61 @@ MatrixXd changes_of_step(FEModel& fem) {
 }
 
 MatrixXd load_values(FEModel& fem) {
-  MatrixXd values(1, fem.LoadControllers());
+  MatrixXd values(fem.LoadControllers(), 1);
   for (Index n = 0; n < values.size(); ++n) values(n) = fem.GetLoadController(static_cast<int>(n))->Value();
   return values;
 }
 
+/// Degrees of freedom of each variable (displacement, pressure, concentration).
+std::vector<std::vector<int>> variables_of(FEModel& fem) {
+  DOFS& dofs = fem.GetDOFS();
+  std::vector<std::vector<int>> variables(static_cast<std::size_t>(dofs.Variables()));
+  for (std::size_t n = 0; n < variables.size(); ++n) dofs.GetDOFList(static_cast<int>(n), variables[n]);
+  return variables;
+}
+
+/// Weights of what polynomials foretold that would have told the actual change best, by least squares: shape (rows of
+/// `actual`, highest_degree). Rows of a group have the same; zero where even so too much would have been missed.
+MatrixXd best_weights(const std::vector<MatrixXd>& foretold, const MatrixXd& actual,
+                      const std::vector<std::vector<int>>& groups) {
+  MatrixXd weights = MatrixXd::Zero(actual.rows(), highest_degree);
+  const auto degrees = static_cast<Index>(foretold.size());
+  if (degrees == 0) return weights;
+  for (const std::vector<int>& rows : groups) {
+    const VectorXd change = actual(rows, Eigen::all).reshaped();
+    MatrixXd told(change.size(), degrees);
+    for (Index n = 0; n < degrees; ++n)
+      told.col(n) = foretold[static_cast<std::size_t>(n)](rows, Eigen::all).reshaped();
+    Eigen::ColPivHouseholderQR<MatrixXd> best;
+    best.setThreshold(same_change);
+    const VectorXd weight = best.compute(told).solve(change);
+    if ((told * weight - change).norm() > largest_error * change.norm()) continue;
+    for (const int row : rows) weights.row(row).head(degrees) = weight;
+  }
+  return weights;
+}
+
+MatrixXd weighted(const std::vector<MatrixXd>& foretold, const MatrixXd& weights) {
+  MatrixXd sum = MatrixXd::Zero(foretold.front().rows(), foretold.front().cols());
+  for (std::size_t n = 0; n < foretold.size(); ++n) {
+    sum += weights.col(static_cast<Index>(n)).asDiagonal() * foretold[n];
+  }
+  return sum;
+}
+
 }  // namespace
 
-MatrixXd StepExtrapolation::expected(MatrixXd Change::* of, int order, double dt) const {
-  // Newton's form of the polynomial through the last states, with divided differences.
+/// What the polynomials through the last two, three, ... states foretell for a step of length dt.
+std::vector<MatrixXd> StepExtrapolation::foretold(MatrixXd Change::* of, double dt) const {
+  if (last_.empty()) return {};
+  // Newton's form, with divided differences.
   const MatrixXd rate = last_[0].*of / last_[0].dt;
-  if (order == 1) return dt * rate;
+  std::vector<MatrixXd> all{dt * rate};
+  if (last_.size() == 1) return all;
   const double span = last_[0].dt + last_[1].dt;
   const MatrixXd bend = (rate - last_[1].*of / last_[1].dt) / span;
-  return dt * (rate + (dt + last_[0].dt) * bend);
-}
-
-double StepExtrapolation::worst_error(const Change& actual, int order) const {
-  // Each variable (displacement, pressure, concentration) by itself, since their units differ.
-  const MatrixXd error = expected(&Change::values, order, actual.dt) - actual.values;
-  DOFS& variables = fem_.GetDOFS();
-  double worst = 0;
-  for (int variable = 0; variable < variables.Variables(); ++variable) {
-    std::vector<int> dofs;
-    variables.GetDOFList(variable, dofs);
-    double missed = 0;
-    double whole = 0;
-    for (const int dof : dofs) {
-      missed += error.row(dof).squaredNorm();
-      whole += actual.values.row(dof).squaredNorm();
-    }
-    if (whole > 0) worst = std::max(worst, missed / whole);
-  }
-  return std::sqrt(worst);
-}
-
-void StepExtrapolation::choose_order(const Change& actual) {
-  order_ = 0;
-  double least = largest_error;
-  for (int order = 1; order <= static_cast<int>(last_.size()); ++order) {
-    const double error = worst_error(actual, order);
-    if (error >= least - same_error) continue;
-    least = error;
-    order_ = order;
-  }
+  all.emplace_back(dt * (rate + (dt + last_[0].dt) * bend));
+  return all;
 }
 
 bool StepExtrapolation::is_available(FEModel& fem) {
@@ -113,24 +125,29 @@ void StepExtrapolation::step_solved(int iterations) {
   const MatrixXd before = std::exchange(loads_, load_values(fem_));
   if (before.size() != loads_.size()) return;  // the first step: what the loads were at its start is not known
   Change actual{changes_of_step(fem_), loads_ - before, fem_.GetTime().timeIncrement};
-  choose_order(actual);
+  value_weights_ = best_weights(foretold(&Change::values, actual.dt), actual.values, variables_of(fem_));
+  std::vector<std::vector<int>> controllers;
+  for (int n = 0; n < fem_.LoadControllers(); ++n) controllers.push_back({n});
+  load_weights_ = best_weights(foretold(&Change::loads, actual.dt), actual.loads, controllers);
   const bool tried_in_vain = iterations_plain_ <= least_iterations && iterations_ahead_ >= iterations_plain_;
-  if (iterations_plain_ == 1 || tried_in_vain) order_ = 0;
+  if (iterations_plain_ == 1 || tried_in_vain) value_weights_.setZero();
   last_.insert(last_.begin(), std::move(actual));
-  if (last_.size() > highest_order) last_.pop_back();
+  if (last_.size() > highest_degree) last_.pop_back();
 }
 
 void StepExtrapolation::serialize(DumpStream& ar) {
   if (ar.IsShallow()) {
     if (ar.IsSaving()) return;
     first_guess_.clear();
-    order_ = 0;
+    value_weights_.setZero();
     ahead_ = false;
     return;
   }
   int changes = static_cast<int>(last_.size());
-  ar & order_ & analysis_step_ & changes & iterations_ahead_ & iterations_plain_;
+  ar & analysis_step_ & changes & iterations_ahead_ & iterations_plain_;
   archive(ar, loads_);
+  archive(ar, value_weights_);
+  archive(ar, load_weights_);
   last_.resize(static_cast<std::size_t>(changes));
   for (Change& change : last_) {
     archive(ar, change.values);
@@ -142,18 +159,18 @@ void StepExtrapolation::serialize(DumpStream& ar) {
 bool StepExtrapolation::loads_turn() const {
   const ArrayXXd loads = load_values(fem_);
   const ArrayXXd actual = loads - loads_.array();
-  const ArrayXXd foretold = expected(&Change::loads, order_, fem_.GetTime().timeIncrement);
-  return ((foretold - actual).abs() > largest_error * actual.abs() + rounding * loads.abs()).any();
+  const ArrayXXd expected = weighted(foretold(&Change::loads, fem_.GetTime().timeIncrement), load_weights_);
+  return ((expected - actual).abs() > largest_error * actual.abs() + rounding * loads.abs()).any();
 }
 
 bool StepExtrapolation::begins_ahead() const {
-  return order_ > 0 && analysis_step_ == fem_.GetCurrentStepIndex() && !loads_turn();
+  return !value_weights_.isZero(0) && analysis_step_ == fem_.GetCurrentStepIndex() && !loads_turn();
 }
 
 bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver, const std::function<void()>& decide) {
   ahead_ = begins_ahead();
   if (!ahead_) return false;
-  const MatrixXd change = expected(&Change::values, order_, fem_.GetTime().timeIncrement);
+  const MatrixXd change = weighted(foretold(&Change::values, fem_.GetTime().timeIncrement), value_weights_);
   first_guess_.assign(solver.m_Ui.size(), 0.0);
   for_each_free_value(fem_,
                       [&](std::size_t equation, Index dof, Index node) { first_guess_[equation] = change(dof, node); });

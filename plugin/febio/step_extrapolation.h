@@ -1,10 +1,11 @@
 /// The state at which the first matrix of a time step is formed.
 ///
-/// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, the polynomial through
-/// the last states foretells the next one to a few parts in a hundred, and an iteration that starts there leaves an
-/// error smaller by as much again. Where a load curve turns it does not, and the step starts as FEBio would. Only the
-/// way to the solution changes: FEBio's increments count from the start of the step, and its convergence test, line
-/// search and tolerances act as ever. With p the expected change and K the matrix at x + p, the first increment is
+/// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, the polynomials through
+/// the last states foretell the next one, weighted as would have told the last one best, to a part in a hundred, and an
+/// iteration that starts there leaves an error smaller by as much again. Where a load curve turns they do not, and the
+/// step starts as FEBio would. Only the way to the solution changes: FEBio's increments count from the start of the
+/// step, and its convergence test, line search and tolerances act as ever. With p the expected change and K the matrix
+/// at x + p, the first increment is
 ///
 ///   u = p + K^-1 R(x + p),   that is   K u = R(x + p) + K p .
 #pragma once
@@ -48,19 +49,18 @@ class StepExtrapolation {
   /// What a step of length dt [s] changed.
   struct Change {
     Eigen::MatrixXd values;  ///< nodal ones (degrees of freedom, nodes)
-    Eigen::MatrixXd loads;   ///< of load controllers (1, controllers)
+    Eigen::MatrixXd loads;   ///< of load controllers (controllers, 1)
     double dt = 0;
   };
-  Eigen::MatrixXd expected(Eigen::MatrixXd Change::* of, int order, double dt) const;
-  double worst_error(const Change& actual, int order) const;
-  void choose_order(const Change& actual);
+  std::vector<Eigen::MatrixXd> foretold(Eigen::MatrixXd Change::* of, double dt) const;
   bool loads_turn() const;
 
   FEModel& fem_;
   std::vector<Change> last_;         ///< within an analysis step; the latest first, two at the most
   int analysis_step_ = -1;           ///< whose changes those are
-  Eigen::MatrixXd loads_;            ///< at the end of the last step, (1, controllers); empty before the first
-  int order_ = 0;                    ///< of the polynomial for the next step; 0: none
+  Eigen::MatrixXd loads_;            ///< at the end of the last step, (controllers, 1); empty before the first
+  Eigen::MatrixXd value_weights_;    ///< of polynomials in the expected change (degrees of freedom, their degrees)
+  Eigen::MatrixXd load_weights_;     ///< likewise (controllers, degrees)
   bool ahead_ = false;               ///< whether the present step began at the expected state
   int iterations_ahead_ = 0;         ///< of the last step that did; none yet: to be tried
   int iterations_plain_ = 1;         ///< of the last step that did not

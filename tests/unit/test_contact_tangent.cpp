@@ -73,6 +73,26 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   BOOST_TEST(std::abs(started->balance(scene.fields).force[2]) == 0.0);
 }
 
+/// Nodes that come to overlap on the way to the other state are in contact there, with the loads that they have then.
+BOOST_AUTO_TEST_CASE(nodes_that_overlap_where_an_iteration_is_moved_to_close) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, -0.05, 2, 3), effects_of(true, 1),
+              explicit_settings(2.5, 1.5, 0.8));
+  const auto moved = scene.contact();
+  moved->begin_iteration(scene.fields);
+  BOOST_TEST(moved->balance(scene.fields).force[2] == 0.0);
+  scene.fields[Side::secondary].position.row(2).array() -= 0.1;
+  moved->project(scene.position());
+  moved->move_iteration(scene.fields);
+  for (const Side side : both_sides) {
+    const std::vector<bool> closed = moved->hold_nodes_in_contact()[side];
+    BOOST_TEST(std::count(closed.begin(), closed.end(), false) == 0);
+  }
+  const GlobalLayout layout(scene);
+  const VectorXd expected = assembled_residual(*scene.contact(), layout, scene.fields, 0.3);
+  BOOST_TEST(expected.norm() > 0.0);
+  BOOST_TEST(relative_error(assembled_residual(*moved, layout, scene.fields, 0.3), expected) <= rounding);
+}
+
 /// Two squares of side h = 1 under the traction t = penalty * g, which tilt together: their nodes move by a (1 - 2x)
 /// along the normal. The gaps remain, but the points that the normals meet move by 2 a g / h, and the loads of a
 /// surface that rays meet differ by 4 t g a / h between its two edges, along its tilt. With two passes rays meet both
