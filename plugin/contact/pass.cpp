@@ -1,6 +1,7 @@
 #include "pass.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mixture_contact {
 
@@ -25,15 +26,15 @@ void ContactPass::update_penalties() {
 void ContactPass::project(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   radius_ = radius;
   touch_ = touch_fraction * half_diagonal(x1);
-  pairs_ = points_->search(x1, x2, radius);
-  keep_limited();
-  if (!held_) bearing_.clear();
-  find_bearing_nodes(x1, x2);
-  if (!effects_.traction) frozen_ = freeze(x1, x2);
+  see(points_->search(x1, x2, radius), x1, x2);
 }
 
 void ContactPass::project_on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
-  pairs_ = points_->on_same_facets(x1, x2);
+  see(points_->on_same_facets(x1, x2), x1, x2);
+}
+
+void ContactPass::see(std::vector<FacetPair> pairs, const Matrix3Xd& x1, const Matrix3Xd& x2) {
+  pairs_ = std::move(pairs);
   keep_limited();
   if (!held_) bearing_.clear();
   find_bearing_nodes(x1, x2);
@@ -48,6 +49,7 @@ void ContactPass::keep_limited() {
 
 void ContactPass::end_iterations() {
   held_.reset();
+  bearing_.clear();
   points_->end_iterations();
 }
 
@@ -56,7 +58,6 @@ void ContactPass::forget() {
   augmented_ = false;
   frozen_.reset();
   pairs_.clear();
-  bearing_.clear();
 }
 
 const Facet& ContactPass::primary_facet(const FacetPair& pair) const {

@@ -221,6 +221,9 @@ class ContactPass {
 
   const Facet& primary_facet(const FacetPair& pair) const;
   const Facet& secondary_facet(const FacetPair& pair) const;
+  /// Takes pairs of facets that see each other with their points.
+  void see(std::vector<FacetPair> pairs, const Matrix3Xd& x1, const Matrix3Xd& x2);
+  /// Of the facets that are seen for the first time in a step.
   void find_bearing_nodes(const Matrix3Xd& x1, const Matrix3Xd& x2);
   PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
                              const Matrix3Xd& x2) const;

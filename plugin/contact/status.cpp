@@ -136,10 +136,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   const bool finds_more = points_->begin_iteration();
   if (finds_more) project(primary.position, secondary.position, radius_);
   const bool predicted = held_.has_value();
-  if (!predicted) {
-    bearing_.clear();
-    find_bearing_nodes(primary.position, secondary.position);
-  }
+  find_bearing_nodes(primary.position, secondary.position);
   const NodalLoads before = nodal_loads(primary, secondary);
   std::vector<bool> status = next_status(primary, secondary);
   std::vector<int> changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
