@@ -2,8 +2,6 @@
 
 #include "archive.h"
 
-#include <Eigen/QR>
-
 #include <FEBioMech/FEMechModel.h>
 #include <FECore/DumpStream.h>
 #include <FECore/FEGlobalMatrix.h>
@@ -13,20 +11,21 @@
 #include <FECore/FENewtonSolver.h>
 #include <FECore/SparseMatrix.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 namespace {
 
-constexpr Index highest_degree = 2;
+constexpr std::size_t changes_kept = 2;
 /// What would have been told to this part of its last change is extrapolated.
 constexpr double largest_error = 1.0 / 3.0;
-/// Polynomials that differ by less than this part are the same: of a motion at constant speed rounding would choose.
+/// A parabola that differs from the line by less than this part is one: of a motion at constant speed rounding would
+/// decide.
 constexpr double same_change = 1e-6;
 /// Of the differences of load values of 1, extrapolated.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
@@ -70,53 +69,51 @@ std::vector<std::vector<int>> variables_of(FEModel& fem) {
   return variables;
 }
 
-/// Weights of what polynomials foretold that would have told the actual change best, by least squares: shape (rows of
-/// `actual`, highest_degree). Rows of a group have the same; zero where even so too much would have been missed.
-MatrixXd best_weights(const std::vector<MatrixXd>& foretold, const MatrixXd& actual,
-                      const std::vector<std::vector<int>>& groups) {
-  MatrixXd weights = MatrixXd::Zero(actual.rows(), highest_degree);
-  const auto degrees = static_cast<Index>(foretold.size());
-  if (degrees == 0) return weights;
+}  // namespace
+
+/// Weights of the line and of what a parabola adds to it, shape (rows of the change, 2): 1 and the part from 0 to 1
+/// that would have told the change best, for the rows of each group together; zeros where even so too much was missed.
+MatrixXd StepExtrapolation::best_weights(const Foretold& told, const MatrixXd& change,
+                                         const std::vector<std::vector<int>>& groups) {
+  MatrixXd weights = MatrixXd::Zero(change.rows(), 2);
   for (const std::vector<int>& rows : groups) {
-    const VectorXd change = actual(rows, Eigen::all).reshaped();
-    MatrixXd told(change.size(), degrees);
-    for (Index n = 0; n < degrees; ++n)
-      told.col(n) = foretold[static_cast<std::size_t>(n)](rows, Eigen::all).reshaped();
-    Eigen::ColPivHouseholderQR<MatrixXd> best;
-    best.setThreshold(same_change);
-    const VectorXd weight = best.compute(told).solve(change);
-    if ((told * weight - change).norm() > largest_error * change.norm()) continue;
-    for (const int row : rows) weights.row(row).head(degrees) = weight;
+    const MatrixXd line = told.line(rows, Eigen::all);
+    const MatrixXd bend = told.bend(rows, Eigen::all);
+    const MatrixXd whole = change(rows, Eigen::all);
+    const MatrixXd missed = whole - line;
+    const bool is_line = bend.norm() <= same_change * line.norm();
+    const double part = is_line ? 0.0 : std::clamp(bend.cwiseProduct(missed).sum() / bend.squaredNorm(), 0.0, 1.0);
+    if ((missed - part * bend).norm() > largest_error * whole.norm()) continue;
+    for (const int row : rows) weights.row(row) << 1, part;
   }
   return weights;
 }
 
-MatrixXd weighted(const std::vector<MatrixXd>& foretold, const MatrixXd& weights) {
-  MatrixXd sum = MatrixXd::Zero(foretold.front().rows(), foretold.front().cols());
-  for (std::size_t n = 0; n < foretold.size(); ++n) {
-    sum += weights.col(static_cast<Index>(n)).asDiagonal() * foretold[n];
-  }
-  return sum;
+MatrixXd StepExtrapolation::expected(const Foretold& told, const MatrixXd& weights) {
+  return weights.col(0).asDiagonal() * told.line + weights.col(1).asDiagonal() * told.bend;
 }
 
-}  // namespace
-
-/// What the polynomials through the last two, three, ... states foretell for a step of length dt.
-std::vector<MatrixXd> StepExtrapolation::foretold(MatrixXd Change::* of, double dt) const {
-  if (last_.empty()) return {};
-  // Newton's form, with divided differences.
+StepExtrapolation::Foretold StepExtrapolation::foretold(MatrixXd Change::* of, double dt) const {
+  // Newton's form of the polynomials, with divided differences.
   const MatrixXd rate = last_[0].*of / last_[0].dt;
-  std::vector<MatrixXd> all{dt * rate};
-  if (last_.size() == 1) return all;
+  if (last_.size() == 1) return {dt * rate, MatrixXd::Zero(rate.rows(), rate.cols())};
   const double span = last_[0].dt + last_[1].dt;
-  const MatrixXd bend = (rate - last_[1].*of / last_[1].dt) / span;
-  all.emplace_back(dt * (rate + (dt + last_[0].dt) * bend));
-  return all;
+  return {dt * rate, dt * (dt + last_[0].dt) / span * (rate - last_[1].*of / last_[1].dt)};
 }
 
 bool StepExtrapolation::is_available(FEModel& fem) {
   const auto* mechanics = dynamic_cast<const FEMechModel*>(&fem);
   return mechanics == nullptr || mechanics->RigidBodies() == 0;
+}
+
+void StepExtrapolation::choose_weights(const Change& actual) {
+  value_weights_.setZero();
+  const bool tried_in_vain = iterations_plain_ <= least_iterations && iterations_ahead_ >= iterations_plain_;
+  if (last_.empty() || iterations_plain_ == 1 || tried_in_vain) return;
+  value_weights_ = best_weights(foretold(&Change::values, actual.dt), actual.values, variables_of(fem_));
+  std::vector<std::vector<int>> controllers;
+  for (int n = 0; n < fem_.LoadControllers(); ++n) controllers.push_back({n});
+  load_weights_ = best_weights(foretold(&Change::loads, actual.dt), actual.loads, controllers);
 }
 
 void StepExtrapolation::step_solved(int iterations) {
@@ -125,14 +122,9 @@ void StepExtrapolation::step_solved(int iterations) {
   const MatrixXd before = std::exchange(loads_, load_values(fem_));
   if (before.size() != loads_.size()) return;  // the first step: what the loads were at its start is not known
   Change actual{changes_of_step(fem_), loads_ - before, fem_.GetTime().timeIncrement};
-  value_weights_ = best_weights(foretold(&Change::values, actual.dt), actual.values, variables_of(fem_));
-  std::vector<std::vector<int>> controllers;
-  for (int n = 0; n < fem_.LoadControllers(); ++n) controllers.push_back({n});
-  load_weights_ = best_weights(foretold(&Change::loads, actual.dt), actual.loads, controllers);
-  const bool tried_in_vain = iterations_plain_ <= least_iterations && iterations_ahead_ >= iterations_plain_;
-  if (iterations_plain_ == 1 || tried_in_vain) value_weights_.setZero();
+  choose_weights(actual);
   last_.insert(last_.begin(), std::move(actual));
-  if (last_.size() > highest_degree) last_.pop_back();
+  if (last_.size() > changes_kept) last_.pop_back();
 }
 
 void StepExtrapolation::serialize(DumpStream& ar) {
@@ -159,18 +151,18 @@ void StepExtrapolation::serialize(DumpStream& ar) {
 bool StepExtrapolation::loads_turn() const {
   const ArrayXXd loads = load_values(fem_);
   const ArrayXXd actual = loads - loads_.array();
-  const ArrayXXd expected = weighted(foretold(&Change::loads, fem_.GetTime().timeIncrement), load_weights_);
-  return ((expected - actual).abs() > largest_error * actual.abs() + rounding * loads.abs()).any();
+  const ArrayXXd told = expected(foretold(&Change::loads, fem_.GetTime().timeIncrement), load_weights_);
+  return ((told - actual).abs() > largest_error * actual.abs() + rounding * loads.abs()).any();
 }
 
 bool StepExtrapolation::begins_ahead() const {
-  return !value_weights_.isZero(0) && analysis_step_ == fem_.GetCurrentStepIndex() && !loads_turn();
+  return (value_weights_.array() != 0).any() && analysis_step_ == fem_.GetCurrentStepIndex() && !loads_turn();
 }
 
 bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver, const std::function<void()>& decide) {
   ahead_ = begins_ahead();
   if (!ahead_) return false;
-  const MatrixXd change = weighted(foretold(&Change::values, fem_.GetTime().timeIncrement), value_weights_);
+  const MatrixXd change = expected(foretold(&Change::values, fem_.GetTime().timeIncrement), value_weights_);
   first_guess_.assign(solver.m_Ui.size(), 0.0);
   for_each_free_value(fem_,
                       [&](std::size_t equation, Index dof, Index node) { first_guess_[equation] = change(dof, node); });

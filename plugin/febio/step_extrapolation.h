@@ -1,9 +1,9 @@
 /// The state at which the first matrix of a time step is formed.
 ///
-/// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, the polynomials through
-/// the last states foretell the next one, weighted as would have told the last one best, to a part in a hundred, and an
-/// iteration that starts there leaves an error smaller by as much again. Where a load curve turns they do not, and the
-/// step starts as FEBio would. Only the way to the solution changes: FEBio's increments count from the start of the
+/// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, a curve between the
+/// line and the parabola through the last states foretells the next one to a part in a hundred, and an iteration that
+/// starts there leaves an error smaller by as much again. Where a load curve turns it does not, and the step starts as
+/// FEBio would. Only the way to the solution changes: FEBio's increments count from the start of the
 /// step, and its convergence test, line search and tolerances act as ever. With p the expected change and K the matrix
 /// at x + p, the first increment is
 ///
@@ -52,15 +52,24 @@ class StepExtrapolation {
     Eigen::MatrixXd loads;   ///< of load controllers (controllers, 1)
     double dt = 0;
   };
-  std::vector<Eigen::MatrixXd> foretold(Eigen::MatrixXd Change::* of, double dt) const;
+  /// Changes that the last states foretell: by the line through two of them, and what the parabola through three adds.
+  struct Foretold {
+    Eigen::MatrixXd line;
+    Eigen::MatrixXd bend;
+  };
+  Foretold foretold(Eigen::MatrixXd Change::* of, double dt) const;
+  static Eigen::MatrixXd best_weights(const Foretold& told, const Eigen::MatrixXd& change,
+                                      const std::vector<std::vector<int>>& groups);
+  static Eigen::MatrixXd expected(const Foretold& told, const Eigen::MatrixXd& weights);
+  void choose_weights(const Change& actual);
   bool loads_turn() const;
 
   FEModel& fem_;
   std::vector<Change> last_;         ///< within an analysis step; the latest first, two at the most
   int analysis_step_ = -1;           ///< whose changes those are
   Eigen::MatrixXd loads_;            ///< at the end of the last step, (controllers, 1); empty before the first
-  Eigen::MatrixXd value_weights_;    ///< of polynomials in the expected change (degrees of freedom, their degrees)
-  Eigen::MatrixXd load_weights_;     ///< likewise (controllers, degrees)
+  Eigen::MatrixXd value_weights_;    ///< of what is foretold in the expected change (degrees of freedom, 2)
+  Eigen::MatrixXd load_weights_;     ///< likewise (controllers, 2)
   bool ahead_ = false;               ///< whether the present step began at the expected state
   int iterations_ahead_ = 0;         ///< of the last step that did; none yet: to be tried
   int iterations_plain_ = 1;         ///< of the last step that did not
