@@ -12,6 +12,7 @@ import pytest
 
 from harness import indentation_measures
 from harness.indentation_results import curves
+from harness.indentation_study import Configuration
 from harness.models.indentation import CONTROL, END, Indentation
 from harness.models.indentation_mesh import LEVELS, Primary
 from harness.models.interface import ContactSettings
@@ -21,7 +22,6 @@ MEASURED = {
     ("multiphasic", False, Primary.CYLINDER): 230,
     ("multiphasic", False, Primary.SLAB): 221,
     ("solute", True, Primary.CYLINDER): 262,
-    ("solute", True, Primary.SLAB): 248,
 }
 """Newton iterations of 95 time steps: module, clamp of negative concentrations, primary surface."""
 
@@ -40,6 +40,18 @@ def test_it_runs_to_the_end_without_a_retry(runner, module, clamp, primary):
     assert outcome.report.iterations <= 1.1 * MEASURED[module, clamp, primary]
     if not clamp:  # the solver's clamp creates solute
         assert np.max(np.abs(curves(outcome).imbalance)) <= 1e-6
+
+
+def test_with_the_penalty_of_febio_s_best_run_it_takes_0_7_of_its_iterations(runner):
+    """FEBio's `sliding-multiphasic` took 312 with 4 retries on a model of this problem, 404 with 19 on this one."""
+    study = Configuration.PENALTY_1
+    model = Indentation(
+        settings=study.settings(), primary=study.primary, module="multiphasic", clamp=False, name="penalty-1"
+    )
+    report = runner(model.model()).report
+    assert report.normal
+    assert report.retries == 0
+    assert report.iterations <= 0.7 * 312
 
 
 def test_the_measures_of_validation_meet_their_bars(runner):
