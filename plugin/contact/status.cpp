@@ -139,7 +139,7 @@ bool ContactPass::begin_iteration(const SurfaceFields& primary, const SurfaceFie
   find_bearing_nodes(primary.position, secondary.position);
   const NodalLoads before = nodal_loads(primary, secondary);
   std::vector<bool> status = next_status(primary, secondary);
-  std::vector<int> changes = predicted ? held_->changes : std::vector<int>(status.size(), 0);
+  std::vector<int> changes = held_ ? held_->changes : std::vector<int>(status.size(), 0);
   const bool in_circles = !changes.empty() && *std::max_element(changes.begin(), changes.end()) > most_joint_changes;
   if (in_circles) status = with_first_change(before.in_contact, status);
   std::vector<bool> sealed = status;
