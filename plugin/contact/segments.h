@@ -3,9 +3,9 @@
 ///
 /// Facets of both sides are polygons through their nodes (quadratic ones: four polygons whose straight edges
 /// join neighbouring nodes), seen along the normal in the middle of the primary polygon (Puso and Laursen 2004, Comput
-/// Methods Appl Mech Eng 193:601-629; Puso, Laursen and Solberg 2008, 197:555-566). Points on their
-/// overlap follow its area, centroid and covariance (polygon_quadrature.h). A point of such a piece is carried along
-/// that normal to the primary facet, and from there along the facet's own normal, as everywhere, to the secondary one.
+/// Methods Appl Mech Eng 193:601-629; Puso, Laursen and Solberg 2008, 197:555-566). Points on their overlap follow its
+/// area, centroid and covariance (polygon_quadrature.h). A point of such a piece is carried along that normal to the
+/// primary facet, and from there along the facet's own normal, as everywhere, to the secondary one.
 #pragma once
 
 #include "clipping.h"

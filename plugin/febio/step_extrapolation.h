@@ -3,9 +3,9 @@
 /// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, a curve between the
 /// line and the parabola through the last states foretells the next one to a part in a hundred, and an iteration that
 /// starts there leaves an error smaller by as much again. Where a load curve turns it does not, and the step starts as
-/// FEBio would. Only the way to the solution changes: FEBio's increments count from the start of the
-/// step, and its convergence test, line search and tolerances act as ever. With p the expected change and K the matrix
-/// at x + p, the first increment is
+/// FEBio would. Only the way to the solution changes: FEBio's increments count from the start of the step, and its
+/// convergence test, line search and tolerances act as ever. With p the expected change and K the matrix at x + p, the
+/// first increment is
 ///
 ///   u = p + K^-1 R(x + p),   that is   K u = R(x + p) + K p .
 #pragma once
