@@ -103,8 +103,7 @@ void FEMixtureContact::Update(const std::vector<double>& total, const std::vecto
   set_multipliers(total, increment);
   project();
   in_trial_ = tried_ = true;
-  tried_increment_ = l2_norm(increment);
-  let_search_again();
+  line_search_.tried(newton_solver(), increment);
   begun_ = at_step_start_ = false;
 }
 

@@ -18,9 +18,6 @@ using namespace mixture_contact;
 
 namespace {
 
-/// A solution whose last increment the line search cut to less than this part is looked at once more.
-constexpr double least_part_of_increment = 0.5;
-
 const char* unit_of(Unit unit) {
   if (unit == Unit::length) return UNIT_LENGTH;
   return unit == Unit::pressure ? UNIT_PRESSURE : UNIT_CONCENTRATION;
@@ -125,8 +122,7 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
 void FEMixtureContact::PrepStep() {
   if (!may_run_) throw FatalError();
   disputes_ = 0;
-  search_disputed_ = false;
-  let_search_again();
+  line_search_.begin_step(newton_solver());
   at_step_start_ = true;
   ambient_.synchronise();
   if (reads_properties_again(parameters_)) update_properties();
@@ -139,7 +135,8 @@ void FEMixtureContact::PrepStep() {
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   const TaskClock timed = core_->clock(Task::augmentation);
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
-  if (!core_->is_solution(fields()) || !clamped_.settled() || notices_overlap() || search_cut_short()) {
+  if (!core_->is_solution(fields()) || !clamped_.settled() || notices_overlap() ||
+      line_search_.cut_short(*newton_solver())) {
     // FEBio counts reformations anew after this: the limit on them is to hold all the same.
     if (++disputes_ > newton_solver()->m_maxref) throw MaxStiffnessReformations();
     keep_prediction_ = true;
@@ -149,26 +146,6 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   for (const std::string& line : outcome.lines) feLog("%s\n", line.c_str());
   if (!outcome.warning.empty()) feLogWarning("%s", outcome.warning.c_str());
   return outcome.done;
-}
-
-bool FEMixtureContact::search_cut_short() {
-  // FEBio's norms are those of what its line search left of an increment. It compares sums of energies and flows, which
-  // may cancel by chance: it then cuts an increment that Newton's method got right, and most of the residual remains
-  // though all norms are met. The next increment, which is the same, is taken as it is. Once in a step: where
-  // increments are rounding, so is what the search finds.
-  FENewtonSolver& solver = *newton_solver();
-  double& tolerance = solver.GetLineSearch()->m_LStol;
-  const bool is_whole = tried_increment_ >= least_part_of_increment * l2_norm(solver.m_ui);
-  if (is_whole || search_disputed_ || tolerance == 0) return false;
-  search_disputed_ = true;
-  search_tolerance_ = std::exchange(tolerance, 0.0);
-  return true;
-}
-
-void FEMixtureContact::let_search_again() {
-  if (!search_tolerance_) return;
-  newton_solver()->GetLineSearch()->m_LStol = *search_tolerance_;
-  search_tolerance_.reset();
 }
 
 bool FEMixtureContact::notices_overlap() {

@@ -8,6 +8,7 @@
 #include "fingerprint.h"
 #include "host/contact_parameters.h"
 #include "host/facet_material.h"
+#include "line_search.h"
 #include "mixture_surface.h"
 #include "step_extrapolation.h"
 
@@ -115,9 +116,6 @@ class FEMixtureContact : public FEContactInterface {
   void store_output();
   /// Whether the iterations go on with nodes that a second pass has just noticed.
   bool notices_overlap();
-  /// Whether FEBio has accepted a small part of an increment for all of it.
-  bool search_cut_short();
-  void let_search_again();
   void warn_of_overlap();
   static bool on_step_solved(FEModel* fem, unsigned int when, void* contact);
   static bool on_solved(FEModel* fem, unsigned int when, void* contact);
@@ -128,6 +126,7 @@ class FEMixtureContact : public FEContactInterface {
   FEMixtureSurface secondary_;
   AmbientNodes ambient_;
   ClampedConcentrations clamped_;
+  LineSearch line_search_;
   StepExtrapolation extrapolation_;  ///< of the first active contact
 
   mixture_contact::Effects effects_;
@@ -144,18 +143,15 @@ class FEMixtureContact : public FEContactInterface {
   mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
   Fingerprint couplings_of_matrix_;       ///< as added to the matrix's profile last
   bool relocated_ = false;
-  bool in_trial_ = false;                   ///< an evaluation that must keep status is under way
-  bool at_step_start_ = false;              ///< no trial has been evaluated in this step
-  bool tried_ = false;                      ///< a trial has been evaluated since the iterations began
-  bool begun_ = false;                      ///< an iteration has begun at this state
-  bool keep_prediction_ = false;            ///< the next iteration goes on from what the last one predicts
-  bool loads_changed_ = false;              ///< at the beginning of this iteration
-  bool moved_ = false;                      ///< the model was moved to the expected state
-  int disputes_ = 0;                        ///< solutions of FEBio's in this step that were none
-  double tried_increment_ = 0;              ///< length of the last trial's increment
-  bool search_disputed_ = false;            ///< in this step
-  std::optional<double> search_tolerance_;  ///< of FEBio's line search while it is left out
-  bool residual_outdated_ = false;          ///< FEBio's residual was evaluated with loads that have changed since
+  bool in_trial_ = false;           ///< an evaluation that must keep status is under way
+  bool at_step_start_ = false;      ///< no trial has been evaluated in this step
+  bool tried_ = false;              ///< a trial has been evaluated since the iterations began
+  bool begun_ = false;              ///< an iteration has begun at this state
+  bool keep_prediction_ = false;    ///< the next iteration goes on from what the last one predicts
+  bool loads_changed_ = false;      ///< at the beginning of this iteration
+  bool moved_ = false;              ///< the model was moved to the expected state
+  int disputes_ = 0;                ///< solutions of FEBio's in this step that were none
+  bool residual_outdated_ = false;  ///< FEBio's residual was evaluated with loads that have changed since
   bool has_callbacks_ = false;
   bool said_noticed_ = false;                      ///< in this run
   bool warned_of_overlap_ = false;                 ///< in this run

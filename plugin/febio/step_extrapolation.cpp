@@ -114,6 +114,11 @@ void StepExtrapolation::choose_weights(const Change& actual) {
   std::vector<std::vector<int>> controllers;
   for (int n = 0; n < fem_.LoadControllers(); ++n) controllers.push_back({n});
   load_weights_ = best_weights(foretold(&Change::loads, actual.dt), actual.loads, controllers);
+  // A variable that is not foretold stays where it is. If displacements do, those that are prescribed would squeeze the
+  // elements beside them; and where all that changed stays, there is nothing to gain.
+  const bool moves = value_weights_(fem_.GetDOFIndex("x"), 0) > 0;
+  const MatrixXd followed = value_weights_.col(0).asDiagonal() * actual.values;
+  if (!moves || followed.isZero(0)) value_weights_.setZero();
 }
 
 void StepExtrapolation::step_solved(int iterations) {
