@@ -50,8 +50,8 @@ def _spiked(join, settings, stepper, times=None):
     """
     spike = Curve(((0.0, 1.0), (99.0, 1.0), (100.0, 1500.0), (101.0, 1.0)))
     curves = (spike,) if times is None else (spike, Curve(tuple((float(t), 20.0) for t in times), "STEP"))
-    # An attempt after a failed one starts where the step does, not ahead. What Newton's method leaves, 4e-10 where FEBio
-    # takes a residual of 1e-20 for zero, is to be below EQUAL.
+    # An attempt after a failed one starts where the step does, not ahead. What Newton's method leaves, 4e-10 where
+    # FEBio takes a residual of 1e-20 for zero, is to be below EQUAL.
     solver = (Param("min_residual", 1e-28),)
     control = Control(10, 20.0, concentration_tolerance=1e-6, stepper=stepper, solver=solver)
     model = Diffusion(join, settings, elements=5, control=control, name="cutback").model()
