@@ -1,6 +1,7 @@
 #include "step_extrapolation.h"
 
 #include "archive.h"
+#include "solver_totals.h"
 
 #include <FEBioMech/FEMechModel.h>
 #include <FECore/DumpStream.h>
@@ -12,184 +13,222 @@
 #include <FECore/SparseMatrix.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
-using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using mixture_contact::PastSteps;
 
 namespace {
 
-constexpr std::size_t changes_kept = 2;
-/// What would have been told to this part of its last change is extrapolated.
-constexpr double largest_error = 1.0 / 3.0;
-/// A parabola that differs from the line by less than this part is one: of a motion at constant speed rounding would
-/// decide.
-constexpr double same_change = 1e-6;
+/// Load curves turn where what they told of a change differs from it by more than this part.
+constexpr double largest_turn = 1.0 / 3.0;
 /// Of the differences of load values of 1, extrapolated.
-constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-/// FEBio compares increments with the first one of a step, and so takes two, but where the residual vanishes.
+constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+/// Newton's method takes no more for a linear step that starts at the end of the last one: one to solve it, and one in
+/// which FEBio compares the increment with it.
 constexpr int least_iterations = 2;
+/// Where a step takes no more than those, to begin ahead is tried when less than half of this part of the last change
+/// would have been missed, and after a try in vain when less than half of what was missed there is.
+constexpr double most_missed = 0.1;
+constexpr double better = 0.5;
+/// Of the expected change, the part that is left to the first increment. FEBio measures residuals and energies against
+/// those of the first increment, so it must not be rounding, where the expected state is the solution.
+constexpr double part_left = 1e-4;
 
-/// Calls `use` with the equation, the degree of freedom and the node (index) of every free nodal value.
+std::vector<double> scaled(std::vector<double> vector, double factor) {
+  for (double& entry : vector) entry *= factor;
+  return vector;
+}
+
+/// Degrees of freedom of each variable (displacement, pressure, one concentration).
+std::vector<std::vector<int>> variables_of(FEModel& fem) {
+  DOFS& dofs = fem.GetDOFS();
+  std::vector<std::vector<int>> variables;
+  for (int n = 0; n < dofs.Variables(); ++n) {
+    std::vector<int> of_one;
+    dofs.GetDOFList(n, of_one);
+    if (dofs.GetVariableType(n) == VAR_ARRAY) {
+      for (const int dof : of_one) variables.push_back({dof});
+    } else {
+      variables.push_back(of_one);
+    }
+  }
+  return variables;
+}
+
+/// Which of the variables the displacements are.
+std::size_t displacements_of(FEModel& fem) {
+  const std::vector<std::vector<int>> variables = variables_of(fem);
+  const int dof = fem.GetDOFIndex("x");
+  const auto is_theirs = [&](const std::vector<int>& dofs) {
+    return std::find(dofs.begin(), dofs.end(), dof) != dofs.end();
+  };
+  return static_cast<std::size_t>(std::find_if(variables.begin(), variables.end(), is_theirs) - variables.begin());
+}
+
+/// A free nodal value: its equation, degree of freedom, and where it stands among the values of its variable.
+struct FreeValue {
+  std::size_t equation;
+  int dof;
+  std::size_t variable;
+  Index row;
+  Index node;
+};
+
+/// Calls `use` with every free nodal value.
 template <class Use>
 void for_each_free_value(FEModel& fem, const Use& use) {
   FEMesh& mesh = fem.GetMesh();
-  for (int i = 0; i < mesh.Nodes(); ++i) {
-    const std::vector<int>& equations = mesh.Node(i).m_ID;
-    for (std::size_t dof = 0; dof < equations.size(); ++dof) {
-      if (equations[dof] >= 0) use(static_cast<std::size_t>(equations[dof]), static_cast<Index>(dof), Index{i});
+  const std::vector<std::vector<int>> variables = variables_of(fem);
+  for (std::size_t v = 0; v < variables.size(); ++v) {
+    for (std::size_t row = 0; row < variables[v].size(); ++row) {
+      const int dof = variables[v][row];
+      for (int i = 0; i < mesh.Nodes(); ++i) {
+        const int equation = mesh.Node(i).m_ID[static_cast<std::size_t>(dof)];
+        if (equation >= 0) use({static_cast<std::size_t>(equation), dof, v, static_cast<Index>(row), Index{i}});
+      }
     }
   }
 }
 
-/// Changes of the free values; zero elsewhere.
-MatrixXd changes_of_step(FEModel& fem) {
+/// Changes of the free values of each variable; zero elsewhere.
+std::vector<MatrixXd> changes_of_step(FEModel& fem) {
   FEMesh& mesh = fem.GetMesh();
-  MatrixXd change = MatrixXd::Zero(fem.GetDOFS().GetTotalDOFS(), mesh.Nodes());
-  for_each_free_value(fem, [&](std::size_t, Index dof, Index node) {
-    const FENode& place = mesh.Node(static_cast<int>(node));
-    change(dof, node) = place.get(static_cast<int>(dof)) - place.get_prev(static_cast<int>(dof));
+  std::vector<MatrixXd> changes;
+  for (const std::vector<int>& dofs : variables_of(fem))
+    changes.push_back(MatrixXd::Zero(static_cast<Index>(dofs.size()), mesh.Nodes()));
+  for_each_free_value(fem, [&](const FreeValue& value) {
+    const FENode& node = mesh.Node(static_cast<int>(value.node));
+    changes[value.variable](value.row, value.node) = node.get(value.dof) - node.get_prev(value.dof);
   });
-  return change;
+  return changes;
 }
 
-MatrixXd load_values(FEModel& fem) {
-  MatrixXd values(fem.LoadControllers(), 1);
-  for (Index n = 0; n < values.size(); ++n) values(n) = fem.GetLoadController(static_cast<int>(n))->Value();
+std::vector<double> load_values(FEModel& fem) {
+  std::vector<double> values;
+  for (int n = 0; n < fem.LoadControllers(); ++n) values.push_back(fem.GetLoadController(n)->Value());
   return values;
 }
 
-/// Degrees of freedom of each variable (displacement, pressure, concentration).
-std::vector<std::vector<int>> variables_of(FEModel& fem) {
-  DOFS& dofs = fem.GetDOFS();
-  std::vector<std::vector<int>> variables(static_cast<std::size_t>(dofs.Variables()));
-  for (std::size_t n = 0; n < variables.size(); ++n) dofs.GetDOFList(static_cast<int>(n), variables[n]);
-  return variables;
+/// Writes or reads some past steps.
+void archive_steps(DumpStream& ar, std::vector<PastSteps>& quantities) {
+  int count = static_cast<int>(quantities.size());
+  ar & count;
+  quantities.resize(static_cast<std::size_t>(count));
+  for (PastSteps& steps : quantities) steps.for_each_part([&](auto& part) { archive(ar, part); });
 }
 
 }  // namespace
-
-/// Weights of the line and of what a parabola adds to it, shape (rows of the change, 2): 1 and the part from 0 to 1
-/// that would have told the change best, for the rows of each group together; zeros where even so too much was missed.
-MatrixXd StepExtrapolation::best_weights(const Foretold& told, const MatrixXd& change,
-                                         const std::vector<std::vector<int>>& groups) {
-  MatrixXd weights = MatrixXd::Zero(change.rows(), 2);
-  for (const std::vector<int>& rows : groups) {
-    const MatrixXd line = told.line(rows, Eigen::all);
-    const MatrixXd bend = told.bend(rows, Eigen::all);
-    const MatrixXd whole = change(rows, Eigen::all);
-    const MatrixXd missed = whole - line;
-    const bool is_line = bend.norm() <= same_change * line.norm();
-    const double part = is_line ? 0.0 : std::clamp(bend.cwiseProduct(missed).sum() / bend.squaredNorm(), 0.0, 1.0);
-    if ((missed - part * bend).norm() > largest_error * whole.norm()) continue;
-    for (const int row : rows) weights.row(row) << 1, part;
-  }
-  return weights;
-}
-
-MatrixXd StepExtrapolation::expected(const Foretold& told, const MatrixXd& weights) {
-  return weights.col(0).asDiagonal() * told.line + weights.col(1).asDiagonal() * told.bend;
-}
-
-StepExtrapolation::Foretold StepExtrapolation::foretold(MatrixXd Change::* of, double dt) const {
-  // Newton's form of the polynomials, with divided differences.
-  const MatrixXd rate = last_[0].*of / last_[0].dt;
-  if (last_.size() == 1) return {dt * rate, MatrixXd::Zero(rate.rows(), rate.cols())};
-  const double span = last_[0].dt + last_[1].dt;
-  return {dt * rate, dt * (dt + last_[0].dt) / span * (rate - last_[1].*of / last_[1].dt)};
-}
 
 bool StepExtrapolation::is_available(FEModel& fem) {
   const auto* mechanics = dynamic_cast<const FEMechModel*>(&fem);
   return mechanics == nullptr || mechanics->RigidBodies() == 0;
 }
 
-void StepExtrapolation::choose_weights(const Change& actual) {
-  value_weights_.setZero();
-  const bool tried_in_vain = iterations_plain_ <= least_iterations && iterations_ahead_ >= iterations_plain_;
-  if (last_.empty() || iterations_plain_ == 1 || tried_in_vain) return;
-  value_weights_ = best_weights(foretold(&Change::values, actual.dt), actual.values, variables_of(fem_));
-  std::vector<std::vector<int>> controllers;
-  for (int n = 0; n < fem_.LoadControllers(); ++n) controllers.push_back({n});
-  load_weights_ = best_weights(foretold(&Change::loads, actual.dt), actual.loads, controllers);
-  // A variable that is not foretold stays where it is. If displacements do, those that are prescribed would squeeze the
-  // elements beside them; and where all that changed stays, there is nothing to gain.
-  const bool moves = value_weights_(fem_.GetDOFIndex("x"), 0) > 0;
-  const MatrixXd followed = value_weights_.col(0).asDiagonal() * actual.values;
-  if (!moves || followed.isZero(0)) value_weights_.setZero();
-}
-
 void StepExtrapolation::step_solved(int iterations) {
-  (std::exchange(ahead_, false) ? iterations_ahead_ : iterations_plain_) = iterations;
-  if (std::exchange(analysis_step_, fem_.GetCurrentStepIndex()) != fem_.GetCurrentStepIndex()) last_.clear();
-  const MatrixXd before = std::exchange(loads_, load_values(fem_));
-  if (before.size() != loads_.size()) return;  // the first step: what the loads were at its start is not known
-  Change actual{changes_of_step(fem_), loads_ - before, fem_.GetTime().timeIncrement};
-  choose_weights(actual);
-  last_.insert(last_.begin(), std::move(actual));
-  if (last_.size() > changes_kept) last_.pop_back();
+  if (!std::exchange(ahead_, false)) {
+    iterations_plain_ = iterations;
+  } else {
+    missed_in_vain_ = iterations < iterations_plain_ ? most_missed : missed_;
+  }
+  restored_ = false;
+  const std::vector<double> before = std::exchange(load_values_, load_values(fem_));
+  if (std::exchange(analysis_step_, fem_.GetCurrentStepIndex()) != fem_.GetCurrentStepIndex()) {
+    variables_.clear();
+    loads_.clear();
+    missed_in_vain_ = most_missed;
+  }
+  if (before.size() != load_values_.size()) return;  // the first step: what the loads were at its start is not known
+  const double dt = fem_.GetTime().timeIncrement;
+  const std::vector<MatrixXd> changes = changes_of_step(fem_);
+  variables_.resize(changes.size());
+  loads_.resize(before.size());
+  for (std::size_t v = 0; v < changes.size(); ++v) variables_[v].add({changes[v], dt});
+  for (std::size_t n = 0; n < before.size(); ++n)
+    loads_[n].add({MatrixXd::Constant(1, 1, load_values_[n] - before[n]), dt});
+  missed_ = 0;
+  for (const PastSteps& variable : variables_) missed_ = std::max(missed_, variable.missed());
 }
 
 void StepExtrapolation::serialize(DumpStream& ar) {
   if (ar.IsShallow()) {
     if (ar.IsSaving()) return;
-    first_guess_.clear();
-    value_weights_.setZero();
+    part_of_guess_.clear();
+    restored_ = true;
     ahead_ = false;
     return;
   }
-  int changes = static_cast<int>(last_.size());
-  ar & analysis_step_ & changes & iterations_ahead_ & iterations_plain_;
-  archive(ar, loads_);
-  archive(ar, value_weights_);
-  archive(ar, load_weights_);
-  last_.resize(static_cast<std::size_t>(changes));
-  for (Change& change : last_) {
-    archive(ar, change.values);
-    archive(ar, change.loads);
-    ar & change.dt;
-  }
+  ar & analysis_step_ & iterations_plain_ & missed_ & missed_in_vain_ & load_values_;
+  archive_steps(ar, variables_);
+  archive_steps(ar, loads_);
 }
 
 bool StepExtrapolation::loads_turn() const {
-  const ArrayXXd loads = load_values(fem_);
-  const ArrayXXd actual = loads - loads_.array();
-  const ArrayXXd told = expected(foretold(&Change::loads, fem_.GetTime().timeIncrement), load_weights_);
-  return ((told - actual).abs() > largest_error * actual.abs() + rounding * loads.abs()).any();
+  const std::vector<double> loads = load_values(fem_);
+  for (std::size_t n = 0; n < loads.size(); ++n) {
+    const double actual = loads[n] - load_values_[n];
+    const MatrixXd told = loads_[n].foretold(fem_.GetTime().timeIncrement);
+    const double difference = (told.size() == 0 ? 0 : told.value()) - actual;
+    if (std::abs(difference) > largest_turn * std::abs(actual) + rounding * std::abs(loads[n])) return true;
+  }
+  return false;
+}
+
+bool StepExtrapolation::is_worth_trying() const {
+  if (iterations_plain_ > least_iterations) return true;
+  return iterations_plain_ == least_iterations && missed_ <= better * missed_in_vain_;
+}
+
+/// A variable that is not foretold stays where it is. If displacements do, those that are prescribed would squeeze the
+/// elements beside them; and where all that changes stays, there is nothing to gain.
+bool StepExtrapolation::follows_the_change() const {
+  const double dt = fem_.GetTime().timeIncrement;
+  return variables_[displacements_of(fem_)].leads(dt) &&
+         std::any_of(variables_.begin(), variables_.end(),
+                     [&](const PastSteps& variable) { return variable.changed() && variable.leads(dt); });
 }
 
 bool StepExtrapolation::begins_ahead() const {
-  return (value_weights_.array() != 0).any() && analysis_step_ == fem_.GetCurrentStepIndex() && !loads_turn();
+  return !restored_ && !variables_.empty() && analysis_step_ == fem_.GetCurrentStepIndex() && is_worth_trying() &&
+         follows_the_change() && !loads_turn();
 }
 
 bool StepExtrapolation::move_to_expected_state(FENewtonSolver& solver, const std::function<void()>& decide) {
   ahead_ = begins_ahead();
   if (!ahead_) return false;
-  const MatrixXd change = expected(foretold(&Change::values, fem_.GetTime().timeIncrement), value_weights_);
-  first_guess_.assign(solver.m_Ui.size(), 0.0);
-  for_each_free_value(fem_,
-                      [&](std::size_t equation, Index dof, Index node) { first_guess_[equation] = change(dof, node); });
-  std::vector<double> none = solver.m_Ui;
-  solver.m_Ui = first_guess_;
-  solver.Update(solver.m_ui);  // which holds the prescribed increments
+  std::vector<MatrixXd> changes;
+  for (const PastSteps& variable : variables_) changes.push_back(variable.foretold(fem_.GetTime().timeIncrement));
+  const double left = has_known_totals(solver) ? part_left : 1;
+  std::vector<double> whole = solver.m_ui;  // the prescribed increments
+  const std::vector<double> prescribed_left = scaled(whole, left);
+  for_each_free_value(fem_, [&](const FreeValue& value) {
+    const MatrixXd& change = changes[value.variable];
+    whole[value.equation] = change.size() == 0 ? 0 : change(value.row, value.node);
+  });
+  solver.m_Ui = whole;
+  std::fill(solver.m_ui.begin(), solver.m_ui.end(), 0.0);
+  solver.Update(solver.m_ui);
   decide();
-  solver.m_Ui = std::move(none);
+  set_totals(solver, scaled(whole, 1 - left));
+  solver.m_ui = prescribed_left;
+  part_of_guess_ = scaled(whole, left);
   return true;
 }
 
 void StepExtrapolation::complete_residual(FENewtonSolver& solver) {
-  if (first_guess_.empty()) return;
-  // FEBio's right-hand side is R(x + p) and what prescribed increments add. To free values these have added already, in
-  // R(x + p).
-  std::vector<double> guess(first_guess_.size(), 0.0);
-  for_each_free_value(fem_, [&](std::size_t equation, Index, Index) {
-    guess[equation] = first_guess_[equation];
-    solver.m_R0[equation] -= solver.m_Fd[equation];
+  if (part_of_guess_.empty()) return;
+  // FEBio's right-hand side is R(x + P) and what prescribed increments add. To free values these have added already, in
+  // R(x + P).
+  std::vector<double> part(part_of_guess_.size(), 0.0);
+  for_each_free_value(fem_, [&](const FreeValue& value) {
+    part[value.equation] = part_of_guess_[value.equation];
+    solver.m_R0[value.equation] -= solver.m_Fd[value.equation];
   });
-  first_guess_.clear();
-  std::vector<double> load(guess.size());
-  solver.m_pK->GetSparseMatrixPtr()->mult_vector(guess.data(), load.data());
+  part_of_guess_.clear();
+  std::vector<double> load(part.size());
+  solver.m_pK->GetSparseMatrixPtr()->mult_vector(part.data(), load.data());
   for (std::size_t n = 0; n < load.size(); ++n) solver.m_R0[n] += load[n];
 }

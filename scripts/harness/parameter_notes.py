@@ -223,9 +223,10 @@ NOTES = {
     ),
     "extrapolation": Note(
         "Form the first matrix of a step where the last steps lead to expect the solution: of every variable whose "
-        "last change that would have told to a third, where no load curve turns. For the whole model, if one of its "
+        "last change that would have told to a third, where no load curve turns. A step may then end with its first "
+        "iteration. For the whole model, if one of its "
         "contacts has it; without effect where there are rigid bodies. See [theory](theory.md#the-start-of-a-step).",
-        "memory for the nodal values of two steps",
+        "memory for the nodal values of five steps",
         "not there",
     ),
     "seg_up": Note(

@@ -1,0 +1,15 @@
+/// What FEBio's solvers hold a step to have changed so far.
+///
+/// They keep it per equation, and those of FEBioMix once more for each variable, in an order of their own. Their
+/// convergence tests compare an increment with these totals.
+#pragma once
+
+#include <vector>
+
+class FENewtonSolver;
+
+/// Whether the solver is one whose totals are known: those of the modules solid, biphasic, solute and multiphasic.
+bool has_known_totals(FENewtonSolver& solver);
+
+/// Sets the totals of such a solver to the change given per equation.
+void set_totals(FENewtonSolver& solver, const std::vector<double>& change);

@@ -1,0 +1,83 @@
+/// Where the last steps of a quantity lead: curves through its past states, judged by what each would have told of the
+/// last step.
+///
+/// Quantities that creep or diffuse change ever more slowly, and a time stepper lengthens its steps as they do. Then the
+/// states are smooth functions of the number of the step rather than of time. So there are two coordinates for the
+/// curves: time, and the stretched time in which the last two steps are equally long. Polynomials are in Newton's form
+/// (divided differences), whose terms add one degree each.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace mixture_contact {
+
+/// A polynomial through past states: its degree, and the part from 0 to 1 of its last term. Of degree 0 there is none.
+struct Curve {
+  int degree = 0;
+  double last_part = 1;
+};
+
+/// What a step of length dt [s] changed. The values have any shape that is the same for all steps.
+struct Change {
+  Eigen::MatrixXd values;
+  double dt = 0;
+};
+
+class PastSteps {
+ public:
+  /// Judges by the change which curve would have foretold it best, then keeps it.
+  void add(const Change& change);
+
+  /// The change that the next step of length dt will make; empty where no curve would have told two thirds of the last.
+  Eigen::MatrixXd foretold(double dt) const;
+
+  /// Whether there is such a curve.
+  bool leads(double dt) const { return in_time_.degree > 0 || (stretched_.degree > 0 && is_regular(dt)); }
+
+  /// Whether the last step changed anything.
+  bool changed() const { return !changes_.empty() && !changes_.front().values.isZero(0); }
+
+  /// What the best curve would have missed of the last change, as a part of it; 1 where there is none.
+  double missed() const { return missed_; }
+
+  /// Calls `use` with each part of the state, for restart files. Changes come before what was chosen by them.
+  template <class Use>
+  void for_each_part(const Use& use);
+
+ private:
+  /// Coordinates of the ends of the past steps, latest first, the end of the last one being 0, and of the next one.
+  struct Coordinates {
+    std::vector<double> past;
+    double next = 0;
+  };
+  Coordinates in_time(double dt) const;
+  Coordinates in_stretched_time(double dt) const;
+  bool is_regular(double dt) const;
+  std::vector<Eigen::MatrixXd> terms(const Coordinates& at, int degree) const;
+  void judge(const Change& actual);
+
+  std::vector<Change> changes_;  ///< latest first
+  Curve in_time_;
+  Curve stretched_;  ///< where it would have told more than the curve in time
+  double missed_ = 1;
+};
+
+template <class Use>
+void PastSteps::for_each_part(const Use& use) {
+  int count = static_cast<int>(changes_.size());
+  use(count);
+  changes_.resize(static_cast<std::size_t>(count));
+  for (Change& change : changes_) {
+    use(change.values);
+    use(change.dt);
+  }
+  for (Curve* curve : {&in_time_, &stretched_}) {
+    use(curve->degree);
+    use(curve->last_part);
+  }
+  use(missed_);
+}
+
+}  // namespace mixture_contact
