@@ -25,8 +25,8 @@ void gather(std::vector<double>& total, FEModel& fem, const std::vector<double>&
   }
 }
 
-void gather_displacements_and_pressure(std::vector<double>& displacements, std::vector<double>& pressures,
-                                       FEModel& fem, const std::vector<double>& change) {
+void gather_displacements_and_pressure(std::vector<double>& displacements, std::vector<double>& pressures, FEModel& fem,
+                                       const std::vector<double>& change) {
   const auto dof = [&](const char* name) { return fem.GetDOFIndex(name); };
   gather(displacements, fem, change, {dof("x"), dof("y"), dof("z"), dof("sx"), dof("sy"), dof("sz")});
   gather(pressures, fem, change, {dof("p"), dof("q")});
@@ -42,7 +42,7 @@ void gather_concentrations(std::vector<std::vector<double>>& concentrations, FEM
 
 }  // namespace
 
-bool has_known_totals(FENewtonSolver& solver) {
+bool has_known_totals(const FENewtonSolver& solver) {
   const std::type_info& type = typeid(solver);
   return type == typeid(FESolidSolver2) || type == typeid(FEBiphasicSolver) || type == typeid(FEBiphasicSoluteSolver) ||
          type == typeid(FEMultiphasicSolver);
@@ -56,7 +56,7 @@ void set_totals(FENewtonSolver& solver, const std::vector<double>& change) {
     gather_concentrations(multiphasic->m_Ci, fem, change);
   } else if (auto* biphasic = dynamic_cast<FEBiphasicSolver*>(&solver)) {
     gather_displacements_and_pressure(biphasic->m_Di, biphasic->m_Pi, fem, change);
-    if (auto* solute = dynamic_cast<FEBiphasicSoluteSolver*>(&solver))
+    if (auto* solute = dynamic_cast<FEBiphasicSoluteSolver*>(biphasic))
       gather_concentrations(solute->m_Ci, fem, change);
   }
 }

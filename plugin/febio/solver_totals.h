@@ -9,7 +9,7 @@
 class FENewtonSolver;
 
 /// Whether the solver is one whose totals are known: those of the modules solid, biphasic, solute and multiphasic.
-bool has_known_totals(FENewtonSolver& solver);
+bool has_known_totals(const FENewtonSolver& solver);
 
 /// Sets the totals of such a solver to the change given per equation.
 void set_totals(FENewtonSolver& solver, const std::vector<double>& change);

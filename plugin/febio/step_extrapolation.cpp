@@ -4,7 +4,9 @@
 #include "solver_totals.h"
 
 #include <FEBioMech/FEMechModel.h>
+#include <FEBioMech/FESolidSolver2.h>
 #include <FECore/DumpStream.h>
+#include <FECore/FEAnalysis.h>
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FELoadController.h>
 #include <FECore/FEMesh.h>
@@ -51,9 +53,9 @@ std::vector<std::vector<int>> variables_of(FEModel& fem) {
     std::vector<int> of_one;
     dofs.GetDOFList(n, of_one);
     if (dofs.GetVariableType(n) == VAR_ARRAY) {
-      for (const int dof : of_one) variables.push_back({dof});
+      for (const int dof : of_one) variables.emplace_back(1, dof);
     } else {
-      variables.push_back(of_one);
+      variables.push_back(std::move(of_one));
     }
   }
   return variables;
@@ -99,7 +101,7 @@ std::vector<MatrixXd> changes_of_step(FEModel& fem) {
   FEMesh& mesh = fem.GetMesh();
   std::vector<MatrixXd> changes;
   for (const std::vector<int>& dofs : variables_of(fem))
-    changes.push_back(MatrixXd::Zero(static_cast<Index>(dofs.size()), mesh.Nodes()));
+    changes.emplace_back(MatrixXd::Zero(static_cast<Index>(dofs.size()), mesh.Nodes()));
   for_each_free_value(fem, [&](const FreeValue& value) {
     const FENode& node = mesh.Node(static_cast<int>(value.node));
     changes[value.variable](value.row, value.node) = node.get(value.dof) - node.get_prev(value.dof);
@@ -125,7 +127,8 @@ void archive_steps(DumpStream& ar, std::vector<PastSteps>& quantities) {
 
 bool StepExtrapolation::is_available(FEModel& fem) {
   const auto* mechanics = dynamic_cast<const FEMechModel*>(&fem);
-  return mechanics == nullptr || mechanics->RigidBodies() == 0;
+  const auto* solids = dynamic_cast<const FESolidSolver2*>(fem.GetCurrentStep()->GetFESolver());
+  return (mechanics == nullptr || mechanics->RigidBodies() == 0) && (solids == nullptr || solids->m_arcLength == 0);
 }
 
 void StepExtrapolation::step_solved(int iterations) {

@@ -1,11 +1,11 @@
 /// The state at which the first matrix of a time step is formed.
 ///
 /// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, curves through the last
-/// states foretell the next one to a part in a thousand (host/past_steps.h), and an iteration that starts there leaves an
-/// error smaller by as much again. Where a load curve turns they do not, and the step starts as FEBio would.
+/// states foretell the next one to a part in a thousand (host/past_steps.h), and an iteration that starts there leaves
+/// an error smaller by as much again. Where a load curve turns they do not, and the step starts as FEBio would.
 ///
-/// With P the expected change, FEBio counts (1 - theta) P as done, theta being 1e-4, and with K the matrix at x + P its first
-/// increment is
+/// With P the expected change, FEBio counts (1 - theta) P as done, theta being 1e-4, and with K the matrix at x + P its
+/// first increment is
 ///
 ///   u = theta P + K^-1 R(x + P),   that is   K u = R(x + P) + theta K P .
 ///
@@ -26,7 +26,8 @@ class StepExtrapolation {
  public:
   explicit StepExtrapolation(FEModel& fem) : fem_(fem) {}
 
-  /// Rigid bodies move with unknowns of their own, which are not extrapolated.
+  /// Rigid bodies move with unknowns of their own, which are not extrapolated; the arc-length method finds its loads
+  /// itself.
   static bool is_available(FEModel& fem);
 
   /// Keeps the change of the step that has been solved, and judges by it what would have foretold it best.
@@ -55,11 +56,11 @@ class StepExtrapolation {
   std::vector<mixture_contact::PastSteps> variables_;  ///< (degrees of freedom of the variable, nodes) each
   std::vector<mixture_contact::PastSteps> loads_;      ///< of each load controller, (1, 1)
   int analysis_step_ = -1;                             ///< whose steps those are
-  std::vector<double> load_values_;  ///< of load controllers, at the end of the last step; empty before the first
-  bool restored_ = false;            ///< since the last step that was solved
-  bool ahead_ = false;               ///< whether the present step began at the expected state
-  int iterations_plain_ = 1;         ///< of the last step that did not
-  double missed_ = 1;                ///< of the last change, the largest part of a variable
-  double missed_in_vain_ = 0;        ///< what was missed where to begin ahead saved no iteration
+  std::vector<double> load_values_;    ///< of load controllers, at the end of the last step; empty before the first
+  bool restored_ = false;              ///< since the last step that was solved
+  bool ahead_ = false;                 ///< whether the present step began at the expected state
+  int iterations_plain_ = 1;           ///< of the last step that did not
+  double missed_ = 1;                  ///< of the last change, the largest part of a variable
+  double missed_in_vain_ = 0;          ///< what was missed where to begin ahead saved no iteration
   std::vector<double> part_of_guess_;  ///< theta P, per equation; empty but for the first iteration of a step
 };

@@ -87,12 +87,12 @@ bool PastSteps::is_regular(double dt) const {
 std::vector<MatrixXd> PastSteps::terms(const Coordinates& at, int degree) const {
   const auto count = std::min({static_cast<std::size_t>(degree), changes_.size(), at.past.size() - 1});
   std::vector<MatrixXd> differences;
-  for (std::size_t n = 0; n < count; ++n) differences.push_back(changes_[n].values / (at.past[n] - at.past[n + 1]));
+  for (std::size_t n = 0; n < count; ++n) differences.emplace_back(changes_[n].values / (at.past[n] - at.past[n + 1]));
   std::vector<MatrixXd> result;
   double factor = 1;
   for (std::size_t k = 0; k < count; ++k) {
     factor *= at.next - at.past[k];
-    result.push_back(factor * differences[0]);
+    result.emplace_back(factor * differences[0]);
     for (std::size_t n = 0; n + 1 < differences.size(); ++n)
       differences[n] = (differences[n] - differences[n + 1]) / (at.past[n] - at.past[n + k + 2]);
     differences.pop_back();

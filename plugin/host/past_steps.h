@@ -1,8 +1,8 @@
 /// Where the last steps of a quantity lead: curves through its past states, judged by what each would have told of the
 /// last step.
 ///
-/// Quantities that creep or diffuse change ever more slowly, and a time stepper lengthens its steps as they do. Then the
-/// states are smooth functions of the number of the step rather than of time. So there are two coordinates for the
+/// Quantities that creep or diffuse change ever more slowly, and a time stepper lengthens its steps as they do. Then
+/// the states are smooth functions of the number of the step rather than of time. So there are two coordinates for the
 /// curves: time, and the stretched time in which the last two steps are equally long. Polynomials are in Newton's form
 /// (divided differences), whose terms add one degree each.
 #pragma once

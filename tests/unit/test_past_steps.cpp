@@ -95,8 +95,8 @@ BOOST_AUTO_TEST_CASE(what_is_a_polynomial_of_the_number_of_steps_is_told_over_gr
 }
 
 BOOST_AUTO_TEST_CASE(growth_is_told_to_the_sixth_difference) {
-  // sqrt t = r^(s/2) and t = r^s: a polynomial of degree m leaves their differences of order m + 1, (1 - 1/sqrt r)^(m+1)
-  // and (1 - 1/r)^(m+1) of the states.
+  // sqrt t = r^(s/2) and t = r^s: a polynomial of degree m leaves their differences of order m + 1, (1 - 1/sqrt
+  // r)^(m+1) and (1 - 1/r)^(m+1) of the states.
   const double r = 1.15;
   const State root = [](double t) { return RowVector2d(std::sqrt(t), t); };
   const Path past = path(root, 1 / (r - 1), growing(1, r, 10));
