@@ -46,15 +46,20 @@ def test_a_penalty_leaks_what_its_value_says(context):
     assert compare.missed(checks.leak_of_a_penalty(context)) == []
 
 
-def test_extrapolation_takes_no_further_evaluation_of_the_residual(runner):
-    """Where each step takes two iterations anyway, so that nothing makes up for one."""
-    control = Control(20, 100.0)
+def test_steps_that_go_on_as_foretold_end_with_their_first_iteration(runner):
+    """A diffusion takes two iterations in each step, and one where it is foretold, as most of it is. Neither takes more
+    than one evaluation of the residual for an iteration and one for a step. What is left out changes the ninth digit.
+    """
+    control = Control(40, 50.0)
     plain, ahead = (
         runner(Diffusion(settings=ContactSettings(extra=(Param("extrapolation", on),)), control=control).model())
         for on in (False, True)
     )
-    assert plain.report.residuals == ahead.report.residuals == plain.report.iterations + plain.report.steps
-    assert not np.array_equal(plain.nodes["c1"], ahead.nodes["c1"])
+    for run in (plain, ahead):
+        assert run.report.residuals == run.report.iterations + run.report.steps
+    assert plain.report.iterations == 2 * plain.report.steps
+    assert ahead.report.iterations <= 1.4 * ahead.report.steps
+    assert np.max(np.abs(plain.nodes["c1"] - ahead.nodes["c1"])) <= 1e-8 * np.max(plain.nodes["c1"])
 
 
 def test_the_matrix_is_shaped_anew_only_where_an_iteration_may_change_contact(runner):
