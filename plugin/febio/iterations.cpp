@@ -144,6 +144,7 @@ bool FEMixtureContact::leads_extrapolation() {
   // It concerns the whole model: one contact does it for all.
   const std::vector<FEMixtureContact*> contacts = active_contacts();
   return !contacts.empty() && contacts.front() == this && StepExtrapolation::is_available(*GetFEModel()) &&
+         StepExtrapolation::suits(newton_solver()) &&
          std::any_of(contacts.begin(), contacts.end(),
                      [](const FEMixtureContact* contact) { return contact->parameters_.extrapolation; });
 }

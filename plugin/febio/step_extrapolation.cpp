@@ -6,7 +6,6 @@
 #include <FEBioMech/FEMechModel.h>
 #include <FEBioMech/FESolidSolver2.h>
 #include <FECore/DumpStream.h>
-#include <FECore/FEAnalysis.h>
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FELoadController.h>
 #include <FECore/FEMesh.h>
@@ -127,8 +126,12 @@ void archive_steps(DumpStream& ar, std::vector<PastSteps>& quantities) {
 
 bool StepExtrapolation::is_available(FEModel& fem) {
   const auto* mechanics = dynamic_cast<const FEMechModel*>(&fem);
-  const auto* solids = dynamic_cast<const FESolidSolver2*>(fem.GetCurrentStep()->GetFESolver());
-  return (mechanics == nullptr || mechanics->RigidBodies() == 0) && (solids == nullptr || solids->m_arcLength == 0);
+  return mechanics == nullptr || mechanics->RigidBodies() == 0;
+}
+
+bool StepExtrapolation::suits(const FENewtonSolver* solver) {
+  const auto* solids = dynamic_cast<const FESolidSolver2*>(solver);
+  return solver != nullptr && (solids == nullptr || solids->m_arcLength == 0);
 }
 
 void StepExtrapolation::step_solved(int iterations) {

@@ -26,9 +26,11 @@ class StepExtrapolation {
  public:
   explicit StepExtrapolation(FEModel& fem) : fem_(fem) {}
 
-  /// Rigid bodies move with unknowns of their own, which are not extrapolated; the arc-length method finds its loads
-  /// itself.
+  /// Rigid bodies move with unknowns of their own, which are not extrapolated.
   static bool is_available(FEModel& fem);
+
+  /// The arc-length method finds its loads itself: where a step leads is not known before.
+  static bool suits(const FENewtonSolver* solver);
 
   /// Keeps the change of the step that has been solved, and judges by it what would have foretold it best.
   void step_solved(int iterations);
