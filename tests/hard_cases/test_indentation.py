@@ -19,8 +19,8 @@ from harness.models.interface import ContactSettings
 from harness.models.parts import Param
 
 MEASURED = {
-    ("multiphasic", False, Primary.CYLINDER): 230,
-    ("multiphasic", False, Primary.SLAB): 221,
+    ("multiphasic", False, Primary.CYLINDER): 180,
+    ("multiphasic", False, Primary.SLAB): 168,
     ("solute", True, Primary.CYLINDER): 262,
 }
 """Newton iterations of 95 time steps: module, clamp of negative concentrations, primary surface."""
@@ -42,7 +42,7 @@ def test_it_runs_to_the_end_without_a_retry(runner, module, clamp, primary):
         assert np.max(np.abs(curves(outcome).imbalance)) <= 1e-6
 
 
-def test_with_the_penalty_of_febio_s_best_run_it_takes_0_7_of_its_iterations(runner):
+def test_with_the_penalty_of_febio_s_best_run_it_takes_0_6_of_its_iterations(runner):
     """FEBio's `sliding-multiphasic` took 312 with 4 retries on a model of this problem, 404 with 19 on this one."""
     study = Configuration.PENALTY_1
     model = Indentation(
@@ -51,7 +51,7 @@ def test_with_the_penalty_of_febio_s_best_run_it_takes_0_7_of_its_iterations(run
     report = runner(model.model()).report
     assert report.normal
     assert report.retries == 0
-    assert report.iterations <= 0.7 * 312
+    assert report.iterations <= 0.6 * 312
 
 
 def test_the_measures_of_validation_meet_their_bars(runner):

@@ -46,14 +46,15 @@ def test_a_penalty_leaks_what_its_value_says(context):
     assert compare.missed(checks.leak_of_a_penalty(context)) == []
 
 
-def test_steps_that_go_on_as_foretold_end_with_their_first_iteration(runner):
+@pytest.mark.parametrize("module", ["solute", "multiphasic"])
+def test_steps_that_go_on_as_foretold_end_with_their_first_iteration(runner, module):
     """A diffusion takes two iterations in each step, and one where it is foretold, as most of it is. Neither takes more
     than one evaluation of the residual for an iteration and one for a step. What is left out changes the ninth digit.
     """
     control = Control(40, 50.0)
     plain, ahead = (
-        runner(Diffusion(settings=ContactSettings(extra=(Param("extrapolation", on),)), control=control).model())
-        for on in (False, True)
+        runner(Diffusion(settings=settings, module=module, control=control).model())
+        for settings in (ContactSettings(extra=(Param("extrapolation", on),)) for on in (False, True))
     )
     for run in (plain, ahead):
         assert run.report.residuals == run.report.iterations + run.report.steps
