@@ -63,10 +63,10 @@ def test_the_measures_of_validation_meet_their_bars(runner):
     assert [measure.name for measure in measures if not measure.passed] == []
 
 
-@pytest.mark.parametrize(("clamp", "end", "saved"), [(False, 20.0, 0.05), (True, 200.0, 0.1)])
+@pytest.mark.parametrize(("clamp", "end", "saved"), [(False, 20.0, 0.2), (True, 200.0, 0.18)])
 def test_extrapolation_saves_iterations_and_keeps_the_solution(runner, clamp, end, saved):
     """On the coarse mesh; FEBio's tolerance on the change of a step is 1e-3. With the clamp, until concentrations that
-    it holds have become few: decided at the start of the step instead of the extrapolated state, 0.09 would be saved.
+    it holds have become few. Measured: 88 iterations instead of 120, and 160 instead of 207.
     """
     short = replace(CONTROL, end=end)
     segments = ContactSettings(integration="segments")
@@ -81,4 +81,4 @@ def test_extrapolation_saves_iterations_and_keeps_the_solution(runner, clamp, en
     assert ahead.report.iterations <= (1 - saved) * plain.report.iterations
     for column in ("ux", "uy", "p", "c1"):
         size = np.max(np.abs(plain.nodes[column]))
-        np.testing.assert_allclose(ahead.nodes[column][-1], plain.nodes[column][-1], rtol=0.0, atol=1e-3 * size)
+        np.testing.assert_allclose(ahead.nodes[column][-1], plain.nodes[column][-1], rtol=0.0, atol=2e-4 * size)
