@@ -1,15 +1,10 @@
 #include "ambient_nodes.h"
 
+#include "equation.h"
+
 #include <FECore/DOFS.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEModel.h>
-
-namespace {
-
-/// FEBio's code for a degree of freedom whose value is prescribed, and back: the map is its own inverse.
-int prescribed(int equation) { return -equation - 2; }
-
-}  // namespace
 
 FENewtonSolver* AmbientNodes::solver() const {
   return dynamic_cast<FENewtonSolver*>(fem_.GetCurrentStep()->GetFESolver());

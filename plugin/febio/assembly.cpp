@@ -1,3 +1,4 @@
+#include "equation.h"
 #include "matrix_rows.h"
 #include "mixture_contact.h"
 
@@ -82,7 +83,7 @@ void FEMixtureContact::for_each_coupling(const std::function<void(std::vector<in
           ids.push_back(fem.GetMesh().Node(node).m_ID[static_cast<std::size_t>(dof)]);
       }
     }
-    for (int& id : ids) id = id < -1 ? -id - 2 : id;  // prescribed values have their places in the matrix, too
+    for (int& id : ids) id = equation_of(id);  // prescribed values have their places in the matrix, too
     use(ids);
   });
 }

@@ -1,6 +1,7 @@
 #include "clamped_concentrations.h"
 
 #include "ambient_nodes.h"
+#include "equation.h"
 
 #include <FEBioMix/FEBiphasicSoluteSolver.h>
 #include <FEBioMix/FEMultiphasicSolver.h>
@@ -63,7 +64,7 @@ std::vector<ClampedConcentrations::Place> ClampedConcentrations::rising() const 
   if (solver.reaction == nullptr) return places;
   const auto reaction = [&](const Place& place) {
     const int id = place.first->m_ID[static_cast<std::size_t>(place.second)];
-    return id < 0 ? (*solver.reaction)[static_cast<std::size_t>(-id - 2)] : 0.0;
+    return id < 0 ? (*solver.reaction)[static_cast<std::size_t>(prescribed(id))] : 0.0;
   };
   double largest = 0;
   for (const Place& place : held_) largest = std::max(largest, std::abs(reaction(place)));

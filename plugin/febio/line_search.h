@@ -12,6 +12,7 @@ class FENewtonSolver;
 
 class LineSearch {
  public:
+  /// What was left out in the last step, or in a failed attempt, counts no more.
   void begin_step(FENewtonSolver* solver);
 
   /// A trial of the solver's last increment, or of a part of it.

@@ -1,5 +1,7 @@
 #include "solver_totals.h"
 
+#include "equation.h"
+
 #include <FEBioMech/FESolidSolver2.h>
 #include <FEBioMix/FEBiphasicSoluteSolver.h>
 #include <FEBioMix/FEMultiphasicSolver.h>
@@ -18,9 +20,9 @@ void gather(std::vector<double>& total, FEModel& fem, const std::vector<double>&
   auto entry = total.begin();
   for (int i = 0; i < mesh.Nodes(); ++i) {
     for (const int dof : dofs) {
-      const int equation = dof < 0 ? -1 : mesh.Node(i).m_ID[static_cast<std::size_t>(dof)];
+      const int equation = dof < 0 ? -1 : equation_of(mesh.Node(i).m_ID[static_cast<std::size_t>(dof)]);
       if (equation == -1 || entry == total.end()) continue;
-      *entry++ = change[static_cast<std::size_t>(equation < -1 ? -equation - 2 : equation)];
+      *entry++ = change[static_cast<std::size_t>(equation)];
     }
   }
 }

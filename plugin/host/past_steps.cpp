@@ -23,31 +23,36 @@ constexpr double largest_miss = 1.0 / 3.0;
 /// Terms below this part of the first one are rounding, and so is what is missed less of the last change.
 constexpr double negligible = 1e-6;
 
-/// Sum of the terms, with the given part of the last one.
-MatrixXd sum(const std::vector<MatrixXd>& terms, int degree, double last_part) {
-  MatrixXd total = MatrixXd::Zero(terms[0].rows(), terms[0].cols());
-  for (int n = 0; n + 1 < degree; ++n) total += terms[static_cast<std::size_t>(n)];
-  return total + last_part * terms[static_cast<std::size_t>(degree - 1)];
-}
-
-/// The part of the last of the terms that brings their sum closest to the actual change.
-double best_part(const std::vector<MatrixXd>& terms, int degree, const MatrixXd& actual) {
-  if (degree == 1) return 1;  // all or nothing
-  const MatrixXd& last = terms[static_cast<std::size_t>(degree - 1)];
-  if (last.norm() <= negligible * terms[0].norm()) return 0;
-  const MatrixXd missed = actual - sum(terms, degree - 1, 1);
-  return std::clamp(last.cwiseProduct(missed).sum() / last.squaredNorm(), 0.0, 1.0);
-}
-
 /// A curve with what it would have missed.
 struct Judged {
   Curve curve;
   double missed = 0;
 };
 
-Judged judged(const std::vector<MatrixXd>& terms, int degree, const MatrixXd& actual) {
-  const double part = best_part(terms, degree, actual);
-  return {{degree, part}, (actual - sum(terms, degree, part)).norm()};
+/// Sum of the terms, with the given part of the last one.
+MatrixXd sum(const std::vector<MatrixXd>& terms, double last_part) {
+  MatrixXd total = last_part * terms.back();
+  for (std::size_t n = 0; n + 1 < terms.size(); ++n) total += terms[n];
+  return total;
+}
+
+/// The part of a term that leaves the least of what those before it missed. The first one is taken as a whole.
+double best_part(const std::vector<MatrixXd>& terms, std::size_t n, const MatrixXd& missed) {
+  if (n == 0) return 1;
+  if (terms[n].norm() <= negligible * terms[0].norm()) return 0;
+  return std::clamp(terms[n].cwiseProduct(missed).sum() / terms[n].squaredNorm(), 0.0, 1.0);
+}
+
+/// Curves of all degrees, the first being of degree 1.
+std::vector<Judged> judged(const std::vector<MatrixXd>& terms, const MatrixXd& actual) {
+  std::vector<Judged> curves;
+  MatrixXd missed = actual;
+  for (std::size_t n = 0; n < terms.size(); ++n) {
+    const double part = best_part(terms, n, missed);
+    curves.push_back({{static_cast<int>(n) + 1, part}, (missed - part * terms[n]).norm()});
+    missed -= terms[n];
+  }
+  return curves;
 }
 
 }  // namespace
@@ -60,27 +65,21 @@ PastSteps::Coordinates PastSteps::in_time(double dt) const {
 
 /// With r the ratio of the last two steps, t_0 and t_1 long: s = ln(1 + t (1 - 1/r)/t_0)/ln r, which is -1 and -2 at
 /// their starts, and t/t_0 where r = 1. States that lie before the time at which s is minus infinity are left out.
-PastSteps::Coordinates PastSteps::in_stretched_time(double dt) const {
-  const Coordinates time = in_time(dt);
+std::optional<PastSteps::Coordinates> PastSteps::in_stretched_time(double dt) const {
+  if (changes_.size() < 2) return std::nullopt;
   const double length = changes_[0].dt;
   const double ratio = length / changes_[1].dt;
+  if (ratio >= regular_ratio || 1 / ratio >= regular_ratio) return std::nullopt;
   const bool equal = std::abs(ratio - 1) < same_length;
   const auto passed = [&](double t) { return t * (1 - 1 / ratio) / length; };
   const auto stretched = [&](double t) { return equal ? t / length : std::log1p(passed(t)) / std::log(ratio); };
   Coordinates at{{}, stretched(dt)};
-  for (const double t : time.past) {
+  if (!(at.next <= regular_ratio)) return std::nullopt;  // not a number where time shrinks to a point before
+  for (const double t : in_time(dt).past) {
     if (!equal && passed(t) <= -1) break;
     at.past.push_back(stretched(t));
   }
   return at;
-}
-
-bool PastSteps::is_regular(double dt) const {
-  if (changes_.size() < 2) return false;
-  const double last = changes_[0].dt;
-  const double before = changes_[1].dt;
-  const bool regular = last < regular_ratio * before && before < regular_ratio * last;
-  return regular && in_stretched_time(dt).next <= regular_ratio;  // not a number where it shrinks to a point before
 }
 
 /// What the terms of Newton's polynomial, from degree 1 on, foretell of the next change.
@@ -106,16 +105,13 @@ void PastSteps::judge(const Change& actual) {
   if (changes_.empty()) return;
   const double whole = actual.values.norm();
   double least = largest_miss * whole;
-  const std::vector<MatrixXd> of_time = terms(in_time(actual.dt), highest_degree_in_time);
-  const Judged plain = judged(of_time, static_cast<int>(of_time.size()), actual.values);
+  const Judged plain = judged(terms(in_time(actual.dt), highest_degree_in_time), actual.values).back();
   if (plain.missed <= least) {
     in_time_ = plain.curve;
     least = plain.missed;
   }
-  if (is_regular(actual.dt)) {
-    const std::vector<MatrixXd> stretched = terms(in_stretched_time(actual.dt), highest_degree);
-    for (int degree = 2; degree <= static_cast<int>(stretched.size()); ++degree) {
-      const Judged next = judged(stretched, degree, actual.values);
+  if (const auto stretched = in_stretched_time(actual.dt)) {
+    for (const Judged& next : judged(terms(*stretched, highest_degree), actual.values)) {
       if (next.missed >= least - negligible * whole) continue;
       stretched_ = next.curve;
       least = next.missed;
@@ -132,12 +128,10 @@ void PastSteps::add(const Change& change) {
 }
 
 MatrixXd PastSteps::foretold(double dt) const {
-  const auto along = [&](const Curve& curve, const Coordinates& at) {
-    const std::vector<MatrixXd> all = terms(at, curve.degree);
-    return sum(all, std::min(curve.degree, static_cast<int>(all.size())), curve.last_part);
-  };
-  if (stretched_.degree > 0 && is_regular(dt)) return along(stretched_, in_stretched_time(dt));
-  if (in_time_.degree > 0) return along(in_time_, in_time(dt));
+  if (stretched_.degree > 0) {
+    if (const auto at = in_stretched_time(dt)) return sum(terms(*at, stretched_.degree), stretched_.last_part);
+  }
+  if (in_time_.degree > 0) return sum(terms(in_time(dt), in_time_.degree), in_time_.last_part);
   return {};
 }
 

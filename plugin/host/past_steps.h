@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace mixture_contact {
@@ -34,7 +35,7 @@ class PastSteps {
   Eigen::MatrixXd foretold(double dt) const;
 
   /// Whether there is such a curve.
-  bool leads(double dt) const { return in_time_.degree > 0 || (stretched_.degree > 0 && is_regular(dt)); }
+  bool leads(double dt) const { return in_time_.degree > 0 || (stretched_.degree > 0 && in_stretched_time(dt)); }
 
   /// Whether the last step changed anything.
   bool changed() const { return !changes_.empty() && !changes_.front().values.isZero(0); }
@@ -53,8 +54,8 @@ class PastSteps {
     double next = 0;
   };
   Coordinates in_time(double dt) const;
-  Coordinates in_stretched_time(double dt) const;
-  bool is_regular(double dt) const;
+  /// None where steps are not regular.
+  std::optional<Coordinates> in_stretched_time(double dt) const;
   std::vector<Eigen::MatrixXd> terms(const Coordinates& at, int degree) const;
   void judge(const Change& actual);
 

@@ -52,9 +52,9 @@ def test_steps_that_go_on_as_foretold_end_with_their_first_iteration(runner, mod
     than one evaluation of the residual for an iteration and one for a step. What is left out changes the ninth digit.
     """
     control = Control(40, 50.0)
+    settings = {on: ContactSettings(extra=(Param("extrapolation", on),)) for on in (False, True)}
     plain, ahead = (
-        runner(Diffusion(settings=settings, module=module, control=control).model())
-        for settings in (ContactSettings(extra=(Param("extrapolation", on),)) for on in (False, True))
+        runner(Diffusion(settings=settings[on], module=module, control=control).model()) for on in (False, True)
     )
     for run in (plain, ahead):
         assert run.report.residuals == run.report.iterations + run.report.steps
