@@ -495,4 +495,14 @@ void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<Ma
   for (const Pass& pass : passes_) pass.integral->update_penalties();
 }
 
+void ContactInterface::update_laws(const Settings& settings) {
+  settings_.tolerances = settings.tolerances;
+  if (same_penalties(settings_, settings)) return;
+  settings_.traction = settings.traction;
+  settings_.solvent = settings.solvent;
+  settings_.solute = settings.solute;
+  settings_of_noticed_ = beside(settings_);
+  for (const Pass& pass : passes_) pass.integral->update_penalties();
+}
+
 }  // namespace mixture_contact

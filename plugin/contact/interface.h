@@ -160,6 +160,9 @@ class ContactInterface {
   /// Replaces stiffness and conductance of a surface's facets and recomputes the penalties.
   void update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance);
 
+  /// Takes penalties and tolerances from these settings, which may follow load curves; the others stay as they are.
+  void update_laws(const Settings& settings);
+
   const Effects& effects() const { return effects_; }
   const Settings& settings() const { return settings_; }
   const SurfaceMesh& mesh(Side side) const { return mesh_[side]; }

@@ -22,6 +22,10 @@ enum class Integration {
 struct PenaltyRule {
   bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
   double value = 1.0;
+
+  friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {
+    return a.automatic == b.automatic && a.value == b.value;
+  }
 };
 
 /// Default multiples of the local stiffness and conductance. A jump is about 1/factor of the drop across the adjoining
@@ -67,5 +71,9 @@ struct Settings {
   double search_tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still
                                    ///< accepted [-]
 };
+
+inline bool same_penalties(const Settings& a, const Settings& b) {
+  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute;
+}
 
 }  // namespace mixture_contact

@@ -25,6 +25,10 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Totals as they act on this surface; flows out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
 
+  /// Turns the facets round, so that they face the other way. FESurface::Invert() alone leaves their local node
+  /// numbers.
+  void turn_round();
+
   vec3d GetContactForce() override;
   double GetContactArea() override { return total_.area; }
   vec3d GetFluidForce() override;
