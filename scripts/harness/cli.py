@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+import tempfile
+import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -39,8 +41,8 @@ from harness.paths import MODELS, RESULTS
 from harness.price import command as price_command
 from harness.runner import Announce, Runner
 
-MISSED, BAD_INPUT, LEFT_OUT = 1, 2, 3
-"""Exit codes: a bar was missed; the input cannot be used; nothing was missed, but checks were left out."""
+MISSED, BAD_INPUT, LEFT_OUT, OUR_FAULT = 1, 2, 3, 4
+"""Exit codes: a bar was missed; the input cannot be used; none was missed, but checks were left out; our own fault."""
 
 _ABOUT = "Make, run and check models of contact between mixtures."
 app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
@@ -70,8 +72,26 @@ def main() -> None:
     try:
         app()
     except HarnessError as error:
-        Console(stderr=True, highlight=False).print(f"[bold red]error:[/] {_plain(str(error))}")
+        _complain(str(error))
         sys.exit(BAD_INPUT)
+    except Exception as fault:  # the last resort: whatever it is, a user gets a sentence
+        _complain(
+            f"this is a fault of mixcontact ({type(fault).__name__}: {str(fault)[:200]}); please report it with "
+            f"{_written_down(fault)} and the input."
+        )
+        sys.exit(OUR_FAULT)
+
+
+def _complain(message: str) -> None:
+    Console(stderr=True, highlight=False).print(f"[bold red]error:[/] {_plain(message)}", soft_wrap=True)
+
+
+def _written_down(fault: Exception) -> Path:
+    """The file with the traceback and the command."""
+    handle, name = tempfile.mkstemp(prefix="mixcontact-fault-", suffix=".txt")
+    with open(handle, "w", encoding="utf-8") as out:  # noqa: PTH123 - of a handle
+        out.write(f"{sys.argv}\n\n{''.join(traceback.format_exception(fault))}")
+    return Path(name)
 
 
 def _plain(text: str) -> str:

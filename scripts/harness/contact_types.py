@@ -24,8 +24,8 @@ class ContactType:
     ----------
     name : str
         The attribute `type` in a model file.
-    modules : tuple of str
-        FEBio's modules in which it exists.
+    home : str
+        FEBio's module that brings it; empty where every module has it.
     parameters : frozenset of str
         Its parameters, the hidden ones too.
     solvent, solutes : bool
@@ -33,7 +33,7 @@ class ContactType:
     """
 
     name: str
-    modules: tuple[str, ...]
+    home: str
     parameters: frozenset[str]
     solvent: bool = False
     solutes: bool = False
@@ -43,9 +43,33 @@ class ContactType:
         """Whether it is this plugin's."""
         return self.name == MIXTURE
 
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """FEBio's modules in which it works: those that include its home; contact moves nodes, so they have a solid."""
+        return tuple(name for name, included in MODULES.items() if {"solid", self.home or "solid"} <= included)
 
-_ANY = ("solid", "biphasic", "solute", "multiphasic")
-_POROUS = _ANY[1:]
+
+_SOLID = frozenset({"solid"})
+_BIPHASIC = _SOLID | {"biphasic"}
+_SOLUTE_MODULE = _BIPHASIC | {"solute"}
+_MULTIPHASIC = _SOLUTE_MODULE | {"multiphasic"}
+_FLUID = frozenset({"fluid"})
+
+MODULES = {
+    "solid": _SOLID,
+    "explicit-solid": _SOLID,
+    "CG-solid": _SOLID,
+    "biphasic": _BIPHASIC,
+    "solute": _SOLUTE_MODULE,
+    "multiphasic": _MULTIPHASIC,
+    "fluid": _FLUID,
+    "fluid-FSI": _FLUID | _BIPHASIC,
+    "fluid-solutes": _FLUID | _MULTIPHASIC,
+    "multiphasic-FSI": _FLUID | _MULTIPHASIC,
+    "thermo-fluid": _FLUID,
+    "polar fluid": _FLUID,
+}
+"""FEBio's modules, and those whose classes each of them has."""
 
 _OWN = (
     "effects",
@@ -61,10 +85,8 @@ _MIXTURE_PARAMETERS = frozenset(
 )
 
 
-def _febio(
-    name: str, modules: tuple[str, ...], *more: str, solvent: bool = False, solutes: bool = False
-) -> ContactType:
-    return ContactType(name, modules, frozenset((*_BASE, "symmetric_stiffness", *more)), solvent, solutes)
+def _febio(name: str, home: str, *more: str, solvent: bool = False, solutes: bool = False) -> ContactType:
+    return ContactType(name, home, frozenset((*_BASE, "symmetric_stiffness", *more)), solvent, solutes)
 
 
 _NODE_ON_FACET = (set(_BASE) - {"smooth_aug"}) | {"fric_coeff", "fric_penalty", "ktmult"}
@@ -73,15 +95,15 @@ _FACET_ON_FACET = set(_BASE) | {"dxtol", "fric_coeff", "fric_penalty"}
 TYPES = {
     known.name: known
     for known in (
-        ContactType(MIXTURE, _ANY, _MIXTURE_PARAMETERS, solvent=True, solutes=True),
-        _febio("sliding-elastic", _ANY, *_SHELLS, "tension", "offset", "fric_coeff"),
-        _febio("sliding-biphasic", _POROUS, *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),
-        _febio("sliding-biphasic-mixed", _POROUS, *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),
-        _febio("sliding2", _POROUS, *_SOLVENT, "dual_proj", solvent=True),
-        _febio("sliding-biphasic-solute", _POROUS[1:], *_SOLVENT, *_SOLUTE, solvent=True, solutes=True),
-        _febio("sliding-multiphasic", _POROUS[2:], *_SOLVENT, *_SOLUTE, *_FRICTION, solvent=True, solutes=True),
-        ContactType("sliding-node-on-facet", _ANY, frozenset(_NODE_ON_FACET)),
-        ContactType("sliding-facet-on-facet", _ANY, frozenset(_FACET_ON_FACET)),
+        ContactType(MIXTURE, "", _MIXTURE_PARAMETERS, solvent=True, solutes=True),
+        _febio("sliding-elastic", "solid", *_SHELLS, "tension", "offset", "fric_coeff"),
+        _febio("sliding-biphasic", "biphasic", *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),
+        _febio("sliding-biphasic-mixed", "biphasic", *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),
+        _febio("sliding2", "biphasic", *_SOLVENT, "dual_proj", solvent=True),
+        _febio("sliding-biphasic-solute", "solute", *_SOLVENT, *_SOLUTE, solvent=True, solutes=True),
+        _febio("sliding-multiphasic", "multiphasic", *_SOLVENT, *_SOLUTE, *_FRICTION, solvent=True, solutes=True),
+        ContactType("sliding-node-on-facet", "solid", frozenset(_NODE_ON_FACET)),
+        ContactType("sliding-facet-on-facet", "solid", frozenset(_FACET_ON_FACET)),
     )
 }
 """Every sliding type, by its name in a model file."""

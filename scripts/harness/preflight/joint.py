@@ -84,17 +84,21 @@ class Side:
     def inverted(self) -> NDArray[np.bool_]:
         """Facets whose nodes run clockwise seen from outside their element; not those inside a body."""
         faces = self.model.mesh.faces
-        outward = elements.area_vectors(self.model.mesh.points[faces.corners[self.face]])
         alone = np.array([len(found) == 1 for found in self.behind], dtype=bool)
-        return np.asarray(alone & (np.einsum("fi,fi->f", outward, self.areas) < 0.0))
+        outward = elements.area_vectors(self.model.mesh.points[faces.corners[self.face[alone]]])
+        against = np.einsum("fi,fi->f", outward, self.areas[alone]) < 0.0
+        inverted = np.zeros(len(alone), dtype=bool)
+        inverted[alone] = against
+        return inverted
 
     @cached_property
     def thickness(self) -> Array:
         """Volume of the element over the area of the facet, mm; NaN without an element."""
         faces = self.model.mesh.faces
-        volume = np.abs(faces.volume[faces.element[self.face]]) if len(faces.volume) else np.zeros(len(self.face))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return np.where(self.found & (self.area > 0.0), volume / self.area, math.nan)
+        thickness = np.full(len(self.face), math.nan)
+        known = self.found & (self.area > 0.0)
+        thickness[known] = np.abs(faces.volume[faces.element[self.face[known]]]) / self.area[known]
+        return thickness
 
     @cached_property
     def materials(self) -> list[Material | None]:

@@ -92,7 +92,7 @@ def read(document: Document, solutes: Mapping[str, int]) -> dict[str, Material]:
 def _material(tag: Element, solutes: Mapping[str, int]) -> Material:
     kind = attribute(tag, "type")
     porous = kind in POROUS
-    solid = tag.find("solid") if porous else tag
+    solid = tag.find("solid") if porous or kind.endswith("-FSI") else tag
     own: dict[int, Solute] = {}
     for child in children(tag, "solute") if porous else ():
         number = solutes.get(str(child.get("sol")))

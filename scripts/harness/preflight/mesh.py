@@ -16,6 +16,9 @@ from harness.preflight import elements
 from harness.preflight.document import Document, Element, attribute, children, floats, integers, place, text
 from harness.preflight.elements import Ids, Points
 
+SECTIONS = ("Nodes", "Elements", "NodeSet", "Surface", "Edge", "ElementSet", "PartList", "SurfacePair", "DiscreteSet")
+"""What <Mesh> may hold."""
+
 
 @dataclass(frozen=True)
 class Block:
@@ -221,6 +224,7 @@ def read(document: Document) -> Mesh:
     ModelError
         What is missing, unknown or malformed; names file, line and tag.
     """
+    _refuse_unknown(document)
     points, numbering, sets = _read_nodes(document)
     blocks = tuple(_read_block(tag, numbering) for tag in document.all("Mesh", "Elements"))
     if not blocks:
@@ -232,6 +236,15 @@ def read(document: Document) -> Mesh:
     sets |= {f"@surface:{name}": np.unique(surface.corners) for name, surface in surfaces.items()}
     sets |= _sets_of_edges(document, numbering) | _sets_of_elements(document, blocks)
     return Mesh(points, blocks, sets, surfaces, pairs)
+
+
+def _refuse_unknown(document: Document) -> None:
+    for section in document.all("Mesh"):
+        for tag in children(section):
+            if tag.tag not in SECTIONS:
+                raise ModelError(
+                    f"{place(tag)}: FEBio 4 reads no <{tag.tag}> in <Mesh>; there is {', '.join(SECTIONS)}"
+                )
 
 
 def _sets_of_edges(document: Document, numbering: _Numbering) -> dict[str, Ids]:

@@ -58,6 +58,12 @@ class Contact:
         return "all" in words or not words.isdisjoint(names)
 
     @property
+    def has_friction(self) -> bool:
+        """Whether it resists sliding: a friction coefficient other than zero, a formula too, in a type that uses it."""
+        used = self.kind.name != "sliding-facet-on-facet"  # FEBio 4.11 sets its coefficient to zero
+        return used and self.given("fric_coeff") is not None and optional_number(self.tag, "fric_coeff") != 0.0
+
+    @property
     def augmented(self) -> bool:
         """Whether it uses the augmented Lagrangian."""
         found = self.given("laugon")

@@ -6,10 +6,11 @@ import difflib
 import math
 from collections.abc import Iterator
 
-from harness.preflight.document import Element, children, text
+from harness.contact_types import MODULES
+from harness.preflight.document import Element, children, place, text
 from harness.preflight.finding import Finding
 from harness.preflight.joint import Joint
-from harness.preflight.rules.tools import error, note, warning
+from harness.preflight.rules.tools import error, note, short, warning
 
 NOT_NEGATIVE, POSITIVE = "a number that is not negative", "a positive number"
 COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
@@ -25,7 +26,8 @@ ALLOWED = {
         ("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc", "extrapolation"), SWITCH
     ),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
-    **dict.fromkeys(("ambient_pressure", "ambient_concentration"), NUMBER),
+    "ambient_pressure": NUMBER,
+    "ambient_concentration": NOT_NEGATIVE,
 }
 """What each parameter may be, in words; the others may be anything."""
 UNSUPPORTED = {
@@ -35,6 +37,11 @@ UNSUPPORTED = {
     "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
     "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
 }
+FOLLOWED = (
+    *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
+    *("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol"),
+)
+"""Parameters whose load curves sliding-mixture follows."""
 FEW_REFORMATIONS = 15
 
 
@@ -128,24 +135,39 @@ def load_curve(joint: Joint) -> Iterator[Finding]:
                 "sliding-multiphasic takes no load curve on <ambient_concentration>; FEBio stops",
                 "Give a value without a load curve, or use sliding-mixture, which follows it.",
             )
-        elif curve and joint.contact.kind.is_mixture and not str(tag.tag).startswith("ambient_"):
+        elif curve and joint.contact.kind.is_mixture and tag.tag not in FOLLOWED:
             yield error(
                 "load-curve",
                 tag,
                 f"<{tag.tag}> has a load curve; sliding-mixture reads it once, at the start",
-                "Give a value without a load curve; only the <ambient_...> parameters may change in time.",
+                "Give a value without a load curve; penalties, tolerances and ambient values may change in time.",
             )
 
 
 def module(joint: Joint) -> Iterator[Finding]:
     """Types in a module of FEBio's that does not have them."""
     kind, own = joint.contact.kind, joint.model.module
-    if own not in kind.modules:
+    tag = next(joint.model.document.all("Module"))
+    if own not in MODULES:
+        yield warning(
+            "module",
+            tag,
+            f"'{own}' is no module of FEBio 4.11; without a plugin that brings it FEBio stops",
+            f"Use one of {', '.join(kind.modules)}.",
+        )
+    elif "solid" not in MODULES[own]:
+        yield error(
+            "module",
+            tag,
+            f"module '{own}' has no displacements, so there is nothing that contact could move",
+            f"Use one of {', '.join(kind.modules)}.",
+        )
+    elif own not in kind.modules:
         yield error(
             "module",
             joint.contact.tag,
             f"{kind.name} does not exist in FEBio's module '{own}', only in {', '.join(kind.modules)}",
-            "Use another <Module type=...>, or another contact type: sliding-mixture works in all four.",
+            "Use another <Module type=...>, or another contact type: sliding-mixture works wherever solids do.",
         )
 
 
@@ -204,6 +226,58 @@ def ambient_solute(joint: Joint) -> Iterator[Finding]:
             )
 
 
+def negative_ambient(joint: Joint) -> Iterator[Finding]:
+    """Ambient concentrations that a load curve takes below zero."""
+    for tag in children(joint.contact.tag, "ambient_concentration"):
+        if tag.get("lc") in joint.model.curves and _number(tag) >= 0.0:
+            least = float(joint.model.history(tag)[:, 1].min(initial=0.0))
+            if least < 0.0:
+                yield error(
+                    "bad-value",
+                    tag,
+                    f"<ambient_concentration> times its load curve falls to {short(least)}; a concentration is never "
+                    "negative",
+                    "Correct the load curve.",
+                )
+
+
+def given_twice(joint: Joint) -> Iterator[Finding]:
+    """A parameter, or the ambient concentration of a solute, that is there twice."""
+    first: dict[tuple[str, str], Element] = {}
+    for tag in children(joint.contact.tag):
+        key = (str(tag.tag), _solute_meant(joint, tag))
+        if key in first:
+            yield error(
+                "given-twice",
+                tag,
+                f"<{tag.tag}>{key[1]} is given twice, first in line {place(first[key]).line}; one has no effect",
+                "Delete one of them.",
+            )
+        first.setdefault(key, tag)
+
+
+def _solute_meant(joint: Joint, tag: Element) -> str:
+    """The solute that an ambient concentration is of; without `sol` the only one."""
+    if tag.tag != "ambient_concentration":
+        return ""
+    known = joint.model.solutes
+    only = joint.model.solute_numbers[0] if len(joint.model.solute_numbers) == 1 else 0
+    return f" of solute {known.get(str(tag.get('sol')), tag.get('sol', only))}"
+
+
+def no_duration(joint: Joint) -> Iterator[Finding]:
+    """Analysis steps that end as they begin."""
+    for control in joint.model.controls:
+        found = control.find("step_size")
+        if found is not None and not _number(found) > 0.0:
+            yield error(
+                "time-step",
+                found,
+                f"<step_size> is '{text(found)[:40]}': without a positive number the analysis step has no duration",
+                "Give a positive number.",
+            )
+
+
 def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
     """A tangent that is made symmetric."""
     tag = joint.contact.given("symmetric_stiffness")
@@ -240,6 +314,9 @@ RULES = (
     material,
     not_exchanged,
     ambient_solute,
+    negative_ambient,
+    given_twice,
+    no_duration,
     symmetric_tangent,
     reformations,
 )

@@ -60,6 +60,8 @@ def time_step(joint: Joint) -> Iterator[Finding]:
     if control is None or step is None:
         return
     size = optional_number(control, "step_size")
+    if not size > 0.0:
+        return
     for number in sorted(joint.primary.solutes | joint.secondary.solutes):
         start = levels.start_concentrations(joint, number)
         if not start or min(start) > 0.0 or max(start) <= 0.0:
