@@ -7,18 +7,18 @@ import re
 
 import pytest
 
-from harness.contact_types import CONVERTIBLE, TYPES
 from harness.conversion.convert import convert
-from harness.conversion.parameters import DROPPED, Action
+from harness.conversion.fates import DROPPED, Action
 from harness.errors import ModelError
 from harness.models.bath import Apart
 from harness.models.confined import Confined
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
 from harness.models.parts import Param, concentration, pressure
-from harness.parameters import registered
+from harness.pages.plugin_parameters import registered
 from harness.paths import REPOSITORY
-from harness.preflight.rules.parameters import CHOICES
+from harness.preflight.contact_types import CONVERTIBLE, TYPES
+from harness.preflight.rules.settings import CHOICES
 
 
 def text(*params, join=Join.SOLUTE):

@@ -31,9 +31,9 @@ from harness.paths import MODELS, REPOSITORY
 from harness.preflight import elements
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
-from harness.preflight.joint import TRACTION, Joint, solute
 from harness.preflight.model import read
 from harness.preflight.penalty import leak, penalty
+from harness.preflight.sides import TRACTION, Joint, solute
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
 SOUND = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)

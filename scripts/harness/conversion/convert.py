@@ -6,19 +6,19 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from harness.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.conversion import spans
-from harness.conversion.parameters import DEFAULT, WRITTEN, Action, Change, fate, missing
+from harness.conversion.fates import DEFAULT, WRITTEN, Action, Change, fate, missing
 from harness.conversion.refusals import refusals
 from harness.conversion.spans import Edit, Span
 from harness.errors import ModelError
-from harness.preflight import document as documents
 from harness.preflight import model as models
+from harness.preflight import xml_file as documents
 from harness.preflight.check import check
+from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.preflight.finding import Severity
 from harness.preflight.held_nodes import held_nodes
-from harness.preflight.joint import Joint
 from harness.preflight.model import Model
+from harness.preflight.sides import Joint
 
 NOT_OURS = {
     "concentration gap": "contact solute jump",

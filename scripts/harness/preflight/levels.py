@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.preflight.document import Element, children, text
-from harness.preflight.joint import Joint
 from harness.preflight.model import Condition, Contact, Model
+from harness.preflight.sides import Joint
+from harness.preflight.xml_file import Element, children, text
 
 Array = NDArray[np.float64]
 

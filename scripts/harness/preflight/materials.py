@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from harness.errors import ModelError
-from harness.preflight.document import Document, Element, attribute, children, optional_number, place
+from harness.preflight.xml_file import Document, Element, attribute, children, optional_number, place
 
 POROUS = ("biphasic", "biphasic-solute", "triphasic", "multiphasic", "multiphasic-multigeneration")
 RIGID = "rigid body"

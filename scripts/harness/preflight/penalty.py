@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.closed_forms.penalty_leak import relative_jump
-from harness.preflight.document import Element
-from harness.preflight.joint import TRACTION, Field, Joint
+from harness.preflight.sides import TRACTION, Field, Joint
+from harness.preflight.xml_file import Element
 
 TRACTION_FACTOR, FLUX_FACTOR = 1e3, 1e5
 """`default_traction_factor` and `default_flux_factor` of plugin/contact/settings.h."""

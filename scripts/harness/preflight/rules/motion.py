@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.preflight.document import Element, children, flag, text
 from harness.preflight.finding import Finding
-from harness.preflight.joint import Joint, Side
 from harness.preflight.model import Condition, Model
 from harness.preflight.rules.tools import short, warning
+from harness.preflight.sides import Joint, Side
+from harness.preflight.xml_file import Element, children, flag, text
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 
 from harness.preflight.finding import Finding
-from harness.preflight.joint import TRACTION, Field, Joint
 from harness.preflight.penalty import Penalty, leak, penalty, penalty_for
 from harness.preflight.rules.tools import error, note, percent, short, warning
+from harness.preflight.sides import TRACTION, Field, Joint
 
 LARGEST_LEAK = 0.01
 """Jump over the difference across both bodies that passes without a word."""

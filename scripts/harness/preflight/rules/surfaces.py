@@ -11,8 +11,8 @@ from scipy.sparse.csgraph import connected_components
 
 from harness.preflight import rays
 from harness.preflight.finding import Finding
-from harness.preflight.joint import Joint, Side, sample
 from harness.preflight.rules.tools import error, note, warning
+from harness.preflight.sides import Joint, Side, sample
 
 SHARP = np.cos(np.radians(60.0))
 """Cosine of the angle between the normals of neighbouring facets from which the edge between them is sharp."""
