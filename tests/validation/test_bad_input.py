@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from harness import engine
 from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
 from harness.models.parts import Control, Param
+from harness.run import engine
 
 pytestmark = pytest.mark.mixture_only
 
