@@ -56,6 +56,7 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
   std::vector<GapSums> flux(static_cast<std::size_t>(effects.scalar_fields()));
   const Penalties& base = pass.penalty();
   const NodalLoads loads = pass.nodal_loads(primary, secondary);
+  const VectorXd rounding = pass.field_rounding(primary, secondary);
   for (Index node = 0; node < loads.area.size(); ++node) {
     if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
     // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
@@ -63,8 +64,10 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
     traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
     if (!loads.sealed[static_cast<std::size_t>(node)]) continue;
     for (int k = 0; k < effects.scalar_fields(); ++k) {
-      flux[static_cast<std::size_t>(k)].add(loads.flux_area(k, node), base.conductance(k, node), loads.jump(k, node),
-                                            loads.flux(k, node), primary.scalar(node, k));
+      const bool is_rounding = std::abs(loads.jump(k, node)) <= rounding[k];
+      flux[static_cast<std::size_t>(k)].add(loads.flux_area(k, node), base.conductance(k, node),
+                                            is_rounding ? 0.0 : loads.jump(k, node), loads.flux(k, node),
+                                            primary.scalar(node, k));
     }
   }
   GapReport report{traction.field_gap(), {}};

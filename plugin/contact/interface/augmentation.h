@@ -27,7 +27,8 @@ inline double larger(double one, double other) { return one > other || std::isna
 ///
 /// The relative measure is free of units: rms(eps0 gap)/rms(load), with eps0 the stiffness or conductance of the
 /// adjoining elements. Where no load flows, the jump is compared with the field's own size instead, so 0/0 never
-/// arises.
+/// arises; and a jump within ContactPass::field_rounding() is none, so that a pressure that nothing drives is
+/// converged.
 GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary,
                        const Effects& effects);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace mixture_contact {
 namespace {
@@ -90,6 +91,11 @@ FacetVector area_of_nodes(const PointContact& contact, bool integrated) {
 }
 
 VectorXd inverse_or_zero(const VectorXd& values) { return (values.array() > 0).select(values.array().inverse(), 0.0); }
+
+bool fits(const Multipliers& multipliers, Index nodes, Index fields) {
+  return multipliers.traction.size() == nodes && multipliers.flux.rows() == fields &&
+         multipliers.flux.cols() == nodes && multipliers.flux_growth.size() == fields;
+}
 
 void keep_worst(FieldGap& worst, const FieldGap& gap) {
   worst.relative = larger(worst.relative, gap.relative);
@@ -352,7 +358,24 @@ ContactInterface::State ContactInterface::state() const {
   return state;
 }
 
+void ContactInterface::check(const State& state) const {
+  const auto require = [](bool sound, const std::string& what) {
+    if (!sound) throw std::invalid_argument("a stored state of the contact does not fit it: " + what);
+  };
+  for (const int node : state.noticed) {
+    require(node >= 0 && node < mesh_[Side::secondary].nodes, "secondary node " + std::to_string(node));
+  }
+  require(!settings_.two_pass || state.noticed.empty(), "noticed nodes with two passes");
+  const std::size_t passes = settings_.two_pass || !state.noticed.empty() ? 2 : 1;
+  require(state.multipliers.size() == passes, "multipliers of " + std::to_string(state.multipliers.size()) + " passes");
+  for (std::size_t pass = 0; pass < passes; ++pass) {
+    require(fits(state.multipliers[pass], mesh_[both_sides.at(pass)].nodes, effects_.scalar_fields()),
+            "multipliers of pass " + std::to_string(pass));
+  }
+}
+
 void ContactInterface::restore(State state) {
+  check(state);
   std::vector<bool> noticed(noticed_.size(), false);
   for (const int node : state.noticed) noticed[static_cast<std::size_t>(node)] = true;
   if (noticed != noticed_) {

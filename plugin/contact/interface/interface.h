@@ -179,7 +179,8 @@ class ContactInterface {
     std::vector<Multipliers> multipliers;  ///< per pass
   };
   State state() const;
-  /// Iterations end with it.
+  /// Iterations end with it. Throws std::invalid_argument, and changes nothing, where the state is not one of this
+  /// contact.
   void restore(State state);
 
  private:
@@ -197,6 +198,8 @@ class ContactInterface {
   VectorXd overlap_shares(const std::vector<FacingNode>& nodes, const std::vector<bool>& primary_in_contact) const;
   void notice(const std::vector<FacingNode>& nodes, const VectorXd& shares, const PerSide<SurfaceFields>& fields);
   void limit_second_pass();
+  /// Throws std::invalid_argument unless a state has this contact's nodes, fields and passes.
+  void check(const State& state) const;
   /// Area in contact that belongs to each node of a side, given that of each pass: two full passes cover the same area,
   /// each with the errors of its own integration; a pass of noticed nodes covers what the first one leaves, and its
   /// edge.

@@ -175,6 +175,9 @@ class ContactPass {
   const std::vector<FacetPair>& pairs() const { return pairs_; }
   /// Penalties of the primary nodes.
   const Penalties& penalty() const { return penalties_; }
+  /// Per field; values and jumps below this are rounding: of the field itself and, as the solvent's pressure comes from
+  /// the motion of the solid, of the stress that rounding of positions makes of the stiffness.
+  VectorXd field_rounding(const SurfaceFields& primary, const SurfaceFields& secondary) const;
   /// How many integration points see the other surface.
   std::size_t points() const;
   /// Bytes of what is kept between calls: pairs with their points, multipliers, penalties, and what iterations hold.

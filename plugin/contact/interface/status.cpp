@@ -209,14 +209,22 @@ double ContactPass::traction_rounding() const {
   return multipliers.traction_growth * penalties_.traction.maxCoeff() * rounding_fraction / touch_fraction * touch_;
 }
 
+VectorXd ContactPass::field_rounding(const SurfaceFields& primary, const SurfaceFields& secondary) const {
+  VectorXd rounding(effects_.scalar_fields());
+  for (int field = 0; field < effects_.scalar_fields(); ++field) {
+    const bool is_pressure = effects_.solvent && field == 0;
+    const double stress = is_pressure ? penalties_.stiffness.maxCoeff() / touch_fraction * touch_ : 0.0;
+    rounding[field] = rounding_fraction * std::max({primary.scalar.col(field).cwiseAbs().maxCoeff(),
+                                                    secondary.scalar.col(field).cwiseAbs().maxCoeff(), stress});
+  }
+  return rounding;
+}
+
 bool ContactPass::loads_differ(const NodalLoads& one, const NodalLoads& other, double part,
                                const SurfaceFields& primary, const SurfaceFields& secondary) const {
-  VectorXd flux_rounding(effects_.scalar_fields());
+  VectorXd flux_rounding = field_rounding(primary, secondary);
   for (int field = 0; field < effects_.scalar_fields(); ++field) {
-    const double size = std::max(primary.scalar.col(field).cwiseAbs().maxCoeff(),
-                                 secondary.scalar.col(field).cwiseAbs().maxCoeff());
-    flux_rounding[field] = rounding_fraction * size * multipliers.flux_growth[field] *
-                           penalties_.flux.row(field).maxCoeff();
+    flux_rounding[field] *= multipliers.flux_growth[field] * penalties_.flux.row(field).maxCoeff();
   }
   return differs(one.traction.transpose(), other.traction.transpose(), part,
                  VectorXd::Constant(1, traction_rounding())) ||

@@ -344,6 +344,23 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_without_a_load_are_converged) {
   BOOST_TEST(report.traction.largest == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(a_pressure_that_nothing_drives_is_converged_at_any_tolerance) {
+  // What solvers leave of a pressure that is zero: noise of the size of its rounding, as large as its own jumps.
+  for (const Enforcement enforcement : {Enforcement::augmented_lagrangian, Enforcement::lagrange_multipliers}) {
+    Scene scene = loaded_scene();
+    scene.settings.enforcement = enforcement;
+    scene.settings.tolerances = {off, {1e-8, 0}, off};
+    scene.set_field(0, 3e-17, -2e-17);
+    const auto contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    BOOST_TEST(contact->converged(contact->gaps(scene.fields)));
+    scene.set_field(0, -1e-17, 4e-17);
+    BOOST_TEST(contact->is_solution(scene.fields));
+    scene.set_field(0, 3e-9, -2e-9);  // and one that counts
+    BOOST_TEST(!contact->converged(contact->gaps(scene.fields)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(gaps_between_rigid_bodies_are_measured_against_the_penalty) {
   Scene scene = loaded_scene();
   for (const Side side : both_sides) scene.mesh[side].stiffness.setConstant(std::numeric_limits<double>::infinity());

@@ -232,6 +232,27 @@ BOOST_AUTO_TEST_CASE(a_stored_state_restores_a_contact) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(a_state_that_does_not_fit_is_refused_and_changes_nothing) {
+  for_random_contacts(3, [](const Scene& scene, ContactInterface& contact) {
+    const auto before = answers(contact, scene);
+    const ContactInterface::State sound = contact.state();
+    const auto refused = [&](const auto& spoil) {
+      ContactInterface::State state = sound;
+      spoil(state);
+      BOOST_CHECK_THROW(contact.restore(state), std::invalid_argument);
+      BOOST_TEST((answers(contact, scene) == before));
+    };
+    refused([](auto& state) { state.multipliers.clear(); });
+    refused([](auto& state) { state.multipliers.emplace_back(state.multipliers.front()); });
+    refused([](auto& state) { state.noticed.push_back(0); });  // a second pass without its multipliers
+    refused([&](auto& state) { state.noticed.push_back(scene.mesh[Side::secondary].nodes); });
+    refused([](auto& state) { state.noticed.push_back(-1); });
+    refused([](auto& state) { state.multipliers.front().traction.conservativeResize(1); });
+    refused([](auto& state) { state.multipliers.front().flux.conservativeResize(Eigen::NoChange, 1); });
+    refused([](auto& state) { state.multipliers.front().flux_growth.conservativeResize(7); });
+  });
+}
+
 BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_balance) {
   for (const auto& [one, two] : mixed_pairs) {
     for (const bool two_pass : {false, true}) {
