@@ -1,7 +1,7 @@
 /// Storing the core's values in FEBio's dump streams, which serve restart files and time step cutbacks.
 #pragma once
 
-#include "contact/types.h"
+#include "contact/base/types.h"
 
 #include <FECore/DumpStream.h>
 

@@ -4,7 +4,7 @@
 #include "ambient_concentration.h"
 #include "ambient_nodes.h"
 #include "clamped_concentrations.h"
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 #include "fingerprint.h"
 #include "host/contact_parameters.h"
 #include "host/facet_material.h"

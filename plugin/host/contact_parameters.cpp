@@ -1,6 +1,6 @@
 #include "contact_parameters.h"
 
-#include "contact/quadrature.h"
+#include "contact/geometry/quadrature.h"
 
 #include <algorithm>
 #include <cmath>

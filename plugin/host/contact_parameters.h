@@ -2,7 +2,7 @@
 /// by the hosts.
 #pragma once
 
-#include "contact/settings.h"
+#include "contact/base/settings.h"
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness import engine, logdata
+from harness.run import engine, logdata
 from harness.models import pairs
 from harness.models.interface import ContactSettings
 from harness.models.pairs import Kind

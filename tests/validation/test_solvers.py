@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from harness import engine, logdata
+from harness.run import engine, logdata
 
 MODELS = Path(__file__).parent / "models"
 COLUMNS = ("x", "y", "z", "ux", "uy", "uz")
