@@ -9,7 +9,8 @@ import pytest
 
 from harness.errors import DataFileError
 from harness.models.interface import Join
-from harness.studies.cost import command, files, interleaved, pareto
+from harness.studies import files
+from harness.studies.cost import command, interleaved, pareto
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import OWN, Problem, points

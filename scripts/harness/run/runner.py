@@ -1,4 +1,8 @@
-"""Runs models, each once: what was run before with the same text, plugin and engine is read back."""
+"""Runs models, each once: what was run before with the same text, plugin and engine is read back.
+
+Written here and not taken from joblib or diskcache, because those keep values of functions, and what is kept here is
+the folder that an engine wrote into; and a second process that wants the same run has to wait for it.
+"""
 
 from __future__ import annotations
 
@@ -107,7 +111,7 @@ class Runner:
         EngineNotFoundError, PluginNotFoundError, EngineFailedError
             See `harness.run.engine`.
         """
-        key = _key(model, self.host.binaries(_needs_plugin(model)), options)
+        key = _key(model, self.host.binaries(needs_plugin(model)), options)
         if key not in self._known:
             self._known[key] = self._locked(model, tuple(options), key)
         outcome = self._known[key]
@@ -127,7 +131,7 @@ class Runner:
         with suppress(FileNotFoundError):
             shutil.rmtree(folder)
         path = model.write(folder)
-        command = self.host.command(path, _needs_plugin(model), options)
+        command = self.host.command(path, needs_plugin(model), options)
         progress = self._progress(model)
         finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
@@ -143,7 +147,8 @@ class Runner:
         return lambda time: announce(model.name, min(1.0, time / end))
 
 
-def _needs_plugin(model: Model) -> bool:
+def needs_plugin(model: Model) -> bool:
+    """Whether a contact of the model is the plugin's."""
     return any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
 
 

@@ -16,7 +16,8 @@ from harness.models.interface import Join
 from harness.paths import REPOSITORY, RESULTS
 from harness.run import workflow
 from harness.run.runner import Runner
-from harness.studies.cost import files, interleaved, pareto, point_runs
+from harness.studies import files
+from harness.studies.cost import interleaved, pareto, point_runs
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import INTERFACES, Knob, Problem, points

@@ -15,8 +15,9 @@ from harness.post import compare
 from harness.run import engine
 from harness.run.runner import Runner
 from harness.studies.cost.pareto import LEVELS, comparable, error_of
-from harness.studies.cost.point_runs import Datum, execute
+from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import INTERFACES, Knob, Point, Problem, Size
+from harness.studies.timing import execute
 
 PROBLEMS = (Problem.DIFFUSION, Problem.CONVECTION)
 
@@ -110,7 +111,8 @@ def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> li
         Without an engine or plugin, or where the unsplit body does not run.
     """
     sized = [replace(point, size=SIZES[kind]) for point in points]
-    return [_timed(point, kind, number, execute(point.model(), runner.timeout, check=False), runner) for point in sized]
+    runs = [execute(point.model(), runner.timeout, check=False)[0] for point in sized]
+    return [_timed(point, kind, number, run, runner) for point, run in zip(sized, runs, strict=True)]
 
 
 def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
@@ -119,7 +121,8 @@ def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
     if tool is None:
         return []
     prefix = [tool, "--tool=callgrind", "--callgrind-out-file=/dev/null"]
-    return [_timed(point, Kind.SHORT, 0, execute(point.model(), None, prefix, check=False), runner) for point in points]
+    runs = [execute(point.model(), None, prefix, check=False)[0] for point in points]
+    return [_timed(point, Kind.SHORT, 0, run, runner) for point, run in zip(points, runs, strict=True)]
 
 
 def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runner) -> Timing:

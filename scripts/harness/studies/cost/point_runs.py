@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
+from functools import partial
 from statistics import median
-from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -16,8 +14,8 @@ from harness.models.document import Model
 from harness.models.interface import Join
 from harness.models.parts import Param
 from harness.post import compare
-from harness.run import engine
 from harness.run.runner import Outcome, Runner
+from harness.studies import timing
 from harness.studies.cost.points import TIMES_33, Knob, Point, Problem, finest
 from harness.validate import checks
 
@@ -120,23 +118,10 @@ def _error_33(run: Outcome, reference: Outcome) -> float:
 
 def _pairs(model: Model, whole: Model, timeout: float | None) -> tuple[float, float, float]:
     """Median wall and processor time (s) of a model, and of the ratio of the latter to that of the unsplit one."""
-    runs = [tuple(execute(each, timeout) for each in (model, whole)) for _ in range(PAIRS)]
-    own = [first for first, _ in runs]
-    return median(r.wall for r in own), median(r.cpu for r in own), median(a.cpu / b.cpu for a, b in runs)
-
-
-def execute(model: Model, timeout: float | None, prefix: Sequence[str] = (), *, check: bool = True) -> engine.Run:
-    """Run a model by itself, and keep nothing but what febio4 said; `prefix` stands before its command line.
-
-    Raises
-    ------
-    EngineNotFoundError, PluginNotFoundError, EngineFailedError
-        See `harness.run.engine`.
-    """
-    plugin = any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
-    with TemporaryDirectory() as folder:
-        command = engine.Febio4().command(model.write(Path(folder)), plugin)
-        return engine.execute([*prefix, *command], Path(folder), check=check, timeout=timeout)
+    runs = {name: partial(timing.execute, each, timeout) for name, each in (("own", model), ("whole", whole))}
+    own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
+    ratio = median(a.cpu / b.cpu for a, b in zip(own, other, strict=True))
+    return median(r.wall for r in own), median(r.cpu for r in own), ratio
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:
