@@ -1,6 +1,6 @@
 """Problem 3.3 to the end, with default settings: first touch, a moving edge of contact, fronts thinner than an element.
 
-The iteration counts are exact and repeatable; the bars leave a tenth of room for another version of a linear solver.
+The iteration counts are exact and repeatable; the tolerances leave room of a tenth for another linear solver.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ def problem(module, clamp, primary):
 
 @pytest.mark.parametrize(("module", "clamp", "primary"), list(MEASURED))
 def test_it_runs_to_the_end_without_a_retry(runner, module, clamp, primary):
-    outcome = runner(problem(module, clamp, primary))
-    assert outcome.report.normal
-    assert outcome.nodes.times[-1] == pytest.approx(END)
-    assert outcome.report.retries == 0
-    assert outcome.report.iterations <= 1.1 * MEASURED[module, clamp, primary]
+    result = runner(problem(module, clamp, primary))
+    assert result.report.normal
+    assert result.nodes.times[-1] == pytest.approx(END)
+    assert result.report.retries == 0
+    assert result.report.iterations <= 1.1 * MEASURED[module, clamp, primary]
     if not clamp:  # the solver's clamp creates solute
-        assert np.max(np.abs(curves(outcome).imbalance)) <= 1e-6
+        assert np.max(np.abs(curves(result).imbalance)) <= 1e-6
 
 
 def test_with_the_penalty_of_febio_s_best_run_it_takes_0_6_of_its_iterations(runner):

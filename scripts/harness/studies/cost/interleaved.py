@@ -16,7 +16,7 @@ from harness.run import engine
 from harness.run.runner import Runner
 from harness.studies.cost.pareto import LEVELS, comparable, error_of
 from harness.studies.cost.point_runs import Datum
-from harness.studies.cost.points import INTERFACES, Knob, Point, Problem, Size
+from harness.studies.cost.points import INTERFACES, Parameter, Point, Problem, Size
 from harness.studies.timing import execute
 
 PROBLEMS = (Problem.DIFFUSION, Problem.CONVECTION)
@@ -35,13 +35,13 @@ class Kind(str, Enum):
 
 SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=100), Kind.WIDE: Size(width=4)}
 """Runs of the two that are timed take ten times as long as those of the sweep."""
-OTHERWISE = ((Knob.DEFAULT, 0.0), (Knob.EXTRAPOLATION, 0.0), (Knob.INTEGRATION, 0.0))
+OTHERWISE = ((Parameter.DEFAULT, 0.0), (Parameter.EXTRAPOLATION, 0.0), (Parameter.INTEGRATION, 0.0))
 """Settings of ours that are always timed."""
 _COUNT = re.compile(r"refs:\s+([\d,]+)")
 
 
 Setting = tuple[str, str, float]
-"""Interface, knob and value."""
+"""Interface, parameter and value."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Timing:
 
     Attributes
     ----------
-    problem, interface, knob : str
+    problem, interface, parameter : str
     value : float
     size : str
         Value of `Kind`.
@@ -67,7 +67,7 @@ class Timing:
 
     problem: str
     interface: str
-    knob: str
+    parameter: str
     value: float
     size: str
     turn: int
@@ -80,7 +80,7 @@ class Timing:
     @property
     def setting(self) -> Setting:
         """What was set in which interface."""
-        return (self.interface, self.knob, self.value)
+        return (self.interface, self.parameter, self.value)
 
 
 def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
@@ -90,16 +90,16 @@ def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
     """
     own = comparable(data, problem)
     best = (_fewest([d for d in own if d.interface == i.value], e) for i in INTERFACES for e in LEVELS)
-    chosen = [(Join.UNSPLIT, Knob.DEFAULT, 0.0)]
-    chosen += [(Join.MIXTURE, knob, value) for knob, value in OTHERWISE]
-    chosen += [(Join(d.interface), Knob(d.knob), d.value) for d in best if d]
+    chosen = [(Join.UNSPLIT, Parameter.DEFAULT, 0.0)]
+    chosen += [(Join.MIXTURE, parameter, value) for parameter, value in OTHERWISE]
+    chosen += [(Join(d.interface), Parameter(d.parameter), d.value) for d in best if d]
     return [Point(problem, *one) for one in dict.fromkeys(chosen)]
 
 
 def _fewest(data: Sequence[Datum], error: float) -> Datum | None:
     good = [d for d in data if error_of(d) <= error]
-    knobs = [knob.value for knob in Knob]  # the first of those that are equal
-    return min(good, key=lambda d: (d.iterations, d.residuals, knobs.index(d.knob), d.value), default=None)
+    parameters = [parameter.value for parameter in Parameter]  # the first of those that are equal
+    return min(good, key=lambda d: (d.iterations, d.residuals, parameters.index(d.parameter), d.value), default=None)
 
 
 def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> list[Timing]:
@@ -132,7 +132,7 @@ def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runne
     return Timing(
         point.problem.value,
         point.interface.value,
-        point.knob.value,
+        point.parameter.value,
         point.value,
         kind.value,
         number,
@@ -197,7 +197,7 @@ def ratios(timings: Sequence[Timing], ours: Setting, theirs: Setting) -> tuple[f
 
 
 def _told(timings: Sequence[Timing], setting: Setting, *, named: bool = True) -> str:
-    interface, knob, value = setting
+    interface, parameter, value = setting
     iterations = next(t.iterations for t in timings if t.setting == setting)
-    what = knob if knob == Knob.DEFAULT.value else f"{knob} {value:g}"
+    what = parameter if parameter == Parameter.DEFAULT.value else f"{parameter} {value:g}"
     return f"`{interface}`, {what}: {iterations} it." if named else f"{what} | {iterations}"

@@ -14,9 +14,9 @@ from harness.models.document import Model
 from harness.models.interface import Join
 from harness.models.parts import Param
 from harness.post import compare
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies import timing
-from harness.studies.cost.points import TIMES_33, Knob, Point, Problem, finest
+from harness.studies.cost.points import TIMES_33, Parameter, Point, Problem, finest
 from harness.validate import checks
 
 PAIRS = 3
@@ -31,7 +31,7 @@ class Datum:
 
     Attributes
     ----------
-    problem, interface, knob : str
+    problem, interface, parameter : str
     value : float
     ended : bool
     contact_error : float
@@ -49,7 +49,7 @@ class Datum:
 
     problem: str
     interface: str
-    knob: str
+    parameter: str
     value: float
     ended: bool
     contact_error: float
@@ -85,7 +85,7 @@ def measure(point: Point, runner: Runner) -> Datum:
     return Datum(
         point.problem.value,
         point.interface.value,
-        point.knob.value,
+        point.parameter.value,
         point.value,
         ended,
         contact_error,
@@ -100,13 +100,13 @@ def measure(point: Point, runner: Runner) -> Datum:
     )
 
 
-def _error_closed(point: Point, run: Outcome) -> float:
+def _error_closed(point: Point, run: RunResult) -> float:
     if point.problem is Problem.CONVECTION:
         return compare.error_at(run, "c1", checks.exact_convection(run, 1))
     return compare.error_at(run, "c1", checks.exact_diffusion(run, float(run.nodes.times[-1])))
 
 
-def _error_33(run: Outcome, reference: Outcome) -> float:
+def _error_33(run: RunResult, reference: RunResult) -> float:
     own, best = curves(run), curves(reference)
     errors = []
     for time in TIMES_33:
@@ -126,4 +126,6 @@ def _pairs(model: Model, whole: Model, timeout: float | None) -> tuple[float, fl
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:
     """The parameters of the contact that a datum was measured with."""
-    return Point(Problem(datum.problem), Join(datum.interface), Knob(datum.knob), datum.value).settings.params()
+    return Point(
+        Problem(datum.problem), Join(datum.interface), Parameter(datum.parameter), datum.value
+    ).settings.params()
