@@ -31,6 +31,7 @@ def problem(module, clamp, primary):
     return Indentation(module=module, clamp=clamp, primary=primary, name=name).model()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("module", "clamp", "primary"), list(MEASURED))
 def test_it_runs_to_the_end_without_a_retry(runner, module, clamp, primary):
     result = runner(problem(module, clamp, primary))
@@ -42,6 +43,7 @@ def test_it_runs_to_the_end_without_a_retry(runner, module, clamp, primary):
         assert np.max(np.abs(curves(result).imbalance)) <= 1e-6
 
 
+@pytest.mark.slow
 def test_with_the_penalty_of_febio_s_best_run_it_takes_0_6_of_its_iterations(runner):
     """FEBio's `sliding-multiphasic` took 312 with 4 retries on a model of this problem, 404 with 19 on this one."""
     study = Configuration.PENALTY_1
@@ -54,6 +56,7 @@ def test_with_the_penalty_of_febio_s_best_run_it_takes_0_6_of_its_iterations(run
     assert report.iterations <= 0.6 * 312
 
 
+@pytest.mark.slow
 def test_the_measures_of_validation_meet_their_bars(runner):
     cylinder, slab = (runner(problem("multiphasic", False, primary)) for primary in (Primary.CYLINDER, Primary.SLAB))
     found = [
@@ -63,7 +66,9 @@ def test_the_measures_of_validation_meet_their_bars(runner):
     assert [measure.name for measure in found if not measure.passed] == []
 
 
-@pytest.mark.parametrize(("clamp", "end", "saved"), [(False, 20.0, 0.2), (True, 200.0, 0.18)])
+@pytest.mark.parametrize(
+    ("clamp", "end", "saved"), [(False, 20.0, 0.2), pytest.param(True, 200.0, 0.18, marks=pytest.mark.slow)]
+)
 def test_extrapolation_saves_iterations_and_keeps_the_solution(runner, clamp, end, saved):
     """On the coarse mesh; FEBio's tolerance on the change of a step is 1e-3. With the clamp, until concentrations that
     it holds have become few. Measured: 88 iterations instead of 120, and 160 instead of 207.

@@ -48,7 +48,7 @@ def test_diffusion_agrees_at_every_node_and_time(runs):
     assert max(found.values()) <= BAR, found
 
 
-@pytest.mark.parametrize("peclet", [0, 1, 10])
+@pytest.mark.parametrize("peclet", [*(pytest.param(k, marks=pytest.mark.slow) for k in (0, 1)), 10])
 def test_convection_agrees_at_every_node_and_time(runs, peclet):
     found = differences(*runs(strict(Convection(peclet=peclet).model(), FLOORS[100.0])))
     assert max(found.values()) <= BAR, found

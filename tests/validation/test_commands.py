@@ -101,7 +101,14 @@ def scratch(runner, tmp_path) -> Path:
 
 
 @pytest.mark.mixture_only
-@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: page.name)
+def pages():
+    """Every page with commands; two of them are quick and the first that a reader meets."""
+    quick = ("README.md", "check.md")
+    slow = {page: [] if page.name in quick else [pytest.mark.slow] for page in PAGES if blocks(page)}
+    return [pytest.param(page, marks=marks) for page, marks in slow.items()]
+
+
+@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
 def test_the_commands_of_a_page_run(scratch, page):
     plugin, febio = plugin_library().resolve(), engine.find_engine()
     harness = f"env PYTHONPATH={REPOSITORY / 'scripts'} python -m harness"

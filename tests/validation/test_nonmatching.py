@@ -113,7 +113,9 @@ def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, di
         assert cut.report.iterations <= 1.05 * whole.report.iterations
 
 
-@pytest.mark.parametrize(("nodes", "levels", "order"), [(8, (2, 4), 1.95), (20, (2, 3), 2.85)])
+@pytest.mark.parametrize(
+    ("nodes", "levels", "order"), [(8, (2, 4), 1.95), pytest.param(20, (2, 3), 2.85, marks=pytest.mark.slow)]
+)
 def test_displacement_and_concentration_converge_with_the_order_of_the_elements(runner, nodes, levels, order):
     settings = ContactSettings(integration="segments", laugon="AUGLAG", tolerance=1e-6)
     coarse, fine = (
@@ -124,6 +126,7 @@ def test_displacement_and_concentration_converge_with_the_order_of_the_elements(
         assert np.log(error / fine[name]) / np.log(levels[1] / levels[0]) >= order, name
 
 
+@pytest.mark.slow
 def test_the_reaction_hardly_ripples_as_an_indenter_slides_over_ten_facets(runner):
     result = runner(ironing.Ironing(ContactSettings(integration="segments")).model())
     assert result.report.retries == 0

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import subprocess
+import sys
 from collections import Counter
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -114,3 +116,25 @@ def test_a_cycle_and_an_arrow_up_are_seen(tmp_path):
     found = graph(tmp_path)
     assert upward(found, ROOMS) == ["models.mesh -> run.engine"]
     assert set(cycle(found)) == {"models.mesh", "run.engine"}
+
+
+# ---- which tests are quick ----
+
+
+def test_ci_runs_all_tests_and_every_file_has_quick_ones():
+    assert "scripts/mixcontact test --all" in (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "--collect-only",
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "-m",
+        "not slow",
+        "tests",
+    ]
+    listed = subprocess.run(command, cwd=REPOSITORY, capture_output=True, text=True, check=True).stdout
+    quick = {line.split("::")[0] for line in listed.splitlines() if "::" in line}
+    assert quick == {str(path.relative_to(REPOSITORY)) for path in (REPOSITORY / "tests").rglob("test_*.py")}
