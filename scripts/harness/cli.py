@@ -37,6 +37,7 @@ from harness.hard_cases import command as hard_cases_command
 from harness.models.interface import Join
 from harness.paths import MODELS, RESULTS
 from harness.price import command as price_command
+from harness.robustness import command as robustness_command
 from harness.runner import Announce, Runner
 
 MISSED, BAD_INPUT, LEFT_OUT = 1, 2, 3
@@ -62,6 +63,7 @@ app.command()(cost_command.cost)
 app.command()(cost_command.cost_sweep)
 app.command()(cost_command.cost_turn)
 app.command()(price_command.price)
+app.command()(robustness_command.robustness)
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 
