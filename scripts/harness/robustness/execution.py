@@ -14,7 +14,7 @@ from harness import engine, febio_log, logdata
 from harness.errors import DataFileError
 from harness.robustness import sanitized
 from harness.robustness.feb import NODE_FILE, Feb
-from harness.robustness.sanitized import Sanitized
+from harness.robustness.sanitized import Plugin
 
 _BEGUN = b"===== beginning time step"
 
@@ -23,7 +23,7 @@ _BEGUN = b"===== beginning time step"
 class Way:
     """How models are run: with which library, for how long at most (s), and with how many threads."""
 
-    plugin: Sanitized
+    plugin: Plugin
     timeout: float
     threads: int = 1
 
@@ -74,7 +74,7 @@ def run(model: Feb, folder: Path, way: Way, *, leaks: bool = False) -> Ended:
 
 def execute(options: Sequence[str], folder: Path, way: Way, columns: tuple[str, ...], *, leaks: bool = False) -> Ended:
     """Run febio4 with these options in a folder; its screen output goes into ``screen.txt`` there."""
-    screen, data = folder / "screen.txt", folder / NODE_FILE
+    screen, data = folder / sanitized.SCREEN, folder / NODE_FILE
     data.unlink(missing_ok=True)
     with screen.open("wb") as out:
         try:

@@ -14,33 +14,38 @@ from harness.paths import PLUGIN_NAME, REPOSITORY
 PRESET = "sanitize-plugin"
 BUILD = REPOSITORY / "build" / PRESET
 REPORT = "sanitizer"
-"""Stem of the files into which the sanitizers write, one for each process."""
+"""Stem of the files into which the address sanitizer writes, one for each process."""
+SCREEN = "screen.txt"
+"""What febio4 and the undefined-behaviour sanitizer write."""
 _SUMMARY = re.compile(r"^SUMMARY: \w+Sanitizer: (.*)$|runtime error: (.*)$", re.MULTILINE)
 _LEAK = re.compile(r"^(?:Direct|Indirect) leak of (\d+) byte.*?\n((?:\s+#\d+.*\n)*)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
-class Sanitized:
-    """The library, and the run-time library of the address sanitizer, which febio4 has to load before all others."""
+class Plugin:
+    """The library, and the run-time library of the address sanitizer, if any, which febio4 loads first."""
 
     library: Path
-    runtime: Path
+    runtime: Path | None = None
 
     def environment(self, leaks: bool) -> dict[str, str]:
         """What febio4 needs around it to run with the library; `leaks` asks for a report of what is lost at its end.
 
-        febio4 itself mixes `new []` and `delete` when it writes a plot file, and loses memory at its end.
+        What febio4 itself does is let pass: it mixes `new []` and `delete` when it writes a plot file, copies a string
+        onto itself when it restarts, and loses memory at its end.
         """
+        if self.runtime is None:
+            return {}
         written = f"log_path={REPORT}"
         return {
             "LD_PRELOAD": str(self.runtime),
-            "ASAN_OPTIONS": f"{written}:alloc_dealloc_mismatch=0:detect_leaks={int(leaks)}",
+            "ASAN_OPTIONS": f"{written}:alloc_dealloc_mismatch=0:replace_str=0:detect_leaks={int(leaks)}",
             "LSAN_OPTIONS": "exitcode=0",
             "UBSAN_OPTIONS": f"{written}:print_stacktrace=1",
         }
 
 
-def build() -> Sanitized:
+def build() -> Plugin:
     """Build the library in its own folder, `BUILD`.
 
     Raises
@@ -55,7 +60,7 @@ def build() -> Sanitized:
     library = BUILD / "lib" / PLUGIN_NAME
     if not library.is_file():
         raise HarnessError(f"{library} was not built: febio4 with its SDK is needed.")
-    return Sanitized(library, _runtime())
+    return Plugin(library, _runtime())
 
 
 def _call(*command: str) -> str:
@@ -78,7 +83,8 @@ def _runtime() -> Path:
 
 def reports(folder: Path) -> tuple[str, ...]:
     """What the sanitizers found in the runs of a folder, leaks left out: a line for each."""
-    texts = [path.read_text(errors="replace") for path in sorted(folder.glob(f"{REPORT}.*"))]
+    files = [*sorted(folder.glob(f"{REPORT}.*")), folder / SCREEN]
+    texts = [path.read_text(errors="replace") for path in files]
     found = [" ".join(filter(None, match)) for text in texts for match in _SUMMARY.findall(text)]
     return tuple(dict.fromkeys(line for line in found if "leaked in" not in line))
 

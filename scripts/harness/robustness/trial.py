@@ -71,7 +71,9 @@ class Trial:
         if plain.how == "normal":
             yield self._with_two_threads(seen, plain)
             yield self._restarted(seen, plain)
-            yield self._cut_back(seen, plain)
+            size = variations.end_of(seen) / plain.report.steps
+            yield self._cut_back("cut back", seen, variations.cut_back(seen, size), forced=True)
+            yield self._cut_back("few matrices", seen, variations.starved(seen, variations.FEWEST), forced=False)
         if solvers.is_elastic(model):
             for name in solvers.SOLVERS:
                 yield self._solved_by(name, seen, plain)
@@ -107,15 +109,15 @@ class Trial:
 
     def _restarted(self, model: Feb, plain: Ended) -> Finding:
         """Started anew from each third state, each time from the archive of the run before."""
-        _, *runs = runs_and_first = list(self._links(model, plain.report.steps))
+        links = list(self._links(model, plain.report.steps))
+        runs = links[1:]
         gaps = [_difference(run, plain) for run in runs]
         wanted = (plain.report.steps - 1) // EVERY
-        faults = [fault for run in runs_and_first for fault in run.faults]
+        faults = [fault for run in links for fault in run.faults]
         faults += [f"{len(runs)} restarts instead of {wanted}"] if len(runs) < wanted else []
         gap = max(gaps, default=None)
-        return self._finding(
-            f"restarted {len(runs)} times", runs_and_first[-1], [*faults, *_beyond(gap, ROUND_OFF)], gap
-        )
+        faults += _beyond(gap, ROUND_OFF)
+        return self._finding("restarted", links[-1], faults, gap, note=f"{len(runs)} times")
 
     def _links(self, model: Feb, steps: int) -> Iterator[Ended]:
         """A run, and those that continue the one before from its first archive."""
@@ -131,18 +133,17 @@ class Trial:
             start = ["-r", f"from-{done}.dmp"]
             (folder / start[1]).write_bytes(caught[0])
 
-    def _cut_back(self, model: Feb, plain: Ended) -> Finding:
-        """Against a run that makes the steps that were accepted, and no other ones."""
-        size = variations.end_of(model) / plain.report.steps
-        run = self._run(variations.cut_back(model, size), "cut-back")
+    def _cut_back(self, variation: str, model: Feb, changed: Feb, *, forced: bool) -> Finding:
+        """Against a run that makes the steps that were accepted, and no other ones; `forced` where some must fail."""
+        name = variation.replace(" ", "-")
+        run = self._run(changed, name)
         times = [] if run.nodes is None else [time for time in run.nodes.times.tolist() if time > 0.0]
+        uncut = () if run.report.retries or not forced else ("no step was cut back",)
         if not times:
-            return self._finding("cut back", run, ["no step was accepted"])
-        straight = self._run(variations.with_times(model, times), "same-steps")
-        faults = [*straight.faults, *(() if run.report.retries else ("no step was cut back",))]
-        if straight.how != "normal":
-            faults.append(f"the same steps, not cut back: {straight.how}")
-        return self._same("cut back", run, straight, faults)
+            return self._finding(variation, run, uncut, note="no step was accepted")
+        straight = self._run(variations.with_times(model, times), f"{name}-straight")
+        stopped = () if straight.how == "normal" else (f"the same steps, not cut back: {straight.how}",)
+        return self._same(variation, run, straight, [*straight.faults, *uncut, *stopped])
 
     def _solved_by(self, name: str, model: Feb, plain: Ended) -> Finding:
         run = self._run(solvers.solved_by(model, name), name.replace(" ", "-"))

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import cycle
 
 from lxml import etree
 
 from harness.robustness import feb as xml
 from harness.robustness.feb import Element, Feb
 
-CUT = 0.4
+CUT = 0.5
 """What is left of a step that failed."""
-LIMITS = (1, 2, 3)
-"""Reformations allowed in the attempts that are to fail: they fail at different moments of an iteration."""
+FEW, FEWEST = 8, 2
+"""Matrices in a step."""
+TOLERANCES = {"dtol": 1e-3, "min_residual": 1e-20}
+"""Without which no step ends, with FEBio's own values."""
 EVERY = 3
 """Of the steps each third one is made to fail, and after each third one the run is restarted."""
 _PULSE = 1e-4
-"""Half the time that such a limit holds, relative to a step."""
+"""Half the time for which nothing converges, relative to a step."""
+_NOTHING = 1e-30
+"""Zero would switch a tolerance off."""
 
 
 def shortened(model: Feb, end: float) -> Feb:
@@ -71,29 +74,42 @@ def watched(model: Feb) -> Feb:
 
 
 def cut_back(model: Feb, step: float) -> Feb:
-    """The same model in steps of equal size, each third of which may not form enough matrices to converge."""
-    made = model.copy()
-    solvers = [xml.only(control, "solver") for control in made.controls]
-    for control, solver in zip(made.controls, solvers, strict=True):
-        usual = xml.number(solver, "max_refs", 15.0)
-        curve = xml.add_curve(made, _pulses(end_of(model), step, usual))
-        xml.put(solver, "max_refs", int(usual), lc=curve)
+    """The same model in steps of equal size, each third of which cannot converge at the time that it first aims at.
+
+    Then the tolerances are zero, which load curves can do; the number of matrices that may be formed is small.
+    """
+    made = starved(model, FEW)
+    curve = xml.add_curve(made, _pulses(end_of(model), step))
+    for control in made.controls:
+        solver = xml.only(control, "solver")
+        for tag, usual in TOLERANCES.items():
+            xml.put(solver, tag, f"{xml.number(solver, tag, usual):.17g}", lc=curve)
         _stepper(control, dtmax=f"{step:.17g}", max_retries=20, cutback=CUT)
     return made
 
 
-def _pulses(end: float, step: float, usual: float) -> list[tuple[float, float]]:
+def starved(model: Feb, matrices: int) -> Feb:
+    """The same model with so few matrices in a step that steps which need more iterations are cut back."""
+    made = model.copy()
+    for control in made.controls:
+        xml.put(xml.only(control, "solver"), "max_refs", matrices)
+        if control.find("time_stepper") is None:
+            _stepper(control, dtmax=f"{xml.number(control, 'step_size', 1.0):.17g}", max_retries=5, cutback=CUT)
+    return made
+
+
+def _pulses(end: float, step: float) -> list[tuple[float, float]]:
     width = _PULSE * step
-    points = [(0.0, usual)]
-    for time, limit in zip(_doomed(end, step), cycle(LIMITS)):
-        points += [(time - 2 * width, usual), (time - width, limit), (time + width, limit), (time + 2 * width, usual)]
-    return [*points, (2.0 * end, usual)]
+    points = [(0.0, 1.0)]
+    for time in _doomed(end, step):
+        points += [(time - 2 * width, 1.0), (time - width, _NOTHING), (time + width, _NOTHING), (time + 2 * width, 1.0)]
+    return [*points, (2.0 * end, 1.0)]
 
 
 def _doomed(end: float, step: float) -> list[float]:
-    """The times that the attempts which are to fail aim at, if each of them fails once and no other one does."""
+    """The times before the end that the attempts which are to fail aim at, if they fail once and no other ones do."""
     times, time, count = [], 0.0, 0
-    while time + step <= end * (1.0 + 1e-9):
+    while time + step < end * (1.0 - 1e-9):
         if count % EVERY == 0:
             times.append(time + step)
         time += CUT * step if count % EVERY == 0 else step
