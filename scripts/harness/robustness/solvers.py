@@ -52,26 +52,34 @@ def is_elastic(model: Feb) -> bool:
     return model.module == "solid"
 
 
+def _newton(control: Element) -> Element:
+    """FEBio's solver `solid`, without a method of its own to form matrices."""
+    solver = xml.only(control, "solver")
+    if solver.get("type") != "solid":
+        control.replace(solver, etree.Element("solver", type="solid"))
+        solver = xml.only(control, "solver")
+        xml.put(solver, "symmetric_stiffness", "non-symmetric")
+    for old in solver.findall("qn_method"):
+        solver.remove(old)
+    return solver
+
+
 def _quasi_newton(kind: str) -> Change:
     def change(control: Element) -> None:
-        solver = xml.only(control, "solver")
-        for old in solver.findall("qn_method"):
-            solver.remove(old)
+        solver = _newton(control)
         xml.put(etree.SubElement(solver, "qn_method", type=kind), "max_ups", 10)
 
     return change
 
 
 def _matrix_free(control: Element) -> None:
-    solver = xml.only(control, "solver")
-    for old in solver.findall("qn_method"):
-        solver.remove(old)
+    solver = _newton(control)
     etree.SubElement(solver, "qn_method", type="JFNK")
     etree.SubElement(solver, "linear_solver", type="fgmres")
 
 
 def _arc_length(control: Element) -> None:
-    xml.put(xml.only(control, "solver"), "arc_length", 1)
+    xml.put(_newton(control), "arc_length", 1)
 
 
 def _conjugate_gradients(control: Element) -> None:
