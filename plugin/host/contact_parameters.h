@@ -4,7 +4,9 @@
 
 #include "contact/settings.h"
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Values under FEBio's own names. A `_given` flag tells whether the model sets the parameter.
@@ -41,8 +43,6 @@ struct ContactParameters {
   double search_radius = 0;  ///< [length]
   bool search_radius_given = false;
   int seg_up = 0;
-  bool extrapolation = true;
-  bool extrapolation_given = false;
   bool node_reloc = false;
   int minaug = 0;
   int maxaug = 10;
@@ -50,6 +50,15 @@ struct ContactParameters {
 
   bool flip_primary = false;
   bool flip_secondary = false;
+
+  /// Whether a helper of the solver (newton/helper.h) is on. It acts on the whole model.
+  struct HelperSwitch {
+    bool on = true;
+    bool given = false;
+  };
+  HelperSwitch predictor{false, false};
+  HelperSwitch non_negative_concentrations;
+  HelperSwitch line_search_guard;
 
   // Parameters of FEBio's interfaces that this one has no use for, or not yet.
   double fric_coeff = 0;
@@ -65,7 +74,17 @@ struct ContactParameters {
   bool knmult_given = false;
   bool smooth_aug_given = false;
   bool smooth_fls_given = false;
+
+  // The former name of predictor.
+  bool extrapolation = false;
+  bool extrapolation_given = false;
 };
+
+/// The switches of the solver's helpers by their names.
+inline constexpr std::array<std::pair<const char*, ContactParameters::HelperSwitch ContactParameters::*>, 3>
+    helper_switches{{{"predictor", &ContactParameters::predictor},
+                     {"non_negative_concentrations", &ContactParameters::non_negative_concentrations},
+                     {"line_search_guard", &ContactParameters::line_search_guard}}};
 
 /// What a parameter is measured in.
 enum class Unit { none, length, pressure, concentration };
@@ -103,7 +122,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"search_tol", &p.search_tol_given}, p.search_tol);
   take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);
   take({"seg_up"}, p.seg_up);
-  take({"extrapolation", &p.extrapolation_given}, p.extrapolation);
+  for (const auto& [name, which] : helper_switches) take({name, &(p.*which).given}, (p.*which).on);
   take({"node_reloc"}, p.node_reloc);
   take({"minaug"}, p.minaug);
   take({"maxaug"}, p.maxaug);
@@ -118,6 +137,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"knmult", &p.knmult_given}, p.knmult);
   take({"smooth_aug", &p.smooth_aug_given}, p.smooth_aug);
   take({"smooth_fls", &p.smooth_fls_given}, p.smooth_fls);
+  take({"extrapolation", &p.extrapolation_given}, p.extrapolation);
 }
 
 /// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing
