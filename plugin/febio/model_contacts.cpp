@@ -54,9 +54,9 @@ std::shared_ptr<ModelContacts> ModelContacts::of(FEModel& fem) {
 
 ModelContacts::ModelContacts(FEModel& fem)
     : fem_(fem), solver_(fem), helpers_(solver_), steps_(*this, helpers_), ambient_(fem, solver_, helpers_) {
-  offer<newton::NonNegativeConcentrations>(&ContactParameters::non_negative_concentrations);
-  offer<newton::LineSearchGuard>(&ContactParameters::line_search_guard);
-  offer<newton::Predictor>(&ContactParameters::predictor);
+  offer<newton::NonNegativeConcentrations>(non_negative_concentrations);
+  offer<newton::LineSearchGuard>(line_search_guard);
+  offer<newton::Predictor>(predictor);
   fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_TIMESTEP_SOLVED | CB_SOLVED, this);
 }
 
@@ -86,32 +86,31 @@ std::vector<SteppedContact*> ModelContacts::active_contacts() {
 }
 
 template <class Helper>
-void ModelContacts::offer(HelperSwitch ContactParameters::*which) {
+void ModelContacts::offer(const HelperSwitch& which) {
   helpers_.add(std::make_unique<Helper>(solver_), [this, which] { return is_on(which); });
 }
 
 /// As the active contacts say that give it, or its default.
-bool ModelContacts::is_on(HelperSwitch ContactParameters::*which) const {
+bool ModelContacts::is_on(const HelperSwitch& which) const {
   const std::vector<FEMixtureContact*> contacts = active();
   if (contacts.empty()) return false;
   const auto given = std::find_if(contacts.begin(), contacts.end(), [&](const FEMixtureContact* contact) {
-    return (contact->parameters().*which).given;
+    return contact->parameters().*which.given;
   });
-  return ((given == contacts.end() ? contacts.front() : *given)->parameters().*which).on;
+  return given == contacts.end() ? ContactParameters().*which.on : (*given)->parameters().*which.on;
 }
 
 std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& contact) const {
   std::vector<std::string> list;
   const ContactParameters& own = contact.parameters();
-  for (const auto& [name, which] : helper_switches) {
-    const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&, member = which](const auto* other) {
-      const HelperSwitch& value = other->parameters().*member;
-      return value.given && (own.*member).given && value.on != (own.*member).on;
+  for (const HelperSwitch& which : helper_switches) {
+    const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&](const FEMixtureContact* other) {
+      const ContactParameters& its = other->parameters();
+      return its.*which.given && own.*which.given && its.*which.on != own.*which.on;
     });
-    if (differs)
-      list.push_back("<" + std::string(name) + "> acts on the whole model, and another contact sets it otherwise.");
+    if (differs) list.push_back("<" + std::string(which.name) + "> acts on the whole model, and another contact sets it otherwise.");
   }
-  if (own.predictor.given && own.predictor.on && !solver_.is_predictable())
+  if (own.predictor_given && own.predictor && !solver_.is_predictable())
     list.emplace_back("<predictor> is not available in models with rigid bodies; set it to 0.");
   return list;
 }

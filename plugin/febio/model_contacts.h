@@ -45,10 +45,9 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void limit_rejections(int n) override;
 
  private:
-  using HelperSwitch = ContactParameters::HelperSwitch;
   template <class Helper>
-  void offer(HelperSwitch ContactParameters::*which);
-  bool is_on(HelperSwitch ContactParameters::*which) const;
+  void offer(const HelperSwitch& which);
+  bool is_on(const HelperSwitch& which) const;
   std::vector<FEMixtureContact*> active() const;
   void keep_matrix_if_it_fits();
   void on_callback(unsigned int when);

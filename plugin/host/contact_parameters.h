@@ -6,7 +6,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 /// Values under FEBio's own names. A `_given` flag tells whether the model sets the parameter.
@@ -51,14 +50,13 @@ struct ContactParameters {
   bool flip_primary = false;
   bool flip_secondary = false;
 
-  /// Whether a helper of the solver (newton/helper.h) is on. It acts on the whole model.
-  struct HelperSwitch {
-    bool on = true;
-    bool given = false;
-  };
-  HelperSwitch predictor{false, false};
-  HelperSwitch non_negative_concentrations;
-  HelperSwitch line_search_guard;
+  // Whether helpers of the solver (newton/helper.h) are on. They act on the whole model.
+  bool predictor = false;
+  bool predictor_given = false;
+  bool non_negative_concentrations = true;
+  bool non_negative_concentrations_given = false;
+  bool line_search_guard = true;
+  bool line_search_guard_given = false;
 
   // Parameters of FEBio's interfaces that this one has no use for, or not yet.
   double fric_coeff = 0;
@@ -80,11 +78,19 @@ struct ContactParameters {
   bool extrapolation_given = false;
 };
 
-/// The switches of the solver's helpers by their names.
-inline constexpr std::array<std::pair<const char*, ContactParameters::HelperSwitch ContactParameters::*>, 3>
-    helper_switches{{{"predictor", &ContactParameters::predictor},
-                     {"non_negative_concentrations", &ContactParameters::non_negative_concentrations},
-                     {"line_search_guard", &ContactParameters::line_search_guard}}};
+/// The switch of one of the solver's helpers.
+struct HelperSwitch {
+  const char* name;
+  bool ContactParameters::*on;
+  bool ContactParameters::*given;
+};
+inline constexpr HelperSwitch predictor{"predictor", &ContactParameters::predictor, &ContactParameters::predictor_given};
+inline constexpr HelperSwitch non_negative_concentrations{"non_negative_concentrations",
+                                                          &ContactParameters::non_negative_concentrations,
+                                                          &ContactParameters::non_negative_concentrations_given};
+inline constexpr HelperSwitch line_search_guard{"line_search_guard", &ContactParameters::line_search_guard,
+                                                &ContactParameters::line_search_guard_given};
+inline constexpr std::array<HelperSwitch, 3> helper_switches{predictor, non_negative_concentrations, line_search_guard};
 
 /// What a parameter is measured in.
 enum class Unit { none, length, pressure, concentration };
@@ -122,7 +128,9 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"search_tol", &p.search_tol_given}, p.search_tol);
   take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);
   take({"seg_up"}, p.seg_up);
-  for (const auto& [name, which] : helper_switches) take({name, &(p.*which).given}, (p.*which).on);
+  take({"predictor", &p.predictor_given}, p.predictor);
+  take({"non_negative_concentrations", &p.non_negative_concentrations_given}, p.non_negative_concentrations);
+  take({"line_search_guard", &p.line_search_guard_given}, p.line_search_guard);
   take({"node_reloc"}, p.node_reloc);
   take({"minaug"}, p.minaug);
   take({"maxaug"}, p.maxaug);

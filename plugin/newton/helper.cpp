@@ -10,7 +10,7 @@ void Helpers::add(std::unique_ptr<Helper> helper, Switch is_on) {
 
 template <class Use>
 void Helpers::for_each(const Use& use) const {
-  if (!solver_.is_newton()) return;
+  if (solver_ == nullptr || !solver_->is_newton()) return;
   for (const Switched& switched : helpers_) {
     if (switched.is_on()) use(*switched.helper);
   }

@@ -62,7 +62,9 @@ class Helper {
 /// The helpers of a model. One that is switched off is not told of anything but restarts.
 class Helpers {
  public:
-  explicit Helpers(Solver& solver) : solver_(solver) {}
+  /// None.
+  Helpers() = default;
+  explicit Helpers(Solver& solver) : solver_(&solver) {}
 
   /// Switches that can change from step to step.
   using Switch = std::function<bool()>;
@@ -96,7 +98,7 @@ class Helpers {
   template <class Ask>
   bool any(const Ask& ask) const;
 
-  Solver& solver_;
+  Solver* solver_ = nullptr;
   std::vector<Switched> helpers_;
 };
 

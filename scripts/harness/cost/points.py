@@ -43,11 +43,11 @@ class Knob(str, Enum):
     PENALTY = "penalty factor"
     AUGLAG = "AUGLAG tolerance"
     LAGMULT = "LAGMULT"
-    EXTRAPOLATION = "extrapolation"
+    PREDICTOR = "predictor"
     NEWTON = "Newton tolerance"
 
 
-OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT, Knob.EXTRAPOLATION)
+OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT, Knob.PREDICTOR)
 """Of the plugin's interface alone."""
 VALUES: dict[Knob, tuple[float, ...]] = {
     Knob.DEFAULT: (0.0,),
@@ -58,7 +58,7 @@ VALUES: dict[Knob, tuple[float, ...]] = {
     Knob.PENALTY: tuple(10.0**k for k in range(7)),
     Knob.AUGLAG: tuple(10.0**-k for k in range(1, 8)),
     Knob.LAGMULT: (0, 1),
-    Knob.EXTRAPOLATION: (0,),
+    Knob.PREDICTOR: (1,),
     Knob.NEWTON: (1e-1, 1e-3, 1e-6),
 }
 VALUES_33: dict[Knob, tuple[float, ...]] = {
@@ -70,7 +70,7 @@ VALUES_33: dict[Knob, tuple[float, ...]] = {
     Knob.PENALTY: (1.0, 10.0, 100.0, 1000.0),
     Knob.AUGLAG: (1e-1, 1e-2),
     Knob.LAGMULT: (0, 1),
-    Knob.EXTRAPOLATION: (0,),
+    Knob.PREDICTOR: (1,),
     Knob.NEWTON: (1e-2, 1e-4),
 }
 """Of problem 3.3: elements over the half-width of the slab (else 9), and a factor on the number of steps."""
@@ -130,8 +130,8 @@ class Point:
             return replace(automatic(AUGLAG_START), laugon="AUGLAG", tolerance=self.value)
         if self.knob is Knob.ORDER:
             return replace(base, extra=(Param("integration_order", int(self.value)),))
-        if self.knob is Knob.EXTRAPOLATION:
-            return replace(base, extra=(Param("extrapolation", bool(self.value)),))
+        if self.knob is Knob.PREDICTOR:
+            return replace(base, extra=(Param("predictor", bool(self.value)),))
         if self.knob in (Knob.INTEGRATION, Knob.LAGMULT):
             return replace(
                 base,

@@ -33,7 +33,7 @@ class Kind(str, Enum):
 
 SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=100), Kind.WIDE: Size(width=4)}
 """Runs of the two that are timed take ten times as long as those of the sweep."""
-OTHERWISE = ((Knob.DEFAULT, 0.0), (Knob.EXTRAPOLATION, 0.0), (Knob.INTEGRATION, 0.0))
+OTHERWISE = ((Knob.DEFAULT, 0.0), (Knob.PREDICTOR, 1.0), (Knob.INTEGRATION, 0.0))
 """Settings of ours that are always timed."""
 _COUNT = re.compile(r"refs:\s+([\d,]+)")
 
@@ -82,7 +82,7 @@ class Timing:
 
 
 def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
-    """The unsplit body; ours by default, without extrapolation, and with Gauss points; and what reached each error.
+    """The unsplit body; ours by default, with the predictor, and with Gauss points; and what reached each error.
 
     Of settings that reached it the one that took the fewest iterations.
     """

@@ -21,9 +21,8 @@ ALLOWED = {
     **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
     **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), POSITIVE),
     **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
-    **dict.fromkeys(
-        ("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc", "extrapolation"), SWITCH
-    ),
+    **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
+    **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
     **dict.fromkeys(("ambient_pressure", "ambient_concentration"), NUMBER),
 }
@@ -35,17 +34,18 @@ UNSUPPORTED = {
     "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
     "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
 }
+RENAMED = {"extrapolation": "predictor"}
 FEW_REFORMATIONS = 15
 
 
 def unknown_parameter(joint: Joint) -> Iterator[Finding]:
     """Parameters that the contact's type does not have."""
-    known = joint.contact.kind.parameters
+    known = joint.contact.kind.parameters - RENAMED.keys()
     for tag in children(joint.contact.tag):
         name = str(tag.tag)
         if name in known:
             continue
-        near = difflib.get_close_matches(name, known, 1)
+        near = [RENAMED[name]] if name in RENAMED else difflib.get_close_matches(name, known, 1)
         yield error(
             "unknown-parameter",
             tag,
