@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from harness import engine
 from harness.errors import EngineNotFoundError, PluginNotFoundError
-from harness.runner import Runner
+from harness.run import engine
+from harness.run.runner import Runner
 
 
 @pytest.fixture(scope="session")

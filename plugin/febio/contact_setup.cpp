@@ -3,9 +3,13 @@
 #include "material_properties.h"
 #include "newton/vector_entry.h"
 
+#include <FEBioMech/FEExplicitSolidSolver.h>
+#include <FECore/FEAnalysis.h>
 #include <FECore/FEModel.h>
+#include <FECore/FENewtonSolver.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -65,11 +69,16 @@ SurfaceMesh surface_mesh(FESurface& surface, const std::vector<FacetMaterial>& m
 
 // ------------------------------------------------------------ checks
 
-bool ContactSetup::check_parameters() const {
+bool ContactSetup::has_sound_values() const {
   const std::vector<std::string> wrong = complaints(parameters_);
   log_.errors(wrong);
-  for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
   return wrong.empty();
+}
+
+bool ContactSetup::check_parameters() const {
+  const bool sound = has_sound_values();
+  for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
+  return sound;
 }
 
 bool ContactSetup::check_surfaces() const {
@@ -89,19 +98,32 @@ bool ContactSetup::check_surfaces() const {
   return false;
 }
 
-bool ContactSetup::check_ambient(const std::vector<FEMixtureAmbientConcentration*>& concentrations) const {
+std::string ContactSetup::complaint(const FEMixtureAmbientConcentration& ambient) const {
   const int solutes = dofs_.concentrations();
-  for (const FEMixtureAmbientConcentration* ambient : concentrations) {
-    if (ambient->solute < 0 || ambient->solute > solutes) {
-      log_.error("<ambient_concentration sol=\"" + std::to_string(ambient->solute) +
-                 "\"> names a solute that the model does not have. It has " + std::to_string(solutes) + ".");
-      return false;
-    }
-    if (ambient->solute == 0 && solutes != 1) {
-      log_.error("<ambient_concentration> needs the attribute sol=\"...\" to say which of the model's " +
-                 std::to_string(solutes) + " solutes it is for.");
-      return false;
-    }
+  if (ambient.solute < 0 || ambient.solute > solutes) {
+    return "<ambient_concentration sol=\"" + std::to_string(ambient.solute) +
+           "\"> names a solute that the model does not have. It has " + std::to_string(solutes) + ".";
+  }
+  if (ambient.solute == 0 && solutes != 1) {
+    return "<ambient_concentration> needs the attribute sol=\"...\" to say which of the model's " +
+           std::to_string(solutes) + " solutes it is for: a name or an id of <Solutes>.";
+  }
+  if (!std::isfinite(ambient.value) || ambient.value < 0)
+    return "<ambient_concentration> is " + std::to_string(ambient.value) + "; it must be a number that is not negative.";
+  const auto is_same = [&](const FEMixtureAmbientConcentration* other) {
+    return std::max(other->solute, 1) == std::max(ambient.solute, 1);
+  };
+  if (std::count_if(ambient_.begin(), ambient_.end(), is_same) > 1)
+    return "<ambient_concentration> is given more than once for the same solute. Give each solute's once.";
+  return "";
+}
+
+bool ContactSetup::check_ambient() const {
+  for (const FEMixtureAmbientConcentration* ambient : ambient_) {
+    const std::string wrong = complaint(*ambient);
+    if (wrong.empty()) continue;
+    log_.error(wrong);
+    return false;
   }
   return true;
 }
@@ -115,7 +137,17 @@ bool ContactSetup::has_penalty(const BoundContact& contact) const {
 }
 
 bool ContactSetup::can_have_multipliers(const BoundContact& contact) const {
-  if (contact.core().multiplier_layout().size() == 0 || dofs_.deformable_node() >= 0) return true;
+  if (contact.core().multiplier_layout().size() == 0) return true;
+  for (int i = 0; i < fem_.Steps(); ++i) {
+    FESolver* const solver = fem_.GetStep(i)->GetFESolver();
+    if (solver == nullptr || dynamic_cast<const FENewtonSolver*>(solver) != nullptr) continue;
+    log_.error(
+        "<laugon>LAGMULT</laugon> needs a solver of Newton's kind, since its multipliers are unknowns of the matrix; that "
+        "of step " +
+        std::to_string(i + 1) + " is " + solver->GetTypeStr() + ". Use PENALTY or AUGLAG.");
+    return false;
+  }
+  if (dofs_.deformable_node() >= 0) return true;
   log_.error(
       "both surfaces are rigid, so there is nothing that <laugon>LAGMULT</laugon> could be solved for. Use PENALTY or "
       "AUGLAG.");
@@ -173,6 +205,23 @@ bool ContactSetup::build(BoundContact& contact) {
 
 void ContactSetup::update_properties(const BoundContact& contact) const {
   if (const auto found = materials()) update_materials(contact.core(), *found);
+}
+
+SolverKind ContactSetup::solver_kind() const {
+  const FESolver* const solver = fem_.GetCurrentStep()->GetFESolver();
+  if (dynamic_cast<const FENewtonSolver*>(solver) != nullptr) return SolverKind::newton;
+  const auto* dynamics = dynamic_cast<const FEExplicitSolidSolver*>(solver);
+  return dynamics == nullptr ? SolverKind::conjugate_gradient : SolverKind::explicit_dynamics;
+}
+
+void ContactSetup::update_laws(const BoundContact& contact) const {
+  contact.core().update_laws(core_settings(parameters_, solver_kind()));
+}
+
+bool ContactSetup::follow_load_curves(const BoundContact& contact) const {
+  const bool sound = has_sound_values() && check_ambient();
+  if (sound) update_laws(contact);
+  return sound;
 }
 
 // ------------------------------------------------------------ traction

@@ -47,11 +47,15 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
   archive(ar, mesh.conductance);
 }
 
-void archive_effects(DumpStream& ar, Effects& effects) { ar & effects.traction & effects.solvent & effects.solutes; }
+void archive_effects(DumpStream& ar, Effects& effects) {
+  ar & effects.traction & effects.solvent;
+  archive(ar, effects.solutes);
+}
 
 void archive_state(DumpStream& ar, ContactInterface::State& state) {
   int passes = newton::count(state.multipliers);
-  ar & state.noticed & passes;
+  archive(ar, state.noticed);
+  ar & passes;
   state.multipliers.resize(std::size_t(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
 }

@@ -1,7 +1,7 @@
 /// Storing what the core is made of, and its state, in FEBio's dump streams.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 
 class DumpStream;
 

@@ -41,7 +41,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       surfaces_(*fem, *this),
       dofs_(*fem, surfaces_),
       bound_(surfaces_, dofs_, parameters_, log_),
-      setup_(*fem, surfaces_, dofs_, parameters_, log_),
+      setup_(*fem, surfaces_, dofs_, parameters_, ambient_concentrations_, log_),
       assembly_(bound_, dofs_),
       output_(bound_, surfaces_, log_) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
@@ -64,9 +64,9 @@ bool FEMixtureContact::Init() {
   for (const Side side : both_sides) {
     if (!surfaces_[side].Init()) return false;
   }
-  if (parameters_.flip_primary) surfaces_[Side::primary].Invert();
-  if (parameters_.flip_secondary) surfaces_[Side::secondary].Invert();
-  return setup_.check_surfaces() && setup_.build(bound_) && setup_.check_ambient(ambient_concentrations_);
+  if (parameters_.flip_primary) surfaces_[Side::primary].turn_round();
+  if (parameters_.flip_secondary) surfaces_[Side::secondary].turn_round();
+  return setup_.check_surfaces() && setup_.build(bound_) && setup_.check_ambient();
 }
 
 int FEMixtureContact::InitEquations(int first) {
@@ -81,6 +81,7 @@ void FEMixtureContact::Activate() {
     surfaces_.relocate_primary(core().without_overlap(surfaces_.positions()));
     relocated_ = true;
   }
+  setup_.update_laws(bound_);
   setup_.update_properties(bound_);
   ask_for_nonsymmetric_matrix();
   model_->activate(*this);
@@ -95,7 +96,7 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
   if (parameters_.symmetric_stiffness) return;
   FEModel& model = *GetFEModel();
   for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
-    FESolver* solver = model.GetStep(i)->GetFESolver();
+    auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
     if (solver == nullptr || solver->m_msymm != REAL_SYMMETRIC) continue;
     solver->m_msymm = REAL_UNSYMMETRIC;
     log_.say("the matrix of step " + std::to_string(i + 1) +
@@ -107,12 +108,16 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
 // ------------------------------------------------------------ steps and iterations
 
 void FEMixtureContact::PrepStep() {
-  if (!may_run_) throw FatalError();
+  if (!may_run_ || !setup_.follow_load_curves(bound_)) throw FatalError();
   if (reads_properties_again(parameters_)) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
 
-void FEMixtureContact::Update() { model_->steps().evaluate(this); }
+void FEMixtureContact::Update() {
+  // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
+  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_)) throw FatalError();
+  model_->steps().evaluate(this);
+}
 
 void FEMixtureContact::Update(const std::vector<double>& total, const std::vector<double>& increment) {
   bound_.set_multipliers(total, increment);

@@ -58,7 +58,7 @@ class FEMixtureContact : public FEContactInterface {
 
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;
-  std::vector<FEMixtureAmbientConcentration*> ambient_concentrations_;
+  AmbientConcentrations ambient_concentrations_;
   ContactLog log_;
   ContactSurfaces surfaces_;
   DofMap dofs_;

@@ -1,7 +1,7 @@
 /// The times of a contact, as hosts write them at the end of a run.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 
 #include <string>
 #include <vector>

@@ -1,68 +1,60 @@
-"""The command line of the harness."""
+"""The command line of the harness: which command is which function, and what is said where one fails."""
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
+import tempfile
+import traceback
 from pathlib import Path
-from typing import Annotated
 
 import typer
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
-from rich.table import Table
+from rich.markup import escape
 
-from harness import (
-    catalogue,
-    engine,
-    engines_command,
-    febfile,
-    figures,
-    gallery_command,
-    hosts,
-    indentation_command,
-    pages_command,
-    preflight_command,
-    results,
-    validation,
-)
-from harness.checks import CHECKS, Check, Context
-from harness.compare import Measure
-from harness.cost import command as cost_command
+from harness.conversion import command as conversion
 from harness.errors import HarnessError
-from harness.fuzz import command as fuzz_command
-from harness.hard_cases import command as hard_cases_command
-from harness.models.interface import Join
-from harness.paths import MODELS, RESULTS
-from harness.price import command as price_command
-from harness.runner import Announce, Runner
+from harness.indentation import command as indentation
+from harness.pages import command as pages
+from harness.pages.gallery import command as gallery
+from harness.preflight import command as preflight
+from harness.run import command as run
+from harness.studies.cost import command as cost
+from harness.studies.fuzz import command as fuzz
+from harness.studies.hard_cases import command as hard_cases
+from harness.studies.price import command as price
+from harness.validate import command as validate
+from harness.validate import engines_command
 
-MISSED, BAD_INPUT, LEFT_OUT = 1, 2, 3
-"""Exit codes: a bar was missed; the input cannot be used; nothing was missed, but checks were left out."""
+BAD_INPUT, OUR_FAULT = 2, 4
+"""Exit codes: the input cannot be used; a fault in here."""
 
 _ABOUT = "Make, run and check models of contact between mixtures."
 app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
-app.command()(indentation_command.indentation)
-app.command()(engines_command.engines)
-app.command("gallery")(gallery_command.gallery_command)
-app.command()(pages_command.pages)
-app.command("report")(pages_command.report_command)
-app.command("indentation-convergence")(indentation_command.indentation_convergence_command)
-app.command("indentation-extremes")(indentation_command.indentation_extremes_command)
-app.command("indentation-study")(indentation_command.indentation_study_command)
-app.command()(preflight_command.check)
-app.command()(preflight_command.convert)
-app.command()(hard_cases_command.hard_cases)
-app.command()(hard_cases_command.hard_case)
-app.command()(fuzz_command.fuzz)
-app.command()(fuzz_command.fuzz_seeds)
-app.command()(cost_command.cost)
-app.command()(cost_command.cost_sweep)
-app.command()(cost_command.cost_turn)
-app.command()(price_command.price)
-console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
+for _command in (
+    validate.validate,
+    run.run,
+    preflight.check,
+    conversion.convert,
+    validate.plot,
+    pages.models,
+    engines_command.engines,
+    indentation.indentation,
+    indentation.indentation_study,
+    indentation.indentation_extremes,
+    indentation.indentation_convergence,
+    hard_cases.hard_cases,
+    hard_cases.hard_case,
+    fuzz.fuzz,
+    fuzz.fuzz_seeds,
+    cost.cost,
+    cost.cost_sweep,
+    cost.cost_turn,
+    price.price,
+    gallery.gallery,
+    pages.pages,
+    pages.report,
+):
+    app.command()(_command)
 
 
 def main() -> None:
@@ -70,175 +62,23 @@ def main() -> None:
     try:
         app()
     except HarnessError as error:
-        Console(stderr=True, highlight=False).print(f"[bold red]error:[/] {_plain(str(error))}")
+        _complain(str(error))
         sys.exit(BAD_INPUT)
-
-
-def _plain(text: str) -> str:
-    return text.replace("[", r"\[")
-
-
-def _selected(names: list[str] | None) -> list[Check]:
-    known = {check.name: check for check in CHECKS}
-    for name in names or []:
-        if name not in known:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}")
-    return [known[name] for name in names] if names else list(CHECKS)
-
-
-@app.command()
-def validate(
-    interface: Annotated[Join, typer.Option(help="What joins the bodies.")] = Join.MIXTURE,
-    only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
-    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    chosen: Annotated[
-        hosts.Engine | None, typer.Option("--engine", help="What runs the models: febio4 if it is there.")
-    ] = None,
-) -> None:
-    """Run the paper's problems, compare with the closed forms, and draw figures 3.2 to 3.4.
-
-    Without febio4 the embedded engine runs the models. Exit code 0: every bar is met; 1: one is missed; 3: none is
-    missed, but checks were left out.
-    """
-    if interface is Join.UNSPLIT:
-        raise typer.BadParameter("'unsplit' is what the others are compared with", param_hint="--interface")
-    checks = _selected(only)
-    engines = hosts.engines(chosen, interface)
-    if chosen is None and engines == (hosts.STANDALONE,):
-        console.print(f"[yellow]The embedded engine runs the models:[/] {_plain(hosts.why_not_febio(interface))}")
-    found = {}
-    for host in engines:
-        own = _folder(folder, host)
-        with _progress(checks) as (announce, finished):
-            context = Context(Runner(own / "runs", announce, host=host), interface)
-            found[host.name] = validation.validate(context, checks, jobs=jobs, finished=finished)
-        written = [found[host.name].write(own), *validation.draw(context, found[host.name], own)]
-        console.print("Written: " + ", ".join(str(path) for path in written))
-    console.print(_table(found))
-    _conclude(list(found.values()))
-
-
-def _folder(folder: Path, host: engine.Host) -> Path:
-    return folder / host.name if host is hosts.STANDALONE else folder
-
-
-@contextmanager
-def _progress(checks: list[Check]) -> Iterator[tuple[Announce, validation.Finished]]:
-    """Bars of all checks and of each run: what to call as a run goes on, and when a check is done."""
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as progress:
-        overall = progress.add_task("checks", total=len(checks))
-        tasks: dict[str, TaskID] = {}
-
-        def announce(name: str, fraction: float) -> None:
-            if name not in tasks:
-                tasks[name] = progress.add_task(name, total=100)
-            progress.update(tasks[name], completed=round(100 * fraction), visible=fraction < 1.0)
-
-        yield announce, lambda _: progress.advance(overall)
-
-
-def _table(found: dict[str, results.Results]) -> Table:
-    """Measures of each engine, side by side with their difference where there are two."""
-    first, *others = found.values()
-    table = Table(title=f"Contact type: {first.interface}; run by {' and '.join(found)}", title_justify="left")
-    table.add_column("measure")
-    for name in found:
-        table.add_column(name, justify="right")
-    if others:
-        table.add_column("difference", justify="right")
-    table.add_column("bar", justify="right")
-    table.add_column("")
-    table.add_column("note", overflow="fold")
-    for check, measures in first.checks.items():
-        for place, m in enumerate(measures):
-            twins = [twin for other in others for twin in other.checks.get(check, [])[place : place + 1]]
-            table.add_row(*_row(m, twins, len(others)))
-        table.add_section()
-    return table
-
-
-def _row(m: Measure, twins: list[Measure], columns: int) -> list[str]:
-    bar = f"<= {m.bar:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.bar:.4g}"
-    mark = "[green]met[/]" if all(each.passed for each in (m, *twins)) else "[bold red]missed[/]"
-    values = [f"{each.value:.4g}" for each in (m, *twins)]
-    if columns:
-        values += [f"{twins[0].value - m.value:.1e}"] if twins else ["-", "-"]
-    return [_plain(m.name), *values, bar, mark, _plain(m.note)]
-
-
-def _conclude(found: list[results.Results]) -> None:
-    left_out = {name: why for one in found for name, why in one.left_out.items()}
-    missed = sum(len(one.missed) for one in found)
-    if left_out:
-        reasons = " ".join(dict.fromkeys(left_out.values()))
-        console.print(
-            f"[bold yellow]Left out:[/] {', '.join(left_out)}. The reason: {_plain(reasons)} "
-            "What needs no run was done: the closed forms were checked, and the figures show them alone."
+    except Exception as fault:  # the last resort: whatever it is, a user gets a sentence
+        _complain(
+            f"this is a fault of mixcontact ({type(fault).__name__}: {str(fault)[:200]}); please report it with "
+            f"{_written_down(fault)} and the input."
         )
-    if missed:
-        console.print(f"[bold red]{missed} of the bars are missed.[/]")
-        raise typer.Exit(MISSED)
-    if left_out:
-        raise typer.Exit(LEFT_OUT)
-    console.print("[bold green]Every bar is met.[/]")
+        sys.exit(OUR_FAULT)
 
 
-@app.command()
-def run(
-    model: Annotated[Path, typer.Argument(help="A .feb file.")],
-    chosen: Annotated[
-        hosts.Engine | None, typer.Option("--engine", help="What runs the model: febio4 if it is there.")
-    ] = None,
-) -> None:
-    """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture'."""
-    file = febfile.inspect(model)
-    contact = Join.MIXTURE if Join.MIXTURE.value in file.contacts else Join.UNSPLIT
-    for host in hosts.engines(chosen, contact):
-        _run_one(model, file, host, contact is Join.MIXTURE)
+def _complain(message: str) -> None:
+    Console(stderr=True, highlight=False).print(f"[bold red]error:[/] {escape(message)}", soft_wrap=True)
 
 
-def _run_one(model: Path, file: febfile.FebFile, host: engine.Host, needs_plugin: bool) -> None:
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(model.name, total=file.end or None)
-        command = host.command(model, needs_plugin)
-        finished = engine.execute(
-            command, model.resolve().parent, progress=lambda time: bar.update(task, completed=time)
-        )
-    report = finished.report
-    console.print(
-        f"{model.name}, run by {host.name}: normal termination, {report.steps} steps, {report.iterations} iterations, "
-        f"{report.residuals} residuals, {report.reformations} reformations, {report.retries} retries, "
-        f"{finished.wall:.1f} s"
-    )
-    for warning in report.warnings:
-        console.print(f"[yellow]FEBio warns:[/] {_plain(warning)}")
-
-
-@app.command()
-def plot(
-    file: Annotated[Path, typer.Argument(help="What `validate` wrote.")] = RESULTS / results.FILE_NAME,
-    folder: Annotated[Path | None, typer.Option(help="Where pictures go; next to the file by default.")] = None,
-) -> None:
-    """Draw the pictures again."""
-    for path in figures.draw(results.read(file).profiles, folder or file.parent):
-        console.print(str(path))
-
-
-@app.command()
-def models(
-    folder: Annotated[Path, typer.Option(help="Where the .feb files go.")] = MODELS,
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a file is not up to date.")] = False,
-) -> None:
-    """Write the .feb files of the collection."""
-    if check:
-        old = catalogue.outdated(folder)
-        if old:
-            raise HarnessError(
-                f"not what the generator writes: {', '.join(old)} in {folder}; `models` writes them anew"
-            )
-        return
-    for path in catalogue.write(folder):
-        console.print(str(path))
+def _written_down(fault: Exception) -> Path:
+    """The file with the traceback and the command."""
+    handle, name = tempfile.mkstemp(prefix="mixcontact-fault-", suffix=".txt")
+    with open(handle, "w", encoding="utf-8") as out:  # noqa: PTH123 - of a handle
+        out.write(f"{sys.argv}\n\n{''.join(traceback.format_exception(fault))}")
+    return Path(name)

@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import pytest
 
-from harness.cost import command, files, report, turns
-from harness.cost.measure import Datum
-from harness.cost.points import OWN, Problem, points
-from harness.cost.turns import Timing
 from harness.errors import DataFileError
 from harness.models.interface import Join
+from harness.studies.cost import command, files, interleaved, pareto
+from harness.studies.cost.interleaved import Timing
+from harness.studies.cost.point_runs import Datum
+from harness.studies.cost.points import OWN, Problem, points
 
 BASE = Datum("3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 1.0)
 CHEAP = replace(BASE, knob="penalty factor", value=10.0, contact_error=1e-2, iterations=22, ratio=0.9)
@@ -23,19 +23,19 @@ DATA = [BASE, CHEAP, POOR, FAILED, MESH]
 
 
 def test_the_front_holds_what_nothing_else_beats():
-    assert report.pareto(report.comparable(DATA, Problem.CONVECTION)) == [CHEAP, BASE]
+    assert pareto.pareto(pareto.comparable(DATA, Problem.CONVECTION)) == [CHEAP, BASE]
 
 
 def test_runs_that_failed_and_other_meshes_are_not_compared():
-    assert report.comparable(DATA, Problem.CONVECTION) == [BASE, CHEAP, POOR]
-    assert report.comparable(DATA, Problem.DIFFUSION) == []
+    assert pareto.comparable(DATA, Problem.CONVECTION) == [BASE, CHEAP, POOR]
+    assert pareto.comparable(DATA, Problem.DIFFUSION) == []
 
 
 def test_the_answer_is_the_cheapest_that_is_good_enough():
-    own = report.comparable(DATA, Problem.CONVECTION)
-    assert report.cheapest(own, 1e-1) is CHEAP
-    assert report.cheapest(own, 1e-3) is BASE
-    assert report.cheapest(own, 1e-9) is None
+    own = pareto.comparable(DATA, Problem.CONVECTION)
+    assert pareto.cheapest(own, 1e-1) is CHEAP
+    assert pareto.cheapest(own, 1e-3) is BASE
+    assert pareto.cheapest(own, 1e-9) is None
     text = command.answer(DATA, 1e-1, [Problem.CONVECTION])
     assert "<penalty>10</penalty>" in text
     assert "sliding-biphasic-solute: no setting that was measured reaches it" in text
@@ -72,7 +72,7 @@ def test_every_point_has_a_model_and_a_name_of_its_own():
 
 
 def test_the_pictures_are_drawn(tmp_path):
-    assert [path.name for path in report.draw(DATA, tmp_path)] == ["cost-3.2.png"]
+    assert [path.name for path in pareto.draw(DATA, tmp_path)] == ["cost-3.2.png"]
 
 
 def timing(interface, knob, value, cpu, *, turn=1, error=1e-6, instructions=math.nan):
@@ -82,7 +82,7 @@ def timing(interface, knob, value, cpu, *, turn=1, error=1e-6, instructions=math
 def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
     theirs = replace(BASE, interface="sliding-multiphasic", knob="penalty factor")
     febio = [replace(theirs, value=factor, contact_error=1 / factor) for factor in (1e2, 1e4)]
-    chosen = turns.contenders([*DATA, *febio], Problem.CONVECTION)
+    chosen = interleaved.contenders([*DATA, *febio], Problem.CONVECTION)
     named = {(p.interface.value, p.knob.value, p.value) for p in chosen}
     assert named == {
         ("unsplit", "default", 0.0),
@@ -104,8 +104,8 @@ def test_ratios_are_those_within_a_turn_to_the_faster_that_is_good_enough():
     found = [timing(*ours, cpu, turn=n) for n, cpu in enumerate((1.0, 3.0, 2.2), 1)]
     found += [timing(*slow, cpu, turn=n) for n, cpu in enumerate((2.0, 4.0, 2.0), 1)]
     found += [timing(*poor, 0.1, turn=n, error=0.05) for n in (1, 2, 3)]
-    assert turns.ratios(found, ours, slow) == pytest.approx((0.625, 0.75, 0.925))
-    rows = turns.ratio_table(found).splitlines()[2:]
+    assert interleaved.ratios(found, ours, slow) == pytest.approx((0.625, 0.75, 0.925))
+    rows = interleaved.ratio_table(found).splitlines()[2:]
     assert len(rows) == 2
     assert "| 1e-01 | `sliding-biphasic-solute`, penalty factor 1: 24 it. | default | 24 | 22.000 [" in rows[0]
     last = "| 1e-02 to 1e-06 | `sliding-multiphasic`, default: 24 it. | default | 24 | 0.750 [0.625, 0.925] | 0.500 |"
@@ -115,4 +115,4 @@ def test_ratios_are_those_within_a_turn_to_the_faster_that_is_good_enough():
 def test_instructions_are_compared_where_they_were_counted():
     ours, theirs = ("sliding-mixture", "default", 0.0), ("sliding-multiphasic", "default", 0.0)
     counted = [timing(*ours, 50.0, turn=0, instructions=9e8), timing(*theirs, 40.0, turn=0, instructions=1e9)]
-    assert turns.ratio_table(counted).endswith("default | 24 | 0.900 | 0.900 |")
+    assert interleaved.ratio_table(counted).endswith("default | 24 | 0.900 | 0.900 |")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from harness.fuzz.draws import Kind, draw
-from harness.fuzz.trial import ENDED, attempt
+from harness.studies.fuzz.draws import Kind, draw
+from harness.studies.fuzz.trial import ENDED, attempt
 
 FOUND: dict[Kind, tuple[int, ...]] = {Kind.SCENES: (), Kind.PARAMETERS: ()}
 """Seeds with faults. A flip whose message named the element alone stands in `test_bad_input.py`."""

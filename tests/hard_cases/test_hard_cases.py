@@ -9,11 +9,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness import engine, logdata
-from harness.compare import missed
-from harness.hard_cases import record, variants
-from harness.hard_cases.catalogue import CASES
-from harness.hard_cases.scene import Fineness, Interface
+from harness.post.compare import missed
+from harness.run import engine, logdata
+from harness.studies.hard_cases import record, variants
+from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.scene import Fineness, Interface
 
 RETRIES = {"cutback-at-touch": 1}
 """Retries of a case: this one is forced."""

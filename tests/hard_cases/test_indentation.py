@@ -10,9 +10,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness import indentation_measures
-from harness.indentation_results import curves
-from harness.indentation_study import Configuration
+from harness.indentation import measures
+from harness.indentation.configurations import Configuration
+from harness.indentation.histories import curves
 from harness.models.indentation import CONTROL, END, Indentation
 from harness.models.indentation_mesh import LEVELS, Primary
 from harness.models.interface import ContactSettings
@@ -56,11 +56,11 @@ def test_with_the_penalty_of_febio_s_best_run_it_takes_0_6_of_its_iterations(run
 
 def test_the_measures_of_validation_meet_their_bars(runner):
     cylinder, slab = (runner(problem("multiphasic", False, primary)) for primary in (Primary.CYLINDER, Primary.SLAB))
-    measures = [
-        *indentation_measures.of_a_run(cylinder, curves(cylinder)),
-        *indentation_measures.of_both_primaries(curves(cylinder), curves(slab)),
+    found = [
+        *measures.of_a_run(cylinder, curves(cylinder)),
+        *measures.of_both_primaries(curves(cylinder), curves(slab)),
     ]
-    assert [measure.name for measure in measures if not measure.passed] == []
+    assert [measure.name for measure in found if not measure.passed] == []
 
 
 @pytest.mark.parametrize(("clamp", "end", "saved"), [(False, 20.0, 0.2), (True, 200.0, 0.18)])

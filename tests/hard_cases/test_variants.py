@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from harness.hard_cases import variants
-from harness.hard_cases.catalogue import CASES, rotation
-from harness.hard_cases.press import Press, stress, stretches
-from harness.hard_cases.scene import Fineness, Interface
-from harness.hard_cases.uniaxial import drained
 from harness.models.parts import Solid
+from harness.studies.hard_cases import variants
+from harness.studies.hard_cases.catalogue import CASES, rotation
+from harness.studies.hard_cases.press import Press, stress, stretches
+from harness.studies.hard_cases.scene import Fineness, Interface
+from harness.studies.hard_cases.uniaxial import drained
 
 
 def volumes(mesh):

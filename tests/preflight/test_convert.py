@@ -7,18 +7,18 @@ import re
 
 import pytest
 
-from harness.contact_types import CONVERTIBLE, TYPES
 from harness.conversion.convert import convert
-from harness.conversion.parameters import DROPPED, Action
+from harness.conversion.fates import DROPPED, Action
 from harness.errors import ModelError
 from harness.models.bath import Apart
 from harness.models.confined import Confined
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, Join
 from harness.models.parts import Param, concentration, pressure
-from harness.parameters import registered
+from harness.pages.plugin_parameters import registered
 from harness.paths import REPOSITORY
-from harness.preflight.rules.parameters import CHOICES
+from harness.preflight.contact_types import CONVERTIBLE, TYPES
+from harness.preflight.rules.settings import CHOICES
 
 
 def text(*params, join=Join.SOLUTE):
@@ -98,10 +98,27 @@ def test_every_parameter_of_every_type_has_a_fate(converted):
     ) | {"symmetric_stiffness"}
 
 
-def test_solutes_are_numbered(converted):
+def test_names_of_solutes_stay(converted):
     old = text(Param("ambient_concentration", 0.0, None, {"sol": "s1"}), join=Join.MULTIPHASIC)
     new = converted(old).data.decode("iso-8859-1")
-    assert '<ambient_concentration sol="1">0</ambient_concentration>' in new
+    assert '<ambient_concentration sol="s1">0</ambient_concentration>' in new
+
+
+def with_curve(old, name):
+    """A text in which a parameter has a load curve."""
+    assert f"<{name}>" in old
+    controller = '<load_controller id="1" type="loadcurve"><points><pt>0,1</pt><pt>1,2</pt></points></load_controller>'
+    return old.replace(f"<{name}>", f'<{name} lc="1">').replace(
+        "<Output>", f"<LoadData>{controller}</LoadData><Output>"
+    )
+
+
+@pytest.mark.parametrize(
+    "name", ["penalty", "pressure_penalty", "concentration_penalty", "tolerance", "gaptol", "ctol"]
+)
+def test_load_curves_of_penalties_and_tolerances_stay(converted, name):
+    new = converted(with_curve(text(Param(name, 2.0)), name)).data.decode("iso-8859-1")
+    assert f'<{name} lc="1">2</{name}>' in new
 
 
 def test_contacts_in_steps(converted):
@@ -156,16 +173,7 @@ REFUSED = {
     "tied contact": (in_module(BIPHASIC, "tied-biphasic"), "no sliding contact"),
     "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
     "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),
-    "a load curve of a penalty": (
-        text(Param("penalty", 2.0))
-        .replace("<penalty>", '<penalty lc="1">')
-        .replace(
-            "<Output>",
-            '<LoadData><load_controller id="1" type="loadcurve"><points><pt>0,1</pt></points>'
-            "</load_controller></LoadData><Output>",
-        ),
-        "reads it once",
-    ),
+    "a load curve of a radius": (with_curve(text(Param("search_radius", 2.0)), "search_radius"), "reads it once"),
 }
 
 

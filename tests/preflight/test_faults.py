@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from harness.errors import ModelError
 from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
@@ -133,6 +134,12 @@ def text_of(model, *changes):
 
 
 BATH = (Param("ambient_concentration", 1.0),)
+
+
+def bath(solute, value):
+    return Param("ambient_concentration", value, None, {"sol": solute})
+
+
 FAULTS = {
     "facing into the body": (turned, "inverted-facets", "into the body"),
     "on the far side": (far_side, "facing", "same way"),
@@ -228,13 +235,49 @@ FAULTS = {
         "load-curve",
         "takes no load curve",
     ),
-    "load curve of a penalty": (
-        lambda: text_of(replace(with_params(Param("penalty", 1e4, 1)), curves=(Curve(((0, 0), (1, 1))),))),
+    "load curve of a radius": (
+        lambda: text_of(replace(with_params(Param("search_radius", 1.0, 1)), curves=(Curve(((0, 0), (1, 1))),))),
         "load-curve",
         "once",
     ),
     "module": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-multiphasic")), "module", "multiphasic"),
+    "module without displacements": (
+        lambda: text_of(diffusion(), ('<Module type="solute"', '<Module type="fluid"')),
+        "module",
+        "no displacements",
+    ),
+    "unknown module": (
+        lambda: text_of(diffusion(), ('<Module type="solute"', '<Module type="sollid"')),
+        "module",
+        "no module of FEBio",
+    ),
     "solute": (lambda: with_params(Param("ambient_concentration", 1.0, None, {"sol": "3"})), "ambient-solute", "3"),
+    "name of no solute": (lambda: with_params(bath("Na", 1.0)), "ambient-solute", "solute Na"),
+    "ambient concentration nan": (lambda: with_params(bath("s1", "nan")), "bad-value", "not negative"),
+    "ambient concentration below zero": (lambda: with_params(bath("s1", -1.0)), "bad-value", "not negative"),
+    "load curve below zero": (
+        lambda: replace(
+            with_params(Param("ambient_concentration", 2.0, 1)), curves=(Curve(((0, 0), (1, 1), (2, -1))),)
+        ),
+        "bad-value",
+        "falls to -2",
+    ),
+    "ambient concentration twice": (
+        lambda: with_params(bath("s1", 1.0), bath("1", 2.0)),
+        "given-twice",
+        "of solute 1 is given twice",
+    ),
+    "ambient concentration twice, once without sol": (
+        lambda: with_params(*BATH, bath("s1", 2.0)),
+        "given-twice",
+        "of solute 1 is given twice",
+    ),
+    "parameter twice": (lambda: with_params(Param("penalty", 1.0), Param("penalty", 2.0)), "given-twice", "<penalty>"),
+    "step of no duration": (
+        lambda: diffusion(control=Control(10, 0.0)),
+        "time-step",
+        "no duration",
+    ),
     "material not told": (
         lambda: text_of(diffusion(), ('<SolidDomain name="upper" mat="gel"/>', "")),
         "no-material",
@@ -266,9 +309,92 @@ def on_shells():
     return surface.sub(rf"\g<1>{shared}\g<2>", text)
 
 
+def shells_alone():
+    """A model without a solid element: both surfaces on shells."""
+    shell = '<Elements type="quad4" name="{0}"><elem id="{1}">{2}</elem></Elements>'
+    text = re.sub(r"<Elements .*</Elements>", "", on_shells(), flags=re.DOTALL)
+    lower, upper = (re.search(rf'name="{name}">\s*<quad4 id="1">(.*?)<', text).group(1) for name in SURFACES)
+    made = shell.format("lower", 1, lower) + shell.format("upper", 2, upper)
+    return text.replace("</Nodes>", f"</Nodes>{made}").replace("SolidDomain", "ShellDomain")
+
+
+SURFACES = ("lower-top", "upper-bottom")
 FAULTS |= {
-    "shells": (on_shells, "shell-facets", "shells"),
+    "shells": (on_shells, "shell-facets", "shell elements, which sliding-mixture does not support"),
+    "shells alone": (shells_alone, "shell-facets", "shell elements, which sliding-mixture does not support"),
 }
+
+
+def test_febios_contact_on_shells_alone_is_looked_at(findings):
+    found = findings(shells_alone(), ("sliding-mixture", "sliding-elastic"))
+    assert not any(finding.severity is Severity.ERROR for finding in found)
+
+
+def test_an_element_without_stiffness_is_looked_at(findings):
+    model = with_params(Param("penalty", 2.0), join=Join.SOLUTE)
+    assert "stiff-penalty" not in {finding.rule for finding in findings(model, ("<E>10<", "<E>0<"))}
+
+
+def test_a_part_of_a_mesh_that_febio_does_not_read_is_named(findings):
+    with pytest.raises(ModelError, match=r"<Instance name=.*FEBio 4 reads no <Instance>"):
+        findings(diffusion(), ("<Mesh>", '<Mesh><Instance name="one" part="two"/>'))
+
+
+# ---- what is sound ----
+
+
+def aside(shift):
+    """The upper body beside the lower one, above its surface: they can meet once it has moved back."""
+    return moved(diffusion(), 1, (2.0, 0.0, shift))
+
+
+@pytest.mark.parametrize("gap", [0.0, 0.01, 5.0])
+def test_bodies_that_meet_after_a_motion_are_no_error(findings, gap):
+    found = [finding for finding in findings(aside(gap)) if finding.rule == "facing"]
+    assert [finding.severity for finding in found] == [Severity.NOTE]
+
+
+@pytest.mark.parametrize("module", ["fluid-FSI", "fluid-solutes", "multiphasic-FSI"])
+@pytest.mark.parametrize("kind", ["sliding-mixture", "sliding-elastic", "sliding-biphasic"])
+def test_modules_that_include_others_have_their_contacts(findings, module, kind):
+    changes = (('<Module type="solute"', f'<Module type="{module}"'), ("sliding-mixture", kind))
+    assert "module" not in {finding.rule for finding in findings(diffusion(), *changes)}
+
+
+def rubbing(kind, *params):
+    """A body that a load presses onto another one, and nothing but friction holds sideways."""
+    model = loose({("zero displacement", "all")})
+    extra = "".join(f"<{name}>{value}</{name}>" for name, value in (("fric_coeff", 0.3), *params))
+    tag = f'<contact name="lower/upper" type="{kind}" surface_pair="lower/upper">{extra}</contact>'
+    return re.sub(r"<contact .*?(?:/>|</contact>)", tag, model.text(), flags=re.DOTALL)
+
+
+@pytest.mark.parametrize("kind", ["sliding-elastic", "sliding-biphasic", "sliding-node-on-facet"])
+def test_friction_holds_a_body_in_contact(findings, kind):
+    def said(text):
+        found = [finding for finding in findings(text) if finding.rule == "rigid-motion"]
+        return " ".join(finding.message for finding in found)
+
+    with_friction = rubbing(kind)
+    assert "does not hold it" not in said(with_friction)
+    assert "does not hold it" in said(with_friction.replace("0.3<", "0<"))
+
+
+def test_a_load_curve_counts_where_a_penalty_is_judged(findings):
+    curves = (Curve(((0, 0), (1, 1))),)
+    soft, stiff = (replace(with_params(Param("penalty", value, 1)), curves=curves) for value in (1e-3, 1e9))
+    assert "leak" in {finding.rule for finding in findings(soft)}
+    assert "stiff-penalty" in {finding.rule for finding in findings(stiff)}
+
+
+@pytest.mark.parametrize("named", ["c1", "s1", "c1,c2"])
+def test_conditions_name_solutes_by_number_or_name(findings, named):
+    """A zero concentration on nodes of the contact is found, whatever the solute is called."""
+    tag = '<bc name="held" type="zero concentration" node_set="@surface:lower-top">'
+    condition = f"{tag}<c_dof>{named}</c_dof></bc></Boundary>"
+    model = with_params(*BATH, join=Join.SOLUTE)
+    found = findings(model, ("</Boundary>", condition))
+    assert any(finding.rule == "held-nodes" and "solute 1" in finding.message for finding in found)
 
 
 def coarse_primary():

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from harness.preflight import rays
-from harness.preflight.document import integers, parse
 from harness.preflight.rules.motion import free_motions
 from harness.preflight.rules.tools import percent, short
+from harness.preflight.xml_file import integers, parse
 
 UP = np.array([[0.0, 0.0, 1.0]])
 FACE_DOWN = np.array([[(0, 0, 2), (0, 1, 2), (1, 1, 2), (1, 0, 2)]], dtype=float)

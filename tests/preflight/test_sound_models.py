@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from harness.cli import app
+from harness.cli import app, main
 from harness.closed_forms.penalty_leak import relative_jump
 from harness.errors import ModelError
 from harness.models import composite
@@ -31,9 +31,9 @@ from harness.paths import MODELS, REPOSITORY
 from harness.preflight import elements
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
-from harness.preflight.joint import TRACTION, Joint, solute
 from harness.preflight.model import read
 from harness.preflight.penalty import leak, penalty
+from harness.preflight.sides import TRACTION, Joint, solute
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
 SOUND = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
@@ -353,6 +353,24 @@ def test_a_file_that_cannot_be_read(tmp_path):
     assert finished.returncode == 2
     assert "none.feb: cannot be read" in finished.stderr
     assert "Traceback" not in finished.stderr
+
+
+def test_a_fault_of_ours_is_one_sentence_and_a_file(tmp_path, monkeypatch, capsys):
+    def fault(path):
+        raise IndexError("index -1 is out of bounds")
+
+    monkeypatch.setattr("harness.preflight.check.check", fault)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr(sys, "argv", ["mixcontact", "check", str(MODELS / "diffusion.feb")])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 4
+    said = capsys.readouterr().err
+    (written,) = tmp_path.glob("mixcontact-fault-*.txt")
+    assert "please report it" in said
+    assert str(written) in said
+    assert "Traceback" not in said
+    assert "IndexError: index -1 is out of bounds" in written.read_text()
 
 
 def test_converting_from_the_command_line(tmp_path):

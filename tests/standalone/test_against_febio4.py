@@ -7,10 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from harness import engine, engine_agreement
-from harness.engine_agreement import differences, strict
 from harness.errors import EngineNotFoundError, PluginNotFoundError
-from harness.hosts import FEBIO4, STANDALONE
 from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import Convection
@@ -18,7 +15,11 @@ from harness.models.diffusion import Diffusion
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, Join
 from harness.models.parts import Control, Param
-from harness.runner import Outcome, Runner
+from harness.run import engine
+from harness.run.hosts import FEBIO4, STANDALONE
+from harness.run.runner import Outcome, Runner
+from harness.validate import engine_agreement
+from harness.validate.engine_agreement import differences, strict
 
 BAR = engine_agreement.SMOOTH
 """Largest difference of a nodal variable, relative to its largest value."""

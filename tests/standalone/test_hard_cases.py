@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from harness.compare import missed
 from harness.errors import EngineNotFoundError
-from harness.hard_cases import checks, variants
-from harness.hard_cases.catalogue import CASES
-from harness.hard_cases.scene import Fineness, Interface
-from harness.hosts import STANDALONE
-from harness.runner import Runner
+from harness.post.compare import missed
+from harness.run.hosts import STANDALONE
+from harness.run.runner import Runner
+from harness.studies.hard_cases import invariants, variants
+from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.scene import Fineness, Interface
 
 SELECTED = (
     "touch-gap-1e-12",
@@ -51,7 +51,7 @@ def test_it_ends_balanced_and_with_nothing_undefined(runner, name):
     case = CASES[name]
     model = replace(case.scene.model(Fineness.COARSE, Interface.MIXTURE), surface_columns=(), facet_columns=())
     run = runner(model)
-    assert missed([*checks.finite_and_bounded(run, case.undershoot), *checks.mass(run)]) == []
+    assert missed([*invariants.finite_and_bounded(run, case.undershoot), *invariants.mass(run)]) == []
     said = (run.folder / "screen.txt").read_text()
     assert "runtime error" not in said
     assert "Sanitizer" not in said

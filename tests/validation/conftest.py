@@ -9,11 +9,11 @@ import os
 
 import pytest
 
-from harness import engine
-from harness.checks import Context
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.models.interface import Join
-from harness.runner import Runner
+from harness.run import engine
+from harness.run.runner import Runner
+from harness.validate.checks import Context
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness import compare
 from harness.models.bath import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
 from harness.models.interface import Join
 from harness.models.parts import concentration, pressure
 from harness.models.patches import Patches
+from harness.post import compare
 
 
 def ambient(times):

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import pytest
 
-from harness import engine
 from harness.models.diffusion import Diffusion
 from harness.models.interface import Join
 from harness.models.parts import Control
 from harness.paths import DOCS, REPOSITORY, plugin_library
+from harness.run import engine
 
 PAGES = [REPOSITORY / "README.md", *sorted(DOCS.glob("*.md"))]
 BLOCK = re.compile(r"^( *)```(\w*)\n(.*?)^\1```$", re.MULTILINE | re.DOTALL)

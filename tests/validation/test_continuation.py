@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness import engine, logdata
 from harness.models.diffusion import CLOSING, Diffusion
 from harness.models.interface import PAPER, ContactSettings, Join, augmented
 from harness.models.parts import Control, Curve, Param, TimeStepper, displace
+from harness.run import engine, logdata
 
 EQUAL = 1e-10
 SETTINGS = {

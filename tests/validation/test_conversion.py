@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from harness import engine, logdata
 from harness.conversion.convert import convert
 from harness.models.composite import Composite
 from harness.models.confined import Confined
@@ -25,6 +24,7 @@ from harness.models.layers import Layers
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix
 from harness.models.patches import Patches
+from harness.run import engine, logdata
 
 pytestmark = pytest.mark.mixture_only
 

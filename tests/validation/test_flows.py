@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness import engine, logdata
 from harness.closed_forms import steady_convection
 from harness.models import convection
 from harness.models.convection import Convection
@@ -13,6 +12,7 @@ from harness.models.diffusion import BATH, CLOSING, DIFFUSIVITY, Diffusion
 from harness.models.interface import PAPER, ContactSettings, Join, augmented
 from harness.models.mesh import Section
 from harness.models.parts import Control
+from harness.run import engine, logdata
 
 pytestmark = pytest.mark.mixture_only
 LOGGED = ("contact_force.x", "contact_force.y", "contact_force.z", "contact solvent flow", "contact solute flow 1")

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness import gallery, gallery_figures, gallery_page
 from harness.models import platens
 from harness.models.interface import Join
+from harness.pages.gallery import entries, figures, page
 from harness.paths import DOCS, MODELS
 
-ENTRIES = {entry.model.name: entry for entry in gallery.entries()}
+ENTRIES = {entry.model.name: entry for entry in entries.entries()}
 PNG = b"\x89PNG"
 
 
@@ -23,7 +23,7 @@ def shown(runner, join):
     def show(name):
         entry = ENTRIES[name]
         outcome = runner(entry.small)
-        return entry, outcome, gallery.curves(entry, outcome)
+        return entry, outcome, entries.curves(entry, outcome)
 
     return show
 
@@ -31,7 +31,7 @@ def shown(runner, join):
 @pytest.mark.parametrize("name", ENTRIES)
 def test_the_small_version_runs_and_is_drawn(shown, name, tmp_path):
     entry, outcome, curves = shown(name)
-    drawn = gallery_figures.draw(entry, outcome, curves, tmp_path)
+    drawn = figures.draw(entry, outcome, curves, tmp_path)
     assert [path.name for path in drawn] == [f"{name}-section.png", f"{name}-curves.png"]
     assert all(path.read_bytes().startswith(PNG) for path in drawn)
     assert outcome.report.retries == 0
@@ -74,10 +74,10 @@ def test_the_force_on_the_platens_relaxes(shown):
 
 
 def test_the_page_shows_each_model_and_is_up_to_date():
-    records = gallery_page.read(DOCS)
+    records = page.read(DOCS)
     assert list(records) == list(ENTRIES)
-    assert gallery_page.page(records) == (DOCS / "gallery.md").read_text(encoding="utf-8")
+    assert page.page(records) == (DOCS / "gallery.md").read_text(encoding="utf-8")
     for name in ENTRIES:
         assert (MODELS / f"{name}.feb").is_file()
         for kind in ("section", "curves"):
-            assert (DOCS / gallery_page.IMAGES / f"{name}-{kind}.png").is_file()
+            assert (DOCS / page.IMAGES / f"{name}-{kind}.png").is_file()

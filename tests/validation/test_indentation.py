@@ -5,17 +5,19 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness import contact_line, diagnosis, indentation_measures, solute_balance
-from harness.diagnosis import Ailment
-from harness.hexahedra import geometry, rule
-from harness.indentation_convergence import order
-from harness.indentation_extremes import OVERSHOOT, cases
-from harness.indentation_study import Configuration, febio_cases, mixture_cases
+from harness.indentation import measures
+from harness.indentation.configurations import Configuration, febio_cases, mixture_cases
+from harness.indentation.convergence import order
+from harness.indentation.extremes import OVERSHOOT, cases
 from harness.models import blocks, indentation_mesh
 from harness.models.blocks import Body
 from harness.models.indentation import CONCENTRATION, Indentation, Variant
 from harness.models.indentation_mesh import Grid
-from harness.solute_balance import State
+from harness.post import contact_line, solute_balance
+from harness.post.hexahedra import geometry, rule
+from harness.post.solute_balance import State
+from harness.run import diagnosis
+from harness.run.diagnosis import Ailment
 
 GRIDS = {
     "medium": Grid(),
@@ -216,26 +218,24 @@ def test_summary_counts_failed_attempts_and_names_the_unmet_norm():
 
 def test_a_node_off_the_other_body_has_to_be_at_the_bath():
     model = Indentation().model()
-    lines, n = indentation_measures.contact_lines(model), len(model.mesh.nodes)
+    lines, n = measures.contact_lines(model), len(model.mesh.nodes)
     bath = State(model.mesh.nodes, np.zeros(n), np.zeros((1, n)))
-    assert indentation_measures.not_at_bath(bath, lines) == 0
+    assert measures.not_at_bath(bath, lines) == 0
     outermost = lines[0][-1]
     apart = State(model.mesh.nodes, np.zeros(n), np.eye(n)[[outermost]])
-    assert indentation_measures.not_at_bath(apart, lines) == 1
+    assert measures.not_at_bath(apart, lines) == 1
 
 
 def test_means_over_the_contact_are_of_what_is_closed():
     model = Indentation().model()
-    lines, n = indentation_measures.contact_lines(model), len(model.mesh.nodes)
+    lines, n = measures.contact_lines(model), len(model.mesh.nodes)
     slab, cylinder = lines
     closed = np.zeros(n)
     closed[slab[:1]] = closed[cylinder[:1]] = 1.0
-    gap, jump = indentation_measures.mean_gap_and_jump(State(model.mesh.nodes, closed, closed[None]), lines)
+    gap, jump = measures.mean_gap_and_jump(State(model.mesh.nodes, closed, closed[None]), lines)
     assert (gap, jump) == (pytest.approx(0.0, abs=1e-12), pytest.approx(0.0, abs=1e-12))
     lowered = model.mesh.nodes - 0.1 * np.isin(np.arange(n), slab)[:, None] * [0.0, 1.0, 0.0]
-    gap, jump = indentation_measures.mean_gap_and_jump(
-        State(lowered, closed, (closed + closed * lowered[:, 1])[None]), lines
-    )
+    gap, jump = measures.mean_gap_and_jump(State(lowered, closed, (closed + closed * lowered[:, 1])[None]), lines)
     assert gap == pytest.approx(0.1, rel=1e-3)
     assert jump == pytest.approx(-0.1)
 

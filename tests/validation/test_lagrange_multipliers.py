@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness import compare
 from harness.models import pairs
 from harness.models.confined import Confined
 from harness.models.convection import Convection
@@ -16,6 +15,7 @@ from harness.models.interface import ContactSettings, Join
 from harness.models.mesh import Section
 from harness.models.pairs import Kind
 from harness.models.parts import Control
+from harness.post import compare
 
 LAGMULT = ContactSettings(laugon="LAGMULT")
 STRICT = Control(

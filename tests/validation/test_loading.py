@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from harness import engine, logdata
 from harness.errors import EngineFailedError
 from harness.models.diffusion import Diffusion
 from harness.models.interface import Join
 from harness.models.parts import Control
+from harness.run import engine, logdata
 
 pytestmark = pytest.mark.mixture_only
 SHORT = Control(5, 200.0)

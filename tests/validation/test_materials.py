@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness import checks, compare
 from harness.closed_forms import transient_diffusion
 from harness.models import composite, layers
 from harness.models.diffusion import MATERIAL, Diffusion
 from harness.models.interface import ContactSettings, Join
 from harness.models.parts import Control, Solute
+from harness.post import compare
+from harness.validate import checks
 
 SHORT = Control(100, 20.0)
 FAST = Solute(2, 1e-3, 1e-3, 0.6)

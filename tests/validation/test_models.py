@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from harness import catalogue, compare, febfile
 from harness.errors import ModelError
 from harness.models.bath import Apart, HalfWet
 from harness.models.diffusion import Diffusion
@@ -16,7 +15,10 @@ from harness.models.interface import PAPER, Join, automatic
 from harness.models.mesh import Layer, Section, cut_column, glued_column
 from harness.models.parts import Control, Param, fix
 from harness.models.patches import Patches
+from harness.pages import collection
 from harness.paths import MODELS
+from harness.post import compare
+from harness.run import febfile
 
 LAYERS = [Layer("a", "m", 1.0, 3), Layer("b", "m", 0.5, 2), Layer("c", "m", 2.0, 1)]
 SECTION = Section((2.0, 1.0), (3, 2))
@@ -70,10 +72,10 @@ def test_a_layer_needs_a_size(thickness, elements):
 
 
 def test_committed_models_are_what_the_generator_writes():
-    assert catalogue.outdated(MODELS) == []
+    assert collection.outdated(MODELS) == []
 
 
-@pytest.mark.parametrize("model", catalogue.models(), ids=lambda model: model.name)
+@pytest.mark.parametrize("model", collection.models(), ids=lambda model: model.name)
 def test_model_files_say_what_a_reader_needs(model):
     head = model.text().split("-->")[0]
     for words in ("Units: mm, N, s, nmol", f"models/{model.name}.feb", "-import build/lib/libFEBioMixtureContact.so"):

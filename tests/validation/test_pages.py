@@ -4,54 +4,54 @@ from __future__ import annotations
 
 import pytest
 
-from harness import pages_command, parameters, report
-from harness.checks import CHECKS
 from harness.errors import DataFileError
+from harness.pages import command, plugin_parameters, verification
 from harness.paths import DOCS
+from harness.validate.checks import CHECKS
 
 
-@pytest.mark.parametrize("name", pages_command.PAGES)
+@pytest.mark.parametrize("name", command.PAGES)
 def test_a_generated_page_is_up_to_date(name):
     """Where this fails: `scripts/mixcontact pages`."""
-    assert (DOCS / name).read_text(encoding="utf-8") == pages_command.PAGES[name]()
+    assert (DOCS / name).read_text(encoding="utf-8") == command.PAGES[name]()
 
 
 def altered(tmp_path, monkeypatch, old: str, new: str) -> None:
     """The table of parameters is that of the code, but for one replacement."""
-    text = parameters.DECLARATION.read_text(encoding="utf-8")
+    text = plugin_parameters.DECLARATION.read_text(encoding="utf-8")
     assert old in text
-    changed = tmp_path / parameters.DECLARATION.name
+    changed = tmp_path / plugin_parameters.DECLARATION.name
     changed.write_text(text.replace(old, new), encoding="utf-8")
-    monkeypatch.setattr(parameters, "DECLARATION", changed)
+    monkeypatch.setattr(plugin_parameters, "DECLARATION", changed)
 
 
 def test_a_parameter_without_a_note_is_named(tmp_path, monkeypatch):
     line = '  take({"gaptol", nullptr, Unit::length}, p.gaptol);'
     altered(tmp_path, monkeypatch, line, f'  take({{"gap_limit"}}, p.gaptol);\n{line}')
     with pytest.raises(DataFileError, match="do not agree on gap_limit"):
-        parameters.page()
+        plugin_parameters.page()
 
 
 def test_a_note_without_a_parameter_is_named(tmp_path, monkeypatch):
     altered(tmp_path, monkeypatch, '"gaptol"', '"ptol"')
     with pytest.raises(DataFileError, match="do not agree on gaptol"):
-        parameters.page()
+        plugin_parameters.page()
 
 
 def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
     altered(tmp_path, monkeypatch, 'take({"gaptol", nullptr, Unit::length}, p.gaptol)', "take(tag, p.gaptol)")
     with pytest.raises(DataFileError, match="is not of the form"):
-        parameters.page()
+        plugin_parameters.page()
 
 
 def test_defaults_come_from_the_code(tmp_path, monkeypatch):
-    assert "| `maxaug` | - | 10 |" in parameters.page()
+    assert "| `maxaug` | - | 10 |" in plugin_parameters.page()
     altered(tmp_path, monkeypatch, "int maxaug = 10;", "int maxaug = 20;")
-    assert "| `maxaug` | - | 20 |" in parameters.page()
+    assert "| `maxaug` | - | 20 |" in plugin_parameters.page()
 
 
 def test_the_report_has_every_check_and_each_figure_meets_its_bar():
-    made = report.read(DOCS)
+    made = verification.read(DOCS)
     assert [section.name for section in made.sections] == [check.name for check in CHECKS]
     assert [m.name for section in made.sections for m in section.measures if not m.passed] == []
     for section in made.sections:
@@ -59,6 +59,6 @@ def test_the_report_has_every_check_and_each_figure_meets_its_bar():
 
 
 def test_a_report_is_read_as_it_was_written(tmp_path):
-    made = report.read(DOCS)
-    report.write(tmp_path, made)
-    assert report.read(tmp_path) == made
+    made = verification.read(DOCS)
+    verification.write(tmp_path, made)
+    assert verification.read(tmp_path) == made

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness import checks, compare
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, ContactSettings, Join
 from harness.models.mesh import Section
 from harness.models.parts import Control, Param
+from harness.post import compare
+from harness.validate import checks
 
 SHORT = Control(
     40,

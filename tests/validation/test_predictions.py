@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from harness import compare
 from harness.models.convection import UPSTREAM, Convection
 from harness.models.interface import PAPER, ContactSettings, Join, automatic
 from harness.models.parts import Control
-from harness.preflight.joint import Joint, solute
+from harness.post import compare
 from harness.preflight.model import read
 from harness.preflight.penalty import leak, penalty
+from harness.preflight.sides import Joint, solute
 
 SETTINGS = {"the paper's": PAPER, "factor 1": automatic(1.0), "default": ContactSettings()}
 

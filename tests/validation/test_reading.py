@@ -7,9 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from harness import engine, febio_log, figures, logdata, results
-from harness.compare import Measure, missed, observed_order
 from harness.errors import DataFileError, EngineFailedError, EngineNotFoundError
+from harness.post.compare import Measure, missed, observed_order
+from harness.run import engine, febio_log, logdata
+from harness.validate import figures, results
 
 INFORMATION = """
  N O N L I N E A R   I T E R A T I O N   I N F O R M A T I O N

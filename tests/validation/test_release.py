@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from harness import engine, provenance
 from harness.models.diffusion import Diffusion
 from harness.models.interface import Join
 from harness.models.parts import Control
 from harness.paths import PLUGIN_NAME, plugin_library
+from harness.run import engine, provenance
 
 pytestmark = pytest.mark.mixture_only
 SHARE = Path("share") / "FEBioMixtureContact"

@@ -6,19 +6,19 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from harness.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.conversion import spans
-from harness.conversion.parameters import DEFAULT, WRITTEN, Action, Change, fate, missing
+from harness.conversion.fates import DEFAULT, WRITTEN, Action, Change, fate, missing
 from harness.conversion.refusals import refusals
 from harness.conversion.spans import Edit, Span
 from harness.errors import ModelError
-from harness.preflight import document as documents
 from harness.preflight import model as models
+from harness.preflight import xml_file as documents
 from harness.preflight.check import check
+from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.preflight.finding import Severity
 from harness.preflight.held_nodes import held_nodes
-from harness.preflight.joint import Joint
 from harness.preflight.model import Model
+from harness.preflight.sides import Joint
 
 NOT_OURS = {
     "concentration gap": "contact solute jump",
@@ -84,7 +84,7 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
         name = contact.attributes.get("name") or f"number {number}"
         edits.append(spans.attribute(data, contact, "type", MIXTURE))
         own = [Change(Action.MAPPED, "type", contact.line, f"{kind} becomes {MIXTURE}")]
-        for edit, change in _parameters(data, contact, model):
+        for edit, change in _parameters(data, contact):
             own.append(change)
             edits += edit
         changes[f'contact "{name}"'] = own
@@ -95,20 +95,12 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
     return edits, changes
 
 
-def _parameters(data: bytes, contact: Span, model: Model) -> Iterator[tuple[list[Edit], Change]]:
+def _parameters(data: bytes, contact: Span) -> Iterator[tuple[list[Edit], Change]]:
     kind = TYPES[contact.attributes["type"]]
     for child in contact.children:
         value = data[slice(*child.inner)].decode("latin-1").strip()
         change = fate(child.tag, value)(child.line)
-        sol = child.attributes.get("sol", "")
-        if sol in model.solutes and sol != str(model.solutes[sol]):
-            number = str(model.solutes[sol])
-            mapped = Change(
-                Action.MAPPED, child.tag, child.line, f'sol="{sol}" becomes the number of the solute, {number}'
-            )
-            yield [spans.attribute(data, child, "sol", number)], mapped
-        else:
-            yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
+        yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
     names = list(missing(kind, {child.tag for child in contact.children}))
     lines = [f"<{name}>{DEFAULT}</{name}>" for name in names]
     for place, name in enumerate(names):

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from harness.contact_types import CONVERTIBLE, MIXTURE
-from harness.preflight.document import place
+from harness.preflight.contact_types import CONVERTIBLE, MIXTURE
 from harness.preflight.held_nodes import held_nodes
-from harness.preflight.joint import Joint
 from harness.preflight.model import Model
+from harness.preflight.sides import Joint
+from harness.preflight.xml_file import place
 
 
 def refusals(model: Model) -> Iterator[str]:

@@ -17,7 +17,6 @@ from harness.models.header import header
 from harness.models.interface import ContactSettings, Join, contacts
 from harness.models.mesh import Mesh, Part
 from harness.models.parts import Control, Curve, Mixture, Solid, displace, fix, pressure
-from harness.runner import Outcome
 
 Array = NDArray[np.float64]
 
@@ -136,17 +135,3 @@ def _indenter(across: int, start: float) -> Body:
     points[..., 0] += start
     points[..., 1] = face + points[..., 1] * (HEIGHT + 1.0 - face)
     return blocks.structured(points)
-
-
-def reaction(outcome: Outcome) -> Array:
-    """Force on the indenter's top while it slides, N: along x and y, shape (n_times, 2)."""
-    top = outcome.model.mesh.node_sets["top"] - 1
-    nodes = outcome.nodes
-    sliding = nodes.times > PRESSING + 1e-9
-    return np.stack([nodes[name][sliding][:, top].sum(axis=1) for name in ("Rx", "Ry")], axis=1)
-
-
-def ripple(outcome: Outcome) -> float:
-    """Difference of largest and smallest normal reaction over its mean, over the middle of the way."""
-    force = reaction(outcome)[STEPS_A_FACET:-STEPS_A_FACET, 1]
-    return float((force.max() - force.min()) / abs(force.mean()))

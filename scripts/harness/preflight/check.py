@@ -9,8 +9,8 @@ from pathlib import Path
 
 from harness.preflight import model as models
 from harness.preflight.finding import Finding, Severity
-from harness.preflight.joint import Joint
 from harness.preflight.rules import ON_PHYSICS, ON_SURFACES, ON_TEXT
+from harness.preflight.sides import Joint
 
 UNREADABLE = ("bad-value", "load-curve")
 """Rules after which the values of the contact cannot be used."""

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from harness.preflight import levels
-from harness.preflight.document import Element
-from harness.preflight.joint import Joint
 from harness.preflight.levels import Array, Level
+from harness.preflight.sides import Joint
+from harness.preflight.xml_file import Element
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.preflight.document import Element, children, text
-from harness.preflight.joint import Joint
 from harness.preflight.model import Condition, Contact, Model
+from harness.preflight.sides import Joint
+from harness.preflight.xml_file import Element, children, text
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,8 @@ def initial_pressures(model: Model) -> Iterator[Level]:
 def prescribed_concentrations(model: Model, solute: int) -> Iterator[Level]:
     """Effective concentrations prescribed by boundary conditions."""
     for level in _fixed(model, "zero concentration"):
-        if level.tag.find("c_dof") is None or _solute_of(model, level.tag.find("c_dof")) in (solute, 0):
+        named = level.tag.find("c_dof")
+        if named is None or not _solutes_of(model, named).isdisjoint((solute, 0)):
             yield level
     yield from _values(model, model.boundary, "prescribed concentration", solute)
 
@@ -69,7 +70,8 @@ def _values(model: Model, conditions: tuple[Condition, ...], kind: str, solute: 
         value = condition.tag.find("value")
         if condition.kind != kind or value is None or condition.step > 1:
             continue
-        if solute and _solute_of(model, condition.tag.find("dof")) != solute:
+        dof = condition.tag.find("dof")
+        if solute and (1 if dof is None else next(iter(_solutes_of(model, dof)))) != solute:
             continue
         yield Level(value, model.history(value), model.nodes(condition))
 
@@ -80,12 +82,15 @@ def _fixed(model: Model, kind: str) -> Iterator[Level]:
             yield Level(condition.tag, np.zeros((1, 2)), model.nodes(condition))
 
 
-def _solute_of(model: Model, dof: Element | None) -> int:
-    """Number of the solute in ``c1`` or in a solute's name; 0 where it is not one."""
-    name = "c1" if dof is None else text(dof)
+def _solutes_of(model: Model, dof: Element) -> set[int]:
+    """Numbers of the solutes in ``c1``, in a solute's name, or in a list of them; 0 for what is not one."""
+    return {_solute_of(model, name.strip()) for name in text(dof).split(",")}
+
+
+def _solute_of(model: Model, name: str) -> int:
     if name in model.solutes:
         return model.solutes[name]
-    return int(name[1:]) if name[:1] == "c" and name[1:].isdigit() else 0
+    return int(name[1:]) if name[:1] == "c" and name[1:].isdecimal() else 0
 
 
 def ambient_concentrations(model: Model, contact: Contact) -> dict[int, Element]:

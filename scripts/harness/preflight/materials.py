@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from harness.errors import ModelError
-from harness.preflight.document import Document, Element, attribute, children, optional_number, place
+from harness.preflight.xml_file import Document, Element, attribute, children, optional_number, place
 
 POROUS = ("biphasic", "biphasic-solute", "triphasic", "multiphasic", "multiphasic-multigeneration")
 RIGID = "rigid body"
@@ -92,7 +92,7 @@ def read(document: Document, solutes: Mapping[str, int]) -> dict[str, Material]:
 def _material(tag: Element, solutes: Mapping[str, int]) -> Material:
     kind = attribute(tag, "type")
     porous = kind in POROUS
-    solid = tag.find("solid") if porous else tag
+    solid = tag.find("solid") if porous or kind.endswith("-FSI") else tag
     own: dict[int, Solute] = {}
     for child in children(tag, "solute") if porous else ():
         number = solutes.get(str(child.get("sol")))

@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.contact_types import TYPES, ContactType
 from harness.errors import ModelError
-from harness.preflight import document as documents
-from harness.preflight import materials, mesh
-from harness.preflight.document import Document, Element, attribute, children, number, optional_number, place, text
+from harness.preflight import materials, mesh_section
+from harness.preflight import xml_file as documents
+from harness.preflight.contact_types import TYPES, ContactType
 from harness.preflight.materials import Material
-from harness.preflight.mesh import Mesh, Pair
+from harness.preflight.mesh_section import Mesh, Pair
+from harness.preflight.xml_file import Document, Element, attribute, children, number, optional_number, place, text
 
 
 @dataclass(frozen=True)
@@ -56,6 +56,12 @@ class Contact:
         asked = self.given("effects")
         words = {"all"} if asked is None else {word.strip() for word in text(asked).split(",")}
         return "all" in words or not words.isdisjoint(names)
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether it resists sliding: a friction coefficient other than zero, a formula too, in a type that uses it."""
+        used = self.kind.name != "sliding-facet-on-facet"  # FEBio 4.11 sets its coefficient to zero
+        return used and self.given("fric_coeff") is not None and optional_number(self.tag, "fric_coeff") != 0.0
 
     @property
     def augmented(self) -> bool:
@@ -221,7 +227,7 @@ def read(path: Path, data: bytes | None = None) -> Model:
     if module is None:
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')
     numbers = _solutes(document)
-    made_mesh = mesh.read(document)
+    made_mesh = mesh_section.read(document)
     made = Model(
         document=document,
         module=attribute(module, "type"),

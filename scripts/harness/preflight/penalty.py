@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.closed_forms.penalty_leak import relative_jump
-from harness.preflight.document import Element
-from harness.preflight.joint import TRACTION, Field, Joint
+from harness.preflight.sides import TRACTION, Field, Joint
+from harness.preflight.xml_file import Element
 
 TRACTION_FACTOR, FLUX_FACTOR = 1e3, 1e5
-"""`default_traction_factor` and `default_flux_factor` of plugin/contact/settings.h."""
+"""`default_traction_factor` and `default_flux_factor` of plugin/contact/base/settings.h."""
 
 
 @dataclass(frozen=True)
@@ -50,15 +50,20 @@ def penalty(joint: Joint, field: Field) -> Penalty:
     mixture = contact.kind.is_mixture
     local = in_series(joint, field) if mixture else _mean(joint.primary.conductances(field))
     default = (TRACTION_FACTOR if field == TRACTION else FLUX_FACTOR) if mixture else 1.0
-    factor = contact.value(field.penalty, default)
+    factor = default if tag is None else _largest(joint, tag)
     automatic = contact.on("auto_penalty") or (mixture and tag is None)
     return Penalty(
         factor * local if automatic else factor, local, tag is not None, automatic, contact.tag if tag is None else tag
     )
 
 
+def _largest(joint: Joint, tag: Element) -> float:
+    """A parameter where its load curve is highest."""
+    return float(joint.model.history(tag)[:, 1].max(initial=-math.inf))
+
+
 def in_series(joint: Joint, field: Field) -> float:
-    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/penalty.cpp."""
+    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/law/penalty.cpp."""
     one, two = _mean(joint.primary.conductances(field)), _harmonic_mean(joint.secondary.conductances(field))
     if math.isinf(one) or math.isinf(two):
         return 2.0 * min(one, two)

@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from harness.preflight.finding import Finding
-from harness.preflight.joint import Joint
-from harness.preflight.rules import bath, distances, motion, parameters, penalties, surfaces, transport
+from harness.preflight.rules import ambient_values, distances, motion, penalties, settings, surfaces, transport
+from harness.preflight.sides import Joint
 
 Rule = Callable[[Joint], Iterable[Finding]]
 
-ON_TEXT: tuple[Rule, ...] = parameters.RULES
+ON_TEXT: tuple[Rule, ...] = settings.RULES
 """Rules that read the file alone."""
 ON_SURFACES: tuple[Rule, ...] = surfaces.RULES
 """Rules on the surfaces; the others are asked only where these find no error."""
-ON_PHYSICS: tuple[Rule, ...] = (*distances.RULES, *penalties.RULES, *transport.RULES, *bath.RULES, *motion.RULES)
+ON_PHYSICS: tuple[Rule, ...] = (
+    *distances.RULES,
+    *penalties.RULES,
+    *transport.RULES,
+    *ambient_values.RULES,
+    *motion.RULES,
+)
 """Rules that need surfaces in order and numbers as values."""

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.preflight.finding import Finding
-from harness.preflight.joint import Joint
 from harness.preflight.rules.tools import error, note, short, warning
+from harness.preflight.sides import Joint
 
 DEEP = 0.25
 """Overlap over the thickness of the elements beyond which the first iteration is in danger; a press fit has less."""

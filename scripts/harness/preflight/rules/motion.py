@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.preflight.document import Element, children, flag, text
 from harness.preflight.finding import Finding
-from harness.preflight.joint import Joint, Side
 from harness.preflight.model import Condition, Model
 from harness.preflight.rules.tools import short, warning
+from harness.preflight.sides import Joint, Side
+from harness.preflight.xml_file import Element, children, flag, text
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
@@ -36,13 +36,14 @@ def rigid_modes(joint: Joint) -> Iterator[Finding]:
         free = free_motions(held)
         if not free:
             continue
-        touching = free_motions(np.concatenate([held, _contact_rows(side, _centre(model, side))]))
+        rubbing = joint.contact.has_friction
+        touching = free_motions(np.concatenate([held, _contact_rows(side, _centre(model, side), rubbing)]))
         if touching:
             yield warning(
                 "rigid-motion",
                 side.surface.tag,
                 f"nothing holds the body of surface '{side.surface.name}' against motion {_and(touching)}; the contact "
-                "has no friction and does not hold it either: the matrix is singular, and any load sends the body off",
+                "does not hold it either: the matrix is singular, and any load sends the body off",
                 "Add a boundary condition that holds it, or a weak spring.",
             )
         elif apart:
@@ -103,10 +104,13 @@ def _row(points: Array, axes: Array, centre: tuple[Array, float]) -> Array:
     return np.concatenate([axes, np.cross(arms, axes)], axis=1)
 
 
-def _contact_rows(side: Side, centre: tuple[Array, float]) -> Array:
-    """What full contact without friction holds: the normal motion of each facet."""
+def _contact_rows(side: Side, centre: tuple[Array, float], rubbing: bool) -> Array:
+    """What full contact holds: the normal motion of the corners of each facet, and with friction every motion."""
     step = max(1, len(side.centres) // MOST_ROWS)
-    return _row(side.centres[::step], side.normals[::step], centre)
+    corners, normals = side.corners[::step].reshape(-1, 3), side.normals[::step].repeat(4, axis=0)
+    if not rubbing:
+        return _row(corners, normals, centre)
+    return np.concatenate([_row(corners, np.broadcast_to(axis, corners.shape), centre) for axis in np.eye(3)])
 
 
 def _constraints(model: Model, side: Side) -> Array:

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 
 from harness.preflight.finding import Finding
-from harness.preflight.joint import TRACTION, Field, Joint
 from harness.preflight.penalty import Penalty, leak, penalty, penalty_for
 from harness.preflight.rules.tools import error, note, percent, short, warning
+from harness.preflight.sides import TRACTION, Field, Joint
 
 LARGEST_LEAK = 0.01
 """Jump over the difference across both bodies that passes without a word."""
@@ -40,7 +40,7 @@ def after_augmentation(joint: Joint, jump: float) -> float:
 
 def _leak_in_words(joint: Joint, field: Field, own: Penalty, left: float) -> str:
     how = "as given" if own.given else "not given, so FEBio takes 1"
-    if own.factor:
+    if own.factor and own.local > 0.0:
         how = f"{short(own.value / own.local)} times the local {_local(field)}"
     augmented = " even after all augmentations" if joint.contact.augmented else ""
     begin = f"<{field.penalty}> is {short(own.value)} ({how}): at this penalty"
@@ -58,7 +58,8 @@ def _local(field: Field) -> str:
 
 def _stiffer(joint: Joint, field: Field, own: Penalty) -> str:
     enough = penalty_for(joint, field, GOOD_LEAK)
-    value = f"{short(enough / own.local)}, times the local {_local(field)}" if own.factor else short(enough)
+    relative = own.factor and own.local > 0.0
+    value = f"{short(enough / own.local)}, times the local {_local(field)}" if relative else short(enough)
     if joint.contact.kind.is_mixture:
         return f"Delete <{field.penalty}>: it is then chosen automatically. Or set at least {value}."
     return f"Set <{field.penalty}> to {value}; this leaves {percent(GOOD_LEAK)}."
@@ -69,7 +70,7 @@ def too_stiff(joint: Joint) -> Iterator[Finding]:
     for field in joint.fields:
         own = penalty(joint, field)
         limit = STIFFEST_TRACTION if field == TRACTION else STIFFEST_FLUX
-        if own.given and own.value > limit * own.local:
+        if own.given and own.value > limit * own.local > 0.0:
             yield warning(
                 "stiff-penalty",
                 own.tag,

@@ -11,11 +11,13 @@ from scipy.sparse.csgraph import connected_components
 
 from harness.preflight import rays
 from harness.preflight.finding import Finding
-from harness.preflight.joint import Joint, Side, sample
-from harness.preflight.rules.tools import error, warning
+from harness.preflight.rules.tools import error, note, warning
+from harness.preflight.sides import Joint, Side, sample
 
 SHARP = np.cos(np.radians(60.0))
 """Cosine of the angle between the normals of neighbouring facets from which the edge between them is sharp."""
+OPPOSED = 0.1
+"""Minus the cosine of the angle between the normals of two facets from which they can touch each other."""
 
 
 def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
@@ -38,7 +40,8 @@ def shell_facets(joint: Joint) -> Iterator[Finding]:
             yield error(
                 "shell-facets",
                 side.surface.tag,
-                f"surface '{side.surface.name}' lies on shells; sliding-mixture works on the faces of solid elements",
+                f"surface '{side.surface.name}' lies on shell elements, which sliding-mixture does not support: it "
+                "works on the faces of solid elements",
                 "Use solid elements behind the surface, or keep FEBio's contact type.",
             )
 
@@ -148,14 +151,22 @@ def facing(joint: Joint) -> Iterator[Finding]:
     if any(_sees(side, other)[1].any() for side, other in (joint.sides, joint.sides[::-1])):
         return
     pair = joint.contact.pair
+    surfaces = f"surfaces '{pair.primary.name}' and '{pair.secondary.name}'"
+    if _opposed(*joint.sides):
+        yield note(
+            "facing",
+            pair.tag,
+            f"{surfaces} are not in front of each other at the start: no contact until a body has moved sideways",
+            "None needed if a body moves so.",
+        )
+        return
     one, two = (side.areas.sum(axis=0) for side in joint.sides)
     same = float(one @ two) > 0.3 * float(np.linalg.norm(one) * np.linalg.norm(two))
-    where = "point the same way" if same else "are not in front of each other"
+    where = "point the same way" if same else "do not face each other"
     yield error(
         "facing",
         pair.tag,
-        f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' {where}: no facet of one has a facet of the other "
-        "in front of it, so there is no contact",
+        f"{surfaces} {where}: no facet of one has a normal against that of one of the other, so there is no contact",
         "One was probably selected on the wrong side of its body. Take the faces that look at each other.",
     )
 
@@ -190,6 +201,12 @@ def _sees(side: Side, other: Side) -> tuple[NDArray[np.int64], NDArray[np.bool_]
     pick = sample(len(side.centres), len(targets))
     hits = rays.nearest_facing(side.centres[pick], side.normals[pick], targets)
     return pick, np.asarray(hits.triangle >= 0)
+
+
+def _opposed(one: Side, two: Side) -> bool:
+    """Whether some facets of two sides have opposite normals, so that the bodies can meet there."""
+    first, second = (side.normals[sample(len(side.normals), 1)] for side in (one, two))
+    return bool((first @ second.T < -OPPOSED).any())
 
 
 def _patches(side: Side) -> NDArray[np.int64]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from harness.preflight.document import Element, place
 from harness.preflight.finding import Finding, Severity
+from harness.preflight.xml_file import Element, place
 
 
 def error(rule: str, tag: Element, message: str, suggestion: str) -> Finding:

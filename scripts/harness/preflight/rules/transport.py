@@ -8,10 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.preflight import levels
-from harness.preflight.document import Element, children, optional_number, text
 from harness.preflight.finding import Finding
-from harness.preflight.joint import SOLVENT, Joint, Side
 from harness.preflight.rules.tools import note, short, warning
+from harness.preflight.sides import SOLVENT, Joint, Side
+from harness.preflight.xml_file import Element, children, optional_number, text
 
 LARGEST_PECLET = 2.0
 """Element Peclet number from which linear elements oscillate."""
@@ -60,6 +60,8 @@ def time_step(joint: Joint) -> Iterator[Finding]:
     if control is None or step is None:
         return
     size = optional_number(control, "step_size")
+    if not size > 0.0:
+        return
     for number in sorted(joint.primary.solutes | joint.secondary.solutes):
         start = levels.start_concentrations(joint, number)
         if not start or min(start) > 0.0 or max(start) <= 0.0:

@@ -1,0 +1,80 @@
+"""What becomes of each parameter of FEBio's sliding interfaces, and why: the table of docs/migration.md."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+from harness.preflight.contact_types import ContactType
+
+
+class Action(str, Enum):
+    """What happens to a parameter."""
+
+    KEPT = "kept"
+    MAPPED = "mapped"
+    DROPPED = "dropped"
+
+
+@dataclass(frozen=True)
+class Change:
+    """What happened to one parameter, and why."""
+
+    action: Action
+    name: str
+    line: int
+    reason: str
+
+
+DROPPED = {
+    "knmult": "the linearisation is always complete; it changes the iterations alone",
+    "smooth_aug": "multipliers take the contact's own loads at nodes, which are smooth",
+    "smooth_fls": "acts with friction alone",
+    "contact_frac": "acts with friction alone",
+    "penalty_sf": "acts between augmentations alone; penalties grow by themselves",
+    "max_penalty_sf": "acts between augmentations alone; penalties grow by themselves",
+}
+"""Parameters without a meaning in `sliding-mixture` that do not change the converged answer."""
+
+KEPT = {
+    "tolerance": "measures gaps and jumps over the drop across the adjoining elements, not the change of multipliers",
+    "gaptol": "measured at nodes instead of integration points",
+    "ptol": "measured at nodes instead of integration points",
+    "ctol": "measured at nodes instead of integration points",
+    "auto_penalty": "both sides count in series instead of one; the same where they are equal",
+    "two_pass": "each pass has nodes and multipliers of its own",
+    "search_radius": "always a length",
+    "maxaug": "a warning where it ends a step",
+}
+"""What differs in parameters that stay."""
+NO_DIFFERENCE = "same meaning"
+
+DEFAULT = "1"
+"""FEBio's default of each of these, where `sliding-mixture` chooses by itself: written, so the answer stays."""
+_PENALTY = "FEBio's default, written out; without it the penalty is automatic and accurate, and the answer another"
+WRITTEN = {
+    "penalty": _PENALTY,
+    "pressure_penalty": _PENALTY,
+    "concentration_penalty": _PENALTY,
+    "search_radius": "FEBio's default, written out; without it the radius follows the size of the surfaces",
+}
+
+
+def fate(name: str, value: str) -> Callable[[int], Change]:
+    """What becomes of a parameter with a value, as a function of its line."""
+    action, reason = _fate(name, value)
+    return lambda line: Change(action, name, line, reason)
+
+
+def _fate(name: str, value: str) -> tuple[Action, str]:
+    if name in DROPPED:
+        return Action.DROPPED, DROPPED[name]
+    if name == "symmetric_stiffness" and value.lower() in ("1", "true"):
+        return Action.DROPPED, "a symmetric tangent costs iterations and changes nothing else; the default is complete"
+    return Action.KEPT, KEPT.get(name, NO_DIFFERENCE)
+
+
+def missing(kind: ContactType, given: set[str]) -> Iterator[str]:
+    """Defaults of FEBio's that have to be written out for a contact of a type."""
+    return (name for name in WRITTEN if name in kind.parameters and name not in given)

@@ -1,0 +1,95 @@
+"""Draws figure 3.4 of Ateshian, Maas and Weiss (2012), and what problem 3.3 is judged by over time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from harness.indentation.histories import Curves
+from harness.models.indentation import TIMES
+from harness.post.section_figures import Section, draw_bodies
+from harness.run.runner import Outcome
+
+Array = NDArray[np.float64]
+FIELDS, CURVES = "figure-3.4", "indentation-curves"
+COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
+PLANE = Section(mirrored=True)
+"""The plane z = 0 and its mirror image."""
+
+
+def draw(outcome: Outcome, curves: Curves, folder: Path) -> list[Path]:
+    """Both figures of a plane problem, as PNG files in `folder`, which is made where needed."""
+    folder.mkdir(parents=True, exist_ok=True)
+    return [draw_fields(outcome, folder / f"{FIELDS}.png"), draw_curves(curves, folder / f"{CURVES}.png")]
+
+
+def draw_fields(outcome: Outcome, path: Path, times: Sequence[float] = TIMES) -> Path:
+    """Concentration over the deformed bodies; both halves are shown, and times that were not reached are left out."""
+    history = outcome.nodes
+    reached = [time for time in times if time <= history.times[-1] * (1.0 + 1e-6)]
+    if not reached:
+        reached = [float(history.times[-1])]
+    rows = (len(reached) + 1) // 2
+    figure = Figure(figsize=(9.6, 2.1 * rows + 0.2), layout="constrained")
+    places = figure.subplots(rows, min(2, len(reached)), squeeze=False, sharex=True, sharey=True).ravel()
+    drawn = None
+    for axes, time in zip(places, reached, strict=False):
+        state = history.at(time)
+        positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
+        drawn = draw_bodies(axes, outcome.model.mesh, PLANE, positions, history["c1"][state])
+        axes.set_title(f"{time:g} s", fontsize=10)
+    for axes in places[len(reached) :]:
+        axes.set_visible(False)
+    if drawn is not None:
+        figure.colorbar(drawn, ax=places.tolist(), label=r"$\tilde c$ [mM]", shrink=0.9, extend="both")
+    figure.savefig(path, dpi=160)
+    return path
+
+
+@dataclass(frozen=True)
+class _Panel:
+    """One pair of axes: its label and the curves in it."""
+
+    label: str
+    curves: tuple[tuple[str, Array], ...]
+
+
+def draw_curves(curves: Curves, path: Path) -> Path:
+    """Force, half-width, contents and outflow, extremes, over time from the first step on."""
+    panels = (
+        _Panel("force [N]", (("", curves.force),)),
+        _Panel("contact half-width [mm]", (("", curves.half_width),)),
+        _Panel(
+            "solute [nmol]",
+            (
+                ("slab", curves.slab),
+                ("cylinder", curves.cylinder),
+                ("outflow", curves.outflow),
+                ("sum", curves.slab + curves.cylinder + curves.outflow),
+            ),
+        ),
+        _Panel(r"$\tilde c$ [mM]", (("largest", curves.highest), ("smallest", curves.lowest))),
+    )
+    figure = Figure(figsize=(9.6, 6.2), layout="constrained")
+    for axes, panel in zip(figure.subplots(2, 2, sharex=True).ravel(), panels, strict=True):
+        _panel(axes, curves.times, panel)
+    figure.savefig(path, dpi=160)
+    return path
+
+
+def _panel(axes: Axes, times: Array, panel: _Panel) -> None:
+    for (name, values), colour in zip(panel.curves, COLOURS, strict=False):
+        axes.plot(times[1:], values[1:], color=colour, linewidth=1.4, label=name)
+    axes.set_xscale("log")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(panel.label)
+    axes.axvline(1.0, color="0.8", linewidth=0.8, zorder=0)
+    axes.spines[["top", "right"]].set_visible(False)
+    if len(panel.curves) > 1:
+        axes.legend(fontsize=8, frameon=False)

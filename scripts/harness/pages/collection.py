@@ -1,0 +1,48 @@
+"""The models that stand in models/ for a user to open, run and copy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from harness.models.composite import Composite
+from harness.models.confined import Confined
+from harness.models.convection import PRESSURES, Convection
+from harness.models.diffusion import Diffusion
+from harness.models.document import Model
+from harness.models.interface import Join
+from harness.models.layers import Layers
+from harness.models.parts import Control
+from harness.pages.gallery import entries
+
+
+def before_migration() -> Model:
+    """A small model with one of FEBio's own interfaces, for `convert` to change."""
+    return Diffusion(Join.SOLUTE, elements=5, control=Control(50, 160.0), name="before-migration").model()
+
+
+def models() -> list[Model]:
+    """Every model of the collection, with the plugin's interface in its default settings and a plot file."""
+    validated = [
+        Diffusion(plot=True).model(),
+        *(Convection(peclet=peclet, plot=True).model() for peclet in PRESSURES),
+        Composite(plot=True).model(),
+        Layers(plot=True).model(),
+        Confined(plot=True).model(),
+    ]
+    names = {model.name for model in validated}
+    return validated + [entry.model for entry in entries.entries() if entry.model.name not in names]
+
+
+def write(folder: Path) -> list[Path]:
+    """Write the collection into `folder` and return the paths."""
+    return [model.write(folder) for model in (*models(), before_migration())]
+
+
+def outdated(folder: Path) -> list[str]:
+    """Names of the files in `folder` that are missing or differ from what `write` would write."""
+    names = []
+    for model in (*models(), before_migration()):
+        path = folder / f"{model.name}.feb"
+        if not path.is_file() or path.read_text(encoding="iso-8859-1") != model.text():
+            names.append(path.name)
+    return names

@@ -1,0 +1,1 @@
+"""The gallery: models to start from, their pictures, curves and run times."""

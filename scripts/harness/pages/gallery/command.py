@@ -1,0 +1,39 @@
+"""The command that runs the gallery and writes its page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.pages.gallery import entries, figures, page
+from harness.paths import RESULTS
+from harness.run.runner import Runner
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def gallery(
+    only: Annotated[list[str] | None, typer.Option(help="Run this model alone; may be repeated.")] = None,
+    small: Annotated[bool, typer.Option(help="Fewer elements and steps, in a minute.")] = False,
+    folder: Annotated[Path, typer.Option(help="Where page, numbers and pictures go; `docs` for the site.")] = RESULTS
+    / "gallery",
+) -> None:
+    """Run the models that one would start from, and write their page with pictures, curves and run times."""
+    chosen = {entry.model.name: entry for entry in entries.entries()}
+    for name in only or []:
+        if name not in chosen:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(chosen)}", param_hint="--only")
+    runner = Runner(RESULTS / "runs")
+    records = page.read(folder)
+    for name in only or list(chosen):
+        entry = chosen[name]
+        outcome = runner(entry.small if small else entry.model)
+        figures.draw(entry, outcome, entries.curves(entry, outcome), folder / page.IMAGES)
+        records[name] = page.record(outcome)
+        taken = records[name]
+        console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.wall:g} s", markup=False)
+    written = page.write(folder, records)
+    console.print("Written: " + ", ".join(str(path) for path in written))

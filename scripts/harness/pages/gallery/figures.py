@@ -1,0 +1,96 @@
+"""Draws what the gallery shows of a model: concentration over the deformed bodies, and curves over time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from harness.models.document import Model
+from harness.models.parts import Mixture
+from harness.pages.gallery.entries import Curves, Entry
+from harness.post.section_figures import draw_bodies
+from harness.run.runner import Outcome
+
+Array = NDArray[np.float64]
+COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
+DPI = 110
+
+
+def draw(entry: Entry, outcome: Outcome, curves: Curves, folder: Path) -> list[Path]:
+    """Both pictures of a run, as PNG files in `folder`, which is made where needed."""
+    folder.mkdir(parents=True, exist_ok=True)
+    name = outcome.model.name
+    return [
+        draw_section(entry, outcome, folder / f"{name}-section.png"),
+        draw_curves(curves, folder / f"{name}-curves.png"),
+    ]
+
+
+def draw_section(entry: Entry, outcome: Outcome, path: Path) -> Path:
+    """Effective concentration over the deformed bodies at those times of the entry that the run has, or at its end."""
+    history = outcome.nodes
+    times = [time for time in entry.times if history.has(time)] or [float(history.times[-1])]
+    states = [history.at(time) for time in times]
+    extent = [float(np.ptp(history["xyz"[axis]][states])) for axis in (entry.section.across, entry.section.up)]
+    width = extent[0] * (2.0 if entry.section.mirrored else 1.0)
+    rows, columns, size = _arrangement(extent[1] / width, len(times))
+    figure = Figure(figsize=size, layout="constrained")
+    places = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True).ravel()
+    for axes in places[len(times) :]:
+        axes.set_visible(False)
+    drawn = None
+    for axes, time, state in zip(places, times, states, strict=False):
+        positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
+        values = np.where(_without_solute(outcome.model), np.nan, history["c1"][state])
+        drawn = draw_bodies(axes, outcome.model.mesh, entry.section, positions, values) or drawn
+        axes.set_title(f"{time:g} s", fontsize=10)
+    if drawn is not None:
+        figure.colorbar(drawn, ax=places.tolist(), label=r"$\tilde c$ [mM]", shrink=0.9, extend="both")
+    figure.savefig(path, dpi=DPI)
+    return path
+
+
+def _without_solute(model: Model) -> NDArray[np.bool_]:
+    """Nodes of parts without solutes, for which febio4 writes zero."""
+    lacking = np.zeros(len(model.mesh.nodes), dtype=bool)
+    for part in model.mesh.parts:
+        lacking[part.elements - 1] = not isinstance(model.materials[part.material], Mixture)
+    return lacking
+
+
+def _arrangement(aspect: float, pictures: int) -> tuple[int, int, tuple[float, float]]:
+    """Rows and columns of pictures of height/width `aspect`, wide ones two in a row; size of the figure, inch."""
+    columns = pictures if aspect > 1.0 else min(2, pictures)
+    rows = -(-pictures // columns)
+    across = min(4.2, 8.6 / columns)
+    height = min(across * aspect, 3.2)
+    return rows, columns, (height / aspect * columns + 1.0, (height + 0.3) * rows)
+
+
+def draw_curves(curves: Curves, path: Path) -> Path:
+    """Content of each part, mean concentration on each contact surface, and the force if there is one, over time."""
+    count = 2 if curves.force is None else 3
+    figure = Figure(figsize=(3.5 * count, 2.8), layout="constrained")
+    places = figure.subplots(1, count, squeeze=False).ravel()
+    _panel(places[0], curves.times, curves.contents, "solute [nmol]")
+    _panel(places[1], curves.times, curves.sides, r"mean $\tilde c$ of surface [mM]")
+    if curves.force is not None:
+        _panel(places[2], curves.times, {"": curves.force}, "force [N]")
+    figure.savefig(path, dpi=DPI)
+    return path
+
+
+def _panel(axes: Axes, times: Array, lines: Mapping[str, Array], label: str) -> None:
+    for number, (name, values) in enumerate(lines.items()):
+        style = "-" if number % 2 == 0 else "--"
+        axes.plot(times, values, style, color=COLOURS[number % len(COLOURS)], linewidth=1.4, label=name)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(label)
+    axes.spines[["top", "right"]].set_visible(False)
+    if len(lines) > 1:
+        axes.legend(fontsize=8, frameon=False)

@@ -1,0 +1,195 @@
+"""The verification report: every check of `validate` with its runs, as docs/verification.json and a page of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from harness.errors import DataFileError
+from harness.models.document import Model
+from harness.models.parts import text_of
+from harness.post.compare import Measure
+from harness.run import provenance
+from harness.run.runner import Outcome, Runner
+from harness.validate.checks import Check, Context
+from harness.validate.results import measures_as_data, measures_from_data
+
+PAGE, DATA = "verification-report.md", "verification.json"
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run behind a figure.
+
+    Attributes
+    ----------
+    model, mesh, steps, contact, tolerances : str
+        Name, and the rest as the page shows it.
+    iterations : int
+    """
+
+    model: str
+    mesh: str
+    steps: str
+    contact: str
+    tolerances: str
+    iterations: int
+
+
+@dataclass(frozen=True)
+class Section:
+    """A check: its name and what it does in one line, its measures, its runs."""
+
+    name: str
+    about: str
+    measures: list[Measure]
+    runs: list[Run]
+
+
+@dataclass(frozen=True)
+class Report:
+    """Everything on the page; `versions` are those of plugin and engine."""
+
+    versions: str
+    sections: list[Section]
+
+
+@dataclass
+class Recorder(Runner):
+    """A runner that notes what was run."""
+
+    outcomes: list[Outcome] = field(default_factory=list)
+
+    def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> Outcome:
+        """As `Runner`."""
+        outcome = super().__call__(model, options=options, check=check)
+        self.outcomes.append(outcome)
+        return outcome
+
+
+def make(root: Path, checks: Sequence[Check]) -> Iterator[tuple[Section, str]]:
+    """Make the checks one after the other, with runs below `root`; each comes with the versions it was made with."""
+    for check in checks:
+        recorder = Recorder(root)
+        measures = check.run(Context(recorder))
+        yield _section(check, measures, recorder.outcomes), _versions(recorder.outcomes)
+
+
+def _section(check: Check, measures: list[Measure], outcomes: list[Outcome]) -> Section:
+    unique = {outcome.folder: outcome for outcome in outcomes}
+    return Section(check.name, check.about, measures, [_run(outcome) for outcome in unique.values()])
+
+
+def _versions(outcomes: list[Outcome]) -> str:
+    engines = sorted({provenance.engine_version(outcome.log) for outcome in outcomes})
+    return ", ".join([f"plugin {provenance.plugin_version()}", *engines])
+
+
+def _run(outcome: Outcome) -> Run:
+    model = outcome.model
+    kinds = " and ".join(sorted({f"hex{part.elements.shape[1]}" for part in model.mesh.parts}))
+    elements = sum(len(part.elements) for part in model.mesh.parts)
+    control = model.control
+    tolerances = {"dtol": control.displacement_tolerance, "ptol": control.pressure_tolerance}
+    if model.n_solutes:
+        tolerances["ctol"] = control.concentration_tolerance
+    return Run(
+        model=model.name,
+        mesh=f"{elements} {kinds}, {len(model.mesh.nodes)} nodes",
+        steps=f"{outcome.report.steps} adaptive" if control.stepper else f"{control.steps} of {control.step:g} s",
+        contact="; ".join(_settings(model)) or "none: one body",
+        tolerances=", ".join(f"{name} {value:g}" for name, value in tolerances.items()),
+        iterations=outcome.report.iterations,
+    )
+
+
+def _settings(model: Model) -> list[str]:
+    """Each contact with the parameters that its model gives."""
+    given = [", ".join(f"`{p.tag}` {text_of(p.value)}" for p in contact.params) for contact in model.contacts]
+    kinds = [contact.kind for contact in model.contacts]
+    return [f"`{kind}`, {params or 'defaults'}" for kind, params in zip(kinds, given, strict=True)]
+
+
+def write(folder: Path, report: Report) -> list[Path]:
+    """Write data and page into `folder`, which is made where needed."""
+    folder.mkdir(parents=True, exist_ok=True)
+    sections = [asdict(s) | {"measures": measures_as_data(s.measures)} for s in report.sections]
+    data = {"versions": report.versions, "sections": sections}
+    (folder / DATA).write_text(json.dumps(data, indent=1, allow_nan=False) + "\n")
+    (folder / PAGE).write_text(page(report), encoding="utf-8")
+    return [folder / PAGE, folder / DATA]
+
+
+def read(folder: Path) -> Report:
+    """Read what `write` wrote.
+
+    Raises
+    ------
+    DataFileError
+        A missing file, or one that is not such a file.
+    """
+    path = folder / DATA
+    try:
+        data = json.loads(path.read_text())
+        sections = [
+            Section(s["name"], s["about"], measures_from_data(s["measures"]), [Run(**run) for run in s["runs"]])
+            for s in data["sections"]
+        ]
+        return Report(data["versions"], sections)
+    except OSError as error:
+        raise DataFileError(f"cannot read {path}: {error.strerror}; `report` writes it") from error
+    except (json.JSONDecodeError, KeyError, TypeError) as error:
+        raise DataFileError(f"{path}: {error}; `report` writes it anew") from error
+
+
+def page(report: Report) -> str:
+    """The text of the page."""
+    introduction = _INTRODUCTION.format(versions=report.versions)
+    return "\n\n".join([introduction, *(_text(section) for section in report.sections)]) + "\n"
+
+
+_INTRODUCTION = """\
+# Verification report
+
+<!-- Written by `scripts/mixcontact report`; change the checks in scripts/harness/validate/checks.py instead. -->
+
+Each figure with its bar, the runs behind it, and how to make it again. Made with {versions}, one thread, full Newton.
+All of it:
+
+```console
+scripts/mixcontact report
+```
+
+"Whole" is the same mesh as one body. The tolerances are those of FEBio's Newton iterations. More, and what falls
+short, stands in [verification](verification.md)."""
+
+
+def _text(section: Section) -> str:
+    """One check. Its command repeats it alone; what needs no run has no table of runs."""
+    parts = [f"## {section.name}", section.about, _command(section), _measures(section.measures)]
+    return "\n\n".join(parts + ([_runs(section.runs)] if section.runs else []))
+
+
+def _command(section: Section) -> str:
+    return f"```console\nscripts/mixcontact validate --only {section.name}\n```"
+
+
+def _measures(measures: list[Measure]) -> str:
+    lines = ["| figure | measured | bar | |", "|---|---|---|---|"]
+    for m in measures:
+        bar = f"<= {m.bar:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.bar:.4g}"
+        lines.append(f"| {_cell(m.name)} | {m.value:.4g} | {bar} | {'met' if m.passed else '**missed**'} |")
+    return "\n".join(lines)
+
+
+def _runs(runs: list[Run]) -> str:
+    lines = ["| model | mesh | steps | contact | tolerances | iterations |", "|---|---|---|---|---|---|"]
+    rows = [(r.model, r.mesh, r.steps, r.contact, r.tolerances, str(r.iterations)) for r in runs]
+    return "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows)])
+
+
+def _cell(text: str) -> str:
+    """Text in a table: a bar would end the cell."""
+    return text.replace("|", "\\|")

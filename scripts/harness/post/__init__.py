@@ -1,0 +1,1 @@
+"""Numbers and pictures from what a run wrote: differences, balances, sections."""

@@ -1,0 +1,125 @@
+"""Numbers that say how far two solutions are apart, and whether that is near enough."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from harness.errors import ModelError
+from harness.models.mesh import Ids, Mesh
+from harness.run.runner import Outcome
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One measured number and the bar it is held against.
+
+    Attributes
+    ----------
+    name : str
+    value : float
+    bar : float
+        Largest value allowed.
+    lowest : float
+        Smallest value allowed.
+    note : str
+        Where the number comes from.
+    """
+
+    name: str
+    value: float
+    bar: float
+    lowest: float = -math.inf
+    note: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether the value lies within its bounds; nan does not."""
+        return self.lowest <= self.value <= self.bar
+
+
+def missed(measures: Iterable[Measure]) -> list[str]:
+    """The measures that miss their bar, each in a line."""
+    return [f"{m.name}: {m.value:.6g}, not within [{m.lowest:g}, {m.bar:g}] {m.note}" for m in measures if not m.passed]
+
+
+def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:
+    """For each node of a cut mesh, the index (from 0) of the node of the glued mesh at the same place.
+
+    Parameters
+    ----------
+    mesh, reference : Mesh
+    tolerance : float
+        Largest distance, mm.
+
+    Raises
+    ------
+    ModelError
+        Where a node has no counterpart.
+    """
+    distance, index = cKDTree(reference.nodes).query(mesh.nodes)
+    if np.any(distance > tolerance):
+        worst = int(np.argmax(distance))
+        raise ModelError(f"node {worst + 1} at {mesh.nodes[worst]} has no counterpart within {tolerance:g} mm")
+    return np.asarray(index, dtype=np.int64)
+
+
+def largest_difference(split: Outcome, whole: Outcome, column: str) -> float:
+    """Largest of `differences`."""
+    return float(np.max(differences(split, whole, column)))
+
+
+def differences(split: Outcome, whole: Outcome, column: str) -> Array:
+    """Differences of one nodal variable between a cut body and the whole one, shape (n_times, n_nodes).
+
+    Raises
+    ------
+    ModelError
+        Where the times differ.
+    """
+    a, b = split.nodes, whole.nodes
+    if a.times.shape != b.times.shape or not np.allclose(a.times, b.times, rtol=1e-8, atol=0.0):
+        raise ModelError(f"'{split.model.name}' and '{whole.model.name}' were not written at the same times")
+    same = counterparts(split.model.mesh, whole.model.mesh)
+    return np.abs(a[column] - b[column][:, same])
+
+
+def jump(outcome: Outcome, column: str, pair: str, time: float | None = None) -> float:
+    """Largest |difference| of a nodal variable over a contact pair of matching meshes, at a time (s) or the last.
+
+    Raises
+    ------
+    DataFileError
+        Where nothing was written at that time.
+    """
+    history = outcome.nodes
+    state = history.at(time) if time is not None else -1
+    values = history[column][state]
+    below, above = facing(outcome.model.mesh, pair)
+    return float(np.max(np.abs(values[below - 1] - values[above - 1])))
+
+
+def facing(mesh: Mesh, pair: str) -> tuple[Ids, Ids]:
+    """Numbers of the nodes of the primary surface of a pair, and of the nodes of the secondary that face them."""
+    primary, secondary = (np.unique(mesh.surfaces[name]) for name in mesh.pairs[pair])
+    _, index = cKDTree(mesh.nodes[secondary - 1, :2]).query(mesh.nodes[primary - 1, :2])
+    return primary, secondary[index]
+
+
+def error_at(outcome: Outcome, column: str, exact: Array, time: float | None = None) -> float:
+    """Largest nodal |value - exact| at a time (s) or the last; `exact` has shape (n_nodes,)."""
+    history = outcome.nodes
+    state = history.at(time) if time is not None else -1
+    return float(np.max(np.abs(history[column][state] - exact)))
+
+
+def observed_order(coarse: float, fine: float, ratio: float = 2.0) -> float:
+    """log(coarse/fine)/log(ratio), for two errors or two successive differences under refinement by `ratio`."""
+    return math.log(coarse / fine) / math.log(ratio)

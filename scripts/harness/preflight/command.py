@@ -1,0 +1,47 @@
+"""The command `check`."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+
+from harness.preflight import check as preflight
+from harness.preflight.finding import Finding, Severity
+
+FOUND = 1
+"""Exit code: `check` has found something."""
+_COLOURS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
+console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
+
+
+def check(
+    model: Annotated[Path, typer.Argument(help="A .feb file of FEBio 4.")],
+    json: Annotated[bool, typer.Option("--json", help="Write the findings as JSON.")] = False,
+) -> None:
+    """Predict trouble with the sliding contacts of a model before it is run.
+
+    Exit code 0: nothing found, or notes alone; 1: errors or warnings; 2: the file cannot be read.
+    """
+    found = preflight.check(model)
+    if json:
+        typer.echo(preflight.as_json(model, found))
+    else:
+        for finding in found:
+            _print(finding)
+        console.print(f"{escape(str(model))}: {preflight.summary(found)}")
+    if preflight.matter(found):
+        raise typer.Exit(FOUND)
+
+
+def _print(finding: Finding) -> None:
+    colour = _COLOURS[finding.severity]
+    console.print(
+        f"[{colour}]{finding.severity.value}[/] ({finding.rule}) {escape(str(finding.place))}", soft_wrap=True
+    )
+    console.print(f"    {escape(finding.message)}.")
+    console.print(f"    [bold]->[/] {escape(finding.suggestion)}\n")

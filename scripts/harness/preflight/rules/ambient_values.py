@@ -1,0 +1,128 @@
+"""Rules on the bath: effective pressures against effective concentrations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.preflight import levels
+from harness.preflight.finding import Finding
+from harness.preflight.held_nodes import held_nodes
+from harness.preflight.levels import Level
+from harness.preflight.rules.tools import short, warning
+from harness.preflight.sides import Joint
+from harness.preflight.xml_file import Element
+
+Array = NDArray[np.float64]
+CLOSE = 0.01
+"""Relative agreement with R T Phi c."""
+FAR = 1e4
+"""Pressure over R T Phi c from which the units are in doubt."""
+
+
+def ambient(joint: Joint) -> Iterator[Finding]:
+    """Bath of a contact whose effective pressure does not go with its concentrations."""
+    model, contact = joint.model, joint.contact
+    concentrations = levels.ambient_concentrations(model, contact)
+    if not concentrations or not contact.kind.solutes:
+        return
+    pressure = contact.given("ambient_pressure")
+    tags = [*concentrations.values(), *([] if pressure is None else [pressure])]
+    times = levels.times([model.history(tag) for tag in tags])
+    osmotic = levels.osmotic_scale(joint) * np.sum([model.at(tag, times) for tag in concentrations.values()], axis=0)
+    own = np.zeros(len(times)) if pressure is None else model.at(pressure, times)
+    where = contact.tag if pressure is None else pressure
+    yield from _judge(where, own, osmotic, "<ambient_pressure>", bool(pressure is not None))
+
+
+def prescribed(joint: Joint) -> Iterator[Finding]:
+    """Nodes with a prescribed effective pressure that does not go with their prescribed concentrations."""
+    model = joint.model
+    known = {k: list(levels.prescribed_concentrations(model, k)) for k in joint.model.solute_numbers}
+    for pressure in levels.prescribed_pressures(model):
+        there = [match for group in known.values() if (match := levels.covering(pressure, group)) is not None]
+        yield from _against(joint, pressure, there, "the prescribed effective pressure")
+
+
+def initial(joint: Joint) -> Iterator[Finding]:
+    """Bodies that begin with a concentration but without the effective pressure of an unpressurised gel."""
+    model = joint.model
+    pressures = list(levels.initial_pressures(model))
+    for number in model.solute_numbers:
+        for concentration in levels.initial_concentrations(model, number):
+            there = [match for k in model.solute_numbers if (match := _initial_there(joint, concentration, k))]
+            osmotic = levels.osmotic_scale(joint) * sum(level.first for level in there)
+            own = levels.covering(concentration, pressures)
+            value = 0.0 if own is None else own.first
+            tag = concentration.tag if own is None else own.tag
+            if number == min(_number(joint, level) for level in there):
+                what = "the initial effective pressure"
+                yield from _judge(tag, np.array([value]), np.array([osmotic]), what, own is not None)
+
+
+def _initial_there(joint: Joint, concentration: Level, number: int) -> Level | None:
+    return levels.covering(concentration, list(levels.initial_concentrations(joint.model, number)))
+
+
+def _number(joint: Joint, level: Level) -> int:
+    """Number of the solute that an initial concentration is of."""
+    for number in joint.model.solute_numbers:
+        if any(level.tag is other.tag for other in levels.initial_concentrations(joint.model, number)):
+            return number
+    return 0
+
+
+def _against(joint: Joint, pressure: Level, there: Sequence[Level], what: str) -> Iterator[Finding]:
+    if not there or not len(pressure.history):
+        return
+    times = levels.times([pressure.history, *(level.history for level in there)])
+    osmotic = levels.osmotic_scale(joint) * np.sum([levels.at(level.history, times) for level in there], axis=0)
+    yield from _judge(pressure.tag, levels.at(pressure.history, times), osmotic, what, True)
+
+
+def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> Iterator[Finding]:
+    """At the time of the largest R T Phi c: p~ is to be -R T Phi c, plus the bath's own pressure if it has one.
+
+    p~ = 0 and p~ = +R T Phi c are the usual slips, and a pressure far beyond R T Phi c is one of units.
+    """
+    if not np.isfinite(osmotic).all() or not np.isfinite(own).all() or not osmotic.any():
+        return
+    at = int(np.argmax(np.abs(osmotic)))
+    expected, value = -float(osmotic[at]), float(own[at])
+    fluid = value - expected
+    slip = min(abs(fluid - k * abs(expected)) for k in (1.0, 2.0)) <= CLOSE * abs(expected)
+    if not slip and abs(fluid) <= FAR * abs(expected):
+        return
+    have = f"is {short(value)}" if given else "is not set, so it is 0"
+    yield warning(
+        "bath-pressure",
+        tag,
+        f"{what} {have}, but with these concentrations R T Phi c is {short(-expected)}: that is a bath under a fluid "
+        f"pressure of {short(fluid)}, and every node that meets it swells or shrinks at once",
+        f"For a bath without pressure set it to {expected:.5g}, that is -R T Phi c"
+        + (", with the load curve of the concentration." if _has_curve(tag) or len(own) > 1 else "."),
+    )
+
+
+def _has_curve(tag: Element) -> bool:
+    return bool(tag.get("lc"))
+
+
+def overwritten(joint: Joint) -> Iterator[Finding]:
+    """Prescribed values at nodes of the contact, which FEBio's interfaces replace by the bath's."""
+    if joint.contact.kind.is_mixture:
+        return
+    for held in held_nodes(joint):
+        if not held.as_the_bath:
+            yield warning(
+                "held-nodes",
+                held.tag,
+                f"this condition holds the {held.field} of {held.nodes} nodes of the contact, but "
+                f"{joint.contact.kind.name} writes the bath's value over it, and frees it where they touch",
+                "Leave these nodes out of the condition, or use sliding-mixture, which keeps it.",
+            )
+
+
+RULES = (ambient, prescribed, initial, overwritten)

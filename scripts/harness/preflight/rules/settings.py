@@ -1,0 +1,322 @@
+"""Rules on the parameters of a contact, and on the solver and module around it."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterator
+
+from harness.preflight.contact_types import MODULES
+from harness.preflight.finding import Finding
+from harness.preflight.rules.tools import error, note, short, warning
+from harness.preflight.sides import Joint
+from harness.preflight.xml_file import Element, children, place, text
+
+NOT_NEGATIVE, POSITIVE = "a number that is not negative", "a positive number"
+COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
+CHOICES = {"laugon": ("PENALTY", "AUGLAG", "LAGMULT"), "integration": ("gauss", "segments")}
+OWN_CHOICES = ("LAGMULT",)
+"""Last of their list, and not in FEBio's sliding interfaces."""
+ALLOWED = {
+    **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance"), NOT_NEGATIVE),
+    **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
+    **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), POSITIVE),
+    **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
+    **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
+    **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard"), SWITCH),
+    **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
+    "ambient_pressure": NUMBER,
+    "ambient_concentration": NOT_NEGATIVE,
+}
+"""What each parameter may be, in words; the others may be anything."""
+UNSUPPORTED = {
+    "fric_coeff": "friction is not part of sliding-mixture",
+    "offset": "sliding-mixture brings the surfaces themselves into contact",
+    "tension": "sliding-mixture transmits compression only",
+    "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
+    "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
+}
+RENAMED = {"extrapolation": "predictor"}
+FOLLOWED = (
+    *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
+    *("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol"),
+)
+"""Parameters whose load curves sliding-mixture follows."""
+FEW_REFORMATIONS = 15
+
+
+def unknown_parameter(joint: Joint) -> Iterator[Finding]:
+    """Parameters that the contact's type does not have."""
+    known = joint.contact.kind.parameters - RENAMED.keys()
+    for tag in children(joint.contact.tag):
+        name = str(tag.tag)
+        if name in known:
+            continue
+        near = [RENAMED[name]] if name in RENAMED else difflib.get_close_matches(name, known, 1)
+        yield error(
+            "unknown-parameter",
+            tag,
+            f"{joint.contact.kind.name} has no parameter <{name}>; FEBio stops",
+            f"Write <{near[0]}>, if that is meant." if near else "Delete it; the user guide lists the parameters.",
+        )
+
+
+def bad_value(joint: Joint) -> Iterator[Finding]:
+    """Values that are no numbers, or out of range."""
+    for tag in children(joint.contact.tag):
+        name = str(tag.tag)
+        allowed = _allowed(name, joint.contact.kind.is_mixture)
+        if allowed and not _fits(tag, name, allowed):
+            yield error("bad-value", tag, f"<{name}> is '{text(tag)[:40]}'; it must be {allowed}", f"Give {allowed}.")
+    least, most = (joint.contact.given(name) for name in ("minaug", "maxaug"))
+    if most is not None and _number(most) < (0.0 if least is None else _number(least)):
+        yield error("bad-value", most, "<maxaug> is less than <minaug>", "Raise <maxaug> or lower <minaug>.")
+
+
+def _allowed(name: str, strict: bool) -> str:
+    """What a parameter may be; empty where anything goes. FEBio's types take a penalty or a radius of zero."""
+    if name in CHOICES:
+        return " or ".join(word for word in CHOICES[name] if strict or word not in OWN_CHOICES)
+    allowed = ALLOWED.get(name, "")
+    return NOT_NEGATIVE if allowed == POSITIVE and not strict else allowed
+
+
+def _fits(tag: Element, name: str, allowed: str) -> bool:
+    value = _number(tag)
+    if name in CHOICES:
+        words = allowed.split(" or ")
+        return text(tag) in (*words, *map(str, range(len(words))))
+    if allowed == SWITCH:
+        return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
+    if not math.isfinite(value) or (allowed == COUNT and value != int(value)):
+        return False
+    return allowed == NUMBER or value > 0.0 or (value == 0.0 and allowed != POSITIVE)
+
+
+def _number(tag: Element) -> float:
+    try:
+        return float(text(tag))
+    except ValueError:
+        return math.nan
+
+
+def unsupported(joint: Joint) -> Iterator[Finding]:
+    """Physics that this plugin does not have."""
+    if not joint.contact.kind.is_mixture:
+        return
+    for name, why in UNSUPPORTED.items():
+        tag = joint.contact.given(name)
+        if tag is not None and _number(tag) != 0.0 and text(tag).lower() != "false":
+            yield error(
+                "unsupported",
+                tag,
+                f"<{name}> is set, but {why}; the run stops",
+                "Set it to 0, or keep FEBio's contact type.",
+            )
+
+
+def load_curve(joint: Joint) -> Iterator[Finding]:
+    """Load controllers that do not exist, or that are not followed."""
+    known = joint.model.curves
+    for tag in children(joint.contact.tag):
+        curve = tag.get("lc")
+        if curve and curve not in known:
+            there = ", ".join(known) or "none"
+            yield error(
+                "load-curve",
+                tag,
+                f"<{tag.tag}> refers to load controller {curve}, which does not exist; there is {there}",
+                "Add the controller to <LoadData>, or delete the attribute lc.",
+            )
+        elif curve and joint.contact.kind.name == "sliding-multiphasic" and tag.tag == "ambient_concentration":
+            yield error(
+                "load-curve",
+                tag,
+                "sliding-multiphasic takes no load curve on <ambient_concentration>; FEBio stops",
+                "Give a value without a load curve, or use sliding-mixture, which follows it.",
+            )
+        elif curve and joint.contact.kind.is_mixture and tag.tag not in FOLLOWED:
+            yield error(
+                "load-curve",
+                tag,
+                f"<{tag.tag}> has a load curve; sliding-mixture reads it once, at the start",
+                "Give a value without a load curve; penalties, tolerances and ambient values may change in time.",
+            )
+
+
+def module(joint: Joint) -> Iterator[Finding]:
+    """Types in a module of FEBio's that does not have them."""
+    kind, own = joint.contact.kind, joint.model.module
+    tag = next(joint.model.document.all("Module"))
+    if own not in MODULES:
+        yield warning(
+            "module",
+            tag,
+            f"'{own}' is no module of FEBio 4.11; without a plugin that brings it FEBio stops",
+            f"Use one of {', '.join(kind.modules)}.",
+        )
+    elif "solid" not in MODULES[own]:
+        yield error(
+            "module",
+            tag,
+            f"module '{own}' has no displacements, so there is nothing that contact could move",
+            f"Use one of {', '.join(kind.modules)}.",
+        )
+    elif own not in kind.modules:
+        yield error(
+            "module",
+            joint.contact.tag,
+            f"{kind.name} does not exist in FEBio's module '{own}', only in {', '.join(kind.modules)}",
+            "Use another <Module type=...>, or another contact type: sliding-mixture works wherever solids do.",
+        )
+
+
+def material(joint: Joint) -> Iterator[Finding]:
+    """Parts at the contact whose material is not told."""
+    for side in joint.sides:
+        lost = [k for k, m in enumerate(side.materials) if m is None and side.found[k]]
+        if lost:
+            yield error(
+                "no-material",
+                side.surface.tag,
+                f"the elements behind surface '{side.surface.name}' have no material",
+                "Name their part and material in <MeshDomains>.",
+            )
+
+
+def not_exchanged(joint: Joint) -> Iterator[Finding]:
+    """Fluid or solutes on both sides that the type seals against each other."""
+    kind = joint.contact.kind
+    if not kind.solvent and all(side.porous for side in joint.sides):
+        what = "fluid and solutes" if joint.primary.solutes & joint.secondary.solutes else "fluid"
+        yield note(
+            "sealed",
+            joint.contact.tag,
+            f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are sealed",
+            "If they are to exchange it, use sliding-mixture.",
+        )
+    elif kind.solvent and not kind.solutes and joint.primary.solutes & joint.secondary.solutes:
+        yield note(
+            "sealed",
+            joint.contact.tag,
+            f"both bodies hold solutes, and {kind.name} exchanges fluid alone: the surfaces are sealed for solutes",
+            "If they are to exchange them, use sliding-mixture.",
+        )
+
+
+def ambient_solute(joint: Joint) -> Iterator[Finding]:
+    """Bath concentrations that do not say which solute they are for."""
+    model = joint.model
+    for tag in children(joint.contact.tag, "ambient_concentration"):
+        named = tag.get("sol")
+        there = ", ".join(map(str, model.solute_numbers)) or "none"
+        if named is not None and named not in model.solutes:
+            yield error(
+                "ambient-solute",
+                tag,
+                f"<ambient_concentration> is for solute {named}, which the model does not have; there is {there}",
+                "Correct the attribute sol.",
+            )
+        elif named is None and joint.contact.kind.is_mixture and len(model.solute_numbers) != 1:
+            yield error(
+                "ambient-solute",
+                tag,
+                f"<ambient_concentration> does not say which solute it is for; there is {there}",
+                'Write one <ambient_concentration sol="..."> for each solute.',
+            )
+
+
+def negative_ambient(joint: Joint) -> Iterator[Finding]:
+    """Ambient concentrations that a load curve takes below zero."""
+    for tag in children(joint.contact.tag, "ambient_concentration"):
+        if tag.get("lc") in joint.model.curves and _number(tag) >= 0.0:
+            least = float(joint.model.history(tag)[:, 1].min(initial=0.0))
+            if least < 0.0:
+                yield error(
+                    "bad-value",
+                    tag,
+                    f"<ambient_concentration> times its load curve falls to {short(least)}; a concentration is never "
+                    "negative",
+                    "Correct the load curve.",
+                )
+
+
+def given_twice(joint: Joint) -> Iterator[Finding]:
+    """A parameter, or the ambient concentration of a solute, that is there twice."""
+    first: dict[tuple[str, str], Element] = {}
+    for tag in children(joint.contact.tag):
+        key = (str(tag.tag), _solute_meant(joint, tag))
+        if key in first:
+            yield error(
+                "given-twice",
+                tag,
+                f"<{tag.tag}>{key[1]} is given twice, first in line {place(first[key]).line}; one has no effect",
+                "Delete one of them.",
+            )
+        first.setdefault(key, tag)
+
+
+def _solute_meant(joint: Joint, tag: Element) -> str:
+    """The solute that an ambient concentration is of; without `sol` the only one."""
+    if tag.tag != "ambient_concentration":
+        return ""
+    known = joint.model.solutes
+    only = joint.model.solute_numbers[0] if len(joint.model.solute_numbers) == 1 else 0
+    return f" of solute {known.get(str(tag.get('sol')), tag.get('sol', only))}"
+
+
+def no_duration(joint: Joint) -> Iterator[Finding]:
+    """Analysis steps that end as they begin."""
+    for control in joint.model.controls:
+        found = control.find("step_size")
+        if found is not None and not _number(found) > 0.0:
+            yield error(
+                "time-step",
+                found,
+                f"<step_size> is '{text(found)[:40]}': without a positive number the analysis step has no duration",
+                "Give a positive number.",
+            )
+
+
+def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
+    """A tangent that is made symmetric."""
+    tag = joint.contact.given("symmetric_stiffness")
+    if tag is not None and joint.contact.kind.is_mixture and joint.contact.on("symmetric_stiffness"):
+        yield warning(
+            "symmetric-tangent",
+            tag,
+            "the tangent of this contact is not symmetric; with its symmetric part Newton's method takes many more "
+            "iterations, and may not converge where slopes or penalties are large",
+            "Delete <symmetric_stiffness>; the solver's matrix is then set to non-symmetric.",
+        )
+
+
+def reformations(joint: Joint) -> Iterator[Finding]:
+    """Few reformations for a contact that moves."""
+    for control in joint.model.controls:
+        for solver in children(control, "solver"):
+            found = solver.find("max_refs")
+            if found is not None and 0.0 < _number(found) < FEW_REFORMATIONS:
+                yield note(
+                    "max-refs",
+                    found,
+                    f"<max_refs> is {text(found)}: few where the edge of contact moves",
+                    "Set it to 25.",
+                )
+
+
+RULES = (
+    unknown_parameter,
+    bad_value,
+    unsupported,
+    load_curve,
+    module,
+    material,
+    not_exchanged,
+    ambient_solute,
+    negative_ambient,
+    given_twice,
+    no_duration,
+    symmetric_tangent,
+    reformations,
+)

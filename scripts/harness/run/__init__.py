@@ -1,0 +1,1 @@
+"""Engines, their logs and data, and the runner that runs each model once."""

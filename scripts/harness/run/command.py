@@ -1,0 +1,48 @@
+"""The command `run`."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+from harness.models.interface import Join
+from harness.run import engine, febfile, hosts
+
+console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
+
+
+def run(
+    model: Annotated[Path, typer.Argument(help="A .feb file.")],
+    chosen: Annotated[
+        hosts.Engine | None, typer.Option("--engine", help="What runs the model: febio4 if it is there.")
+    ] = None,
+) -> None:
+    """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture'."""
+    file = febfile.inspect(model)
+    contact = Join.MIXTURE if Join.MIXTURE.value in file.contacts else Join.UNSPLIT
+    for host in hosts.engines(chosen, contact):
+        _run_one(model, file, host, contact is Join.MIXTURE)
+
+
+def _run_one(model: Path, file: febfile.FebFile, host: engine.Host, needs_plugin: bool) -> None:
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(model.name, total=file.end or None)
+        command = host.command(model, needs_plugin)
+        finished = engine.execute(
+            command, model.resolve().parent, progress=lambda time: bar.update(task, completed=time)
+        )
+    report = finished.report
+    console.print(
+        f"{model.name}, run by {host.name}: normal termination, {report.steps} steps, {report.iterations} iterations, "
+        f"{report.residuals} residuals, {report.reformations} reformations, {report.retries} retries, "
+        f"{finished.wall:.1f} s"
+    )
+    for warning in report.warnings:
+        console.print(f"[yellow]FEBio warns:[/] {escape(warning)}")

@@ -1,0 +1,231 @@
+"""Finds febio4 and runs it, with the plugin where a model needs it."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import threading
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoundError
+from harness.paths import plugin_library
+from harness.run import febio_log
+
+Progress = Callable[[float], None]
+"""Called with the time (s) that a run has reached."""
+_THREADS = "OMP_NUM_THREADS"
+
+
+@dataclass(frozen=True)
+class Run:
+    """A finished run: where its files are, what febio4 said, how long it took, and its processor time (both s)."""
+
+    folder: Path
+    report: febio_log.Report
+    output: str
+    wall: float
+    cpu: float
+
+
+class Host(Protocol):
+    """A program that runs models."""
+
+    name: str
+
+    def binaries(self, plugin: bool) -> tuple[Path, ...]:
+        """The files that decide what a run gives; those for a contact of type 'sliding-mixture' too if `plugin`."""
+
+    def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:
+        """The command line that runs a model file from its own folder."""
+
+
+class Febio4:
+    """Runs models with febio4 and, where they need it, the plugin."""
+
+    name = "febio4"
+
+    def binaries(self, plugin: bool) -> tuple[Path, ...]:
+        """febio4, and the plugin library if a model needs it."""
+        return (find_engine(), required_plugin()) if plugin else (find_engine(),)
+
+    def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:
+        """As `command`, with the library of the build."""
+        return command(model, required_plugin() if plugin else None, options)
+
+
+def find_engine() -> Path:
+    """The febio4 executable: under ``$FEBIO_ROOT`` (itself, or bin/ in it), else ~/febio4/bin, else on the PATH.
+
+    Raises
+    ------
+    EngineNotFoundError
+        Where there is none, saying where it was looked for.
+    """
+    candidates: list[Path] = []
+    root = os.environ.get("FEBIO_ROOT")
+    if root:
+        candidates += [Path(root) / "bin" / "febio4", Path(root) / "febio4"]
+    candidates.append(Path.home() / "febio4" / "bin" / "febio4")
+    on_path = shutil.which("febio4")
+    if on_path:
+        candidates.append(Path(on_path))
+    for candidate in candidates:
+        if candidate.is_file() and os.access(candidate, os.X_OK):
+            return candidate.resolve()
+    looked = ", ".join(str(c) for c in candidates)
+    raise EngineNotFoundError(
+        f"febio4 was not found (looked for {looked}, and on the PATH). "
+        "Set FEBIO_ROOT to the folder that holds bin/febio4."
+    )
+
+
+def required_plugin() -> Path:
+    """The plugin library.
+
+    Raises
+    ------
+    PluginNotFoundError
+        Where it has not been built.
+    """
+    library = plugin_library()
+    if not library.is_file():
+        raise PluginNotFoundError(f"the plugin library {library} does not exist; build it first.")
+    return library.resolve()
+
+
+def run(
+    model: Path,
+    *,
+    plugin: Path | None = None,
+    options: Sequence[str] = (),
+    progress: Progress | None = None,
+    check: bool = True,
+) -> Run:
+    """Run febio4 on a model file, in the folder of that file.
+
+    Parameters
+    ----------
+    model : Path
+        The .feb file; FEBio's output is written next to it.
+    plugin : Path, optional
+        Library to load with ``-import``.
+    options : sequence of str
+        Further arguments of febio4, such as ``-dump``.
+    progress : callable, optional
+        Called with each time reached, s.
+    check : bool
+        Whether a run that does not end normally is an error.
+
+    Raises
+    ------
+    EngineNotFoundError
+        No febio4.
+    EngineFailedError
+        No model file, or (with `check`) febio4 did not end normally; quotes FEBio's own words.
+    """
+    if not model.is_file():
+        raise EngineFailedError(f"there is no model file {model}")
+    return execute(command(model, plugin, options), model.resolve().parent, progress=progress, check=check)
+
+
+def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()) -> list[str]:
+    """The command line that runs a model file from its own folder; the parameters are those of `run`."""
+    load = [] if plugin is None else ["-import", str(plugin)]
+    return [str(find_engine()), "-i", model.name, *options, *load]
+
+
+def restart(archive: Path, *, plugin: Path | None = None, check: bool = True, timeout: float | None = None) -> Run:
+    """Continue from a dump file, in its folder; data and plot files are continued as well.
+
+    Parameters
+    ----------
+    archive : Path
+        What ``-dump`` left. FEBio can only continue a run that also wrote a plot file.
+    plugin : Path, optional
+        Library to load with ``-import``.
+    check : bool
+        Whether a run that does not end normally is an error.
+    timeout : float, optional
+        s after which the run is ended.
+
+    Raises
+    ------
+    EngineNotFoundError, EngineFailedError
+        As in `run`.
+    """
+    command = [str(find_engine()), "-r", archive.name]
+    if plugin is not None:
+        command += ["-import", str(plugin)]
+    return execute(command, archive.resolve().parent, check=check, timeout=timeout)
+
+
+def execute(
+    command: Sequence[str],
+    folder: Path,
+    *,
+    progress: Progress | None = None,
+    check: bool = True,
+    timeout: float | None = None,
+) -> Run:
+    """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise; see `run`.
+
+    A run that takes longer than `timeout` s is ended, and then did not end normally.
+    """
+    environment = {_THREADS: "1", **os.environ}
+    start = time.perf_counter()
+    with subprocess.Popen(
+        command,
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        stdin=subprocess.DEVNULL,
+        text=True,
+        errors="replace",
+    ) as process:
+        watch = threading.Timer(timeout, process.kill) if timeout is not None else None
+        if watch:
+            watch.start()
+        output = _follow(process, progress)
+        _, status, usage = os.wait4(process.pid, 0)  # as process.wait(), but with the processor time of this run alone
+        process.returncode = code = os.waitstatus_to_exitcode(status)
+        if watch:
+            watch.cancel()
+    cpu = usage.ru_utime + usage.ru_stime
+    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu)
+    if check and (code != 0 or not finished.report.normal):
+        raise EngineFailedError(_complaint(command, finished, code))
+    return finished
+
+
+def _follow(process: subprocess.Popen[str], progress: Progress | None) -> str:
+    lines: list[str] = []
+    assert process.stdout is not None
+    for line in process.stdout:
+        lines.append(line)
+        match = febio_log.CONVERGED.search(line) if progress else None
+        if match and progress:
+            progress(float(match.group(1)))
+    return "".join(lines)
+
+
+def _complaint(command: Sequence[str], finished: Run, code: int) -> str:
+    report = finished.report
+    said = "; ".join(report.errors) or _last_words(finished.output)
+    name = Path(command[0]).name
+    who = name if name == "mixture-contact" else "FEBio"
+    return (
+        f"{name} did not end normally (exit code {code}, {report.steps} time steps done).\n"
+        f"{who} says: {said}\nCommand: {' '.join(command)}\nFolder: {finished.folder}"
+    )
+
+
+def _last_words(output: str) -> str:
+    said = [line.strip() for line in output.splitlines() if re.search(r"\w", line)]
+    return " | ".join(said[-5:])

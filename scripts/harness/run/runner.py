@@ -1,0 +1,168 @@
+"""Runs models, each once: what was run before with the same text, plugin and engine is read back."""
+
+from __future__ import annotations
+
+import fcntl
+import hashlib
+import json
+import shutil
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from harness.errors import EngineFailedError
+from harness.models.document import Model
+from harness.models.interface import Join
+from harness.run import engine, febio_log, logdata
+
+Announce = Callable[[str, float], None]
+"""Called with the name of a model and the fraction of its time that is done."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A model and what came of it.
+
+    Attributes
+    ----------
+    model : Model
+    folder : Path
+        Where its files are.
+    report : febio_log.Report
+    wall : float
+        s, of the run itself.
+    cpu : float
+        Its processor time, s.
+    """
+
+    model: Model
+    folder: Path
+    report: febio_log.Report
+    wall: float
+    cpu: float
+
+    @property
+    def nodes(self) -> logdata.History:
+        """The node data over time."""
+        return logdata.read_history(self.folder / self.model.node_file, self.model.node_columns)
+
+    @property
+    def elements(self) -> logdata.History:
+        """The element data over time; the model must ask for some."""
+        return logdata.read_history(self.folder / self.model.element_file, self.model.element_columns)
+
+    def surface(self, name: str) -> logdata.History:
+        """The data of a contact surface over time, one item; the model must ask for some."""
+        return logdata.read_history(self.folder / self.model.surface_file(name), self.model.surface_columns)
+
+    def part(self, name: str) -> logdata.History:
+        """The element data of one part over time; the model must ask for some."""
+        return logdata.read_history(self.folder / self.model.part_file(name), self.model.part_columns[name])
+
+    def facets(self, name: str) -> logdata.History:
+        """The data of the facets of a contact surface over time; the model must ask for some."""
+        return logdata.read_history(self.folder / self.model.facet_file(name), self.model.facet_columns)
+
+    @property
+    def log(self) -> str:
+        """The text of the engine's log."""
+        return (self.folder / f"{self.model.name}.log").read_text(errors="replace")
+
+
+@dataclass
+class Runner:
+    """Runs models in folders below `root` and keeps what they wrote; safe for several processes at a time.
+
+    Attributes
+    ----------
+    root : Path
+    announce : callable, optional
+        Told of progress.
+    timeout : float, optional
+        s after which a run is ended.
+    host : engine.Host
+        What runs them; febio4 without it.
+    """
+
+    root: Path
+    announce: Announce | None = None
+    timeout: float | None = None
+    host: engine.Host = field(default_factory=engine.Febio4)
+    _known: dict[str, Outcome] = field(default_factory=dict)
+
+    def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> Outcome:
+        """Run a model, or read back what an earlier run left.
+
+        Parameters
+        ----------
+        model : Model
+        options : sequence of str
+            Further arguments of febio4.
+        check : bool
+            Whether a run that does not end normally is an error.
+
+        Raises
+        ------
+        EngineNotFoundError, PluginNotFoundError, EngineFailedError
+            See `harness.run.engine`.
+        """
+        key = _key(model, self.host.binaries(_needs_plugin(model)), options)
+        if key not in self._known:
+            self._known[key] = self._locked(model, tuple(options), key)
+        outcome = self._known[key]
+        if check and not outcome.report.normal:
+            said = "; ".join(outcome.report.errors) or "no reason given"
+            raise EngineFailedError(f"model '{model.name}' did not end normally: {said} (see {outcome.folder})")
+        return outcome
+
+    def _locked(self, model: Model, options: tuple[str, ...], key: str) -> Outcome:
+        folder = self.root / f"{model.name}-{key}"
+        self.root.mkdir(parents=True, exist_ok=True)
+        with (self.root / f"{key}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            return _read_back(model, folder) or self._run(model, options, folder)
+
+    def _run(self, model: Model, options: tuple[str, ...], folder: Path) -> Outcome:
+        with suppress(FileNotFoundError):
+            shutil.rmtree(folder)
+        path = model.write(folder)
+        command = self.host.command(path, _needs_plugin(model), options)
+        progress = self._progress(model)
+        finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
+        (folder / "screen.txt").write_text(finished.output)
+        done = {"report": asdict(finished.report), "wall": finished.wall, "cpu": finished.cpu}
+        (folder / "done.json").write_text(json.dumps(done))
+        return Outcome(model, folder, finished.report, finished.wall, finished.cpu)
+
+    def _progress(self, model: Model) -> engine.Progress | None:
+        if self.announce is None:
+            return None
+        announce, end = self.announce, model.control.end or model.control.steps * model.control.step
+        announce(model.name, 0.0)
+        return lambda time: announce(model.name, min(1.0, time / end))
+
+
+def _needs_plugin(model: Model) -> bool:
+    return any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
+
+
+def _key(model: Model, binaries: Sequence[Path], options: Sequence[str]) -> str:
+    digest = hashlib.sha256(model.text().encode())
+    digest.update("\0".join(options).encode())
+    for binary in binaries:
+        state = binary.stat()
+        digest.update(f"{binary} {state.st_size} {state.st_mtime_ns}".encode())
+    return digest.hexdigest()[:16]
+
+
+def _read_back(model: Model, folder: Path) -> Outcome | None:
+    try:
+        done = json.loads((folder / "done.json").read_text())
+    except FileNotFoundError:
+        return None
+    if "cpu" not in done:
+        return None
+    report = done["report"]
+    report["errors"], report["warnings"] = tuple(report["errors"]), tuple(report["warnings"])
+    return Outcome(model, folder, febio_log.Report(**report), done["wall"], done["cpu"])

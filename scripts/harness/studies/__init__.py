@@ -1,0 +1,1 @@
+"""Measurements over many runs: hard cases, cost and accuracy, times, fuzzing."""

@@ -1,0 +1,144 @@
+"""Runs one point of the sweep: its error, and its cost in iterations, residuals and time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from statistics import median
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from harness.indentation.histories import curves
+from harness.models.document import Model
+from harness.models.interface import Join
+from harness.models.parts import Param
+from harness.post import compare
+from harness.run import engine
+from harness.run.runner import Outcome, Runner
+from harness.studies.cost.points import TIMES_33, Knob, Point, Problem, finest
+from harness.validate import checks
+
+PAIRS = 3
+"""How often a run of 3.1 or 3.2 and that of the unsplit body are timed, in turn."""
+FINEST_TIMEOUT = 1800.0
+"""s of wall time for the finest run of 3.3, which all others are compared with and so must end."""
+
+
+@dataclass(frozen=True)
+class Datum:
+    """What came of a point.
+
+    Attributes
+    ----------
+    problem, interface, knob : str
+    value : float
+    ended : bool
+    contact_error : float
+        3.1, 3.2: largest difference of c from the unsplit body of the same mesh and steps, relative to the bath; nan
+        for 3.3.
+    error : float
+        3.1, 3.2: largest error of c against the closed form, relative to the bath. 3.3: largest relative difference
+        from the finest run, of the force and of the solute in both bodies at 1 and 100 s.
+    steps, iterations, residuals, retries : int
+    wall, cpu : float
+        Wall and processor time of one thread, s; medians of some runs, of one for 3.3. On an idle machine they agree.
+    ratio : float
+        Median of the ratios of this run's processor time and the unsplit body's, run in turn; nan for 3.3.
+    """
+
+    problem: str
+    interface: str
+    knob: str
+    value: float
+    ended: bool
+    contact_error: float
+    error: float
+    steps: int
+    iterations: int
+    residuals: int
+    retries: int
+    wall: float
+    cpu: float
+    ratio: float
+
+
+def measure(point: Point, runner: Runner) -> Datum:
+    """Run a point and what it is compared with.
+
+    Raises
+    ------
+    HarnessError
+        Without an engine or plugin, or where the reference does not run.
+    """
+    run = runner(point.model(), check=False)
+    ended, contact_error, error, ratio = run.report.normal, math.nan, math.nan, math.nan
+    wall, cpu = run.wall, run.cpu
+    if ended and point.problem is Problem.INDENTATION:
+        error = _error_33(run, replace(runner, timeout=FINEST_TIMEOUT)(finest()))
+    elif ended:
+        whole = runner(point.model(Join.UNSPLIT))
+        contact_error = compare.largest_difference(run, whole, "c1")
+        error = _error_closed(point, run)
+        wall, cpu, ratio = _pairs(run.model, whole.model, runner.timeout)
+    report = run.report
+    return Datum(
+        point.problem.value,
+        point.interface.value,
+        point.knob.value,
+        point.value,
+        ended,
+        contact_error,
+        error,
+        report.steps,
+        report.iterations,
+        report.residuals,
+        report.retries,
+        wall,
+        cpu,
+        ratio,
+    )
+
+
+def _error_closed(point: Point, run: Outcome) -> float:
+    if point.problem is Problem.CONVECTION:
+        return compare.error_at(run, "c1", checks.exact_convection(run, 1))
+    return compare.error_at(run, "c1", checks.exact_diffusion(run, float(run.nodes.times[-1])))
+
+
+def _error_33(run: Outcome, reference: Outcome) -> float:
+    own, best = curves(run), curves(reference)
+    errors = []
+    for time in TIMES_33:
+        i, j = run.nodes.at(time), reference.nodes.at(time)
+        errors.append(own.force[i] / best.force[j] - 1.0)
+        errors += [(a[i] - b[j]) / best.slab[0] for a, b in ((own.slab, best.slab), (own.cylinder, best.cylinder))]
+    return float(np.max(np.abs(errors)))
+
+
+def _pairs(model: Model, whole: Model, timeout: float | None) -> tuple[float, float, float]:
+    """Median wall and processor time (s) of a model, and of the ratio of the latter to that of the unsplit one."""
+    runs = [tuple(execute(each, timeout) for each in (model, whole)) for _ in range(PAIRS)]
+    own = [first for first, _ in runs]
+    return median(r.wall for r in own), median(r.cpu for r in own), median(a.cpu / b.cpu for a, b in runs)
+
+
+def execute(model: Model, timeout: float | None, prefix: Sequence[str] = (), *, check: bool = True) -> engine.Run:
+    """Run a model by itself, and keep nothing but what febio4 said; `prefix` stands before its command line.
+
+    Raises
+    ------
+    EngineNotFoundError, PluginNotFoundError, EngineFailedError
+        See `harness.run.engine`.
+    """
+    plugin = any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
+    with TemporaryDirectory() as folder:
+        command = engine.Febio4().command(model.write(Path(folder)), plugin)
+        return engine.execute([*prefix, *command], Path(folder), check=check, timeout=timeout)
+
+
+def settings_of(datum: Datum) -> tuple[Param, ...]:
+    """The parameters of the contact that a datum was measured with."""
+    return Point(Problem(datum.problem), Join(datum.interface), Knob(datum.knob), datum.value).settings.params()

@@ -1,0 +1,93 @@
+"""The commands that run the hard cases: all of them, and a single one."""
+
+from __future__ import annotations
+
+import os
+from itertools import product
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run import workflow
+from harness.run.runner import Runner
+from harness.studies.hard_cases import record
+from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.record import Record
+from harness.studies.hard_cases.scene import Fineness, Interface
+
+console = Console(highlight=False, soft_wrap=True)
+TIMEOUT = 120.0
+"""s of wall time for one run."""
+
+
+def hard_cases(
+    only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="On this mesh alone.")] = None,
+    interface: Annotated[list[Interface] | None, typer.Option(help="With this interface alone.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "hard-cases",
+    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
+) -> None:
+    """Run the hard cases on two meshes with sliding-mixture and FEBio's interfaces, and write the table.
+
+    What was done is not done again. Exit code 0: sliding-mixture ends and passes everywhere.
+    """
+    for name in only or []:
+        if name not in CASES:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(CASES)}")
+    wanted = {
+        f"{case}-{made.value}-{each.value}": (
+            "hard-case",
+            case,
+            made.value,
+            "--interface",
+            each.value,
+            "--timeout",
+            str(timeout),
+        )
+        for made, case, each in product(mesh or Fineness, only or CASES, interface or Interface)
+    }
+    paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=snakemake or ())
+    records = [entry for path in paths for entry in record.read(path)]
+    text = f"{record.summary(records)}\n\n{record.table(records)}\n"
+    console.print(text, markup=False)
+    (folder / "hard-cases.md").write_text(text)
+    record.write_csv(records, folder / "hard-cases.csv")
+    console.print(f"Written: {folder / 'hard-cases.md'}, {folder / 'hard-cases.csv'}")
+    own = [entry for entry in records if entry.interface == Interface.MIXTURE.value]
+    if len(paths) < len(wanted) or not all(entry.passed for entry in own):
+        raise typer.Exit(1)
+
+
+def hard_case(
+    name: Annotated[str, typer.Argument(help="Which case.")],
+    mesh: Annotated[Fineness, typer.Argument(help="Which mesh.")] = Fineness.COARSE,
+    interface: Annotated[list[Interface] | None, typer.Option(help="This interface alone; may be repeated.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Where the records go, as JSON.")] = None,
+    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+) -> None:
+    """Run one hard case on one mesh and print its checks."""
+    runner = Runner(RESULTS / "hard-cases" / "runs", timeout=timeout)
+    made = [record.make(runner, name, mesh, each) for each in interface or Interface]
+    for entry in made:
+        _tell(entry)
+    if out:
+        record.write(made, out)
+
+
+def _tell(made: Record) -> None:
+    outcome = "ended normally" if made.ended else f"failed: {made.failures}"
+    console.print(
+        f"{made.case}, {made.mesh} mesh, {made.interface}: {outcome}; {made.steps} steps, "
+        f"{made.iterations} iterations, {made.retries} retries",
+        markup=False,
+    )
+    for m in made.measures:
+        bounds = f"<= {m.bar:.3g}" if m.lowest == -float("inf") else f"{m.lowest:.3g} to {m.bar:.3g}"
+        console.print(
+            f"  {'met   ' if m.passed else 'MISSED'} {m.name}: {m.value:.3g} ({bounds}) {m.note}", markup=False
+        )

@@ -1,0 +1,154 @@
+"""Runs ours, FEBio's own contact and the uncut body in turn, and compares iterations and times."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from statistics import median
+from tempfile import TemporaryDirectory
+
+from harness.models.interface import Join
+from harness.run import engine
+from harness.studies.price.scenes import Kind, Scene, penalties
+
+Announce = Callable[[str], None]
+"""Told what is being run."""
+
+_TIMER = re.compile(r"^\s*([a-z ]+?) \.+ : \d+:\d\d:\d\d \(([-\d.e+]+) sec\)", re.MULTILINE)
+FACTORS = (1000.0, 1.0)
+"""Factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes."""
+
+
+def timers(log: str) -> dict[str, float]:
+    """FEBio's own timers (s of wall time) by its names of them; the last analysis step's where there are several."""
+    return {name: float(seconds) for name, seconds in _TIMER.findall(log)}
+
+
+@dataclass(frozen=True)
+class Timed:
+    """One run.
+
+    Attributes
+    ----------
+    ended : bool
+    iterations, residuals : int
+    cpu : float
+        Processor time of the whole run, s.
+    update, profile, stiffness, residual : float
+        FEBio's timers of model update, of forming the matrix profile, and of evaluating stiffness and residual, s.
+    """
+
+    ended: bool
+    iterations: int
+    residuals: int
+    cpu: float
+    update: float
+    profile: float
+    stiffness: float
+    residual: float
+
+
+def run(scene: Scene) -> Timed:
+    """Run a scene once, with one thread unless ``OMP_NUM_THREADS`` says otherwise.
+
+    Raises
+    ------
+    EngineNotFoundError, PluginNotFoundError
+        Without febio4 or the plugin.
+    """
+    with TemporaryDirectory() as folder:
+        model = scene.model().write(Path(folder))
+        command = engine.Febio4().command(model, scene.contact == Join.MIXTURE.value)
+        done = engine.execute(command, Path(folder), check=False)
+        spent = timers(model.with_suffix(".log").read_text(errors="replace"))
+    report = done.report
+    parts = ("model update", "reforming stiffness", "evaluating stiffness", "evaluating residual")
+    times = (spent.get(part, math.nan) for part in parts)
+    return Timed(report.normal, report.iterations, report.residuals, done.cpu, *times)
+
+
+def contact_time(with_contact: Timed, whole: Timed) -> float:
+    """Seconds that a contact takes in updates, matrix profile, stiffness and residual of one run.
+
+    What the bodies take is known from the uncut body's run: its stiffness per iteration, its update and residual per
+    evaluation. All of the profile is the contact's, since without one it is formed once.
+    """
+    iterations, residuals = with_contact.iterations / whole.iterations, with_contact.residuals / whole.residuals
+    return (
+        with_contact.profile
+        + (with_contact.stiffness - iterations * whole.stiffness)
+        + (with_contact.update + with_contact.residual - residuals * (whole.update + whole.residual))
+    )
+
+
+@dataclass(frozen=True)
+class Price:
+    """What one contact costs on one scene, from several runs.
+
+    Attributes
+    ----------
+    kind : str
+    type : str
+        Type of the contact.
+    factor : float
+        Penalty factor; 0 for our defaults.
+    ended : bool
+    iterations, whole_iterations : int
+        Newton iterations with this contact and of the uncut body.
+    contact : float
+        Median of `contact_time`, s.
+    added : float
+        Median of (processor time of the run)/(that of the uncut body, run in turn) - 1.
+    """
+
+    kind: str
+    type: str
+    factor: float
+    ended: bool
+    iterations: int
+    whole_iterations: int
+    contact: float
+    added: float
+
+    @property
+    def per_iteration(self) -> float:
+        """Time of the contact per Newton iteration, s."""
+        return self.contact / self.iterations
+
+
+def compared(scene: Scene) -> dict[tuple[str, float], Scene]:
+    """The scene with each contact that is compared, by its type and penalty factor; the uncut body first."""
+    found = {(Join.UNSPLIT.value, 0.0): replace(scene, contact=Join.UNSPLIT.value), (Join.MIXTURE.value, 0.0): scene}
+    for factor in FACTORS:
+        rival = scene.kind.rival
+        found[rival, factor] = replace(scene, contact=rival, settings=penalties(scene.kind, factor))
+    return found
+
+
+def prices(scene: Scene, repetitions: int, announce: Announce) -> list[Price]:
+    """Compare the contacts on one scene; all are run in turn, `repetitions` times."""
+    scenes = compared(scene)
+    runs: dict[tuple[str, float], list[Timed]] = {key: [] for key in scenes}
+    for count in range(1, repetitions + 1):
+        for key, one in scenes.items():
+            announce(f"{one.name} ({count} of {repetitions})")
+            runs[key].append(run(one))
+    whole = runs.pop((Join.UNSPLIT.value, 0.0))
+    return [_price(scene.kind, key, found, whole) for key, found in runs.items()]
+
+
+def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], whole: Sequence[Timed]) -> Price:
+    pairs = list(zip(runs, whole, strict=True))
+    ended = all(one.ended for one in runs)
+    contact = median(contact_time(one, other) for one, other in pairs) if ended else math.nan
+    added = median(one.cpu / other.cpu - 1.0 for one, other in pairs) if ended else math.nan
+    return Price(kind.value, *key, ended, runs[0].iterations, whole[0].iterations, contact, added)
+
+
+def write_json(data: Sequence[Price], path: Path) -> None:
+    """Write prices."""
+    path.write_text(json.dumps([asdict(price) for price in data], indent=1))

@@ -1,0 +1,143 @@
+"""The commands `validate` and `plot`."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from harness.models.interface import Join
+from harness.paths import RESULTS
+from harness.post.compare import Measure
+from harness.run import engine, hosts
+from harness.run.runner import Announce, Runner
+from harness.validate import figures, results, validation
+from harness.validate.checks import CHECKS, Check, Context
+
+MISSED, LEFT_OUT = 1, 3
+"""Exit codes: a bar was missed; none was missed, but checks were left out."""
+console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
+
+
+def _selected(names: list[str] | None) -> list[Check]:
+    known = {check.name: check for check in CHECKS}
+    for name in names or []:
+        if name not in known:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}")
+    return [known[name] for name in names] if names else list(CHECKS)
+
+
+def validate(
+    interface: Annotated[Join, typer.Option(help="What joins the bodies.")] = Join.MIXTURE,
+    only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
+    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    chosen: Annotated[
+        hosts.Engine | None, typer.Option("--engine", help="What runs the models: febio4 if it is there.")
+    ] = None,
+) -> None:
+    """Run the paper's problems, compare with the closed forms, and draw figures 3.2 to 3.4.
+
+    Without febio4 the embedded engine runs the models. Exit code 0: every bar is met; 1: one is missed; 3: none is
+    missed, but checks were left out.
+    """
+    if interface is Join.UNSPLIT:
+        raise typer.BadParameter("'unsplit' is what the others are compared with", param_hint="--interface")
+    checks = _selected(only)
+    engines = hosts.engines(chosen, interface)
+    if chosen is None and engines == (hosts.STANDALONE,):
+        console.print(f"[yellow]The embedded engine runs the models:[/] {escape(hosts.why_not_febio(interface))}")
+    found = {}
+    for host in engines:
+        own = _folder(folder, host)
+        with _progress(checks) as (announce, finished):
+            context = Context(Runner(own / "runs", announce, host=host), interface)
+            found[host.name] = validation.validate(context, checks, jobs=jobs, finished=finished)
+        written = [found[host.name].write(own), *validation.draw(context, found[host.name], own)]
+        console.print("Written: " + ", ".join(str(path) for path in written))
+    console.print(_table(found))
+    _conclude(list(found.values()))
+
+
+def _folder(folder: Path, host: engine.Host) -> Path:
+    return folder / host.name if host is hosts.STANDALONE else folder
+
+
+@contextmanager
+def _progress(checks: list[Check]) -> Iterator[tuple[Announce, validation.Finished]]:
+    """Bars of all checks and of each run: what to call as a run goes on, and when a check is done."""
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        overall = progress.add_task("checks", total=len(checks))
+        tasks: dict[str, TaskID] = {}
+
+        def announce(name: str, fraction: float) -> None:
+            if name not in tasks:
+                tasks[name] = progress.add_task(name, total=100)
+            progress.update(tasks[name], completed=round(100 * fraction), visible=fraction < 1.0)
+
+        yield announce, lambda _: progress.advance(overall)
+
+
+def _table(found: dict[str, results.Results]) -> Table:
+    """Measures of each engine, side by side with their difference where there are two."""
+    first, *others = found.values()
+    table = Table(title=f"Contact type: {first.interface}; run by {' and '.join(found)}", title_justify="left")
+    table.add_column("measure")
+    for name in found:
+        table.add_column(name, justify="right")
+    if others:
+        table.add_column("difference", justify="right")
+    table.add_column("bar", justify="right")
+    table.add_column("")
+    table.add_column("note", overflow="fold")
+    for check, measures in first.checks.items():
+        for place, m in enumerate(measures):
+            twins = [twin for other in others for twin in other.checks.get(check, [])[place : place + 1]]
+            table.add_row(*_row(m, twins, len(others)))
+        table.add_section()
+    return table
+
+
+def _row(m: Measure, twins: list[Measure], columns: int) -> list[str]:
+    bar = f"<= {m.bar:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.bar:.4g}"
+    mark = "[green]met[/]" if all(each.passed for each in (m, *twins)) else "[bold red]missed[/]"
+    values = [f"{each.value:.4g}" for each in (m, *twins)]
+    if columns:
+        values += [f"{twins[0].value - m.value:.1e}"] if twins else ["-", "-"]
+    return [escape(m.name), *values, bar, mark, escape(m.note)]
+
+
+def _conclude(found: list[results.Results]) -> None:
+    left_out = {name: why for one in found for name, why in one.left_out.items()}
+    missed = sum(len(one.missed) for one in found)
+    if left_out:
+        reasons = " ".join(dict.fromkeys(left_out.values()))
+        console.print(
+            f"[bold yellow]Left out:[/] {', '.join(left_out)}. The reason: {escape(reasons)} "
+            "What needs no run was done: the closed forms were checked, and the figures show them alone."
+        )
+    if missed:
+        console.print(f"[bold red]{missed} of the bars are missed.[/]")
+        raise typer.Exit(MISSED)
+    if left_out:
+        raise typer.Exit(LEFT_OUT)
+    console.print("[bold green]Every bar is met.[/]")
+
+
+def plot(
+    file: Annotated[Path, typer.Argument(help="What `validate` wrote.")] = RESULTS / results.FILE_NAME,
+    folder: Annotated[Path | None, typer.Option(help="Where pictures go; next to the file by default.")] = None,
+) -> None:
+    """Draw the pictures again."""
+    for path in figures.draw(results.read(file).profiles, folder or file.parent):
+        console.print(str(path))

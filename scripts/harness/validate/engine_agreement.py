@@ -1,0 +1,92 @@
+"""How far two engines are apart, node by node, where both solve the same steps to rounding."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from harness.models.convection import PRESSURES, Convection
+from harness.models.diffusion import Diffusion
+from harness.models.document import Model
+from harness.models.indentation import Variant
+from harness.models.parts import Param
+from harness.post.compare import Measure
+from harness.run.runner import Outcome, Runner
+
+TOLERANCE = 1e-10
+"""Newton's relative tolerances."""
+SMOOTH, MOVING = 1e-7, 1e-5
+"""Largest difference of a nodal variable, relative to its largest value: of problems 3.1 and 3.2, and of 3.3."""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A model that both engines run.
+
+    Attributes
+    ----------
+    name : str
+        For `--only`.
+    model : callable
+        Makes the model.
+    floor : float
+        Squared residual at which rounding is all that is left, in the units of the model's equations.
+    bar : float
+    """
+
+    name: str
+    model: Callable[[], Model]
+    floor: float
+    bar: float = SMOOTH
+
+
+COMPARISONS = (
+    Comparison("diffusion", Diffusion().model, 1e-22),
+    *(Comparison(f"convection-pe{peclet}", Convection(peclet=peclet).model, 1e-18) for peclet in PRESSURES),
+    Comparison(
+        "indentation", replace(Variant.PLAIN.problem, module="multiphasic", clamp=False).model, 1e-26, bar=MOVING
+    ),
+)
+
+
+def strict(model: Model, floor: float, tolerance: float = TOLERANCE) -> Model:
+    """The model with tolerances that leave nothing but rounding, and with steps that do not follow the iterations."""
+    stepper = model.control.stepper and replace(model.control.stepper, force=True)
+    control = replace(
+        model.control,
+        displacement_tolerance=tolerance,
+        energy_tolerance=0.0,
+        pressure_tolerance=tolerance,
+        concentration_tolerance=tolerance,
+        reformations=2 * model.control.reformations,
+        stepper=stepper,
+        solver=(Param("min_residual", floor), *model.control.solver),
+    )
+    return replace(model, control=control)
+
+
+def differences(one: Outcome, two: Outcome) -> dict[str, float]:
+    """Largest difference of each nodal variable that is not zero throughout, over all times, relative to its size."""
+    first, second = one.nodes, two.nodes
+    np.testing.assert_allclose(first.times, second.times, rtol=1e-9)
+    sizes = {name: np.abs(first[name]).max() for name in first.columns if name not in ("x", "y", "z")}
+    return {name: float(np.abs(first[name] - second[name]).max() / size) for name, size in sizes.items() if size > 0}
+
+
+def compare(comparison: Comparison, runners: Sequence[Runner]) -> list[Measure]:
+    """Run a model with two engines, and measure the difference of each nodal variable.
+
+    Raises
+    ------
+    EngineNotFoundError, PluginNotFoundError, EngineFailedError
+        See `harness.run.engine`.
+    """
+    model = strict(comparison.model(), comparison.floor)
+    one, two = (runner(model) for runner in runners)
+    steps = f"{one.report.steps} steps"
+    return [
+        Measure(f"{comparison.name}: {variable}", value, comparison.bar, note=steps)
+        for variable, value in differences(one, two).items()
+    ]
