@@ -51,8 +51,7 @@ bool AmbientConditions::apply(const std::vector<FEMixtureContact*>& contacts) {
   bool changed = false;
   for (const auto& [node, status] : status_of_nodes(contacts)) {
     changed = apply({node, dofs.pressure()}, status) || changed;
-    for (int k = 0; k < dofs.concentrations(); ++k)
-      changed = apply({node, dofs.concentration(k)}, status) || changed;
+    for (int k = 0; k < dofs.concentrations(); ++k) changed = apply({node, dofs.concentration(k)}, status) || changed;
   }
   return changed;
 }

@@ -1,7 +1,7 @@
 /// Ambient (free-draining) conditions on the nodes of contact surfaces that are not in contact.
 ///
-/// FEBio's solvers switch ambient nodes only for contact classes that they know by name, so the plugin does it, once for
-/// all contacts of a model: a node is at ambient only where no contact has it.
+/// FEBio's solvers switch ambient nodes only for contact classes that they know by name, so the plugin does it, once
+/// for all contacts of a model: a node is at ambient only where no contact has it.
 #pragma once
 
 #include "newton/febio/febio_solver.h"

@@ -29,7 +29,8 @@ std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
 }
 
 /// Equations at their places in a larger layout, and none elsewhere.
-std::vector<int> scattered(const std::vector<int>& equations, const std::vector<Index>& places, const LocalLayout& all) {
+std::vector<int> scattered(const std::vector<int>& equations, const std::vector<Index>& places,
+                           const LocalLayout& all) {
   std::vector<int> result(std::size_t(all.size()), -1);
   for (std::size_t i = 0; i < equations.size(); ++i) at(result, places[i]) = equations[i];
   return result;

@@ -109,7 +109,8 @@ std::string ContactSetup::complaint(const FEMixtureAmbientConcentration& ambient
            std::to_string(solutes) + " solutes it is for: a name or an id of <Solutes>.";
   }
   if (!std::isfinite(ambient.value) || ambient.value < 0)
-    return "<ambient_concentration> is " + std::to_string(ambient.value) + "; it must be a number that is not negative.";
+    return "<ambient_concentration> is " + std::to_string(ambient.value) +
+           "; it must be a number that is not negative.";
   const auto is_same = [&](const FEMixtureAmbientConcentration* other) {
     return std::max(other->solute, 1) == std::max(ambient.solute, 1);
   };

@@ -1,4 +1,5 @@
-/// Setting up a contact: what the model's parameters, surfaces and materials are to the core, and what is wrong with them.
+/// Setting up a contact: what the model's parameters, surfaces and materials are to the core, and what is wrong with
+/// them.
 #pragma once
 
 #include "ambient_concentration.h"

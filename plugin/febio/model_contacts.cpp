@@ -94,9 +94,8 @@ void ModelContacts::offer(const HelperSwitch& which) {
 bool ModelContacts::is_on(const HelperSwitch& which) const {
   const std::vector<FEMixtureContact*> contacts = active();
   if (contacts.empty()) return false;
-  const auto given = std::find_if(contacts.begin(), contacts.end(), [&](const FEMixtureContact* contact) {
-    return contact->parameters().*which.given;
-  });
+  const auto given = std::find_if(contacts.begin(), contacts.end(),
+                                  [&](const FEMixtureContact* contact) { return contact->parameters().*which.given; });
   return given == contacts.end() ? ContactParameters().*which.on : (*given)->parameters().*which.on;
 }
 
@@ -108,7 +107,9 @@ std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& conta
       const ContactParameters& its = other->parameters();
       return its.*which.given && own.*which.given && its.*which.on != own.*which.on;
     });
-    if (differs) list.push_back("<" + std::string(which.name) + "> acts on the whole model, and another contact sets it otherwise.");
+    if (differs)
+      list.push_back("<" + std::string(which.name) +
+                     "> acts on the whole model, and another contact sets it otherwise.");
   }
   if (own.predictor_given && own.predictor && !solver_.is_predictable())
     list.emplace_back("<predictor> is not available in models with rigid bodies; set it to 0.");

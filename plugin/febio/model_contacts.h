@@ -58,7 +58,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   newton::Helpers helpers_;
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
-  std::vector<FEMixtureContact*> contacts_;       ///< in the order of the model
+  std::vector<FEMixtureContact*> contacts_;        ///< in the order of the model
   std::set<const FEMixtureContact*> unactivated_;  ///< whose state is not known to the core yet
   mixture_contact::Round dumps_;
 };

@@ -81,10 +81,11 @@ struct ContactParameters {
 /// The switch of one of the solver's helpers.
 struct HelperSwitch {
   const char* name;
-  bool ContactParameters::*on;
-  bool ContactParameters::*given;
+  bool ContactParameters::* on;
+  bool ContactParameters::* given;
 };
-inline constexpr HelperSwitch predictor{"predictor", &ContactParameters::predictor, &ContactParameters::predictor_given};
+inline constexpr HelperSwitch predictor{"predictor", &ContactParameters::predictor,
+                                        &ContactParameters::predictor_given};
 inline constexpr HelperSwitch non_negative_concentrations{"non_negative_concentrations",
                                                           &ContactParameters::non_negative_concentrations,
                                                           &ContactParameters::non_negative_concentrations_given};

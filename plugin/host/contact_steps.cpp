@@ -112,7 +112,8 @@ bool ContactSteps::is_solution() {
 
 bool ContactSteps::accepts(const void* told) {
   if (!convergences_.opens(told)) return stepper_.phase() != Phase::rejected;
-  // The host has converged with the active set and the gaps that were held: it is a solution only if the true laws agree.
+  // The host has converged with the active set and the gaps that were held: it is a solution only if the true laws
+  // agree.
   bool accepted = is_solution() && helpers_.are_settled();
   if (accepted) {
     for (SteppedContact* contact : model_.active_contacts()) accepted = !contact->finds_overlap() && accepted;

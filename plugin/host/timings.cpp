@@ -66,7 +66,7 @@ std::string seconds(std::string_view title, const Spent& spent) {
 }  // namespace
 
 std::vector<std::string> timings_table(const std::string& name, const mixture_contact::ContactInterface& contact,
-                                     double run) {
+                                       double run) {
   const Spent sum = contact.times().sum();
   std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
                                  row("", headings(contact.effects()))};

@@ -10,4 +10,4 @@
 ///
 /// `name`: of the contact; `run`: seconds since the run began.
 std::vector<std::string> timings_table(const std::string& name, const mixture_contact::ContactInterface& contact,
-                                     double run);
+                                       double run);

@@ -1,5 +1,5 @@
-/// Predictions of a quantity from its last steps: curves through its past states, judged by what each would have predicted
-/// of the last step.
+/// Predictions of a quantity from its last steps: curves through its past states, judged by what each would have
+/// predicted of the last step.
 ///
 /// Quantities that creep or diffuse change ever more slowly, and a time stepper lengthens its steps as they do. Then
 /// the states are smooth functions of the number of the step rather than of time. So there are two coordinates for the

@@ -181,9 +181,10 @@ bool Predictor::is_better_than_plain(const std::vector<double>& predicted, const
   const double plain = residual_norm(none, prescribed);
   const double ahead = residual_norm(predicted, none);
   if (std::isfinite(ahead) && ahead <= plain) return true;
-  solver_.log(std::isfinite(ahead) ? "predictor: the predicted state is dropped, its residual is larger than that of the "
-                                     "plain start."
-                                   : "predictor: the predicted state is dropped, an element is inverted there.");
+  solver_.log(std::isfinite(ahead)
+                  ? "predictor: the predicted state is dropped, its residual is larger than that of the "
+                    "plain start."
+                  : "predictor: the predicted state is dropped, an element is inverted there.");
   return false;
 }
 

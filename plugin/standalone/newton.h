@@ -71,7 +71,7 @@ class Newton : private mixture_contact::SteppedModel {
   int augmentations_ = 0;
   VectorXd start_, end_;  ///< residual before and after an iteration
   Norms first_;
-  VectorXd increment_;                     ///< of the step so far
+  VectorXd increment_;  ///< of the step so far
   std::vector<std::unique_ptr<mixture_contact::SteppedContact>> contacts_;
   newton::Helpers no_helpers_;
   mixture_contact::ContactSteps steps_;

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// One displacement (dof 0) and one concentration (dof 1) at each of some nodes; the equations are those of node 0, then
-/// those of node 1, and so on. The residual and the matrix are what a test says.
+/// One displacement (dof 0) and one concentration (dof 1) at each of some nodes; the equations are those of node 0,
+/// then those of node 1, and so on. The residual and the matrix are what a test says.
 class FakeSolver : public newton::Solver {
  public:
   using Place = newton::Place;
@@ -118,9 +118,7 @@ class FakeSolver : public newton::Solver {
 
  private:
   struct State {
-    explicit State(int nodes) : values(std::size_t(2 * nodes), 0.0) {
-      previous = values;
-    }
+    explicit State(int nodes) : values(std::size_t(2 * nodes), 0.0) { previous = values; }
     std::vector<double> values, previous;
   };
   static int index(Place place) { return 2 * place.node + place.dof; }

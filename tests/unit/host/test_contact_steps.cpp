@@ -166,8 +166,8 @@ void check(const Notes& actual, const Notes& expected) {
 BOOST_AUTO_TEST_CASE(a_step_starts_with_one_iteration_of_all_contacts) {
   FakeHost host(2);
   host.start_step();
-  check(host.said(), {"A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper step", "A prepare",
-                      "B prepare", "helper residual"});
+  check(host.said(), {"A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper step",
+                      "A prepare", "B prepare", "helper residual"});
 }
 
 BOOST_AUTO_TEST_CASE(bodies_are_evaluated_after_contacts_where_the_start_changes_something) {
@@ -291,8 +291,8 @@ BOOST_AUTO_TEST_CASE(a_cutback_within_a_round_leaves_nothing_behind) {
   host.steps.rewind();
   host.said();
   host.start_step();
-  check(host.said(), {"A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper step", "A prepare",
-                      "B prepare", "helper residual"});
+  check(host.said(), {"A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper step",
+                      "A prepare", "B prepare", "helper residual"});
 }
 
 BOOST_AUTO_TEST_CASE(a_cutback_is_told_to_helpers_and_a_restart_is_not) {
@@ -310,7 +310,8 @@ BOOST_AUTO_TEST_CASE(contacts_come_and_go_with_steps_of_the_analysis) {
   host.is_active[0] = false;
   host.steps.reset_rounds();
   host.start_step();
-  check(host.said(), {"B end", "helper iterations", "B begin", "ambient", "helper step", "B prepare", "helper residual"});
+  check(host.said(),
+        {"B end", "helper iterations", "B begin", "ambient", "helper step", "B prepare", "helper residual"});
   host.update(1.0);
   BOOST_TEST(host.augment());
   host.is_active[0] = true;

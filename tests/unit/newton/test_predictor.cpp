@@ -11,8 +11,8 @@ using newton::Predictor;
 
 namespace {
 
-/// A node whose values grow by the same in each step, solved by the predictor's user as FEBio does: with a residual that
-/// is the distance to the solution.
+/// A node whose values grow by the same in each step, solved by the predictor's user as FEBio does: with a residual
+/// that is the distance to the solution.
 class Ramp {
  public:
   Ramp() {

@@ -22,7 +22,7 @@ MARKERS = {
     Knob.PENALTY: "o",
     Knob.AUGLAG: "^",
     Knob.LAGMULT: "X",
-    Knob.EXTRAPOLATION: ">",
+    Knob.PREDICTOR: ">",
     Knob.NEWTON: "P",
     Knob.DEFAULT: "*",
 }
