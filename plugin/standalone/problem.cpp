@@ -114,41 +114,26 @@ void Problem::start_step(double time, double dt) {
   for (Contact& contact : contacts_) {
     if (reads_properties_again(contact.definition().parameters)) contact.update_properties(state_.values);
   }
-  end_iterations();
 }
 
 // ------------------------------------------------------------ contact status
 
-void Problem::end_iterations() {
-  for (const Contact& contact : contacts_) contact.core().end_iterations();
-}
-
-bool Problem::begin_iteration() {
-  bool changed = false;
-  for (const Contact& contact : contacts_) {
-    const bool contact_changed = contact.core().begin_iteration(contact.fields(state_.values));
-    changed = changed || contact_changed;
-  }
-  const bool ambient_changed = switch_ambient();
-  return changed || ambient_changed;
-}
-
 bool Problem::switch_ambient() {
-  // A node is at ambient only where no contact has it; the first contact that it belongs to says what its bath is.
-  std::map<int, const ContactDefinition*> baths;
+  // A node is at ambient only where no contact has it; the first contact that it belongs to says what that is.
+  std::map<int, const ContactDefinition*> definitions;
   std::set<int> in_contact;
   for (const Contact& contact : contacts_) {
     const auto status = contact.core().hold_nodes_in_contact();
     for (const auto side : mixture_contact::both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
-        baths.emplace(contact.nodes(side)[i], &contact.definition());
+        definitions.emplace(contact.nodes(side)[i], &contact.definition());
         if (status[side][i]) in_contact.insert(contact.nodes(side)[i]);
       }
     }
   }
   bool changed = false;
-  for (const auto& [node, bath] : baths) {
-    const bool switched = switch_ambient(node, in_contact.count(node) > 0, *bath);
+  for (const auto& [node, definition] : definitions) {
+    const bool switched = switch_ambient(node, in_contact.count(node) > 0, *definition);
     changed = changed || switched;
   }
   return changed;
@@ -160,11 +145,11 @@ bool Problem::switch_ambient(int node, bool in_contact, const ContactDefinition&
     Status& status = state_.status[static_cast<std::size_t>(model_.place(dof, node))];
     if (status != Status::free && status != Status::ambient) continue;
     double& value = state_.values(dof, node);
-    const double bath = in_contact ? value : ambient_value(model_, contact, dof, time_);
+    const double ambient = in_contact ? value : ambient_value(model_, contact, dof, time_);
     const Status wanted = in_contact ? Status::free : Status::ambient;
-    changed = changed || status != wanted || value != bath;
+    changed = changed || status != wanted || value != ambient;
     status = wanted;
-    value = bath;
+    value = ambient;
   }
   return changed;
 }

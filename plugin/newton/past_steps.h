@@ -1,5 +1,5 @@
-/// Where the last steps of a quantity lead: curves through its past states, judged by what each would have told of the
-/// last step.
+/// Predictions of a quantity from its last steps: curves through its past states, judged by what each would have
+/// predicted of the last step.
 ///
 /// Quantities that creep or diffuse change ever more slowly, and a time stepper lengthens its steps as they do. Then
 /// the states are smooth functions of the number of the step rather than of time. So there are two coordinates for the
@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace mixture_contact {
+namespace newton {
 
 /// A polynomial through past states: its degree, and the part from 0 to 1 of its last term. Of degree 0 there is none.
 struct Curve {
@@ -28,20 +28,21 @@ struct Change {
 
 class PastSteps {
  public:
-  /// Judges by the change which curve would have foretold it best, then keeps it.
+  /// Judges by the change which curve predicts it best, then keeps it.
   void add(const Change& change);
 
-  /// The change that the next step of length dt will make; empty where no curve would have told two thirds of the last.
-  Eigen::MatrixXd foretold(double dt) const;
+  /// The change that the next step of length dt will make; empty where no curve would have predicted two thirds of the
+  /// last one.
+  Eigen::MatrixXd predicted(double dt) const;
 
   /// Whether there is such a curve.
-  bool leads(double dt) const { return in_time_.degree > 0 || (stretched_.degree > 0 && in_stretched_time(dt)); }
+  bool predicts(double dt) const { return in_time_.degree > 0 || (stretched_.degree > 0 && in_stretched_time(dt)); }
 
   /// Whether the last step changed anything.
   bool changed() const { return !changes_.empty() && !changes_.front().values.isZero(0); }
 
-  /// What the best curve would have missed of the last change, as a part of it; 1 where there is none.
-  double missed() const { return missed_; }
+  /// The error of the best curve for the last change, as a part of it; 1 where there is no curve.
+  double prediction_error() const { return error_; }
 
   /// Calls `use` with each part of the state, for restart files. Changes come before what was chosen by them.
   template <class Use>
@@ -61,8 +62,8 @@ class PastSteps {
 
   std::vector<Change> changes_;  ///< latest first
   Curve in_time_;
-  Curve stretched_;  ///< where it would have told more than the curve in time
-  double missed_ = 1;
+  Curve stretched_;  ///< where its error is smaller than that of the curve in time
+  double error_ = 1;
 };
 
 template <class Use>
@@ -78,7 +79,7 @@ void PastSteps::for_each_part(const Use& use) {
     use(curve->degree);
     use(curve->last_part);
   }
-  use(missed_);
+  use(error_);
 }
 
-}  // namespace mixture_contact
+}  // namespace newton

@@ -1,6 +1,6 @@
 #include "solver_totals.h"
 
-#include "equation.h"
+#include "newton/solver.h"
 
 #include <FEBioMech/FESolidSolver2.h>
 #include <FEBioMix/FEBiphasicSoluteSolver.h>
@@ -20,9 +20,9 @@ void gather(std::vector<double>& total, FEModel& fem, const std::vector<double>&
   auto entry = total.begin();
   for (int i = 0; i < mesh.Nodes(); ++i) {
     for (const int dof : dofs) {
-      const int equation = dof < 0 ? -1 : equation_of(mesh.Node(i).m_ID[static_cast<std::size_t>(dof)]);
+      const int equation = dof < 0 ? -1 : newton::equation_of(newton::at(mesh.Node(i).m_ID, dof));
       if (equation == -1 || entry == total.end()) continue;
-      *entry++ = change[static_cast<std::size_t>(equation)];
+      *entry++ = newton::at(change, equation);
     }
   }
 }
@@ -36,9 +36,9 @@ void gather_displacements_and_pressure(std::vector<double>& displacements, std::
 
 void gather_concentrations(std::vector<std::vector<double>>& concentrations, FEModel& fem,
                            const std::vector<double>& change) {
-  for (std::size_t k = 0; k < concentrations.size(); ++k) {
-    const auto dof = [&](const char* variable) { return fem.GetDOFIndex(variable, static_cast<int>(k)); };
-    gather(concentrations[k], fem, change, {dof("concentration"), dof("shell concentration")});
+  for (int k = 0; k < newton::count(concentrations); ++k) {
+    const auto dof = [&](const char* variable) { return fem.GetDOFIndex(variable, k); };
+    gather(newton::at(concentrations, k), fem, change, {dof("concentration"), dof("shell concentration")});
   }
 }
 

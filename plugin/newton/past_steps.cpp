@@ -6,10 +6,10 @@
 
 using Eigen::MatrixXd;
 
-namespace mixture_contact {
+namespace newton {
 namespace {
 
-/// A curve in time is a parabola at the most: over uneven steps what is of higher degree leads astray.
+/// A curve in time is a parabola at the most: over uneven steps higher degrees overshoot.
 constexpr int highest_degree_in_time = 2;
 constexpr int highest_degree = 5;
 constexpr std::size_t changes_kept = highest_degree;
@@ -18,15 +18,16 @@ constexpr std::size_t changes_kept = highest_degree;
 constexpr double regular_ratio = 5.0 / 3.0;
 /// Steps whose lengths differ by less than this part are equal.
 constexpr double same_length = 1e-6;
-/// A curve that would have missed more than this part of the last change leads nowhere.
-constexpr double largest_miss = 1.0 / 3.0;
-/// Terms below this part of the first one are rounding, and so is what is missed less of the last change.
+/// A curve predicts nothing where its error of the last change is larger than this part of it.
+constexpr double largest_error = 1.0 / 3.0;
+/// Terms below this part of the first one are rounding, and so are differences of the errors below this part of the
+/// last change.
 constexpr double negligible = 1e-6;
 
-/// A curve with what it would have missed.
+/// A curve with its prediction error of the last change.
 struct Judged {
   Curve curve;
-  double missed = 0;
+  double error = 0;
 };
 
 /// Sum of the terms, with the given part of the last one.
@@ -36,21 +37,21 @@ MatrixXd sum(const std::vector<MatrixXd>& terms, double last_part) {
   return total;
 }
 
-/// The part of a term that leaves the least of what those before it missed. The first one is taken as a whole.
-double best_part(const std::vector<MatrixXd>& terms, std::size_t n, const MatrixXd& missed) {
+/// The part of a term that leaves the least of the error of those before it. The first one is taken as a whole.
+double best_part(const std::vector<MatrixXd>& terms, std::size_t n, const MatrixXd& error) {
   if (n == 0) return 1;
   if (terms[n].norm() <= negligible * terms[0].norm()) return 0;
-  return std::clamp(terms[n].cwiseProduct(missed).sum() / terms[n].squaredNorm(), 0.0, 1.0);
+  return std::clamp(terms[n].cwiseProduct(error).sum() / terms[n].squaredNorm(), 0.0, 1.0);
 }
 
 /// Curves of all degrees, the first being of degree 1.
 std::vector<Judged> judged(const std::vector<MatrixXd>& terms, const MatrixXd& actual) {
   std::vector<Judged> curves;
-  MatrixXd missed = actual;
+  MatrixXd error = actual;
   for (std::size_t n = 0; n < terms.size(); ++n) {
-    const double part = best_part(terms, n, missed);
-    curves.push_back({{static_cast<int>(n) + 1, part}, (missed - part * terms[n]).norm()});
-    missed -= terms[n];
+    const double part = best_part(terms, n, error);
+    curves.push_back({{static_cast<int>(n) + 1, part}, (error - part * terms[n]).norm()});
+    error -= terms[n];
   }
   return curves;
 }
@@ -101,24 +102,24 @@ std::vector<MatrixXd> PastSteps::terms(const Coordinates& at, int degree) const 
 
 void PastSteps::judge(const Change& actual) {
   in_time_ = stretched_ = {};
-  missed_ = 1;
+  error_ = 1;
   if (changes_.empty()) return;
   const double whole = actual.values.norm();
-  double least = largest_miss * whole;
+  double least = largest_error * whole;
   const Judged plain = judged(terms(in_time(actual.dt), highest_degree_in_time), actual.values).back();
-  if (plain.missed <= least) {
+  if (plain.error <= least) {
     in_time_ = plain.curve;
-    least = plain.missed;
+    least = plain.error;
   }
   if (const auto stretched = in_stretched_time(actual.dt)) {
     for (const Judged& next : judged(terms(*stretched, highest_degree), actual.values)) {
-      if (next.missed >= least - negligible * whole) continue;
+      if (next.error >= least - negligible * whole) continue;
       stretched_ = next.curve;
-      least = next.missed;
+      least = next.error;
     }
   }
   const bool found = in_time_.degree > 0 || stretched_.degree > 0;
-  if (found) missed_ = whole > 0 ? least / whole : 0;
+  if (found) error_ = whole > 0 ? least / whole : 0;
 }
 
 void PastSteps::add(const Change& change) {
@@ -127,7 +128,7 @@ void PastSteps::add(const Change& change) {
   if (changes_.size() > changes_kept) changes_.pop_back();
 }
 
-MatrixXd PastSteps::foretold(double dt) const {
+MatrixXd PastSteps::predicted(double dt) const {
   if (stretched_.degree > 0) {
     if (const auto at = in_stretched_time(dt)) return sum(terms(*at, stretched_.degree), stretched_.last_part);
   }
@@ -135,4 +136,4 @@ MatrixXd PastSteps::foretold(double dt) const {
   return {};
 }
 
-}  // namespace mixture_contact
+}  // namespace newton

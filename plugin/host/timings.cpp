@@ -1,4 +1,4 @@
-#include "price.h"
+#include "timings.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -65,8 +65,8 @@ std::string seconds(std::string_view title, const Spent& spent) {
 
 }  // namespace
 
-std::vector<std::string> price_table(const std::string& name, const mixture_contact::ContactInterface& contact,
-                                     double run) {
+std::vector<std::string> timings_table(const std::string& name, const mixture_contact::ContactInterface& contact,
+                                       double run) {
   const Spent sum = contact.times().sum();
   std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
                                  row("", headings(contact.effects()))};
