@@ -37,7 +37,7 @@ void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefin
   if (!tag.find_attribute("sol") && model.solutes.size() != 1)
     tag.fail("the attribute sol must say which of the solutes this is for");
   const int solute = tag.find_attribute("sol") ? tag.integer_attribute("sol") : 1;
-  if (solute > static_cast<int>(model.solutes.size())) tag.fail("solute " + std::to_string(solute) + " does not exist");
+  if (solute > number_of(model.solutes)) tag.fail("solute " + std::to_string(solute) + " does not exist");
   if (!contact.ambient_concentration.emplace(solute - 1, read_parameter(tag, model)).second) tag.fail("given twice");
 }
 
