@@ -104,11 +104,11 @@ def driven(what):
     return pairs.POROSITY * pairs.DIFFUSIVITY * (pairs.BELOW - pairs.ABOVE) / (2.0 * pairs.HEIGHT)
 
 
-def check_jumps(run, pair, bar=JUMP):
+def check_jumps(run, pair, tolerance=JUMP):
     if isinstance(pair.lower, Mixture) and isinstance(pair.upper, Mixture):
-        assert compare.jump(run, "p", PAIR) < bar * pairs.PRESSURE
+        assert compare.jump(run, "p", PAIR) < tolerance * pairs.PRESSURE
     for sol in shared_solutes(pair):
-        assert compare.jump(run, f"c{sol}", PAIR) < bar * (pairs.BELOW - pairs.ABOVE)
+        assert compare.jump(run, f"c{sol}", PAIR) < tolerance * (pairs.BELOW - pairs.ABOVE)
 
 
 @pytest.mark.parametrize(("lower", "upper", "primary"), ORDERS)

@@ -9,16 +9,17 @@ import pytest
 
 from harness.errors import DataFileError
 from harness.models.interface import Join
-from harness.studies.cost import command, files, interleaved, pareto
+from harness.studies import files
+from harness.studies.cost import command, interleaved, pareto
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import OWN, Problem, points
 
 BASE = Datum("3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 1.0)
-CHEAP = replace(BASE, knob="penalty factor", value=10.0, contact_error=1e-2, iterations=22, ratio=0.9)
-POOR = replace(BASE, knob="AUGLAG tolerance", value=0.1, contact_error=1e-3, iterations=31, ratio=1.3)
-FAILED = replace(BASE, knob="penalty factor", value=1.0, ended=False, contact_error=math.nan, ratio=math.nan)
-MESH = replace(BASE, knob="elements", value=3.0, contact_error=1e-9, ratio=0.1)
+CHEAP = replace(BASE, parameter="penalty factor", value=10.0, contact_error=1e-2, iterations=22, ratio=0.9)
+POOR = replace(BASE, parameter="AUGLAG tolerance", value=0.1, contact_error=1e-3, iterations=31, ratio=1.3)
+FAILED = replace(BASE, parameter="penalty factor", value=1.0, ended=False, contact_error=math.nan, ratio=math.nan)
+MESH = replace(BASE, parameter="elements", value=3.0, contact_error=1e-9, ratio=0.1)
 DATA = [BASE, CHEAP, POOR, FAILED, MESH]
 
 
@@ -48,7 +49,7 @@ def test_a_table_is_read_back(tmp_path):
     assert [replace(d, contact_error=0.0, ratio=0.0) for d in found] == [
         replace(d, contact_error=0.0, ratio=0.0) for d in DATA
     ]
-    (tmp_path / "bad.csv").write_text("problem,knob\n3.1,default\n")
+    (tmp_path / "bad.csv").write_text("problem,parameter\n3.1,default\n")
     with pytest.raises(DataFileError, match=r"bad\.csv is no table of `cost`"):
         files.read_csv(tmp_path / "bad.csv", Datum)
 
@@ -68,22 +69,22 @@ def test_every_point_has_a_model_and_a_name_of_its_own():
     assert len(names) == len(chosen)
     for point in chosen:
         assert point.model().contacts[0].kind == point.interface.value
-    assert {p.interface for p in chosen if p.knob in OWN} == {Join.MIXTURE}
+    assert {p.interface for p in chosen if p.parameter in OWN} == {Join.MIXTURE}
 
 
 def test_the_pictures_are_drawn(tmp_path):
     assert [path.name for path in pareto.draw(DATA, tmp_path)] == ["cost-3.2.png"]
 
 
-def timing(interface, knob, value, cpu, *, turn=1, error=1e-6, instructions=math.nan):
-    return Timing("3.2", interface, knob, value, "wide", turn, error, 24, 44, cpu, instructions)
+def timing(interface, parameter, value, cpu, *, turn=1, error=1e-6, instructions=math.nan):
+    return Timing("3.2", interface, parameter, value, "wide", turn, error, 24, 44, cpu, instructions)
 
 
 def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
-    theirs = replace(BASE, interface="sliding-multiphasic", knob="penalty factor")
+    theirs = replace(BASE, interface="sliding-multiphasic", parameter="penalty factor")
     febio = [replace(theirs, value=factor, contact_error=1 / factor) for factor in (1e2, 1e4)]
     chosen = interleaved.contenders([*DATA, *febio], Problem.CONVECTION)
-    named = {(p.interface.value, p.knob.value, p.value) for p in chosen}
+    named = {(p.interface.value, p.parameter.value, p.value) for p in chosen}
     assert named == {
         ("unsplit", "default", 0.0),
         ("sliding-mixture", "default", 0.0),

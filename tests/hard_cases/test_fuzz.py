@@ -27,9 +27,9 @@ def test_a_seed_is_one_model(kind):
 )
 def test_no_fault(runner, kind, seed):
     trial = attempt(kind, seed, runner)
-    assert not trial.faulty, trial.outcome
+    assert not trial.faulty, trial.result
 
 
 @pytest.mark.parametrize("seed", MENDED)
 def test_a_mended_scene_ends(runner, seed):
-    assert attempt(Kind.SCENES, seed, runner, integration="gauss").outcome == ENDED
+    assert attempt(Kind.SCENES, seed, runner, integration="gauss").result == ENDED

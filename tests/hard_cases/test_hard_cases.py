@@ -21,9 +21,19 @@ RETRIES = {"cutback-at-touch": 1}
 
 TOUCH = ("touch-gap-element", Fineness.FINE)
 """A step that ends with a gap of zero to rounding: the only one on the fine mesh."""
+SLOW = (
+    *("slide-20-facets", "1000-steps", "curved-1-to-8", "rotation-90", "curved-two-pass", "cutback-at-touch"),
+    *("ten-cycles", "slide-off-edge", "corner-on-face", "permeability-1e8", "corner-two-pass"),
+)
+"""Cases of more than three seconds of processor time."""
 
 
-@pytest.mark.parametrize(("name", "mesh"), [*((name, Fineness.COARSE) for name in CASES), TOUCH])
+def cases():
+    slow = {name: [pytest.mark.slow] if name in SLOW else [] for name in CASES}
+    return [*(pytest.param(name, Fineness.COARSE, marks=marks) for name, marks in slow.items()), TOUCH]
+
+
+@pytest.mark.parametrize(("name", "mesh"), cases())
 def test_it_ends_and_passes(runner, name, mesh):
     made = record.make(runner, name, mesh, Interface.MIXTURE)
     assert made.ended, made.failures

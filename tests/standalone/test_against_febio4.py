@@ -17,7 +17,7 @@ from harness.models.interface import ContactSettings, Join
 from harness.models.parts import Control, Param
 from harness.run import engine
 from harness.run.hosts import FEBIO4, STANDALONE
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.validate import engine_agreement
 from harness.validate.engine_agreement import differences, strict
 
@@ -37,7 +37,7 @@ def runs(tmp_path_factory: pytest.TempPathFactory):
         pytest.skip(str(error))
     root = tmp_path_factory.mktemp("runs")
 
-    def both(model: Model) -> tuple[Outcome, Outcome]:
+    def both(model: Model) -> tuple[RunResult, RunResult]:
         return tuple(Runner(root / host.name, host=host)(model) for host in (FEBIO4, STANDALONE))
 
     return both
@@ -48,7 +48,7 @@ def test_diffusion_agrees_at_every_node_and_time(runs):
     assert max(found.values()) <= BAR, found
 
 
-@pytest.mark.parametrize("peclet", [0, 1, 10])
+@pytest.mark.parametrize("peclet", [*(pytest.param(k, marks=pytest.mark.slow) for k in (0, 1)), 10])
 def test_convection_agrees_at_every_node_and_time(runs, peclet):
     found = differences(*runs(strict(Convection(peclet=peclet).model(), FLOORS[100.0])))
     assert max(found.values()) <= BAR, found

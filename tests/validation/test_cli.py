@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 
 import pytest
 
+from harness.cli import app
 from harness.models.diffusion import Diffusion
 from harness.models.interface import Join
 from harness.models.parts import Control
@@ -84,3 +86,18 @@ def test_run_quotes_febio_where_it_fails(runner, tmp_path):
     finished = harness("run", path)
     assert finished.returncode == 2
     assert "modulus" in finished.stderr
+
+
+def test_the_help_of_the_entry_lists_every_command():
+    """`scripts/mixcontact --help` needs no set-up, so its list is written out; it is that of the harness."""
+    done = subprocess.run(
+        [sys.executable, str(REPOSITORY / "scripts" / "mixcontact"), "--help"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    entries = re.findall(r"^  ((?:[a-z-]+, )*[a-z-]+)  +\S", done.stdout, re.MULTILINE)
+    listed = {"validate", *(name for entry in entries for name in entry.split(", "))}
+    commands = {str(command.name or command.callback.__name__).replace("_", "-") for command in app.registered_commands}
+    assert "mixcontact validate" in done.stdout
+    assert listed == commands

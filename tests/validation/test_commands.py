@@ -27,7 +27,7 @@ PROGRAMS = ("scripts/mixcontact", "febio4", "cmake", "cpack", "ctest", "export",
 SMALL = {
     # What this test is a part of; .ci/run must call it and be a valid script.
     "scripts/mixcontact test": "test -x {root}/scripts/mixcontact",
-    ".ci/run": "bash -n {root}/.ci/run && grep -q 'scripts/mixcontact test' {root}/.ci/run",
+    ".ci/run": "bash -n {root}/.ci/run && grep -q 'scripts/mixcontact test --all' {root}/.ci/run",
     # The whole takes minutes.
     "scripts/mixcontact validate": "scripts/mixcontact validate --only leak --folder results",
     "scripts/mixcontact report": "scripts/mixcontact report --only leak --folder results",
@@ -51,6 +51,8 @@ SMALL = {
     "scripts/mixcontact hard-cases": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",
+    # Builds the plugin with sanitizers, which takes minutes.
+    "scripts/mixcontact robustness model.feb --only model": "{harness} robustness --help",
     # No network, and no second virtual environment.
     "git clone <address of this repository> FEBioMixtureContact": "git clone -q {root} FEBioMixtureContact",
     "cd FEBioMixtureContact": "cd FEBioMixtureContact && rm -r scripts && ln -s {root}/scripts scripts",
@@ -101,7 +103,14 @@ def scratch(runner, tmp_path) -> Path:
 
 
 @pytest.mark.mixture_only
-@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page)], ids=lambda page: page.name)
+def pages():
+    """Every page with commands; two of them are quick and the first that a reader meets."""
+    quick = ("README.md", "check.md")
+    slow = {page: [] if page.name in quick else [pytest.mark.slow] for page in PAGES if blocks(page)}
+    return [pytest.param(page, marks=marks) for page, marks in slow.items()]
+
+
+@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
 def test_the_commands_of_a_page_run(scratch, page):
     plugin, febio = plugin_library().resolve(), engine.find_engine()
     harness = f"env PYTHONPATH={REPOSITORY / 'scripts'} python -m harness"

@@ -1,6 +1,6 @@
 """Models with FEBio's four sliding types give the same answer after `convert`. Both are run by febio4.
 
-Where contact is uniform the bar is round-off and the solver's tolerance; with AUGLAG and with unlike materials it is
+Where contact is uniform the tolerance is round-off and that of the solver; with AUGLAG and with unlike materials it is
 what the penalties leave. At an edge of contact between meshes that do not match, FEBio's conditions at integration
 points and ours at nodes agree as the mesh allows.
 """
@@ -52,12 +52,12 @@ class Case:
     text: str
     columns: tuple[str, ...]
     file: str
-    bar: float
+    tolerance: float
     gauss: bool = False
 
 
-def case(model, bar=1e-6):
-    return Case(model.text(), model.node_columns, model.node_file, bar)
+def case(model, tolerance=1e-6):
+    return Case(model.text(), model.node_columns, model.node_file, tolerance)
 
 
 def punch(settings):
@@ -74,7 +74,7 @@ def punch(settings):
     return Model("punch", "punch", "biphasic", mesh, materials, conditions, Control(5, 200.0), joined, ramp)
 
 
-def elastic(model, bar=1e-6):
+def elastic(model, tolerance=1e-6):
     """A biphasic model with its fluid taken away, in the module solid with sliding-elastic."""
     root = etree.fromstring(model.text().encode("iso-8859-1"))
     fluid = "Boundary/bc[@type='prescribed fluid pressure']"
@@ -93,7 +93,7 @@ def elastic(model, bar=1e-6):
     columns = model.node_columns[:6]
     root.find("Output/logfile/node_data").set("data", ";".join(columns))
     text = etree.tostring(root, encoding="iso-8859-1", xml_declaration=True).decode("iso-8859-1")
-    return Case(text, columns, model.node_file, bar)
+    return Case(text, columns, model.node_file, tolerance)
 
 
 CASES = {
@@ -147,4 +147,4 @@ def test_the_answer_stays(runner, tmp_path, name):
     for column in chosen.columns[3:]:
         scale = np.abs(old[column]).max()
         if scale > 0.0:
-            assert np.abs(new[column] - old[column]).max() <= chosen.bar * scale, column
+            assert np.abs(new[column] - old[column]).max() <= chosen.tolerance * scale, column

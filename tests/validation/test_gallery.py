@@ -22,19 +22,19 @@ def shown(runner, join):
 
     def show(name):
         entry = ENTRIES[name]
-        outcome = runner(entry.small)
-        return entry, outcome, entries.curves(entry, outcome)
+        result = runner(entry.small)
+        return entry, result, entries.curves(entry, result)
 
     return show
 
 
 @pytest.mark.parametrize("name", ENTRIES)
 def test_the_small_version_runs_and_is_drawn(shown, name, tmp_path):
-    entry, outcome, curves = shown(name)
-    drawn = figures.draw(entry, outcome, curves, tmp_path)
+    entry, result, curves = shown(name)
+    drawn = figures.draw(entry, result, curves, tmp_path)
     assert [path.name for path in drawn] == [f"{name}-section.png", f"{name}-curves.png"]
     assert all(path.read_bytes().startswith(PNG) for path in drawn)
-    assert outcome.report.retries == 0
+    assert result.report.retries == 0
 
 
 @pytest.mark.parametrize("name", ENTRIES)
@@ -47,9 +47,9 @@ def test_the_small_version_is_the_same_problem(name):
 
 
 def test_solute_enters_the_joint_with_each_layer_holding_its_share(shown):
-    _, outcome, curves = shown("joint")
+    _, result, curves = shown("joint")
     assert all(content[0] == 0.0 and content[-1] > 0.04 for content in curves.contents.values())
-    assert outcome.nodes["c1"].max() == pytest.approx(1.0, abs=0.02)
+    assert result.nodes["c1"].max() == pytest.approx(1.0, abs=0.02)
     assert curves.force is not None
     assert curves.force.argmax() == len(curves.times) - 1, "the load peaks at the end of the cycle"
 
@@ -63,14 +63,14 @@ def test_the_graft_takes_up_what_the_host_hands_on(shown):
 
 
 def test_the_force_on_the_platens_relaxes(shown):
-    _, outcome, curves = shown("platens")
+    _, result, curves = shown("platens")
     assert curves.force is not None
     peak = int(np.abs(curves.force).argmax())
     assert curves.times[peak] == pytest.approx(platens.RAMP)
     assert abs(curves.force[-1]) < 0.5 * abs(curves.force[peak])
     assert set(curves.sides) == {"sample-bottom", "sample-top", "permeable-bottom"}
-    assert "exchanges traction. No solvent" in outcome.log
-    assert "exchanges traction, solvent, solute 1." in outcome.log
+    assert "exchanges traction. No solvent" in result.log
+    assert "exchanges traction, solvent, solute 1." in result.log
 
 
 def test_the_page_shows_each_model_and_is_up_to_date():

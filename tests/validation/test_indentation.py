@@ -17,7 +17,7 @@ from harness.post import contact_line, solute_balance
 from harness.post.hexahedra import geometry, rule
 from harness.post.solute_balance import State
 from harness.run import diagnosis
-from harness.run.diagnosis import Ailment
+from harness.run.diagnosis import FailureMode
 
 GRIDS = {
     "medium": Grid(),
@@ -193,20 +193,20 @@ def attempt(residuals, *, ls=1.0, error="Max nr of reformations reached."):
 
 
 @pytest.mark.parametrize(
-    ("log", "ailment"),
+    ("log", "failure_mode"),
     [
-        (attempt([1e-5, 5e-9] * 10), Ailment.CHATTER),
-        (attempt([1e-9] * 20, ls=0.06), Ailment.SEARCH),
-        (attempt([10.0**k for k in range(12)]), Ailment.DIVERGES),
-        (attempt([1e-3 / k for k in range(1, 20)]), Ailment.SLOW),
-        (attempt([1.0, float("nan")], error="NAN detected in residual vector at index 3."), Ailment.NAN),
-        (attempt([1.0], error="2 negative jacobians detected."), Ailment.JACOBIAN),
-        (attempt([1.0], error=""), Ailment.UNFINISHED),
-        (attempt([1.0], error="") + "------- converged at time : 0.5\n", Ailment.NONE),
+        (attempt([1e-5, 5e-9] * 10), FailureMode.CHATTER),
+        (attempt([1e-9] * 20, ls=0.06), FailureMode.SEARCH),
+        (attempt([10.0**k for k in range(12)]), FailureMode.DIVERGES),
+        (attempt([1e-3 / k for k in range(1, 20)]), FailureMode.SLOW),
+        (attempt([1.0, float("nan")], error="NAN detected in residual vector at index 3."), FailureMode.NAN),
+        (attempt([1.0], error="2 negative jacobians detected."), FailureMode.JACOBIAN),
+        (attempt([1.0], error=""), FailureMode.UNFINISHED),
+        (attempt([1.0], error="") + "------- converged at time : 0.5\n", FailureMode.NONE),
     ],
 )
-def test_ailment_of_an_attempt(log, ailment):
-    assert [found.ailment for found in diagnosis.attempts(log)] == [ailment]
+def test_ailment_of_an_attempt(log, failure_mode):
+    assert [found.failure_mode for found in diagnosis.attempts(log)] == [failure_mode]
 
 
 def test_summary_counts_failed_attempts_and_names_the_unmet_norm():

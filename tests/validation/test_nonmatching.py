@@ -54,9 +54,9 @@ QUADRATIC = {
 }
 
 
-def relative_errors(outcome, exact):
+def relative_errors(result, exact):
     """Largest error of each field at the last time over its largest value."""
-    nodes = outcome.nodes
+    nodes = result.nodes
     return {name: np.max(np.abs(nodes[name][-1] - value)) / np.max(np.abs(value)) for name, value in exact.items()}
 
 
@@ -75,15 +75,15 @@ def patch(name, settings):
 @pytest.mark.parametrize("name", [*PATCHES, *QUADRATIC])
 def test_uniform_traction_and_linear_fields_are_exact(runner, name, settings):
     chosen = patch(name, settings)
-    outcome = runner(chosen.model())
-    errors = relative_errors(outcome, chosen.exact(outcome.model.mesh.nodes[:, 2]))
+    result = runner(chosen.model())
+    errors = relative_errors(result, chosen.exact(result.model.mesh.nodes[:, 2]))
     assert max(errors.values()) <= 1e-10, errors
 
 
 def test_gauss_points_are_not(runner):
     chosen = patch("3 to 4", ContactSettings(**{**vars(SEGMENTS), "integration": "gauss"}))
-    outcome = runner(chosen.model())
-    errors = relative_errors(outcome, chosen.exact(outcome.model.mesh.nodes[:, 2]))
+    result = runner(chosen.model())
+    errors = relative_errors(result, chosen.exact(result.model.mesh.nodes[:, 2]))
     assert min(errors.values()) >= 1e-3, errors
 
 
@@ -113,7 +113,9 @@ def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, di
         assert cut.report.iterations <= 1.05 * whole.report.iterations
 
 
-@pytest.mark.parametrize(("nodes", "levels", "order"), [(8, (2, 4), 1.95), (20, (2, 3), 2.85)])
+@pytest.mark.parametrize(
+    ("nodes", "levels", "order"), [(8, (2, 4), 1.95), pytest.param(20, (2, 3), 2.85, marks=pytest.mark.slow)]
+)
 def test_displacement_and_concentration_converge_with_the_order_of_the_elements(runner, nodes, levels, order):
     settings = ContactSettings(integration="segments", laugon="AUGLAG", tolerance=1e-6)
     coarse, fine = (
@@ -124,7 +126,8 @@ def test_displacement_and_concentration_converge_with_the_order_of_the_elements(
         assert np.log(error / fine[name]) / np.log(levels[1] / levels[0]) >= order, name
 
 
+@pytest.mark.slow
 def test_the_reaction_hardly_ripples_as_an_indenter_slides_over_ten_facets(runner):
-    outcome = runner(ironing.Ironing(ContactSettings(integration="segments")).model())
-    assert outcome.report.retries == 0
-    assert ripple(outcome) <= 1e-3  # measured 4.8e-4
+    result = runner(ironing.Ironing(ContactSettings(integration="segments")).model())
+    assert result.report.retries == 0
+    assert ripple(result) <= 1e-3  # measured 4.8e-4

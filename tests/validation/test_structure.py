@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import subprocess
+import sys
 from collections import Counter
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -17,7 +19,7 @@ ROOMS = (
     *("indentation", "validate", "pages", "studies", "cli", "__main__"),
 )
 """Folders and files directly in the harness, the lowest first."""
-STUDIES = ("hard_cases", "fuzz", "cost", "price")
+STUDIES = ("files", "timing", "hard_cases", "fuzz", "cost", "price", "robustness")
 """Rooms within studies, the lowest first."""
 ROLES = {"__init__", "command", "figures", "page"}
 """Names of files that say what a file is to its room, and so may stand in several rooms."""
@@ -84,7 +86,7 @@ def test_no_arrow_up():
 def test_every_file_is_in_a_declared_room():
     assert {name.split(".")[0] for name in modules(HARNESS)} - {"__init__"} == set(ROOMS)
     assert len(list(HARNESS.glob("*.py"))) <= MOST_FILES
-    assert {path.parent.name for path in (HARNESS / "studies").glob("*/__init__.py")} == set(STUDIES)
+    assert {path.stem for path in (HARNESS / "studies").glob("[!_]*")} == set(STUDIES)
 
 
 def test_one_name_means_one_thing():
@@ -114,3 +116,25 @@ def test_a_cycle_and_an_arrow_up_are_seen(tmp_path):
     found = graph(tmp_path)
     assert upward(found, ROOMS) == ["models.mesh -> run.engine"]
     assert set(cycle(found)) == {"models.mesh", "run.engine"}
+
+
+# ---- which tests are quick ----
+
+
+def test_ci_runs_all_tests_and_every_file_has_quick_ones():
+    assert "scripts/mixcontact test --all" in (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "--collect-only",
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "-m",
+        "not slow",
+        "tests",
+    ]
+    listed = subprocess.run(command, cwd=REPOSITORY, capture_output=True, text=True, check=True).stdout
+    quick = {line.split("::")[0] for line in listed.splitlines() if line.startswith("tests/")}
+    assert quick == {str(path.relative_to(REPOSITORY)) for path in (REPOSITORY / "tests").rglob("test_*.py")}

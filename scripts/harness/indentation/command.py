@@ -17,7 +17,7 @@ from harness.indentation.histories import Curves
 from harness.models.indentation import END, TIMES, Variant
 from harness.models.interface import ContactSettings, Join
 from harness.paths import RESULTS
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 
 console = Console(highlight=False, soft_wrap=True)
 
@@ -82,23 +82,23 @@ def indentation(
     if tolerance is not None:
         settings = replace(settings, tolerance=tolerance, maxaug=MOST_AUGMENTATIONS)
     problem = replace(problem, settings=None if settings == ContactSettings() else settings, gripped=not free_top)
-    outcome = Runner(folder / "runs", timeout=None)(problem.model(), check=False)
-    curves = histories.curves(outcome)
-    console.print(_summary(outcome, curves), markup=False)
+    result = Runner(folder / "runs", timeout=None)(problem.model(), check=False)
+    curves = histories.curves(result)
+    console.print(_summary(result, curves), markup=False)
     if not problem.grid.solid:
-        written = figures.draw(outcome, curves, folder)
+        written = figures.draw(result, curves, folder)
         console.print("Written: " + ", ".join(str(path) for path in written))
-    if not outcome.report.normal:
+    if not result.report.normal:
         raise typer.Exit(1)
 
 
-def _summary(outcome: Outcome, curves: Curves) -> str:
+def _summary(result: RunResult, curves: Curves) -> str:
     """Effort and a few numbers at the times of the pictures."""
-    report = outcome.report
+    report = result.report
     lines = [
-        f"{outcome.model.name}, {outcome.model.contacts[0].kind}: "
+        f"{result.model.name}, {result.model.contacts[0].kind}: "
         f"{'normal termination' if report.normal else 'ended early'}, {report.steps} steps, {report.iterations} "
-        f"iterations, {report.residuals} residuals, {report.retries} retries, {outcome.wall:.0f} s",
+        f"iterations, {report.residuals} residuals, {report.retries} retries, {result.wall:.0f} s",
         "  t [s]   force [N]  half-width  slab [nmol]  cylinder  outflow   imbalance  overlap  jump c",
     ]
     for time in TIMES:
@@ -153,10 +153,10 @@ def indentation_convergence(
     """Problem 3.3 on three meshes with the same steps: values at four times, observed orders. Takes half an hour."""
 
     def tell(solved: Solved) -> None:
-        report = solved.outcome.report
+        report = solved.result.report
         console.print(
-            f"{solved.outcome.model.name}: {'done' if report.normal else 'ended early'}, {report.steps} steps, "
-            f"{report.iterations} iterations, {report.retries} retries, {solved.outcome.wall:.0f} s",
+            f"{solved.result.model.name}: {'done' if report.normal else 'ended early'}, {report.steps} steps, "
+            f"{report.iterations} iterations, {report.retries} retries, {solved.result.wall:.0f} s",
             markup=False,
         )
 
@@ -166,5 +166,5 @@ def indentation_convergence(
     path.write_text(convergence.table(runs) + "\n")
     console.print(convergence.table(runs), markup=False)
     console.print(f"Written: {path}")
-    if not all(solved.outcome.report.normal for solved in runs):
+    if not all(solved.result.report.normal for solved in runs):
         raise typer.Exit(1)

@@ -10,7 +10,7 @@ from harness.models.indentation import END, Indentation
 from harness.models.indentation_mesh import Primary
 from harness.models.interface import ContactSettings, Join, automatic
 from harness.run import diagnosis, febio_log
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 
 TIMEOUT = 180.0
 """s of wall time after which a run is ended."""
@@ -91,13 +91,13 @@ class Row:
     """What came of a case: `reached` is the last time (s) with a converged step."""
 
     case: Case
-    outcome: Outcome
+    result: RunResult
     reached: float
     failures: str
 
     def line(self) -> str:
         """A row of a Markdown table."""
-        report, case = self.outcome.report, self.case
+        report, case = self.result.report, self.case
         how = "done" if report.normal else f"fails at {self.reached:.3g} s"
         clamp = "yes" if case.clamp or case.module != "multiphasic" else "no"
         cells = (
@@ -110,7 +110,7 @@ class Row:
             str(report.iterations),
             str(report.residuals),
             str(report.retries),
-            f"{self.outcome.wall:.0f}",
+            f"{self.result.wall:.0f}",
             self.failures,
         )
         return "| " + " | ".join(cells) + " |"
@@ -164,13 +164,13 @@ def study(
     return rows
 
 
-def row(case: Case, outcome: Outcome) -> Row:
+def row(case: Case, result: RunResult) -> Row:
     """Reads the log of a run."""
-    times = febio_log.CONVERGED.findall(outcome.log)
+    times = febio_log.CONVERGED.findall(result.log)
     reached = float(times[-1]) if times else 0.0
-    if outcome.report.normal:
+    if result.report.normal:
         reached = END
-    return Row(case, outcome, reached, diagnosis.summary(outcome.log))
+    return Row(case, result, reached, diagnosis.summary(result.log))
 
 
 def table(rows: Iterable[Row]) -> str:

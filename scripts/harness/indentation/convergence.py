@@ -13,7 +13,7 @@ from harness.indentation.histories import Curves, curves
 from harness.models.indentation import TIMES, Indentation
 from harness.models.indentation_mesh import LEVELS, Primary
 from harness.models.interface import ContactSettings
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 
 QUANTITIES = {
     "force [N]": "force",
@@ -52,7 +52,7 @@ class Solved:
     """A run and its curves."""
 
     arrangement: Arrangement
-    outcome: Outcome
+    result: RunResult
     curves: Curves
 
 
@@ -63,8 +63,8 @@ def run(
     found = []
     for arrangement in arrangements:
         for level in range(levels):
-            outcome = runner(arrangement.problem(level).model(), check=False)
-            found.append(Solved(arrangement, outcome, curves(outcome)))
+            result = runner(arrangement.problem(level).model(), check=False)
+            found.append(Solved(arrangement, result, curves(result)))
             finished(found[-1])
     return found
 

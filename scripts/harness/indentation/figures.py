@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from harness.indentation.histories import Curves
 from harness.models.indentation import TIMES
 from harness.post.section_figures import Section, draw_bodies
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 FIELDS, CURVES = "figure-3.4", "indentation-curves"
@@ -23,15 +23,15 @@ PLANE = Section(mirrored=True)
 """The plane z = 0 and its mirror image."""
 
 
-def draw(outcome: Outcome, curves: Curves, folder: Path) -> list[Path]:
+def draw(result: RunResult, curves: Curves, folder: Path) -> list[Path]:
     """Both figures of a plane problem, as PNG files in `folder`, which is made where needed."""
     folder.mkdir(parents=True, exist_ok=True)
-    return [draw_fields(outcome, folder / f"{FIELDS}.png"), draw_curves(curves, folder / f"{CURVES}.png")]
+    return [draw_fields(result, folder / f"{FIELDS}.png"), draw_curves(curves, folder / f"{CURVES}.png")]
 
 
-def draw_fields(outcome: Outcome, path: Path, times: Sequence[float] = TIMES) -> Path:
+def draw_fields(result: RunResult, path: Path, times: Sequence[float] = TIMES) -> Path:
     """Concentration over the deformed bodies; both halves are shown, and times that were not reached are left out."""
-    history = outcome.nodes
+    history = result.nodes
     reached = [time for time in times if time <= history.times[-1] * (1.0 + 1e-6)]
     if not reached:
         reached = [float(history.times[-1])]
@@ -42,7 +42,7 @@ def draw_fields(outcome: Outcome, path: Path, times: Sequence[float] = TIMES) ->
     for axes, time in zip(places, reached, strict=False):
         state = history.at(time)
         positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
-        drawn = draw_bodies(axes, outcome.model.mesh, PLANE, positions, history["c1"][state])
+        drawn = draw_bodies(axes, result.model.mesh, PLANE, positions, history["c1"][state])
         axes.set_title(f"{time:g} s", fontsize=10)
     for axes in places[len(reached) :]:
         axes.set_visible(False)

@@ -12,7 +12,7 @@ from harness.models.mesh import Ids
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE
 from harness.post import contact_line, solute_balance
 from harness.post.solute_balance import State
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 NEAR = 1e-6
@@ -77,9 +77,9 @@ class Curves:
         return np.asarray((total + self.outflow - total[0]) / total[0])
 
 
-def curves(outcome: Outcome) -> Curves:
+def curves(result: RunResult) -> Curves:
     """All numbers of a run, finished or not, from its node data."""
-    model, history = outcome.model, outcome.nodes
+    model, history = result.model, result.nodes
     states = solute_balance.states(history)
     rows = [_instant(model, state) for state in states]
     flows = _flows(model, states, history.times)

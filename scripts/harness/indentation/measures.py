@@ -1,4 +1,4 @@
-"""What can be said of problem 3.3 without a closed form, as numbers with bars."""
+"""What can be said of problem 3.3 without a closed form, as numbers with tolerances."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from harness.models.mesh import Ids
 from harness.post import contact_line, solute_balance
 from harness.post.compare import Measure
 from harness.post.solute_balance import State
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 BALANCE = 1e-6
 """Solute out of nowhere, relative to the initial content; Newton's tolerance on increments is 1e-3."""
@@ -22,22 +22,24 @@ DISCRETE = 0.01
 """What the mesh leaves open: the contents on the two finer meshes of the study differ by as much."""
 
 
-def of_a_run(outcome: Outcome, curves: Curves) -> list[Measure]:
+def of_a_run(result: RunResult, curves: Curves) -> list[Measure]:
     """Balance and direction of the flow of solute, bounds, the bath, and the contact conditions on average."""
     late = curves.times >= RESOLVED
     total = curves.slab + curves.cylinder
     outside = max(0.0, -float(curves.lowest[late].min()), float(curves.highest[late].max()) - CONCENTRATION)
-    history, lines = outcome.nodes, contact_lines(outcome.model)
+    history, lines = result.nodes, contact_lines(result.model)
     states = solute_balance.states(history)[1:]
     strays = sum(not_at_bath(state, lines) for state in states)
     gaps, jumps = np.abs([mean_gap_and_jump(state, lines) for state in states])[late[1:]].max(axis=0)
-    sagitta = _sagitta(outcome.model)
+    sagitta = _sagitta(result.model)
     return [
         Measure("3.3 solute: contents and outflow less the start", float(np.abs(curves.imbalance).max()), BALANCE),
         Measure("3.3 solute that comes in from the empty bath", float(np.diff(total).max() / total[0]), BALANCE),
         Measure("3.3 c outside of bath and start", outside / CONCENTRATION, DISCRETE, note=f"from {RESOLVED:g} s on"),
         Measure("3.3 nodes off the other body that are not at the bath's values", strays, 0.0),
-        Measure("3.3 mean gap in contact [mm]", float(gaps), sagitta, note="bar: sagitta of the cylinder's facets"),
+        Measure(
+            "3.3 mean gap in contact [mm]", float(gaps), sagitta, note="tolerance: sagitta of the cylinder's facets"
+        ),
         Measure("3.3 mean jump of c in contact", float(jumps / CONCENTRATION), DISCRETE),
     ]
 

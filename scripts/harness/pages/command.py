@@ -17,7 +17,7 @@ from harness.validate.checks import CHECKS
 
 console = Console(highlight=False, soft_wrap=True)
 MISSED = 1
-"""Exit code where a bar is missed."""
+"""Exit code where a tolerance is missed."""
 
 PAGES: dict[str, Callable[[], str]] = {
     plugin_parameters.PAGE: plugin_parameters.page,

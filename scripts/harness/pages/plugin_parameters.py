@@ -119,7 +119,7 @@ value without meaning; the message names the parameter. "Same" means the same na
 FEBio's interfaces (`sliding-elastic`, `sliding-biphasic`, `sliding-biphasic-solute`, `sliding-multiphasic`) that have
 it.
 
-Which one to turn first stands in the [user guide](user-guide.md#which-knob-first)."""
+Which one to change first stands in the [user guide](user-guide.md#which-parameter-first)."""
 
 
 def _table(parameters: dict[str, Parameter], names: tuple[str, ...]) -> str:

@@ -12,7 +12,7 @@ from harness.models.document import Model
 from harness.models.parts import text_of
 from harness.post.compare import Measure
 from harness.run import provenance
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.validate.checks import Check, Context
 from harness.validate.results import measures_as_data, measures_from_data
 
@@ -60,13 +60,13 @@ class Report:
 class Recorder(Runner):
     """A runner that notes what was run."""
 
-    outcomes: list[Outcome] = field(default_factory=list)
+    results_: list[RunResult] = field(default_factory=list)
 
-    def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> Outcome:
+    def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> RunResult:
         """As `Runner`."""
-        outcome = super().__call__(model, options=options, check=check)
-        self.outcomes.append(outcome)
-        return outcome
+        result = super().__call__(model, options=options, check=check)
+        self.results_.append(result)
+        return result
 
 
 def make(root: Path, checks: Sequence[Check]) -> Iterator[tuple[Section, str]]:
@@ -74,21 +74,21 @@ def make(root: Path, checks: Sequence[Check]) -> Iterator[tuple[Section, str]]:
     for check in checks:
         recorder = Recorder(root)
         measures = check.run(Context(recorder))
-        yield _section(check, measures, recorder.outcomes), _versions(recorder.outcomes)
+        yield _section(check, measures, recorder.results_), _versions(recorder.results_)
 
 
-def _section(check: Check, measures: list[Measure], outcomes: list[Outcome]) -> Section:
-    unique = {outcome.folder: outcome for outcome in outcomes}
-    return Section(check.name, check.about, measures, [_run(outcome) for outcome in unique.values()])
+def _section(check: Check, measures: list[Measure], results_: list[RunResult]) -> Section:
+    unique = {result.folder: result for result in results_}
+    return Section(check.name, check.about, measures, [_run(result) for result in unique.values()])
 
 
-def _versions(outcomes: list[Outcome]) -> str:
-    engines = sorted({provenance.engine_version(outcome.log) for outcome in outcomes})
+def _versions(results_: list[RunResult]) -> str:
+    engines = sorted({provenance.engine_version(result.log) for result in results_})
     return ", ".join([f"plugin {provenance.plugin_version()}", *engines])
 
 
-def _run(outcome: Outcome) -> Run:
-    model = outcome.model
+def _run(result: RunResult) -> Run:
+    model = result.model
     kinds = " and ".join(sorted({f"hex{part.elements.shape[1]}" for part in model.mesh.parts}))
     elements = sum(len(part.elements) for part in model.mesh.parts)
     control = model.control
@@ -98,10 +98,10 @@ def _run(outcome: Outcome) -> Run:
     return Run(
         model=model.name,
         mesh=f"{elements} {kinds}, {len(model.mesh.nodes)} nodes",
-        steps=f"{outcome.report.steps} adaptive" if control.stepper else f"{control.steps} of {control.step:g} s",
+        steps=f"{result.report.steps} adaptive" if control.stepper else f"{control.steps} of {control.step:g} s",
         contact="; ".join(_settings(model)) or "none: one body",
         tolerances=", ".join(f"{name} {value:g}" for name, value in tolerances.items()),
-        iterations=outcome.report.iterations,
+        iterations=result.report.iterations,
     )
 
 
@@ -155,7 +155,8 @@ _INTRODUCTION = """\
 
 <!-- Written by `scripts/mixcontact report`; change the checks in scripts/harness/validate/checks.py instead. -->
 
-Each figure with its bar, the runs behind it, and how to make it again. Made with {versions}, one thread, full Newton.
+Each figure with its tolerance, the runs behind it, and how to make it again. Made with {versions}, one thread, full
+Newton.
 All of it:
 
 ```console
@@ -177,10 +178,10 @@ def _command(section: Section) -> str:
 
 
 def _measures(measures: list[Measure]) -> str:
-    lines = ["| figure | measured | bar | |", "|---|---|---|---|"]
+    lines = ["| figure | measured | tolerance | |", "|---|---|---|---|"]
     for m in measures:
-        bar = f"<= {m.bar:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.bar:.4g}"
-        lines.append(f"| {_cell(m.name)} | {m.value:.4g} | {bar} | {'met' if m.passed else '**missed**'} |")
+        tolerance = f"<= {m.tolerance:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.tolerance:.4g}"
+        lines.append(f"| {_cell(m.name)} | {m.value:.4g} | {tolerance} | {'met' if m.passed else '**missed**'} |")
     return "\n".join(lines)
 
 
@@ -191,5 +192,5 @@ def _runs(runs: list[Run]) -> str:
 
 
 def _cell(text: str) -> str:
-    """Text in a table: a bar would end the cell."""
+    """Text in a table: a tolerance would end the cell."""
     return text.replace("|", "\\|")

@@ -12,20 +12,20 @@ from scipy.spatial import cKDTree
 
 from harness.errors import ModelError
 from harness.models.mesh import Ids, Mesh
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Measure:
-    """One measured number and the bar it is held against.
+    """One measured number and the tolerance it is held against.
 
     Attributes
     ----------
     name : str
     value : float
-    bar : float
+    tolerance : float
         Largest value allowed.
     lowest : float
         Smallest value allowed.
@@ -35,19 +35,23 @@ class Measure:
 
     name: str
     value: float
-    bar: float
+    tolerance: float
     lowest: float = -math.inf
     note: str = ""
 
     @property
     def passed(self) -> bool:
         """Whether the value lies within its bounds; nan does not."""
-        return self.lowest <= self.value <= self.bar
+        return self.lowest <= self.value <= self.tolerance
 
 
 def missed(measures: Iterable[Measure]) -> list[str]:
-    """The measures that miss their bar, each in a line."""
-    return [f"{m.name}: {m.value:.6g}, not within [{m.lowest:g}, {m.bar:g}] {m.note}" for m in measures if not m.passed]
+    """The measures that miss their tolerance, each in a line."""
+    return [
+        f"{m.name}: {m.value:.6g}, not within [{m.lowest:g}, {m.tolerance:g}] {m.note}"
+        for m in measures
+        if not m.passed
+    ]
 
 
 def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:
@@ -71,12 +75,12 @@ def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:
     return np.asarray(index, dtype=np.int64)
 
 
-def largest_difference(split: Outcome, whole: Outcome, column: str) -> float:
+def largest_difference(split: RunResult, whole: RunResult, column: str) -> float:
     """Largest of `differences`."""
     return float(np.max(differences(split, whole, column)))
 
 
-def differences(split: Outcome, whole: Outcome, column: str) -> Array:
+def differences(split: RunResult, whole: RunResult, column: str) -> Array:
     """Differences of one nodal variable between a cut body and the whole one, shape (n_times, n_nodes).
 
     Raises
@@ -91,7 +95,7 @@ def differences(split: Outcome, whole: Outcome, column: str) -> Array:
     return np.abs(a[column] - b[column][:, same])
 
 
-def jump(outcome: Outcome, column: str, pair: str, time: float | None = None) -> float:
+def jump(result: RunResult, column: str, pair: str, time: float | None = None) -> float:
     """Largest |difference| of a nodal variable over a contact pair of matching meshes, at a time (s) or the last.
 
     Raises
@@ -99,10 +103,10 @@ def jump(outcome: Outcome, column: str, pair: str, time: float | None = None) ->
     DataFileError
         Where nothing was written at that time.
     """
-    history = outcome.nodes
+    history = result.nodes
     state = history.at(time) if time is not None else -1
     values = history[column][state]
-    below, above = facing(outcome.model.mesh, pair)
+    below, above = facing(result.model.mesh, pair)
     return float(np.max(np.abs(values[below - 1] - values[above - 1])))
 
 
@@ -113,9 +117,9 @@ def facing(mesh: Mesh, pair: str) -> tuple[Ids, Ids]:
     return primary, secondary[index]
 
 
-def error_at(outcome: Outcome, column: str, exact: Array, time: float | None = None) -> float:
+def error_at(result: RunResult, column: str, exact: Array, time: float | None = None) -> float:
     """Largest nodal |value - exact| at a time (s) or the last; `exact` has shape (n_nodes,)."""
-    history = outcome.nodes
+    history = result.nodes
     state = history.at(time) if time is not None else -1
     return float(np.max(np.abs(history[column][state] - exact)))
 

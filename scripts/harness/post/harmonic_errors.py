@@ -7,15 +7,15 @@ from numpy.typing import NDArray
 
 from harness.models.harmonic import AMPLITUDE, COMPRESSION, EXACT, WAVE
 from harness.post.hexahedra import geometry
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 
 
-def errors(outcome: Outcome) -> dict[str, float]:
+def errors(result: RunResult) -> dict[str, float]:
     """Root mean square error over both bodies of displacement (mm) and concentration (mM) at the last time."""
-    mesh = outcome.model.mesh
-    values = {name: outcome.nodes[name][-1] for name in EXACT}
+    mesh = result.model.mesh
+    values = {name: result.nodes[name][-1] for name in EXACT}
     squares = dict.fromkeys(("u", "c1"), 0.0)
     volume = 0.0
     for part in mesh.parts:

@@ -1,4 +1,9 @@
-"""Shape functions and quadrature of FEBio's hexahedra, over many elements at once."""
+"""Shape functions and quadrature of FEBio's hexahedra, over many elements at once.
+
+Written here and not taken from scikit-fem or basix, because those number the nodes of an element in orders of their own
+and take a mesh of their own: the translation would be as long as the two functions, and a balance to rounding hangs on
+the same nodes and points as FEBio's.
+"""
 
 from __future__ import annotations
 

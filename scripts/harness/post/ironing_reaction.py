@@ -6,20 +6,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.models.ironing import PRESSING, STEPS_A_FACET
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 
 
-def reaction(outcome: Outcome) -> Array:
+def reaction(result: RunResult) -> Array:
     """Force on the indenter's top while it slides, N: along x and y, shape (n_times, 2)."""
-    top = outcome.model.mesh.node_sets["top"] - 1
-    nodes = outcome.nodes
+    top = result.model.mesh.node_sets["top"] - 1
+    nodes = result.nodes
     sliding = nodes.times > PRESSING + 1e-9
     return np.stack([nodes[name][sliding][:, top].sum(axis=1) for name in ("Rx", "Ry")], axis=1)
 
 
-def ripple(outcome: Outcome) -> float:
+def ripple(result: RunResult) -> float:
     """Difference of largest and smallest normal reaction over its mean, over the middle of the way."""
-    force = reaction(outcome)[STEPS_A_FACET:-STEPS_A_FACET, 1]
+    force = reaction(result)[STEPS_A_FACET:-STEPS_A_FACET, 1]
     return float((force.max() - force.min()) / abs(force.mean()))

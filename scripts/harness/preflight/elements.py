@@ -1,4 +1,7 @@
-"""FEBio's element types: how many nodes they have, and which corners their faces have."""
+"""FEBio's element types: how many nodes they have, and which corners their faces have.
+
+Written here and not taken from meshio, whose tables know nodes but no faces, and no names of FEBio's.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,9 @@
-"""Where rays meet triangles, many at once."""
+"""Where rays meet triangles, many at once.
+
+Written here and not taken from trimesh, because a gap is looked for on both sides of the origin, only against triangles
+that face the ray, and a little beyond their edges; libraries return what lies in front, in single precision where they
+are fast.
+"""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ TAIL = 8
 """Iterations at the end of an attempt from which its failure is judged."""
 
 
-class Ailment(str, Enum):
+class FailureMode(str, Enum):
     """Why an attempt at a time step failed."""
 
     NONE = "converged"
@@ -60,27 +60,27 @@ class Attempt:
     error: str
 
     @property
-    def ailment(self) -> Ailment:
+    def failure_mode(self) -> FailureMode:
         """What made it fail."""
         if self.converged:
-            return Ailment.NONE
+            return FailureMode.NONE
         if "NAN" in self.error or any(map(math.isnan, self.residuals)):
-            return Ailment.NAN
+            return FailureMode.NAN
         if "jacobian" in self.error.lower():
-            return Ailment.JACOBIAN
+            return FailureMode.JACOBIAN
         if not self.error:
-            return Ailment.UNFINISHED
+            return FailureMode.UNFINISHED
         return self._habit()
 
-    def _habit(self) -> Ailment:
+    def _habit(self) -> FailureMode:
         """What the last iterations of an attempt that ran out of them look like."""
         searches, residuals = self.searches[-TAIL:], self.residuals[-TAIL:]
         if searches and sorted(searches)[len(searches) // 2] < 0.5:
-            return Ailment.SEARCH
+            return FailureMode.SEARCH
         turns = sum((b - a) * (c - b) < 0.0 for a, b, c in zip(residuals, residuals[1:], residuals[2:], strict=False))
         if turns >= TAIL // 2 and max(residuals) > 2.0 * min(residuals):
-            return Ailment.CHATTER
-        return Ailment.DIVERGES if residuals and residuals[-1] > 10.0 * self.residuals[0] else Ailment.SLOW
+            return FailureMode.CHATTER
+        return FailureMode.DIVERGES if residuals and residuals[-1] > 10.0 * self.residuals[0] else FailureMode.SLOW
 
 
 def attempts(log: str) -> list[Attempt]:
@@ -111,10 +111,10 @@ def summary(log: str) -> str:
     failed = [attempt for attempt in made if not attempt.converged]
     if not failed:
         return "no failed attempt"
-    counts = Counter(attempt.ailment.value for attempt in failed)
+    counts = Counter(attempt.failure_mode.value for attempt in failed)
     text = ", ".join(f"{name} x {count}" for name, count in counts.most_common())
     if made[-1].converged:
         return text
     last = made[-1]
     still = f" (unmet: {', '.join(last.unmet)})" if last.unmet else ""
-    return f"{text}; the last, to t = {last.time:.4g} s: {last.ailment.value}{still}"
+    return f"{text}; the last, to t = {last.time:.4g} s: {last.failure_mode.value}{still}"

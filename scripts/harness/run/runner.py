@@ -1,4 +1,8 @@
-"""Runs models, each once: what was run before with the same text, plugin and engine is read back."""
+"""Runs models, each once: what was run before with the same text, plugin and engine is read back.
+
+Written here and not taken from joblib or diskcache, because those keep values of functions, and what is kept here is
+the folder that an engine wrote into; and a second process that wants the same run has to wait for it.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +25,7 @@ Announce = Callable[[str, float], None]
 
 
 @dataclass(frozen=True)
-class Outcome:
+class RunResult:
     """A model and what came of it.
 
     Attributes
@@ -89,9 +93,9 @@ class Runner:
     announce: Announce | None = None
     timeout: float | None = None
     host: engine.Host = field(default_factory=engine.Febio4)
-    _known: dict[str, Outcome] = field(default_factory=dict)
+    _known: dict[str, RunResult] = field(default_factory=dict)
 
-    def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> Outcome:
+    def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> RunResult:
         """Run a model, or read back what an earlier run left.
 
         Parameters
@@ -107,33 +111,33 @@ class Runner:
         EngineNotFoundError, PluginNotFoundError, EngineFailedError
             See `harness.run.engine`.
         """
-        key = _key(model, self.host.binaries(_needs_plugin(model)), options)
+        key = _key(model, self.host.binaries(needs_plugin(model)), options)
         if key not in self._known:
             self._known[key] = self._locked(model, tuple(options), key)
-        outcome = self._known[key]
-        if check and not outcome.report.normal:
-            said = "; ".join(outcome.report.errors) or "no reason given"
-            raise EngineFailedError(f"model '{model.name}' did not end normally: {said} (see {outcome.folder})")
-        return outcome
+        result = self._known[key]
+        if check and not result.report.normal:
+            said = "; ".join(result.report.errors) or "no reason given"
+            raise EngineFailedError(f"model '{model.name}' did not end normally: {said} (see {result.folder})")
+        return result
 
-    def _locked(self, model: Model, options: tuple[str, ...], key: str) -> Outcome:
+    def _locked(self, model: Model, options: tuple[str, ...], key: str) -> RunResult:
         folder = self.root / f"{model.name}-{key}"
         self.root.mkdir(parents=True, exist_ok=True)
         with (self.root / f"{key}.lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             return _read_back(model, folder) or self._run(model, options, folder)
 
-    def _run(self, model: Model, options: tuple[str, ...], folder: Path) -> Outcome:
+    def _run(self, model: Model, options: tuple[str, ...], folder: Path) -> RunResult:
         with suppress(FileNotFoundError):
             shutil.rmtree(folder)
         path = model.write(folder)
-        command = self.host.command(path, _needs_plugin(model), options)
+        command = self.host.command(path, needs_plugin(model), options)
         progress = self._progress(model)
         finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
         done = {"report": asdict(finished.report), "wall": finished.wall, "cpu": finished.cpu}
         (folder / "done.json").write_text(json.dumps(done))
-        return Outcome(model, folder, finished.report, finished.wall, finished.cpu)
+        return RunResult(model, folder, finished.report, finished.wall, finished.cpu)
 
     def _progress(self, model: Model) -> engine.Progress | None:
         if self.announce is None:
@@ -143,7 +147,8 @@ class Runner:
         return lambda time: announce(model.name, min(1.0, time / end))
 
 
-def _needs_plugin(model: Model) -> bool:
+def needs_plugin(model: Model) -> bool:
+    """Whether a contact of the model is the plugin's."""
     return any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
 
 
@@ -156,7 +161,7 @@ def _key(model: Model, binaries: Sequence[Path], options: Sequence[str]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _read_back(model: Model, folder: Path) -> Outcome | None:
+def _read_back(model: Model, folder: Path) -> RunResult | None:
     try:
         done = json.loads((folder / "done.json").read_text())
     except FileNotFoundError:
@@ -165,4 +170,4 @@ def _read_back(model: Model, folder: Path) -> Outcome | None:
         return None
     report = done["report"]
     report["errors"], report["warnings"] = tuple(report["errors"]), tuple(report["warnings"])
-    return Outcome(model, folder, febio_log.Report(**report), done["wall"], done["cpu"])
+    return RunResult(model, folder, febio_log.Report(**report), done["wall"], done["cpu"])

@@ -1,6 +1,6 @@
-"""What the plugin is held to: each check runs a few models and returns measured numbers with their bars.
+"""What the plugin is held to: each check runs a few models and returns measured numbers with their tolerances.
 
-The bars marked "paper" in the notes are those of problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012).
+The tolerances marked "paper" in the notes are those of problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from harness.models.interface import PAPER, ContactSettings, Join, augmented, au
 from harness.models.parts import Control
 from harness.post import compare
 from harness.post.compare import Measure
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 
 PAIR = "lower/upper"
 SPLIT_BAR = 1e-6
@@ -48,14 +48,16 @@ class Context:
         return self.join if self.join is Join.MIXTURE else Join.BIPHASIC
 
 
-def diffusion_pair(context: Context, settings: ContactSettings | None = None) -> tuple[Outcome, Outcome]:
+def diffusion_pair(context: Context, settings: ContactSettings | None = None) -> tuple[RunResult, RunResult]:
     """Problem 3.1 cut and whole."""
     cut = diffusion.Diffusion(context.join, settings).model()
     whole = diffusion.Diffusion(Join.UNSPLIT, module=cut.module, name="diffusion-whole").model()
     return context.runner(cut), context.runner(whole)
 
 
-def convection_pair(context: Context, peclet: int, settings: ContactSettings | None = None) -> tuple[Outcome, Outcome]:
+def convection_pair(
+    context: Context, peclet: int, settings: ContactSettings | None = None
+) -> tuple[RunResult, RunResult]:
     """Problem 3.2 cut and whole."""
     cut = convection.Convection(context.join, settings, peclet=peclet).model()
     whole = convection.Convection(Join.UNSPLIT, module=cut.module, name="convection-whole", peclet=peclet).model()
@@ -84,7 +86,7 @@ def diffusion_against_closed_form(context: Context) -> list[Measure]:
     return measures
 
 
-def exact_diffusion(run: Outcome, time: float) -> NDArray[np.float64]:
+def exact_diffusion(run: RunResult, time: float) -> NDArray[np.float64]:
     """Closed form of 3.1 at the nodes of a run."""
     z = run.model.mesh.nodes[:, 2]
     return diffusion.BATH * transient_diffusion.concentration(
@@ -105,13 +107,13 @@ def convection_against_closed_form(context: Context) -> list[Measure]:
     return measures
 
 
-def exact_convection(run: Outcome, peclet: float) -> NDArray[np.float64]:
+def exact_convection(run: RunResult, peclet: float) -> NDArray[np.float64]:
     """Closed form of 3.2 at the nodes of a run."""
     z = run.model.mesh.nodes[:, 2]
     return steady_convection.concentration(z, height=diffusion.HEIGHT, peclet=peclet, upstream=convection.UPSTREAM)
 
 
-def indentation_pair(context: Context) -> tuple[Outcome, Outcome]:
+def indentation_pair(context: Context) -> tuple[RunResult, RunResult]:
     """Problem 3.3 with the primary surface on the cylinder and on the slab; FEBio's own penalties for its interface."""
     join, settings = (context.join, None) if context.join is Join.MIXTURE else (Join.MULTIPHASIC, automatic(1.0))
     problem = replace(Variant.PLAIN.problem, join=join, settings=settings, module="multiphasic", clamp=False)
@@ -184,7 +186,7 @@ def convection_layers(context: Context) -> list[Measure]:
     ]
 
 
-def exact_layers(run: Outcome) -> NDArray[np.float64]:
+def exact_layers(run: RunResult) -> NDArray[np.float64]:
     """Closed form of the two-layer convection problem at the nodes of a run."""
     return two_layer_convection.concentration(run.model.mesh.nodes[:, 2], layers.FIRST, layers.SECOND, layers.GIVEN)
 
@@ -204,7 +206,7 @@ def confined_creep(context: Context) -> list[Measure]:
     ]
 
 
-def creep_error(run: Outcome) -> float:
+def creep_error(run: RunResult) -> float:
     """Largest error of the settlement for tau >= 0.1, relative to the final settlement."""
     history = run.nodes
     tau = confined.MODULUS * confined.PERMEABILITY * history.times / confined.HEIGHT**2
@@ -228,7 +230,7 @@ def orders(context: Context) -> list[Measure]:
     ]
 
 
-def _coarse_diffusion(context: Context, elements: int, steps: int) -> Outcome:
+def _coarse_diffusion(context: Context, elements: int, steps: int) -> RunResult:
     """Problem 3.1 to 2000 s."""
     name = f"diffusion-{elements}x{steps}"
     return context.runner(
@@ -236,7 +238,7 @@ def _coarse_diffusion(context: Context, elements: int, steps: int) -> Outcome:
     )
 
 
-def _order(runs: Sequence[Outcome]) -> float:
+def _order(runs: Sequence[RunResult]) -> float:
     """Observed order from three runs, each refined by two: largest differences at the nodes of the coarsest."""
     z = runs[0].model.mesh.nodes[:, 2]
     finals = [_both_sides(run, z) for run in runs]
@@ -244,7 +246,7 @@ def _order(runs: Sequence[Outcome]) -> float:
     return compare.observed_order(coarse, fine)
 
 
-def _both_sides(run: Outcome, z: NDArray[np.float64]) -> NDArray[np.float64]:
+def _both_sides(run: RunResult, z: NDArray[np.float64]) -> NDArray[np.float64]:
     """Final c at the heights `z`, of the nodes of a cut column, part by part so that both faces of the cut are kept."""
     mesh, final = run.model.mesh, run.nodes["c1"][-1]
     values = []

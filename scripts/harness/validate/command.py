@@ -24,7 +24,7 @@ from harness.validate import figures, results, validation
 from harness.validate.checks import CHECKS, Check, Context
 
 MISSED, LEFT_OUT = 1, 3
-"""Exit codes: a bar was missed; none was missed, but checks were left out."""
+"""Exit codes: a tolerance was missed; none was missed, but checks were left out."""
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 
@@ -47,8 +47,8 @@ def validate(
 ) -> None:
     """Run the paper's problems, compare with the closed forms, and draw figures 3.2 to 3.4.
 
-    Without febio4 the embedded engine runs the models. Exit code 0: every bar is met; 1: one is missed; 3: none is
-    missed, but checks were left out.
+    Without febio4 the embedded engine runs the models. Exit code 0: every tolerance is met; 1: one is missed; 3: none
+    is missed, but checks were left out.
     """
     if interface is Join.UNSPLIT:
         raise typer.BadParameter("'unsplit' is what the others are compared with", param_hint="--interface")
@@ -97,7 +97,7 @@ def _table(found: dict[str, results.Results]) -> Table:
         table.add_column(name, justify="right")
     if others:
         table.add_column("difference", justify="right")
-    table.add_column("bar", justify="right")
+    table.add_column("tolerance", justify="right")
     table.add_column("")
     table.add_column("note", overflow="fold")
     for check, measures in first.checks.items():
@@ -109,12 +109,12 @@ def _table(found: dict[str, results.Results]) -> Table:
 
 
 def _row(m: Measure, twins: list[Measure], columns: int) -> list[str]:
-    bar = f"<= {m.bar:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.bar:.4g}"
+    tolerance = f"<= {m.tolerance:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.tolerance:.4g}"
     mark = "[green]met[/]" if all(each.passed for each in (m, *twins)) else "[bold red]missed[/]"
     values = [f"{each.value:.4g}" for each in (m, *twins)]
     if columns:
         values += [f"{twins[0].value - m.value:.1e}"] if twins else ["-", "-"]
-    return [escape(m.name), *values, bar, mark, escape(m.note)]
+    return [escape(m.name), *values, tolerance, mark, escape(m.note)]
 
 
 def _conclude(found: list[results.Results]) -> None:
@@ -127,11 +127,11 @@ def _conclude(found: list[results.Results]) -> None:
             "What needs no run was done: the closed forms were checked, and the figures show them alone."
         )
     if missed:
-        console.print(f"[bold red]{missed} of the bars are missed.[/]")
+        console.print(f"[bold red]{missed} of the tolerances are missed.[/]")
         raise typer.Exit(MISSED)
     if left_out:
         raise typer.Exit(LEFT_OUT)
-    console.print("[bold green]Every bar is met.[/]")
+    console.print("[bold green]Every tolerance is met.[/]")
 
 
 def plot(

@@ -13,7 +13,7 @@ from harness.models.document import Model
 from harness.models.indentation import Variant
 from harness.models.parts import Param
 from harness.post.compare import Measure
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 
 TOLERANCE = 1e-10
 """Newton's relative tolerances."""
@@ -33,20 +33,20 @@ class Comparison:
         Makes the model.
     floor : float
         Squared residual at which rounding is all that is left, in the units of the model's equations.
-    bar : float
+    tolerance : float
     """
 
     name: str
     model: Callable[[], Model]
     floor: float
-    bar: float = SMOOTH
+    tolerance: float = SMOOTH
 
 
 COMPARISONS = (
     Comparison("diffusion", Diffusion().model, 1e-22),
     *(Comparison(f"convection-pe{peclet}", Convection(peclet=peclet).model, 1e-18) for peclet in PRESSURES),
     Comparison(
-        "indentation", replace(Variant.PLAIN.problem, module="multiphasic", clamp=False).model, 1e-26, bar=MOVING
+        "indentation", replace(Variant.PLAIN.problem, module="multiphasic", clamp=False).model, 1e-26, tolerance=MOVING
     ),
 )
 
@@ -67,7 +67,7 @@ def strict(model: Model, floor: float, tolerance: float = TOLERANCE) -> Model:
     return replace(model, control=control)
 
 
-def differences(one: Outcome, two: Outcome) -> dict[str, float]:
+def differences(one: RunResult, two: RunResult) -> dict[str, float]:
     """Largest difference of each nodal variable that is not zero throughout, over all times, relative to its size."""
     first, second = one.nodes, two.nodes
     np.testing.assert_allclose(first.times, second.times, rtol=1e-9)
@@ -87,6 +87,6 @@ def compare(comparison: Comparison, runners: Sequence[Runner]) -> list[Measure]:
     one, two = (runner(model) for runner in runners)
     steps = f"{one.report.steps} steps"
     return [
-        Measure(f"{comparison.name}: {variable}", value, comparison.bar, note=steps)
+        Measure(f"{comparison.name}: {variable}", value, comparison.tolerance, note=steps)
         for variable, value in differences(one, two).items()
     ]

@@ -16,7 +16,7 @@ from harness.validate.engine_agreement import COMPARISONS, compare
 
 console = Console(highlight=False, soft_wrap=True)
 MISSED = 1
-"""Exit code where a bar is missed."""
+"""Exit code where a tolerance is missed."""
 
 
 def engines(
@@ -35,6 +35,6 @@ def engines(
         failures += len(missed(measures))
         for m in measures:
             verdict = "met" if m.passed else "missed"
-            console.print(f"{m.name:22} {m.value:9.1e} <= {m.bar:.0e} {verdict:6} {m.note}", markup=False)
+            console.print(f"{m.name:22} {m.value:9.1e} <= {m.tolerance:.0e} {verdict:6} {m.note}", markup=False)
     if failures:
         raise typer.Exit(MISSED)

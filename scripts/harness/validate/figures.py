@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from harness.closed_forms import steady_convection, transient_diffusion
 from harness.models import convection, diffusion
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 from harness.validate.checks import Context, convection_pair, diffusion_pair
 from harness.validate.results import Profile
 
@@ -39,7 +39,7 @@ def convection_profiles(context: Context) -> list[Profile]:
     return found
 
 
-def _profile(figure: str, parameter: float, run: Outcome, c: NDArray[np.float64]) -> Profile:
+def _profile(figure: str, parameter: float, run: RunResult, c: NDArray[np.float64]) -> Profile:
     """The nodes of the edge x = y = 0, from below to above."""
     position = run.model.mesh.nodes
     edge = np.flatnonzero((position[:, 0] == 0.0) & (position[:, 1] == 0.0))

@@ -57,7 +57,7 @@ class Results:
 
     @property
     def missed(self) -> list[Measure]:
-        """The measures that miss their bar."""
+        """The measures that miss their tolerance."""
         return [measure for measures in self.checks.values() for measure in measures if not measure.passed]
 
     def write(self, folder: Path) -> Path:

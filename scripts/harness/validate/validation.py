@@ -35,7 +35,7 @@ def validate(context: Context, checks: Sequence[Check], *, jobs: int = 1, finish
     -------
     Results
         A check whose engine or plugin is missing is left out with the reason; one whose run fails has a measure that
-        misses its bar and quotes FEBio.
+        misses its tolerance and quotes FEBio.
     """
     results = Results(context.join.value)
 

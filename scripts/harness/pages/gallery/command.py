@@ -30,9 +30,9 @@ def gallery(
     records = page.read(folder)
     for name in only or list(chosen):
         entry = chosen[name]
-        outcome = runner(entry.small if small else entry.model)
-        figures.draw(entry, outcome, entries.curves(entry, outcome), folder / page.IMAGES)
-        records[name] = page.record(outcome)
+        result = runner(entry.small if small else entry.model)
+        figures.draw(entry, result, entries.curves(entry, result), folder / page.IMAGES)
+        records[name] = page.record(result)
         taken = records[name]
         console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.wall:g} s", markup=False)
     written = page.write(folder, records)

@@ -15,7 +15,7 @@ from harness.models.parts import Control, Mixture
 from harness.post import solute_balance
 from harness.post.section_figures import Section
 from harness.run.logdata import History
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 
@@ -153,14 +153,14 @@ def _platens() -> Entry:
     )
 
 
-def curves(entry: Entry, outcome: Outcome) -> Curves:
+def curves(entry: Entry, result: RunResult) -> Curves:
     """What is shown of a run over time."""
-    history, mesh = outcome.nodes, outcome.model.mesh
+    history, mesh = result.nodes, result.model.mesh
     states = solute_balance.states(history)
-    porous = [part for part in mesh.parts if _has_solute(outcome.model, part.material)]
+    porous = [part for part in mesh.parts if _has_solute(result.model, part.material)]
     wet = np.unique(np.concatenate([part.elements.ravel() for part in porous]))
     contents = {
-        part.name: np.array([solute_balance.content(outcome.model, part, state) for state in states]) for part in porous
+        part.name: np.array([solute_balance.content(result.model, part, state) for state in states]) for part in porous
     }
     surfaces = {name: np.unique(mesh.surfaces[name]) for pair in mesh.pairs.values() for name in pair}
     sides = {name: history["c1"][:, ids - 1].mean(axis=1) for name, ids in surfaces.items() if np.isin(ids, wet).all()}

@@ -14,26 +14,26 @@ from harness.models.document import Model
 from harness.models.parts import Mixture
 from harness.pages.gallery.entries import Curves, Entry
 from harness.post.section_figures import draw_bodies
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
 DPI = 110
 
 
-def draw(entry: Entry, outcome: Outcome, curves: Curves, folder: Path) -> list[Path]:
+def draw(entry: Entry, result: RunResult, curves: Curves, folder: Path) -> list[Path]:
     """Both pictures of a run, as PNG files in `folder`, which is made where needed."""
     folder.mkdir(parents=True, exist_ok=True)
-    name = outcome.model.name
+    name = result.model.name
     return [
-        draw_section(entry, outcome, folder / f"{name}-section.png"),
+        draw_section(entry, result, folder / f"{name}-section.png"),
         draw_curves(curves, folder / f"{name}-curves.png"),
     ]
 
 
-def draw_section(entry: Entry, outcome: Outcome, path: Path) -> Path:
+def draw_section(entry: Entry, result: RunResult, path: Path) -> Path:
     """Effective concentration over the deformed bodies at those times of the entry that the run has, or at its end."""
-    history = outcome.nodes
+    history = result.nodes
     times = [time for time in entry.times if history.has(time)] or [float(history.times[-1])]
     states = [history.at(time) for time in times]
     extent = [float(np.ptp(history["xyz"[axis]][states])) for axis in (entry.section.across, entry.section.up)]
@@ -46,8 +46,8 @@ def draw_section(entry: Entry, outcome: Outcome, path: Path) -> Path:
     drawn = None
     for axes, time, state in zip(places, times, states, strict=False):
         positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
-        values = np.where(_without_solute(outcome.model), np.nan, history["c1"][state])
-        drawn = draw_bodies(axes, outcome.model.mesh, entry.section, positions, values) or drawn
+        values = np.where(_without_solute(result.model), np.nan, history["c1"][state])
+        drawn = draw_bodies(axes, result.model.mesh, entry.section, positions, values) or drawn
         axes.set_title(f"{time:g} s", fontsize=10)
     if drawn is not None:
         figure.colorbar(drawn, ax=places.tolist(), label=r"$\tilde c$ [mM]", shrink=0.9, extend="both")

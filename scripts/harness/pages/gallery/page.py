@@ -13,7 +13,7 @@ from harness.models.document import Model
 from harness.pages.gallery import entries
 from harness.pages.gallery.entries import Entry
 from harness.run import provenance
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 PAGE, DATA, IMAGES = "gallery.md", "gallery.json", "images/gallery"
 
@@ -41,13 +41,13 @@ class Record:
     wall: float
 
 
-def record(outcome: Outcome) -> Record:
+def record(result: RunResult) -> Record:
     """The numbers of a run."""
-    report, mesh = outcome.report, outcome.model.mesh
+    report, mesh = result.report, result.model.mesh
     elements = sum(len(part.elements) for part in mesh.parts)
-    versions = provenance.plugin_version(), provenance.engine_version(outcome.log)
+    versions = provenance.plugin_version(), provenance.engine_version(result.log)
     counts = (len(mesh.nodes), elements, report.steps, report.iterations, report.retries)
-    return Record(*versions, *counts, round(outcome.wall, 1))
+    return Record(*versions, *counts, round(result.wall, 1))
 
 
 def read(folder: Path) -> dict[str, Record]:

@@ -1,1 +1,1 @@
-"""What accuracy costs: the knobs of a contact swept over the article's problems, and what the data say."""
+"""What accuracy costs: the parameters of a contact swept over the article's problems, and what the data say."""

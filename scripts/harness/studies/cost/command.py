@@ -16,10 +16,11 @@ from harness.models.interface import Join
 from harness.paths import REPOSITORY, RESULTS
 from harness.run import workflow
 from harness.run.runner import Runner
-from harness.studies.cost import files, interleaved, pareto, point_runs
+from harness.studies import files
+from harness.studies.cost import interleaved, pareto, point_runs
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
-from harness.studies.cost.points import INTERFACES, Knob, Problem, points
+from harness.studies.cost.points import INTERFACES, Parameter, Problem, points
 
 console = Console(highlight=False, soft_wrap=True)
 DATA = REPOSITORY / "docs" / "data" / "cost.csv"
@@ -33,7 +34,7 @@ class Part(str, Enum):
     """What there is to measure."""
 
     SWEEP = "sweep"
-    """Error and cost over all knobs."""
+    """Error and cost over all parameters."""
     TURNS = "turns"
     """Longer runs of 3.1 and 3.2 by all interfaces in turn, with the settings that reach each error at least cost."""
 
@@ -48,7 +49,7 @@ def cost(
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
-    """Measure error and cost over all knobs, problems and interfaces; or, with --error, say what to set at what cost.
+    """Measure error and cost over all parameters, problems and interfaces; with --error say what to set at what cost.
 
     The measurement is some hundreds of runs; one that was interrupted goes on where it was.
     """
@@ -68,16 +69,16 @@ Start = Callable[[Mapping[str, Sequence[str]]], list[Path]]
 
 
 def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
-    sweeps = dict.fromkeys((point.problem, point.interface, point.knob) for point in points(chosen))
+    sweeps = dict.fromkeys((point.problem, point.interface, point.parameter) for point in points(chosen))
     paths = start(
         {
-            f"{problem.value}-{interface.slug}-{knob.name.lower()}": (
+            f"{problem.value}-{interface.slug}-{parameter.name.lower()}": (
                 "cost-sweep",
                 problem.value,
                 interface.value,
-                knob.value,
+                parameter.value,
             )
-            for problem, interface, knob in sweeps
+            for problem, interface, parameter in sweeps
         }
     )
     found = [datum for path in paths for datum in files.read_json(path, Datum)]
@@ -121,12 +122,12 @@ def _finish(written: list[Path], complete: bool) -> None:
 def cost_sweep(
     problem: Problem,
     interface: Join,
-    knob: Knob,
+    parameter: Parameter,
     out: Annotated[Path, typer.Option(help="Where the data go, as JSON.")] = Path("sweep.json"),
 ) -> None:
-    """Measure one problem with one interface, one knob varied."""
+    """Measure one problem with one interface, one parameter varied."""
     runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
-    chosen = [point for point in points([problem]) if (point.interface, point.knob) == (interface, knob)]
+    chosen = [point for point in points([problem]) if (point.interface, point.parameter) == (interface, parameter)]
     files.write_json([point_runs.measure(point, runner) for point in chosen], out)
 
 
@@ -166,7 +167,7 @@ def answer(data: list[Datum], error: float, problems: list[Problem]) -> str:
 def _setting(datum: Datum) -> str:
     unit = "s" if datum.problem == Problem.INDENTATION.value else "times the uncut body's time"
     parameters = " ".join(f"<{p.tag}>{_text(p.value)}</{p.tag}>" for p in point_runs.settings_of(datum))
-    if datum.knob == Knob.NEWTON.value:
+    if datum.parameter == Parameter.NEWTON.value:
         parameters += f" and dtol, ptol, ctol {datum.value:g} in the solver"
     what = "leave the defaults" if not parameters else f"set {parameters.strip()}"
     return (

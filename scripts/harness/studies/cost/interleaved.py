@@ -15,8 +15,9 @@ from harness.post import compare
 from harness.run import engine
 from harness.run.runner import Runner
 from harness.studies.cost.pareto import LEVELS, comparable, error_of
-from harness.studies.cost.point_runs import Datum, execute
-from harness.studies.cost.points import INTERFACES, Knob, Point, Problem, Size
+from harness.studies.cost.point_runs import Datum
+from harness.studies.cost.points import INTERFACES, Parameter, Point, Problem, Size
+from harness.studies.timing import execute
 
 PROBLEMS = (Problem.DIFFUSION, Problem.CONVECTION)
 
@@ -34,13 +35,13 @@ class Kind(str, Enum):
 
 SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=100), Kind.WIDE: Size(width=4)}
 """Runs of the two that are timed take ten times as long as those of the sweep."""
-OTHERWISE = ((Knob.DEFAULT, 0.0), (Knob.PREDICTOR, 1.0), (Knob.INTEGRATION, 0.0))
+OTHERWISE = ((Parameter.DEFAULT, 0.0), (Parameter.PREDICTOR, 1.0), (Parameter.INTEGRATION, 0.0))
 """Settings of ours that are always timed."""
 _COUNT = re.compile(r"refs:\s+([\d,]+)")
 
 
 Setting = tuple[str, str, float]
-"""Interface, knob and value."""
+"""Interface, parameter and value."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class Timing:
 
     Attributes
     ----------
-    problem, interface, knob : str
+    problem, interface, parameter : str
     value : float
     size : str
         Value of `Kind`.
@@ -66,7 +67,7 @@ class Timing:
 
     problem: str
     interface: str
-    knob: str
+    parameter: str
     value: float
     size: str
     turn: int
@@ -79,7 +80,7 @@ class Timing:
     @property
     def setting(self) -> Setting:
         """What was set in which interface."""
-        return (self.interface, self.knob, self.value)
+        return (self.interface, self.parameter, self.value)
 
 
 def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
@@ -89,16 +90,16 @@ def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
     """
     own = comparable(data, problem)
     best = (_fewest([d for d in own if d.interface == i.value], e) for i in INTERFACES for e in LEVELS)
-    chosen = [(Join.UNSPLIT, Knob.DEFAULT, 0.0)]
-    chosen += [(Join.MIXTURE, knob, value) for knob, value in OTHERWISE]
-    chosen += [(Join(d.interface), Knob(d.knob), d.value) for d in best if d]
+    chosen = [(Join.UNSPLIT, Parameter.DEFAULT, 0.0)]
+    chosen += [(Join.MIXTURE, parameter, value) for parameter, value in OTHERWISE]
+    chosen += [(Join(d.interface), Parameter(d.parameter), d.value) for d in best if d]
     return [Point(problem, *one) for one in dict.fromkeys(chosen)]
 
 
 def _fewest(data: Sequence[Datum], error: float) -> Datum | None:
     good = [d for d in data if error_of(d) <= error]
-    knobs = [knob.value for knob in Knob]  # the first of those that are equal
-    return min(good, key=lambda d: (d.iterations, d.residuals, knobs.index(d.knob), d.value), default=None)
+    parameters = [parameter.value for parameter in Parameter]  # the first of those that are equal
+    return min(good, key=lambda d: (d.iterations, d.residuals, parameters.index(d.parameter), d.value), default=None)
 
 
 def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> list[Timing]:
@@ -110,7 +111,8 @@ def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> li
         Without an engine or plugin, or where the unsplit body does not run.
     """
     sized = [replace(point, size=SIZES[kind]) for point in points]
-    return [_timed(point, kind, number, execute(point.model(), runner.timeout, check=False), runner) for point in sized]
+    runs = [execute(point.model(), runner.timeout, check=False)[0] for point in sized]
+    return [_timed(point, kind, number, run, runner) for point, run in zip(sized, runs, strict=True)]
 
 
 def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
@@ -119,7 +121,8 @@ def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
     if tool is None:
         return []
     prefix = [tool, "--tool=callgrind", "--callgrind-out-file=/dev/null"]
-    return [_timed(point, Kind.SHORT, 0, execute(point.model(), None, prefix, check=False), runner) for point in points]
+    runs = [execute(point.model(), None, prefix, check=False)[0] for point in points]
+    return [_timed(point, Kind.SHORT, 0, run, runner) for point, run in zip(points, runs, strict=True)]
 
 
 def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runner) -> Timing:
@@ -129,7 +132,7 @@ def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runne
     return Timing(
         point.problem.value,
         point.interface.value,
-        point.knob.value,
+        point.parameter.value,
         point.value,
         kind.value,
         number,
@@ -194,7 +197,7 @@ def ratios(timings: Sequence[Timing], ours: Setting, theirs: Setting) -> tuple[f
 
 
 def _told(timings: Sequence[Timing], setting: Setting, *, named: bool = True) -> str:
-    interface, knob, value = setting
+    interface, parameter, value = setting
     iterations = next(t.iterations for t in timings if t.setting == setting)
-    what = knob if knob == Knob.DEFAULT.value else f"{knob} {value:g}"
+    what = parameter if parameter == Parameter.DEFAULT.value else f"{parameter} {value:g}"
     return f"`{interface}`, {what}: {iterations} it." if named else f"{what} | {iterations}"

@@ -11,26 +11,26 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
 from harness.studies.cost.point_runs import Datum
-from harness.studies.cost.points import Knob, Problem
+from harness.studies.cost.points import Parameter, Problem
 
 COLOURS = {"sliding-mixture": "#c1272d", "sliding-biphasic-solute": "#0000a7", "sliding-multiphasic": "#008176"}
 MARKERS = {
-    Knob.MESH: "s",
-    Knob.STEP: "D",
-    Knob.ORDER: "v",
-    Knob.INTEGRATION: "h",
-    Knob.PENALTY: "o",
-    Knob.AUGLAG: "^",
-    Knob.LAGMULT: "X",
-    Knob.PREDICTOR: ">",
-    Knob.NEWTON: "P",
-    Knob.DEFAULT: "*",
+    Parameter.MESH: "s",
+    Parameter.STEP: "D",
+    Parameter.ORDER: "v",
+    Parameter.INTEGRATION: "h",
+    Parameter.PENALTY: "o",
+    Parameter.AUGLAG: "^",
+    Parameter.LAGMULT: "X",
+    Parameter.PREDICTOR: ">",
+    Parameter.NEWTON: "P",
+    Parameter.DEFAULT: "*",
 }
-DISCRETISATION = (Knob.MESH, Knob.STEP)
+DISCRETISATION = (Parameter.MESH, Parameter.STEP)
 
 
 def error_of(datum: Datum) -> float:
-    """The error that the knobs of the contact change: that of the contact for 3.1 and 3.2, the whole for 3.3."""
+    """The error that the parameters of the contact change: that of the contact for 3.1 and 3.2, the whole for 3.3."""
     return datum.error if datum.problem == Problem.INDENTATION.value else datum.contact_error
 
 
@@ -41,8 +41,8 @@ def cost_of(datum: Datum) -> float:
 
 def comparable(data: Sequence[Datum], problem: Problem) -> list[Datum]:
     """Runs of a problem that ended, on the mesh and in the steps of the defaults."""
-    knobs = {knob.value for knob in Knob if knob not in DISCRETISATION}
-    return [d for d in data if d.problem == problem.value and d.ended and d.knob in knobs]
+    parameters = {parameter.value for parameter in Parameter if parameter not in DISCRETISATION}
+    return [d for d in data if d.problem == problem.value and d.ended and d.parameter in parameters]
 
 
 def pareto(data: Sequence[Datum]) -> list[Datum]:
@@ -76,7 +76,7 @@ def draw(data: Sequence[Datum], folder: Path) -> list[Path]:
             if problem is Problem.INDENTATION
             else "error of the contact (cut against uncut)"
         )
-        left.set(xlabel=unit, ylabel=what, title=f"{problem.value}: knobs of contact and solver")
+        left.set(xlabel=unit, ylabel=what, title=f"{problem.value}: parameters of contact and solver")
         _total(right, [d for d in data if d.problem == problem.value and d.ended])
         right.set(xlabel="processor time, s", ylabel="whole error", title=f"{problem.value}: mesh and time steps")
         path = folder / f"cost-{problem.value}.png"
@@ -98,11 +98,11 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
     for interface, colour in COLOURS.items():
         own = [d for d in data if d.interface == interface]
         for datum in own:
-            star = datum.knob == Knob.DEFAULT.value
+            star = datum.parameter == Parameter.DEFAULT.value
             axes.plot(
                 cost_of(datum),
                 max(error_of(datum), 1e-12),
-                MARKERS[Knob(datum.knob)],
+                MARKERS[Parameter(datum.parameter)],
                 color=colour,
                 markersize=14 if star else 5,
                 markeredgecolor="black" if star else colour,
@@ -112,9 +112,9 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
     axes.step([cost_of(d) for d in front], [max(error_of(d), 1e-12) for d in front], "k-", where="post", linewidth=0.8)
     handles = [axes.plot([], [], "o", color=colour, label=name)[0] for name, colour in COLOURS.items()]
     handles += [
-        axes.plot([], [], marker, color="grey", linestyle="", label=knob.value)[0]
-        for knob, marker in MARKERS.items()
-        if knob not in DISCRETISATION
+        axes.plot([], [], marker, color="grey", linestyle="", label=parameter.value)[0]
+        for parameter, marker in MARKERS.items()
+        if parameter not in DISCRETISATION
     ]
     handles.append(axes.plot([], [], "k-", label="Pareto front")[0])
     axes.legend(handles=handles, fontsize=6, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.14))
@@ -123,22 +123,26 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
 def _total(axes: Axes, data: Sequence[Datum]) -> None:
     _logarithmic(axes)
     for interface, colour in COLOURS.items():
-        for knob in DISCRETISATION:
-            own = [d for d in data if d.interface == interface and d.knob in (knob.value, Knob.DEFAULT.value)]
+        for parameter in DISCRETISATION:
+            own = [
+                d
+                for d in data
+                if d.interface == interface and d.parameter in (parameter.value, Parameter.DEFAULT.value)
+            ]
             own.sort(key=lambda d: d.cpu)
             times, errors = [d.cpu for d in own], [d.error for d in own]
             axes.plot(
                 times,
                 errors,
-                marker=MARKERS[knob],
-                linestyle="-" if knob is Knob.MESH else "--",
+                marker=MARKERS[parameter],
+                linestyle="-" if parameter is Parameter.MESH else "--",
                 color=colour,
                 alpha=0.7,
                 markersize=5,
             )
-        for datum in (d for d in data if d.interface == interface and d.knob == Knob.DEFAULT.value):
+        for datum in (d for d in data if d.interface == interface and d.parameter == Parameter.DEFAULT.value):
             axes.plot(datum.cpu, datum.error, "*", color=colour, markersize=14, markeredgecolor="black")
-    styles = ((Knob.MESH, "-", "mesh"), (Knob.STEP, "--", "time step"))
+    styles = ((Parameter.MESH, "-", "mesh"), (Parameter.STEP, "--", "time step"))
     handles = [axes.plot([], [], MARKERS[k], linestyle=s, color="grey", label=n)[0] for k, s, n in styles]
     axes.legend(handles=handles, fontsize=6, loc="best")
 
@@ -173,21 +177,21 @@ def _fastest(data: Sequence[Datum], error: float) -> Datum | None:
 def _paid(datum: Datum | None) -> str:
     if datum is None:
         return "not reached"
-    what = "default" if datum.knob == Knob.DEFAULT.value else f"{datum.knob} {datum.value:g}"
+    what = "default" if datum.parameter == Parameter.DEFAULT.value else f"{datum.parameter} {datum.value:g}"
     return f"{what}: {datum.iterations} it., {cost_of(datum):.3g}"
 
 
 def table(data: Sequence[Datum]) -> str:
     """All data as a Markdown table."""
     lines = [
-        "| problem | interface | knob | value | contact error | error | steps | iterations | residuals | retries "
+        "| problem | interface | parameter | value | contact error | error | steps | iterations | residuals | retries "
         "| time |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     for d in data:
         errors = f"{d.contact_error:.1e} | {d.error:.1e}" if d.ended else "fails | fails"
         lines.append(
-            f"| {d.problem} | `{d.interface}` | {d.knob} | {d.value:g} | {errors} | {d.steps} | {d.iterations} | "
+            f"| {d.problem} | `{d.interface}` | {d.parameter} | {d.value:g} | {errors} | {d.steps} | {d.iterations} | "
             f"{d.residuals} | {d.retries} | {cost_of(d):.3g} |"
         )
     return "\n".join(lines)

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
+from functools import partial
 from statistics import median
-from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -16,9 +14,9 @@ from harness.models.document import Model
 from harness.models.interface import Join
 from harness.models.parts import Param
 from harness.post import compare
-from harness.run import engine
-from harness.run.runner import Outcome, Runner
-from harness.studies.cost.points import TIMES_33, Knob, Point, Problem, finest
+from harness.run.runner import Runner, RunResult
+from harness.studies import timing
+from harness.studies.cost.points import TIMES_33, Parameter, Point, Problem, finest
 from harness.validate import checks
 
 PAIRS = 3
@@ -33,7 +31,7 @@ class Datum:
 
     Attributes
     ----------
-    problem, interface, knob : str
+    problem, interface, parameter : str
     value : float
     ended : bool
     contact_error : float
@@ -51,7 +49,7 @@ class Datum:
 
     problem: str
     interface: str
-    knob: str
+    parameter: str
     value: float
     ended: bool
     contact_error: float
@@ -87,7 +85,7 @@ def measure(point: Point, runner: Runner) -> Datum:
     return Datum(
         point.problem.value,
         point.interface.value,
-        point.knob.value,
+        point.parameter.value,
         point.value,
         ended,
         contact_error,
@@ -102,13 +100,13 @@ def measure(point: Point, runner: Runner) -> Datum:
     )
 
 
-def _error_closed(point: Point, run: Outcome) -> float:
+def _error_closed(point: Point, run: RunResult) -> float:
     if point.problem is Problem.CONVECTION:
         return compare.error_at(run, "c1", checks.exact_convection(run, 1))
     return compare.error_at(run, "c1", checks.exact_diffusion(run, float(run.nodes.times[-1])))
 
 
-def _error_33(run: Outcome, reference: Outcome) -> float:
+def _error_33(run: RunResult, reference: RunResult) -> float:
     own, best = curves(run), curves(reference)
     errors = []
     for time in TIMES_33:
@@ -120,25 +118,14 @@ def _error_33(run: Outcome, reference: Outcome) -> float:
 
 def _pairs(model: Model, whole: Model, timeout: float | None) -> tuple[float, float, float]:
     """Median wall and processor time (s) of a model, and of the ratio of the latter to that of the unsplit one."""
-    runs = [tuple(execute(each, timeout) for each in (model, whole)) for _ in range(PAIRS)]
-    own = [first for first, _ in runs]
-    return median(r.wall for r in own), median(r.cpu for r in own), median(a.cpu / b.cpu for a, b in runs)
-
-
-def execute(model: Model, timeout: float | None, prefix: Sequence[str] = (), *, check: bool = True) -> engine.Run:
-    """Run a model by itself, and keep nothing but what febio4 said; `prefix` stands before its command line.
-
-    Raises
-    ------
-    EngineNotFoundError, PluginNotFoundError, EngineFailedError
-        See `harness.run.engine`.
-    """
-    plugin = any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
-    with TemporaryDirectory() as folder:
-        command = engine.Febio4().command(model.write(Path(folder)), plugin)
-        return engine.execute([*prefix, *command], Path(folder), check=check, timeout=timeout)
+    runs = {name: partial(timing.execute, each, timeout) for name, each in (("own", model), ("whole", whole))}
+    own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
+    ratio = median(a.cpu / b.cpu for a, b in zip(own, other, strict=True))
+    return median(r.wall for r in own), median(r.cpu for r in own), ratio
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:
     """The parameters of the contact that a datum was measured with."""
-    return Point(Problem(datum.problem), Join(datum.interface), Knob(datum.knob), datum.value).settings.params()
+    return Point(
+        Problem(datum.problem), Join(datum.interface), Parameter(datum.parameter), datum.value
+    ).settings.params()

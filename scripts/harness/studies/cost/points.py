@@ -1,4 +1,4 @@
-"""The points of the sweep: a problem, an interface, and one knob away from the defaults."""
+"""The points of the sweep: a problem, an interface, and one parameter away from the defaults."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Problem(str, Enum):
     INDENTATION = "3.3"
 
 
-class Knob(str, Enum):
+class Parameter(str, Enum):
     """What is varied; the value of `integration` and of `LAGMULT` is 1 for segments, 0 for Gauss points."""
 
     DEFAULT = "default"
@@ -47,38 +47,38 @@ class Knob(str, Enum):
     NEWTON = "Newton tolerance"
 
 
-OWN = (Knob.ORDER, Knob.INTEGRATION, Knob.LAGMULT, Knob.PREDICTOR)
+OWN = (Parameter.ORDER, Parameter.INTEGRATION, Parameter.LAGMULT, Parameter.PREDICTOR)
 """Of the plugin's interface alone."""
-VALUES: dict[Knob, tuple[float, ...]] = {
-    Knob.DEFAULT: (0.0,),
-    Knob.MESH: (3, 10, 20),
-    Knob.STEP: (10, 40, 80),
-    Knob.ORDER: (1, 3, 5),
-    Knob.INTEGRATION: (0,),
-    Knob.PENALTY: tuple(10.0**k for k in range(7)),
-    Knob.AUGLAG: tuple(10.0**-k for k in range(1, 8)),
-    Knob.LAGMULT: (0, 1),
-    Knob.PREDICTOR: (1,),
-    Knob.NEWTON: (1e-1, 1e-3, 1e-6),
+VALUES: dict[Parameter, tuple[float, ...]] = {
+    Parameter.DEFAULT: (0.0,),
+    Parameter.MESH: (3, 10, 20),
+    Parameter.STEP: (10, 40, 80),
+    Parameter.ORDER: (1, 3, 5),
+    Parameter.INTEGRATION: (0,),
+    Parameter.PENALTY: tuple(10.0**k for k in range(7)),
+    Parameter.AUGLAG: tuple(10.0**-k for k in range(1, 8)),
+    Parameter.LAGMULT: (0, 1),
+    Parameter.PREDICTOR: (1,),
+    Parameter.NEWTON: (1e-1, 1e-3, 1e-6),
 }
-VALUES_33: dict[Knob, tuple[float, ...]] = {
-    Knob.DEFAULT: (0.0,),
-    Knob.MESH: (18,),
-    Knob.STEP: (0.5, 2.0),
-    Knob.ORDER: (3,),
-    Knob.INTEGRATION: (0,),
-    Knob.PENALTY: (1.0, 10.0, 100.0, 1000.0),
-    Knob.AUGLAG: (1e-1, 1e-2),
-    Knob.LAGMULT: (0, 1),
-    Knob.PREDICTOR: (1,),
-    Knob.NEWTON: (1e-2, 1e-4),
+VALUES_33: dict[Parameter, tuple[float, ...]] = {
+    Parameter.DEFAULT: (0.0,),
+    Parameter.MESH: (18,),
+    Parameter.STEP: (0.5, 2.0),
+    Parameter.ORDER: (3,),
+    Parameter.INTEGRATION: (0,),
+    Parameter.PENALTY: (1.0, 10.0, 100.0, 1000.0),
+    Parameter.AUGLAG: (1e-1, 1e-2),
+    Parameter.LAGMULT: (0, 1),
+    Parameter.PREDICTOR: (1,),
+    Parameter.NEWTON: (1e-2, 1e-4),
 }
 """Of problem 3.3: elements over the half-width of the slab (else 9), and a factor on the number of steps."""
 
 
 @dataclass(frozen=True)
 class Size:
-    """Mesh and number of time steps of 3.1 (to 2000 s) and 3.2 (to 20000 s), unless these are the knob.
+    """Mesh and number of time steps of 3.1 (to 2000 s) and 3.2 (to 20000 s), unless these are the parameter.
 
     Attributes
     ----------
@@ -102,7 +102,7 @@ class Point:
     ----------
     problem : Problem
     interface : Join
-    knob : Knob
+    parameter : Parameter
     value : float
     size : Size
         Of 3.1 and 3.2.
@@ -110,32 +110,32 @@ class Point:
 
     problem: Problem
     interface: Join
-    knob: Knob
+    parameter: Parameter
     value: float
     size: Size = Size()
 
     @property
     def name(self) -> str:
         """Part of file names."""
-        knob = self.knob.value.replace(" ", "-")
-        return f"{self.problem.value}-{self.interface.slug}-{knob}-{self.value:g}"
+        parameter = self.parameter.value.replace(" ", "-")
+        return f"{self.problem.value}-{self.interface.slug}-{parameter}-{self.value:g}"
 
     @property
     def settings(self) -> ContactSettings:
         """Parameters of the contact."""
         base = default_settings(self.interface)
-        if self.knob is Knob.PENALTY:
+        if self.parameter is Parameter.PENALTY:
             return automatic(self.value)
-        if self.knob is Knob.AUGLAG:
+        if self.parameter is Parameter.AUGLAG:
             return replace(automatic(AUGLAG_START), laugon="AUGLAG", tolerance=self.value)
-        if self.knob is Knob.ORDER:
+        if self.parameter is Parameter.ORDER:
             return replace(base, extra=(Param("integration_order", int(self.value)),))
-        if self.knob is Knob.PREDICTOR:
+        if self.parameter is Parameter.PREDICTOR:
             return replace(base, extra=(Param("predictor", bool(self.value)),))
-        if self.knob in (Knob.INTEGRATION, Knob.LAGMULT):
+        if self.parameter in (Parameter.INTEGRATION, Parameter.LAGMULT):
             return replace(
                 base,
-                laugon="LAGMULT" if self.knob is Knob.LAGMULT else None,
+                laugon="LAGMULT" if self.parameter is Parameter.LAGMULT else None,
                 integration="segments" if self.value else "gauss",
             )
         return base
@@ -146,7 +146,7 @@ class Point:
 
     def _control(self, control: Control) -> Control:
         """The same with the tolerances of this point."""
-        if self.knob is not Knob.NEWTON:
+        if self.parameter is not Parameter.NEWTON:
             return control
         return replace(
             control,
@@ -156,12 +156,12 @@ class Point:
         )
 
     def _steps(self, end: float) -> Control:
-        steps = int(self.value) if self.knob is Knob.STEP else self.size.steps
+        steps = int(self.value) if self.parameter is Parameter.STEP else self.size.steps
         return self._control(Control(steps, end / steps))
 
     @property
     def _elements(self) -> int:
-        return int(self.value) if self.knob is Knob.MESH else self.size.elements
+        return int(self.value) if self.parameter is Parameter.MESH else self.size.elements
 
 
 def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Join], Model]:
@@ -188,11 +188,11 @@ def _indentation(point: Point, join: Join) -> Model:
     model = Indentation(
         join,
         point.settings,
-        grid=medium if point.knob is Knob.MESH else coarse,
+        grid=medium if point.parameter is Parameter.MESH else coarse,
         control=point._control(control),
         name=f"cost-{point.name}",
     ).model()
-    factor = point.value if point.knob is Knob.STEP else 1.0
+    factor = point.value if point.parameter is Parameter.STEP else 1.0
     return in_more_steps(model, factor)
 
 
@@ -205,7 +205,7 @@ def in_more_steps(model: Model, factor: float) -> Model:
 
 def finest() -> Model:
     """Problem 3.3 on the medium mesh in steps half as long, with Newton's tolerances a hundredth."""
-    point = Point(Problem.INDENTATION, Join.MIXTURE, Knob.MESH, LEVELS[1].across)
+    point = Point(Problem.INDENTATION, Join.MIXTURE, Parameter.MESH, LEVELS[1].across)
     control = replace(
         indentation.CONTROL,
         steps=round(END_33 / indentation.CONTROL.step),
@@ -227,10 +227,10 @@ _BUILDERS: dict[Problem, Callable[[Point, Join], Model]] = {
 def points(problems: Sequence[Problem]) -> list[Point]:
     """All points of the sweep, with what the plugin's interface alone knows for that one alone."""
     return [
-        Point(problem, interface, knob, float(value))
+        Point(problem, interface, parameter, float(value))
         for problem in problems
         for interface in INTERFACES
-        for knob, values in (VALUES_33 if problem is Problem.INDENTATION else VALUES).items()
+        for parameter, values in (VALUES_33 if problem is Problem.INDENTATION else VALUES).items()
         for value in values
-        if knob not in OWN or interface is Join.MIXTURE
+        if parameter not in OWN or interface is Join.MIXTURE
     ]

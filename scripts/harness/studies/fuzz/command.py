@@ -54,11 +54,11 @@ def fuzz(
     trials = [Trial(**entry) for path in paths for entry in json.loads(path.read_text())]
     for each in kind or Kind:
         own = [trial for trial in trials if trial.kind == each.value]
-        counts = Counter("fault" if trial.faulty else trial.outcome for trial in own)
+        counts = Counter("fault" if trial.faulty else trial.result for trial in own)
         console.print(f"{each.value}: {len(own)} seeds; " + ", ".join(f"{n} {what}" for what, n in counts.items()))
     faults = [trial for trial in trials if trial.faulty]
     for trial in faults:
-        console.print(f"  {trial.kind} seed {trial.seed}: {trial.outcome}", markup=False)
+        console.print(f"  {trial.kind} seed {trial.seed}: {trial.result}", markup=False)
     if faults:
         raise typer.Exit(1)
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from harness.errors import DataFileError
 from harness.models.document import Model
 from harness.models.parts import text_of
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies.fuzz.draws import Kind, draw
 from harness.studies.hard_cases import invariants
 
@@ -25,18 +25,18 @@ class Trial:
     ----------
     kind : str
     seed : int
-    outcome : str
+    result : str
         One of the four above; or what is wrong, after "FAULT: ".
     """
 
     kind: str
     seed: int
-    outcome: str
+    result: str
 
     @property
     def faulty(self) -> bool:
         """Whether this is a fault: a crash, NaN in the results, a violated balance, a refusal without a reason."""
-        return self.outcome.startswith("FAULT")
+        return self.result.startswith("FAULT")
 
 
 def attempt(kind: Kind, seed: int, runner: Runner, *, integration: str | None = None) -> Trial:
@@ -46,7 +46,7 @@ def attempt(kind: Kind, seed: int, runner: Runner, *, integration: str | None = 
     return Trial(kind.value, seed, _judge(model, run, runner.timeout or math.inf))
 
 
-def _judge(model: Model, run: Outcome, timeout: float) -> str:
+def _judge(model: Model, run: RunResult, timeout: float) -> str:
     screen = (run.folder / "screen.txt").read_text(errors="replace")
     if run.report.normal:
         wrong = _wrong(run)
@@ -70,7 +70,7 @@ def _refusal(model: Model, screen: str) -> str:
     return f"FAULT: refused without naming any of {values}"
 
 
-def _wrong(run: Outcome) -> str:
+def _wrong(run: RunResult) -> str:
     """The first measure that a run which ended misses: numbers, and balances of both sides."""
     try:
         measures = [*invariants.finite_and_bounded(run, math.inf)[:1], *invariants.cancellation(run)]

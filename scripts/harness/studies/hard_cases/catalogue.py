@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from harness.models.parts import Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 from harness.studies.hard_cases.press import HOLD, RAMP, Press
 from harness.studies.hard_cases.pressed_variations import (
     AgainstWhole,
@@ -127,7 +127,7 @@ def round_top(factor: int) -> Shape:
     return arc(factor, 1.0, 0.01, 0.25)
 
 
-def overhang(run: Outcome) -> list[Measure]:
+def overhang(run: RunResult) -> list[Measure]:
     """Normal force at the end over that before sliding: less, as 0.4 of the width are left; and it still presses."""
     normal = np.abs(grip_force(run)[:, 2])
     before = normal[np.argmin(np.abs(run.nodes.times - 1000.0))]
@@ -216,7 +216,7 @@ CASES: dict[str, Case] = {
     ),
     "curved-1-to-8": Case("curved on curved, facet ratio 1:8", CURVED),
     "curved-two-pass": Case("curved on curved, facet ratio 1:8, two_pass 1", replace(CURVED, extra=TWO_PASS)),
-    "warped-quads": Case("warped quadrilaterals", Press(warp=0.1, gap=1e-4, bar=1e-2)),
+    "warped-quads": Case("warped quadrilaterals", Press(warp=0.1, gap=1e-4, tolerance=1e-2)),
     "slivers": Case("slivers of aspect 1:100", Press(width=(0.04, 1.0), across=(4, 1), gap=1e-3)),
     "stiffness-1e6": Case(
         "stiffness ratio 1e6", Press(lower=replace(GEL, solid=Solid(1e6)), gap=1e-3, times=(*RAMP, *HOLD[:4]))
@@ -268,7 +268,7 @@ CASES: dict[str, Case] = {
     "units": Case("mm-N-s, m-N-s and um-nN-s", InOtherUnits(gap=1e-3)),
     "penalty-1e-3": Case(
         "penalties 1e-3 of automatic: the overlap is that of an element",
-        Soft(penalties=1e-3, gap=1e-3, bar=0.2),
+        Soft(penalties=1e-3, gap=1e-3, tolerance=0.2),
         pointwise=SOFT,
     ),
     "penalty-augmented": Case("penalties 1e-3 of automatic, AUGLAG", Press(penalties=1e-3, gap=1e-3, augmented=1e-3)),

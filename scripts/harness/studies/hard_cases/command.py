@@ -80,14 +80,14 @@ def hard_case(
 
 
 def _tell(made: Record) -> None:
-    outcome = "ended normally" if made.ended else f"failed: {made.failures}"
+    result = "ended normally" if made.ended else f"failed: {made.failures}"
     console.print(
-        f"{made.case}, {made.mesh} mesh, {made.interface}: {outcome}; {made.steps} steps, "
+        f"{made.case}, {made.mesh} mesh, {made.interface}: {result}; {made.steps} steps, "
         f"{made.iterations} iterations, {made.retries} retries",
         markup=False,
     )
     for m in made.measures:
-        bounds = f"<= {m.bar:.3g}" if m.lowest == -float("inf") else f"{m.lowest:.3g} to {m.bar:.3g}"
+        bounds = f"<= {m.tolerance:.3g}" if m.lowest == -float("inf") else f"{m.lowest:.3g} to {m.tolerance:.3g}"
         console.print(
             f"  {'met   ' if m.passed else 'MISSED'} {m.name}: {m.value:.3g} ({bounds}) {m.note}", markup=False
         )

@@ -13,7 +13,7 @@ from harness.models.mesh import Ids
 from harness.post import solute_balance
 from harness.post.compare import Measure
 from harness.run.logdata import History
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases import variants
 from harness.studies.hard_cases.scene import NEWTON, Case, prescribed
 
@@ -29,17 +29,17 @@ MASS = 0.1 * NEWTON
 """Solute that appears in a run, relative to the largest content: what Newton's iterations leave at all other nodes."""
 
 
-def of_any_run(run: Outcome, case: Case) -> list[Measure]:
+def of_any_run(run: RunResult, case: Case) -> list[Measure]:
     """Checks that a run of any interface can be put to."""
     return [*finite_and_bounded(run, case.undershoot), *mass(run), *contact_conditions(run, case.pointwise)]
 
 
-def of_the_plugin(run: Outcome, rerun: Runner, case: Case) -> list[Measure]:
+def of_the_plugin(run: RunResult, rerun: Runner, case: Case) -> list[Measure]:
     """Further checks, which need the plugin's output, or more runs."""
     return [*cancellation(run), *off_the_bath(run), *invariance(run, rerun, case.swap)]
 
 
-def cancellation(run: Outcome) -> list[Measure]:
+def cancellation(run: RunResult) -> list[Measure]:
     """Force and flows of the two sides of each contact add up to nothing."""
     force, flow = 0.0, 0.0
     for contact in run.model.contacts:
@@ -57,7 +57,7 @@ def _ratio(part: float, whole: float) -> float:
     return float(part / whole) if whole > 0.0 else float(part)
 
 
-def finite_and_bounded(run: Outcome, undershoot: float) -> list[Measure]:
+def finite_and_bounded(run: RunResult, undershoot: float) -> list[Measure]:
     """All node data are numbers, and concentrations stay within what is given at the start and at the boundary."""
     history = run.nodes
     measures = [Measure("node data that are no numbers", float(np.sum(~np.isfinite(history.values))), 0.0)]
@@ -81,18 +81,18 @@ def _given(model: Model, sol: int) -> tuple[float, float]:
     return min(values), max(values)
 
 
-def mass(run: Outcome) -> list[Measure]:
+def mass(run: RunResult) -> list[Measure]:
     """Solute that appears at nodes which nothing feeds, summed over all steps; the worst of all solutes.
 
-    The log has 12 digits. Where long steps make much of them, so that the bar is missed, it is raised by what changes
-    in them could change.
+    The log has 12 digits. Where long steps make much of them, so that the tolerance is missed, it is raised by what
+    changes in them could change.
     """
     model = run.model
     if not model.n_solutes or any(len(m.solutes) != model.n_solutes for m in model.materials.values()):
         return []
     found = _appeared(model, run.nodes)
-    bar = MASS if found <= MASS else MASS + _resolution(model, run.nodes, found)
-    return [Measure("solute that appears, relative", found, bar)]
+    tolerance = MASS if found <= MASS else MASS + _resolution(model, run.nodes, found)
+    return [Measure("solute that appears, relative", found, tolerance)]
 
 
 def _resolution(model: Model, history: History, found: float) -> float:
@@ -136,7 +136,7 @@ def _nodes_in(model: Model, sets: Iterable[Ids]) -> Mask:
     return found
 
 
-def contact_conditions(run: Outcome, bar: float) -> list[Measure]:
+def contact_conditions(run: RunResult, tolerance: float) -> list[Measure]:
     """No pull, no overlap, no load across a gap, at each accepted step: means over the facets of primary surfaces."""
     pull, overlap, across, largest = 0.0, 0.0, 0.0, 0.0
     for contact in run.model.contacts:
@@ -152,12 +152,12 @@ def contact_conditions(run: Outcome, bar: float) -> list[Measure]:
         across = max(across, float((load * np.maximum(-depth, 0.0) * inner).max()) / length)
     return [
         Measure("pull, relative to the largest pressure", _ratio(pull, largest), ROUNDING),
-        Measure("overlap, relative to a facet", overlap, bar),
-        Measure("pressure times gap, relative", _ratio(across, largest), bar),
+        Measure("overlap, relative to a facet", overlap, tolerance),
+        Measure("pressure times gap, relative", _ratio(across, largest), tolerance),
     ]
 
 
-def off_the_bath(run: Outcome) -> list[Measure]:
+def off_the_bath(run: RunResult) -> list[Measure]:
     """Open nodes are at the bath, which is empty in all cases, at each accepted step.
 
     Open is a primary node all of whose facets bear exactly nothing.
@@ -196,7 +196,7 @@ def _facet_length(model: Model, surface: str) -> float:
     return float(np.linalg.norm(np.roll(x, 1, axis=1) - x, axis=2).min(axis=1).mean())
 
 
-def invariance(run: Outcome, rerun: Runner, bar: float) -> list[Measure]:
+def invariance(run: RunResult, rerun: Runner, tolerance: float) -> list[Measure]:
     """The same model moved, renumbered and with its sides exchanged."""
     columns = run.model.node_columns
     away = rerun(variants.moved(run.model)).nodes
@@ -211,13 +211,13 @@ def invariance(run: Outcome, rerun: Runner, bar: float) -> list[Measure]:
         Measure(
             "sides swapped, relative difference of forces and concentrations",
             _swap(run, exchanged),
-            bar,
+            tolerance,
             note="the log warns" if any("without any load" in text for text in exchanged.report.warnings) else "",
         ),
     ]
 
 
-def _swap(run: Outcome, other: Outcome) -> float:
+def _swap(run: RunResult, other: RunResult) -> float:
     """Largest relative difference at the end: of the total reaction on each body, and of each mean concentration."""
     found = 0.0
     names = ["Rx", "Ry", "Rz"]

@@ -30,7 +30,7 @@ from harness.models.parts import (
     pressure,
 )
 from harness.post.compare import Measure
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
 Array = NDArray[np.float64]
@@ -103,7 +103,7 @@ class Press:
         Fluid pressure below, MPa; none above.
     stepper : TimeStepper, optional
         Chooses the time steps instead of `times`, whose first and last entries then are the first step and the end.
-    bar : float
+    tolerance : float
         Largest error allowed of force and concentration, relative to their largest values.
     name : str
     """
@@ -128,7 +128,7 @@ class Press:
     extra: tuple[Param, ...] = field(default=())
     inlet: float = 0.0
     stepper: TimeStepper | None = None
-    bar: float = 2e-3
+    tolerance: float = 2e-3
     name: str = "press"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -178,7 +178,7 @@ class Press:
             made = replace(made, nodes=warped(made.nodes, self.warp))
         return replace(made, pairs={"lower/upper": ("lower-top", "upper-bottom")})
 
-    def fineness(self, run: Outcome) -> Fineness:
+    def fineness(self, run: RunResult) -> Fineness:
         """The mesh of a run."""
         return next(m for m in Fineness if len(self._mesh(m).nodes) == len(run.model.mesh.nodes))
 
@@ -191,19 +191,19 @@ class Press:
         bare = replace(cut, contacts=(), surface_columns=(), facet_columns=())
         return replace(bare, mesh=glued, name=f"{self.name}-whole")
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Force and concentration at the end against the closed form of the steady state."""
         below, above = stretches(self.lower.solid, self.upper.solid, self.shortening)
         area = self.width[0] * self.width[1]
         force = -stress(self.lower.solid, below) * area
         nodes, top = run.nodes, run.model.mesh.node_sets["upper-top"] - 1
         found = float(nodes["Rz"][-1, top].sum())
-        measures = [Measure("force at the end, relative error", abs(found / force - 1.0), self.bar)]
+        measures = [Measure("force at the end, relative error", abs(found / force - 1.0), self.tolerance)]
         for number in range(1, run.model.n_solutes + 1):
             exact = self._concentration(run.model, number, (below, above))
             scale = max(self.bath[number - 1], self.above[number - 1])
             error = float(np.max(np.abs(nodes[f"c{number}"][-1] - exact))) / (scale or 1.0)
-            measures.append(Measure(f"c{number} at the end, relative error", error, self.bar))
+            measures.append(Measure(f"c{number} at the end, relative error", error, self.tolerance))
         return measures
 
     def _concentration(self, model: Model, number: int, stretched: tuple[float, float]) -> Array:

@@ -13,7 +13,7 @@ from harness.post import compare
 from harness.post.compare import Measure
 from harness.preflight.penalty import TRACTION_FACTOR
 from harness.run import engine, logdata
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases import variants
 from harness.studies.hard_cases.invariants import INVARIANT
 from harness.studies.hard_cases.press import Press
@@ -35,7 +35,7 @@ class AgainstWhole(Press):
 
     transient: bool = True
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Pressure and concentrations at all nodes."""
         whole = rerun(self.whole(self.fineness(run)))
         measures = []
@@ -50,22 +50,22 @@ class AgainstWhole(Press):
 class Soft(Press):
     """Penalties as small as the stiffness of the elements beside the contact, which gives way like a third body."""
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """The closed form of the blocks, shortened by what the overlap leaves, and the overlap: traction/penalty.
 
-        Jumps of concentration are left to `bar`.
+        Jumps of concentration are left to `tolerance`.
         """
         facets = run.facets("lower-top")  # of one size; FEBio counts an overlap as positive
         load, overlap = facets["contact pressure"].mean(axis=1), facets["contact gap"].mean(axis=1)
         left = replace(self, shortening=self.shortening - float(overlap[-1]))
         force, *concentrations = super(Soft, left).check(run, rerun)
-        measures = [replace(force, bar=Press.bar), *concentrations]
+        measures = [replace(force, tolerance=Press.tolerance), *concentrations]
         if run.model.contacts[0].kind == Interface.MIXTURE.value:
             error = float(np.abs(load - self._penalty(run) * overlap).max() / load.max())
             measures.append(Measure("mean traction, penalty times mean overlap, relative difference", error, INVARIANT))
         return measures
 
-    def _penalty(self, run: Outcome) -> float:
+    def _penalty(self, run: RunResult) -> float:
         """The penalty (MPa/mm) of blocks of 1 mm and one isotropic material: a factor on 2 k1 k2/(k1 + k2), k = E/h."""
         one, two = (self.lower.solid.modulus * elements[2] for elements in self._elements(self.fineness(run)))
         return self.penalties * TRACTION_FACTOR * 2.0 * one * two / (one + two)
@@ -75,7 +75,7 @@ class Soft(Press):
 class InOtherUnits(Press):
     """The same model in m, N, s and in um, nN, s."""
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """All node data, converted back."""
         measures = super().check(run, rerun)
         for units in variants.UNITS:
@@ -90,7 +90,7 @@ class InOtherUnits(Press):
 class Restarted(Press):
     """A run that is continued from the dump file of the middle of its way."""
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """The states after the restart against those of the run that went through."""
         # febio4 ends with a segmentation fault where a restarted model logs data of surfaces or facets.
         bare = replace(run.model, surface_columns=(), facet_columns=())
@@ -114,7 +114,7 @@ class Steady(Press):
 
     settled: int = 500
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Whatever moves after the first `settled` steps, relative to the largest value of each variable."""
         early = slice(self.settled, self.settled + 1)
         drift = variants.difference(run, run.nodes.values[early], run.nodes.times[early])
@@ -125,7 +125,7 @@ class Steady(Press):
 class CutBack(Press):
     """A time step that cannot converge at the moment of first touch."""
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """The closed form, and that the step was cut back at all."""
         forced = Measure("steps tried again", run.report.retries, 8.0, lowest=1.0)
         return [*super().check(run, rerun), forced]

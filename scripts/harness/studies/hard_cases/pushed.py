@@ -15,7 +15,7 @@ from harness.models.indentation_mesh import Grid, cylinder_body
 from harness.models.mesh import Ids, Mesh, Part
 from harness.models.parts import Condition, Curve, Param, displace, fix
 from harness.post.compare import Measure
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases.press import bath
 from harness.studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
@@ -125,7 +125,7 @@ class Pushed:
     shape: Callable[[int], Shape]
     motion: Motion
     times: tuple[float, ...]
-    bounds: Callable[[Outcome], list[Measure]]
+    bounds: Callable[[RunResult], list[Measure]]
     plane: bool = True
     name: str = "pushed"
     half: bool = False
@@ -180,7 +180,7 @@ class Pushed:
         pair = ("base-contact", "shape-contact") if self.base_is_primary else ("shape-contact", "base-contact")
         return Mesh(nodes, parts, sets, surfaces, {"pair": pair})
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """The bounds of this scene."""
         return self.bounds(run)
 
@@ -196,13 +196,13 @@ def arc(around: int, radius: float, height: float, thickness: float) -> Shape:
     return Shape(replace(body, nodes=upright), on_arc, grip)
 
 
-def grip_force(run: Outcome) -> Array:
+def grip_force(run: RunResult) -> Array:
     """Force (N) on the grip over time, shape (n_times, 3)."""
     grip = run.model.mesh.node_sets["grip"] - 1
     return np.stack([run.nodes[f"R{axis}"][:, grip].sum(axis=1) for axis in "xyz"], axis=1)
 
 
-def steady_slide(run: Outcome, start: float, sideways: float, change: float) -> list[Measure]:
+def steady_slide(run: RunResult, start: float, sideways: float, change: float) -> list[Measure]:
     """From `start` (s) on: force along the surface, and change of the normal force, both relative to the latter."""
     force = grip_force(run)[run.nodes.times >= start * (1.0 - 1e-9)]
     normal = np.abs(force[:, 2])
@@ -212,16 +212,18 @@ def steady_slide(run: Outcome, start: float, sideways: float, change: float) -> 
     ]
 
 
-def mirrored(axis: int, bar: float) -> Callable[[Outcome], list[Measure]]:
+def mirrored(axis: int, tolerance: float) -> Callable[[RunResult], list[Measure]]:
     """A scene with a plane of symmetry: no force across it, and a force that grows on the way down."""
 
-    def bounds(run: Outcome) -> list[Measure]:
+    def bounds(run: RunResult) -> list[Measure]:
         force = grip_force(run)
         normal = np.abs(force[:, 2])
         grows = float(np.min(np.diff(normal[: int(np.argmax(normal)) + 1])) / normal.max())
         return [
             Measure(
-                "force across the plane of symmetry, relative", float(np.abs(force[:, axis]).max() / normal.max()), bar
+                "force across the plane of symmetry, relative",
+                float(np.abs(force[:, axis]).max() / normal.max()),
+                tolerance,
             ),
             Measure("normal force on the way down, smallest growth", -grows, 1e-6),
         ]

@@ -47,7 +47,7 @@ class Record:
 
     @property
     def missed(self) -> list[Measure]:
-        """The measures that miss their bars."""
+        """The measures that miss their tolerances."""
         return [measure for measure in self.measures if not measure.passed]
 
     @property
@@ -151,15 +151,15 @@ def table(records: Sequence[Record]) -> str:
 
 def _short(measure: Measure) -> str:
     note = f"; {measure.note}" if measure.note else ""
-    return f"{measure.name} {measure.value:.2g} (bar {measure.bar:.2g}{note})"
+    return f"{measure.name} {measure.value:.2g} (tolerance {measure.tolerance:.2g}{note})"
 
 
 def _cell(record: Record | None) -> str:
-    """Outcome, and steps / iterations / retries."""
+    """RunResult, and steps / iterations / retries."""
     if record is None:
         return "not run"
-    outcome = "passes" if record.passed else f"misses {len(record.missed)}" if record.ended else "fails"
-    return f"{outcome}, {record.steps} / {record.iterations} / {record.retries}"
+    result = "passes" if record.passed else f"misses {len(record.missed)}" if record.ended else "fails"
+    return f"{result}, {record.steps} / {record.iterations} / {record.retries}"
 
 
 def summary(records: Sequence[Record]) -> str:

@@ -12,7 +12,7 @@ from harness.models.interface import ContactSettings, Join, automatic
 from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 
 GEL = Mixture(Solid(1.0), permeability=1e-3, solutes=(Solute(1, 5e-4, 5e-4),))
 """E = 1 MPa, nu = 0, k = 1e-3 mm^4/(N s), d = d0 = 5e-4 mm^2/s, phi_w = 0.8.
@@ -95,7 +95,7 @@ class Scene(Protocol):
     def model(self, mesh: Fineness, interface: Interface) -> Model:
         """The model."""
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """The physical checks of a run that ended normally."""
 
 

@@ -12,7 +12,7 @@ from harness.models.document import Model
 from harness.models.mesh import Box, Layer, Mesh, Part, assemble, glued_column
 from harness.models.parts import Curve, Param, Solid, displace, fix, normal_load
 from harness.post.compare import Measure
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases.press import HOLD, RAMP, bath, stress, stretches
 from harness.studies.hard_cases.scene import GEL, Fineness, Interface, finished, timed
 
@@ -68,7 +68,7 @@ class Seesaw:
         )
         return two_patches(made, "slab-top", ("left-bottom", "right-bottom"))
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Force of both blocks at the end: that of the closed form where both press, else none on the open one."""
         exact = -stress(GEL.solid, stretches(GEL.solid, GEL.solid, self.shortening)[0])
         measures = []
@@ -144,7 +144,7 @@ class Dropped:
             {"lower/upper": ("lower-top", "upper-bottom")},
         )
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Way of the loaded nodes: both blocks under compression and the cushion under tension carry the load."""
 
         def balance(shortening: float) -> float:

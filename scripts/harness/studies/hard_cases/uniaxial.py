@@ -11,7 +11,7 @@ from harness.models.document import Model
 from harness.models.mesh import Box, Mesh, assemble
 from harness.models.parts import Curve, Solid, displace, fix
 from harness.post.compare import Measure
-from harness.run.runner import Outcome, Runner
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases.press import bath
 from harness.studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
@@ -75,7 +75,7 @@ class Uniaxial:
         pairs = {"lower/upper": ("lower-top", "upper-bottom")}
         return replace(made, node_sets=made.node_sets | planes, pairs=pairs)
 
-    def check(self, run: Outcome, rerun: Runner) -> list[Measure]:
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Force at the end against uniaxial stress, and that the undrained blocks were stiffer."""
         top = run.model.mesh.node_sets["upper-top"] - 1
         force = run.nodes["Rz"][:, top].sum(axis=1)

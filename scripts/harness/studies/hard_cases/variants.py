@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from harness.models.document import Model
 from harness.models.mesh import Ids, Mesh
 from harness.models.parts import Condition, Elastic, Material, Param, Rigid
-from harness.run.runner import Outcome
+from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 TURNED = {"x": "y", "y": "z", "z": "x"}
@@ -77,7 +77,7 @@ def renumbered(model: Model, seed: int = 1) -> tuple[Model, Ids]:
     return replace(model, name=f"{model.name}-renumbered", mesh=made), place
 
 
-def difference(first: Outcome, values: Array, times: Array) -> float:
+def difference(first: RunResult, values: Array, times: Array) -> float:
     """Largest difference of the node data of a run and of another one, each column relative to its largest value.
 
     Displacements, reactions and positions are compared with the largest component of their vector. Where the runs were

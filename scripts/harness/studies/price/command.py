@@ -12,6 +12,7 @@ from rich.console import Console
 from harness.errors import HarnessError
 from harness.paths import RESULTS
 from harness.run.runner import Runner
+from harness.studies import files
 from harness.studies.price import page, paired_runs, table
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
@@ -102,7 +103,7 @@ def _compare(name: str, scenes: list[Scene], repetitions: int, folder: Path) -> 
     found: list[paired_runs.Price] = []
     for scene in scenes:
         found += paired_runs.prices(scene, repetitions, lambda what: console.print(f"running {what}"))
-        paired_runs.write_json(found, folder / f"{name}.json")
+        files.write_json(found, folder / f"{name}.json")
         (folder / f"{name}.md").write_text(page.comparison_table(found) + "\n")
     console.print(page.comparison_table(found), markup=False)
     console.print(f"Written: {folder / name}.md, {folder / name}.json")

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, replace
-from pathlib import Path
+from dataclasses import dataclass, replace
+from functools import partial
 from statistics import median
-from tempfile import TemporaryDirectory
 
 from harness.models.interface import Join
-from harness.run import engine
+from harness.studies import timing
 from harness.studies.price.scenes import Kind, Scene, penalties
 
 Announce = Callable[[str], None]
@@ -60,11 +58,8 @@ def run(scene: Scene) -> Timed:
     EngineNotFoundError, PluginNotFoundError
         Without febio4 or the plugin.
     """
-    with TemporaryDirectory() as folder:
-        model = scene.model().write(Path(folder))
-        command = engine.Febio4().command(model, scene.contact == Join.MIXTURE.value)
-        done = engine.execute(command, Path(folder), check=False)
-        spent = timers(model.with_suffix(".log").read_text(errors="replace"))
+    done, log = timing.execute(scene.model(), check=False)
+    spent = timers(log)
     report = done.report
     parts = ("model update", "reforming stiffness", "evaluating stiffness", "evaluating residual")
     times = (spent.get(part, math.nan) for part in parts)
@@ -132,11 +127,11 @@ def compared(scene: Scene) -> dict[tuple[str, float], Scene]:
 def prices(scene: Scene, repetitions: int, announce: Announce) -> list[Price]:
     """Compare the contacts on one scene; all are run in turn, `repetitions` times."""
     scenes = compared(scene)
-    runs: dict[tuple[str, float], list[Timed]] = {key: [] for key in scenes}
-    for count in range(1, repetitions + 1):
-        for key, one in scenes.items():
-            announce(f"{one.name} ({count} of {repetitions})")
-            runs[key].append(run(one))
+    runs = timing.interleave(
+        {key: partial(run, one) for key, one in scenes.items()},
+        repetitions,
+        lambda key, number: announce(f"{scenes[key].name} ({number} of {repetitions})"),
+    )
     whole = runs.pop((Join.UNSPLIT.value, 0.0))
     return [_price(scene.kind, key, found, whole) for key, found in runs.items()]
 
@@ -147,8 +142,3 @@ def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], whole: Seq
     contact = median(contact_time(one, other) for one, other in pairs) if ended else math.nan
     added = median(one.cpu / other.cpu - 1.0 for one, other in pairs) if ended else math.nan
     return Price(kind.value, *key, ended, runs[0].iterations, whole[0].iterations, contact, added)
-
-
-def write_json(data: Sequence[Price], path: Path) -> None:
-    """Write prices."""
-    path.write_text(json.dumps([asdict(price) for price in data], indent=1))

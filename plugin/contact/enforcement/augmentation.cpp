@@ -1,4 +1,4 @@
-#include "interface/augmentation.h"
+#include "enforcement/augmentation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct GapSums {
   }
 };
 
-const Tolerances::Field& tolerance_of_flux(const Tolerances& tolerances, const Effects& effects, std::size_t field) {
+const Tolerances::Field& tolerance_of_flux(const Tolerances& tolerances, const Effects& effects, Index field) {
   return effects.solvent && field == 0 ? tolerances.solvent : tolerances.solute;
 }
 
@@ -41,7 +41,7 @@ bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
 }
 
 /// The factor on a field's penalties after a growth step, at most what brings the smallest penalty to `accurate` times
-/// the largest base. Facets without a penalty (sealed ones) have no say.
+/// the largest base. Facets without a penalty (impermeable ones) have no say.
 double grown(double growth, const VectorXd& penalties, const VectorXd& bases, double accurate) {
   const double none = std::numeric_limits<double>::infinity();
   const double penalty = (penalties.array() > 0).select(penalties, none).minCoeff();
@@ -50,24 +50,21 @@ double grown(double growth, const VectorXd& penalties, const VectorXd& bases, do
 
 }  // namespace
 
-GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, const SurfaceFields& secondary,
-                       const Effects& effects) {
+GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields) {
   GapSums traction;
-  std::vector<GapSums> flux(static_cast<std::size_t>(effects.scalar_fields()));
-  const Penalties& base = pass.penalty();
-  const NodalLoads loads = pass.nodal_loads(primary, secondary);
-  const VectorXd rounding = pass.field_rounding(primary, secondary);
+  IndexedVector<GapSums> flux(laws.effects().scalar_fields());
+  const Penalties& base = laws.penalties();
+  const VectorXd rounding = laws.field_rounding(fields, loads.size);
   for (Index node = 0; node < loads.area.size(); ++node) {
-    if (!loads.in_contact[static_cast<std::size_t>(node)]) continue;
+    if (!loads.in_contact[node]) continue;
     // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
     const double gap = loads.traction[node] < 0 ? loads.gap[node] : 0.0;
     traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
-    if (!loads.sealed[static_cast<std::size_t>(node)]) continue;
-    for (int k = 0; k < effects.scalar_fields(); ++k) {
+    if (!loads.flux_coupled[node]) continue;
+    for (Index k = 0; k < flux.count(); ++k) {
       const bool is_rounding = std::abs(loads.jump(k, node)) <= rounding[k];
-      flux[static_cast<std::size_t>(k)].add(loads.flux_area(k, node), base.conductance(k, node),
-                                            is_rounding ? 0.0 : loads.jump(k, node), loads.flux(k, node),
-                                            primary.scalar(node, k));
+      flux[k].add(loads.flux_area(k, node), base.conductance(k, node), is_rounding ? 0.0 : loads.jump(k, node),
+                  loads.flux(k, node), fields.primary.scalar(node, k));
     }
   }
   GapReport report{traction.field_gap(), {}};
@@ -77,23 +74,22 @@ GapReport measure_gaps(const ContactPass& pass, const SurfaceFields& primary, co
 
 bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
   bool met = within(report.traction, tolerances.traction);
-  for (std::size_t k = 0; k < report.flux.size(); ++k) {
+  for (Index k = 0; k < report.flux.count(); ++k) {
     met = met && within(report.flux[k], tolerance_of_flux(tolerances, effects, k));
   }
   return met;
 }
 
-void grow_penalties(ContactPass& pass, const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
-  const Penalties& penalty = pass.penalty();
-  Multipliers& state = pass.multipliers;
+void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
+  const Penalties& penalty = laws.penalties();
+  Multipliers& state = laws.multipliers;
   if (!within(report.traction, tolerances.traction)) {
     state.traction_growth = grown(state.traction_growth, penalty.traction, penalty.stiffness, default_traction_factor);
   }
-  for (std::size_t k = 0; k < report.flux.size(); ++k) {
-    const auto field = static_cast<Index>(k);
-    if (within(report.flux[k], tolerance_of_flux(tolerances, effects, k))) continue;
-    state.flux_growth[field] = grown(state.flux_growth[field], penalty.flux.row(field).transpose(),
-                                     penalty.conductance.row(field).transpose(), default_flux_factor);
+  for (Index k = 0; k < report.flux.count(); ++k) {
+    if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;
+    state.flux_growth[k] = grown(state.flux_growth[k], penalty.flux.row(k).transpose(),
+                                 penalty.conductance.row(k).transpose(), default_flux_factor);
   }
 }
 

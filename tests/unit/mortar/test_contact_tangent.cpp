@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
     scene.fields[Side::secondary].position(2, node) += 0.3;
   moved->project(scene.position());
   moved->move_iteration(scene.fields);
-  const PerSide<std::vector<bool>> status = moved->nodes_in_contact();
+  const PerSide<NodeFlags> status = moved->nodes_in_contact();
   BOOST_TEST(std::count(status[Side::primary].begin(), status[Side::primary].end(), false) == 0);
   const double force = moved->balance(scene.fields).force[2];
   BOOST_TEST(std::abs(force) > 0.1);

@@ -11,8 +11,8 @@ using namespace test;
 namespace {
 
 constexpr double dt = 0.25;
-constexpr double around = 0.04;             // gap beside the spike
-constexpr double deep = 2 * sound_overlap;  // the edge of the primary facet is 1
+constexpr double around = 0.04;                     // gap beside the spike
+constexpr double deep = 2 * penetration_tolerance;  // the edge of the primary facet is 1
 
 /// A secondary surface of eight by eight facets with a spike in the middle, over a single primary facet.
 struct Spike {
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_noticed_once) {
 
 BOOST_AUTO_TEST_CASE(nothing_is_noticed_where_nothing_is_missed) {
   const auto noticed = [](Spike spike) { return spike.notice().nodes; };
-  BOOST_TEST(noticed(Spike(0.5 * sound_overlap)) == 0);
+  BOOST_TEST(noticed(Spike(0.5 * penetration_tolerance)) == 0);
   BOOST_TEST(noticed(Spike(-deep, 2 * deep)) == 0);    // a gap
   BOOST_TEST(noticed(Spike(deep, -0.5 * deep)) == 0);  // the primary facet is in contact
   Settings settings = explicit_settings(4, 2, 8);
@@ -90,8 +90,7 @@ BOOST_AUTO_TEST_CASE(a_noticed_node_has_the_law_of_its_mean_gap) {
   Spike spike(deep);
   spike.notice();
   spike.go_on();
-  const NodalLoads loads = spike.contact->pass(1).nodal_loads(spike.scene.fields[Side::secondary],
-                                                              spike.scene.fields[Side::primary]);
+  const NodalLoads loads = spike.contact->pass(1).nodal_loads(seen_from(Side::secondary, spike.scene.fields));
   for (Index node = 0; node < loads.traction.size(); ++node) {
     BOOST_TEST((loads.traction[node] < 0) == (node == spike.tip));
   }
@@ -112,15 +111,14 @@ BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {
   Spike spike(deep);
   Scene& scene = spike.scene;
   spike.over_row(2);
-  const std::array<Index, 2> tips{spike.spike_at(0.25, deep), spike.spike_at(0.75, 0.9 * sound_overlap)};
+  const std::array<Index, 2> tips{spike.spike_at(0.25, deep), spike.spike_at(0.75, 0.9 * penetration_tolerance)};
   spike.begin();
   BOOST_TEST(spike.notice().nodes == 1);
   spike.go_on();
   const std::vector<int> noticed = spike.contact->state().noticed;
   BOOST_TEST(std::binary_search(noticed.begin(), noticed.end(), static_cast<int>(tips[0])));
   BOOST_TEST(!std::binary_search(noticed.begin(), noticed.end(), static_cast<int>(tips[1])));
-  const NodalLoads loads = spike.contact->pass(1).nodal_loads(scene.fields[Side::secondary],
-                                                              scene.fields[Side::primary]);
+  const NodalLoads loads = spike.contact->pass(1).nodal_loads(seen_from(Side::secondary, scene.fields));
   BOOST_TEST(loads.traction[tips[0]] < 0.0);
   BOOST_TEST(loads.traction[tips[1]] == 0.0);
 }

@@ -1,4 +1,4 @@
-#include "contact/interface/augmentation.h"
+#include "contact/enforcement/augmentation.h"
 
 #include "surfaces.h"
 

@@ -95,8 +95,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_with_some_nodes_out_of_cont
   Held held(scene);
   held.contact->set_unknown_multipliers(random_values(held.layout.multipliers.size(), -0.5, 0, random));
   held.contact->begin_iteration(scene.fields);
-  const NodalLoads loads = held.contact->pass(0).nodal_loads(scene.fields[Side::primary],
-                                                             scene.fields[Side::secondary]);
+  const NodalLoads loads = held.contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields));
   const auto touching = std::count(loads.in_contact.begin(), loads.in_contact.end(), true);
   BOOST_TEST(touching > 0);
   BOOST_TEST(touching < scene.mesh[Side::primary].nodes);

@@ -1,0 +1,54 @@
+"""Runs that are timed: each by itself, and interleaved with those that they are compared with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TypeVar
+
+from harness.models.document import Model
+from harness.run import engine
+from harness.run.runner import needs_plugin
+
+Key = TypeVar("Key")
+Result = TypeVar("Result")
+Announce = Callable[[Key, int], None]
+
+
+def execute(
+    model: Model, timeout: float | None = None, prefix: Sequence[str] = (), *, check: bool = True
+) -> tuple[engine.Run, str]:
+    """Run a model by itself, and keep nothing but what febio4 said and its log.
+
+    Parameters
+    ----------
+    prefix : sequence of str
+        Stands before the command line.
+
+    Raises
+    ------
+    EngineNotFoundError, PluginNotFoundError, EngineFailedError
+        See `harness.run.engine`.
+    """
+    with TemporaryDirectory() as folder:
+        path = model.write(Path(folder))
+        command = engine.Febio4().command(path, needs_plugin(model))
+        done = engine.execute([*prefix, *command], Path(folder), check=check, timeout=timeout)
+        return done, path.with_suffix(".log").read_text(errors="replace")
+
+
+def interleave(
+    runs: Mapping[Key, Callable[[], Result]], repetitions: int, announce: Announce[Key] | None = None
+) -> dict[Key, list[Result]]:
+    """Make every run once, then every run again: what slows the machine for a while slows all of them.
+
+    `announce` is told of each run and its number, from 1, before it begins.
+    """
+    found: dict[Key, list[Result]] = {key: [] for key in runs}
+    for number in range(1, repetitions + 1):
+        for key, run in runs.items():
+            if announce is not None:
+                announce(key, number)
+            found[key].append(run())
+    return found
