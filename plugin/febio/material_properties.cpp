@@ -122,7 +122,7 @@ std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetG
   const std::string element = "element " + std::to_string(geometry.element->GetID());
   if (!(geometry.thickness > 0) || geometry.volume < 0)
     return element + " behind a facet has no positive volume (inverted or degenerate)";
-  if (geometry.normal * (centre(fem, facet) - centre(fem, *geometry.element)) >= 0) return "";
+  if (!(geometry.normal * (centre(fem, facet) - centre(fem, *geometry.element)) < 0)) return "";
   return "the facet on " + element +
          " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
          "<flip_secondary> turn the surfaces round)";
