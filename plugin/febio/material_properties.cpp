@@ -100,6 +100,56 @@ double solute_conductance(FEMaterial& material, const FESolute& solute, FEMateri
   return solubility * (porosity(material, point) * diffusivity / thickness + hindrance * convection);
 }
 
+/// A facet and the element behind it, in the reference configuration.
+struct FacetGeometry {
+  FEElement* element;
+  double volume;
+  double thickness;  ///< the element's volume over the area of the facet
+  vec3d normal;
+};
+
+FacetGeometry geometry_of(FEModel& fem, FESurface& surface, FESurfaceElement& facet, FEElement& element) {
+  const double volume = fem.GetMesh().ElementVolume(element);
+  vec3d tangents[2];
+  surface.CoBaseVectors0(facet, 0, tangents);
+  vec3d n = tangents[0] ^ tangents[1];
+  n.unit();
+  return {&element, volume, std::abs(volume) / surface.FaceArea(facet), n};
+}
+
+/// What is wrong with a facet and its element; empty if nothing is.
+std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetGeometry& geometry) {
+  const std::string element = "element " + std::to_string(geometry.element->GetID());
+  if (!(geometry.thickness > 0) || geometry.volume < 0)
+    return element + " behind a facet has no positive volume (inverted or degenerate)";
+  if (!(geometry.normal * (centre(fem, facet) - centre(fem, *geometry.element)) < 0)) return "";
+  return "the facet on " + element +
+         " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
+         "<flip_secondary> turn the surfaces round)";
+}
+
+/// The material of a facet in the undeformed state; its stiffness is not positive where the material is unknown.
+FacetMaterial properties_of(FEMaterial& material, const FacetGeometry& geometry) {
+  FacetMaterial result;
+  result.stiffness = std::numeric_limits<double>::infinity();
+  if (dynamic_cast<FERigidMaterial*>(&material)) return result;
+  const vec3d n = geometry.normal;
+  const std::unique_ptr<FEMaterialPoint> point = reference_copy(*geometry.element->GetMaterialPoint(0));
+  result.stiffness = stiffness_of(material, *point, n) / geometry.thickness;
+  if (FEHydraulicPermeability* permeability = permeability_of(material)) {
+    result.permeable = true;
+    result.permeability = n * (permeability->Permeability(*point) * n) / geometry.thickness;
+  }
+  auto* mixture = dynamic_cast<FESoluteInterface*>(&material);
+  const double convection = mixture == nullptr ? 0 : std::abs(mean_flow(*geometry.element) * n);
+  for (int k = 0; mixture != nullptr && k < mixture->Solutes(); ++k) {
+    FESolute& solute = *mixture->GetSolute(k);
+    result.solutes[solute.GetSoluteID() - 1] = solute_conductance(material, solute, *point, n, convection,
+                                                                  geometry.thickness);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet,
@@ -114,52 +164,15 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
               " behind a facet is a shell; sliding-mixture works on the faces of solid elements";
     return std::nullopt;
   }
-  FEMaterial* material = fem.GetMaterial(element->GetMatID());
-  const double volume = fem.GetMesh().ElementVolume(*element);
-  const double thickness = std::abs(volume) / surface.FaceArea(facet);
-  if (!(thickness > 0) || volume < 0) {
-    problem = "element " + std::to_string(element->GetID()) +
-              " behind a facet has no positive volume (inverted or degenerate)";
-    return std::nullopt;
-  }
-  vec3d tangents[2];
-  surface.CoBaseVectors0(facet, 0, tangents);
-  vec3d n = tangents[0] ^ tangents[1];
-  n.unit();
-  if (n * (centre(fem, facet) - centre(fem, *element)) < 0) {
-    problem = "the facet on element " + std::to_string(element->GetID()) +
-              " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
-              "<flip_secondary> turn the surfaces round)";
-    return std::nullopt;
-  }
-
-  FacetMaterial result;
-  if (dynamic_cast<FERigidMaterial*>(material)) {
-    result.stiffness = std::numeric_limits<double>::infinity();
-    return result;
-  }
-  FEMaterialPoint& original = *element->GetMaterialPoint(0);
-  const std::unique_ptr<FEMaterialPoint> point = reference_copy(original);
-  result.stiffness = stiffness_of(*material, *point, n) / thickness;
-  if (!(result.stiffness > 0)) {
-    problem =
-        "material \"" + material->GetName() + "\" (" + std::string(material->GetTypeStr()) +
-        ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
-    return std::nullopt;
-  }
-  if (FEHydraulicPermeability* permeability = permeability_of(*material)) {
-    result.permeable = true;
-    result.permeability = n * (permeability->Permeability(*point) * n) / thickness;
-  }
-  if (auto* mixture = dynamic_cast<FESoluteInterface*>(material)) {
-    const double convection = std::abs(mean_flow(*element) * n);
-    for (int k = 0; k < mixture->Solutes(); ++k) {
-      FESolute& solute = *mixture->GetSolute(k);
-      result.solutes[solute.GetSoluteID() - 1] = solute_conductance(*material, solute, *point, n, convection,
-                                                                    thickness);
-    }
-  }
-  return result;
+  const FacetGeometry geometry = geometry_of(fem, surface, facet, *element);
+  problem = problem_of(fem, facet, geometry);
+  if (!problem.empty()) return std::nullopt;
+  FEMaterial& material = *fem.GetMaterial(element->GetMatID());
+  const FacetMaterial result = properties_of(material, geometry);
+  if (result.stiffness > 0) return result;
+  problem = "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +
+            ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
+  return std::nullopt;
 }
 
 std::vector<std::string> solute_names(FEModel& fem) {

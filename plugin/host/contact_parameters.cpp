@@ -50,6 +50,22 @@ double largest_traction_factor(SolverKind solver) {
   return solver == SolverKind::conjugate_gradient ? 10 : 0.5;
 }
 
+/// Parameters of other interfaces, and of former versions, that mean nothing here.
+void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
+  require_unused(list, "fric_coeff", p.fric_coeff != 0, "friction is not part of sliding-mixture");
+  require_unused(list, "offset", p.offset != 0, "sliding-mixture brings the surfaces themselves into contact");
+  require_unused(list, "tension", p.tension, "sliding-mixture transmits compression only");
+  require_unused(list, "shell_bottom_primary", p.shell_bottom_primary,
+                 "sliding-mixture works on the faces of solid elements");
+  require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary,
+                 "sliding-mixture works on the faces of solid elements");
+  if (p.extrapolation_given) {
+    list.emplace_back(
+        "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
+        "<predictor>1</predictor> to have it, and leave <extrapolation> out.");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> complaints(const ContactParameters& p) {
@@ -80,18 +96,7 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   if (p.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
   if (p.maxaug < p.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
   if (!std::isfinite(p.ambient_pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
-  require_unused(list, "fric_coeff", p.fric_coeff != 0, "friction is not part of sliding-mixture");
-  require_unused(list, "offset", p.offset != 0, "sliding-mixture brings the surfaces themselves into contact");
-  require_unused(list, "tension", p.tension, "sliding-mixture transmits compression only");
-  require_unused(list, "shell_bottom_primary", p.shell_bottom_primary,
-                 "sliding-mixture works on the faces of solid elements");
-  require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary,
-                 "sliding-mixture works on the faces of solid elements");
-  if (p.extrapolation_given) {
-    list.emplace_back(
-        "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
-        "<predictor>1</predictor> to have it, and leave <extrapolation> out.");
-  }
+  complain_of_unknown(list, p);
   return list;
 }
 
