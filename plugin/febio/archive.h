@@ -1,7 +1,7 @@
 /// Storing the core's values in FEBio's dump streams, which serve restart files and time step cutbacks.
 #pragma once
 
-#include "contact/types.h"
+#include "contact/base/types.h"
 
 #include <FECore/DumpStream.h>
 
@@ -13,13 +13,21 @@ void archive(DumpStream& ar, T& value) {
   ar & value;
 }
 
+/// The same for a vector. FEBio leaves one as it is where the stored one is empty.
+template <class T>
+void archive(DumpStream& ar, std::vector<T>& values) {
+  if (!ar.IsSaving()) values.clear();
+  ar & values;
+}
+
 /// The same for an Eigen matrix or vector: its shape, then its entries.
 template <int Rows, int Columns, int Options, int MaxRows, int MaxColumns>
 void archive(DumpStream& ar, Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>& matrix) {
   int rows = static_cast<int>(matrix.rows());
   int columns = static_cast<int>(matrix.cols());
   std::vector<double> entries(matrix.data(), matrix.data() + matrix.size());
-  ar & rows & columns & entries;
+  ar & rows & columns;
+  archive(ar, entries);
   if (ar.IsSaving()) return;
   matrix = Eigen::Map<const Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>>(entries.data(), rows,
                                                                                                 columns);

@@ -1,6 +1,8 @@
 #include "mixture_contact.h"
 
+#include <FEBioMech/FEExplicitSolidSolver.h>
 #include <FECore/FEAnalysis.h>
+#include <FECore/FEException.h>
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -80,6 +82,8 @@ void FEMixtureContact::relocate_nodes() {
 }
 
 void FEMixtureContact::Update() {
+  // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
+  if (newton_solver() == nullptr && !follow_load_curves()) throw FatalError();
   project();
   if (std::exchange(in_trial_, false)) {
     // Contact changes where a matrix is formed: where it must change, quasi-Newton methods have to form one.
@@ -125,6 +129,12 @@ void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::v
 
 FENewtonSolver* FEMixtureContact::newton_solver() {
   return dynamic_cast<FENewtonSolver*>(GetFEModel()->GetCurrentStep()->GetFESolver());
+}
+
+SolverKind FEMixtureContact::solver_kind() {
+  if (newton_solver() != nullptr) return SolverKind::newton;
+  const auto* dynamics = dynamic_cast<FEExplicitSolidSolver*>(GetFEModel()->GetCurrentStep()->GetFESolver());
+  return dynamics == nullptr ? SolverKind::conjugate_gradient : SolverKind::explicit_dynamics;
 }
 
 bool FEMixtureContact::begin_iteration() {

@@ -22,9 +22,10 @@ void LineSearch::tried(FENewtonSolver* solver, const std::vector<double>& increm
   tried_ = l2_norm(increment);
 }
 
-bool LineSearch::cut_short(FENewtonSolver& solver) {
-  double& tolerance = solver.GetLineSearch()->m_LStol;
-  const bool is_whole = tried_ >= least_part * l2_norm(solver.m_ui);
+bool LineSearch::cut_short(FENewtonSolver* solver) {
+  if (solver == nullptr) return false;
+  double& tolerance = solver->GetLineSearch()->m_LStol;
+  const bool is_whole = tried_ >= least_part * l2_norm(solver->m_ui);
   if (is_whole || has_been_left_out_ || tolerance == 0) return false;
   has_been_left_out_ = true;
   tolerance_ = std::exchange(tolerance, 0.0);

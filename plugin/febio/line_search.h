@@ -20,7 +20,7 @@ class LineSearch {
 
   /// Whether a solution that FEBio is about to accept took a small part of its last increment for all of it; if so the
   /// next one is not searched. Once in a step: where increments are rounding, so is what the search finds.
-  bool cut_short(FENewtonSolver& solver);
+  bool cut_short(FENewtonSolver* solver);
 
  private:
   void allow(FENewtonSolver* solver);

@@ -109,6 +109,11 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
     problem = "a facet of the surface is not a face of any element";
     return std::nullopt;
   }
+  if (dynamic_cast<FESolidElement*>(element) == nullptr) {
+    problem = "element " + std::to_string(element->GetID()) +
+              " behind a facet is a shell; sliding-mixture works on the faces of solid elements";
+    return std::nullopt;
+  }
   FEMaterial* material = fem.GetMaterial(element->GetMatID());
   const double volume = fem.GetMesh().ElementVolume(*element);
   const double thickness = std::abs(volume) / surface.FaceArea(facet);
@@ -121,7 +126,7 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   surface.CoBaseVectors0(facet, 0, tangents);
   vec3d n = tangents[0] ^ tangents[1];
   n.unit();
-  if (dynamic_cast<FESolidElement*>(element) && n * (centre(fem, facet) - centre(fem, *element)) < 0) {
+  if (n * (centre(fem, facet) - centre(fem, *element)) < 0) {
     problem = "the facet on element " + std::to_string(element->GetID()) +
               " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
               "<flip_secondary> turn the surfaces round)";

@@ -4,7 +4,7 @@
 /// ascending: with those of the block in the same order one walk along the row meets all of them.
 #pragma once
 
-#include "contact/types.h"
+#include "contact/base/types.h"
 
 #include <vector>
 

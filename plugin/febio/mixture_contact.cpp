@@ -65,8 +65,8 @@ bool FEMixtureContact::Init() {
   for (const Side side : both_sides) {
     if (!surface(side).Init()) return false;
   }
-  if (parameters_.flip_primary) primary_.Invert();
-  if (parameters_.flip_secondary) secondary_.Invert();
+  if (parameters_.flip_primary) primary_.turn_round();
+  if (parameters_.flip_secondary) secondary_.turn_round();
   if (!check_surfaces() || !read_materials() || !check_ambient()) return false;
   add_callbacks();
   return true;
@@ -80,10 +80,21 @@ void FEMixtureContact::add_callbacks() {
   has_callbacks_ = true;
 }
 
-bool FEMixtureContact::check_parameters() {
+bool FEMixtureContact::have_sound_values() {
   const std::vector<std::string> wrong = complaints(parameters_);
   for (const std::string& sentence : wrong)
     feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), sentence.c_str());
+  return wrong.empty();
+}
+
+bool FEMixtureContact::follow_load_curves() {
+  if (!have_sound_values() || !check_ambient()) return false;
+  core_->update_laws(core_settings(parameters_, solver_kind()));
+  return true;
+}
+
+bool FEMixtureContact::check_parameters() {
+  const bool sound = have_sound_values();
   for (const std::string& sentence : notices(parameters_))
     feLog("sliding-mixture \"%s\": %s\n", GetName().c_str(), sentence.c_str());
   if (m_psf != 1 || m_psfmax != 0)
@@ -94,12 +105,13 @@ bool FEMixtureContact::check_parameters() {
   if (unfit)
     feLogError("sliding-mixture \"%s\": <extrapolation> is not available in models with rigid bodies; set it to 0.",
                GetName().c_str());
-  return wrong.empty() && !unfit;
+  return sound && !unfit;
 }
 
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
   if (parameters_.node_reloc && !relocated_) relocate_nodes();
+  core_->update_laws(core_settings(parameters_, solver_kind()));
   update_properties();
   ask_for_nonsymmetric_matrix();
   Update();
@@ -109,7 +121,7 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
   if (parameters_.symmetric_stiffness) return;
   FEModel& model = *GetFEModel();
   for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
-    FESolver* solver = model.GetStep(i)->GetFESolver();
+    auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
     if (solver == nullptr || solver->m_msymm != REAL_SYMMETRIC) continue;
     solver->m_msymm = REAL_UNSYMMETRIC;
     feLog(
@@ -125,6 +137,7 @@ void FEMixtureContact::PrepStep() {
   line_search_.begin_step(newton_solver());
   at_step_start_ = true;
   ambient_.synchronise();
+  if (!follow_load_curves()) throw FatalError();
   if (reads_properties_again(parameters_)) update_properties();
   if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();
   keep_matrix_if_it_fits();
@@ -136,9 +149,10 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   const TaskClock timed = core_->clock(Task::augmentation);
   // FEBio has converged with the status and gaps that were held: it is a solution only if the true laws agree.
   if (!core_->is_solution(fields()) || !clamped_.settled() || notices_overlap() ||
-      line_search_.cut_short(*newton_solver())) {
+      line_search_.cut_short(newton_solver())) {
     // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-    if (++disputes_ > newton_solver()->m_maxref) throw MaxStiffnessReformations();
+    const FENewtonSolver* newton = newton_solver();
+    if (newton != nullptr && ++disputes_ > newton->m_maxref) throw MaxStiffnessReformations();
     keep_prediction_ = true;
     return false;
   }

@@ -4,7 +4,7 @@
 #include "ambient_concentration.h"
 #include "ambient_nodes.h"
 #include "clamped_concentrations.h"
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 #include "fingerprint.h"
 #include "host/contact_parameters.h"
 #include "host/facet_material.h"
@@ -62,10 +62,16 @@ class FEMixtureContact : public FEContactInterface {
 
   // Setting up
   bool check_parameters();
+  /// Whether all parameters have values that make sense; the log says which do not.
+  bool have_sound_values();
+  /// Takes penalties and tolerances as their load curves say at this time; false where a value makes no sense.
+  bool follow_load_curves();
   bool check_surfaces();
   std::optional<FacetMaterials> materials();
   bool read_materials();
   bool check_ambient();
+  /// What is wrong with an ambient concentration; empty if nothing is.
+  std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
   bool check_multipliers();
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials);
   bool decide_effects(const FacetMaterials& materials);
@@ -91,6 +97,7 @@ class FEMixtureContact : public FEContactInterface {
   /// Evaluates the bodies again, with the status that is held.
   void update_model_in_trial();
   FENewtonSolver* newton_solver();
+  SolverKind solver_kind();
   static bool on_matrix_reformed(FEModel* fem, unsigned int when, void* contact);
 
   // Ambient conditions

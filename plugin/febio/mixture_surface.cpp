@@ -6,6 +6,9 @@
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 
+#include <algorithm>
+#include <map>
+
 using mixture_contact::Index;
 
 namespace {
@@ -37,6 +40,17 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
       point.m_nu = SurfaceNormal(element, q);
       point.m_tr = point.m_nu * (-point.m_Ln);
     }
+  }
+}
+
+void FEMixtureSurface::turn_round() {
+  std::map<int, int> local;  // by the node's index in the mesh
+  for (int i = 0; i < Nodes(); ++i) local[NodeIndex(i)] = i;
+  Invert();
+  for (int face = 0; face < Elements(); ++face) {
+    FESurfaceElement& element = Element(face);
+    std::transform(element.m_node.begin(), element.m_node.end(), element.m_lnode.begin(),
+                   [&](int node) { return local.at(node); });
   }
 }
 

@@ -1,7 +1,7 @@
 /// A surface of the contact as FEBio knows it: geometry, and the values that FEBio's own plot variables ask for.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 
 #include <FEBioMix/FEBiphasicContactSurface.h>
 
@@ -24,6 +24,10 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   const mixture_contact::NodalOutput& nodal_output() const { return nodal_; }
   /// Totals as they act on this surface; flows out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
+
+  /// Turns the facets round, so that they face the other way. FESurface::Invert() alone leaves their local node
+  /// numbers.
+  void turn_round();
 
   vec3d GetContactForce() override;
   double GetContactArea() override { return total_.area; }

@@ -2,11 +2,14 @@
 
 #include "material_properties.h"
 
+#include <FECore/FEAnalysis.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
+#include <FECore/FENewtonSolver.h>
 #include <FECore/log.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -100,7 +103,18 @@ bool FEMixtureContact::read_materials() {
 }
 
 bool FEMixtureContact::check_multipliers() {
-  if (core_->multiplier_layout().size() == 0 || deformable_node() >= 0) return true;
+  if (core_->multiplier_layout().size() == 0) return true;
+  FEModel& model = *GetFEModel();
+  for (int i = 0; i < model.Steps(); ++i) {
+    FESolver* solver = model.GetStep(i)->GetFESolver();
+    if (solver == nullptr || dynamic_cast<const FENewtonSolver*>(solver) != nullptr) continue;
+    feLogError(
+        "sliding-mixture \"%s\": <laugon>LAGMULT</laugon> needs a solver of Newton's kind, since its multipliers are unknowns of the "
+        "matrix; that of step %d is %s. Use PENALTY or AUGLAG.",
+        GetName().c_str(), i + 1, solver->GetTypeStr());
+    return false;
+  }
+  if (deformable_node() >= 0) return true;
   feLogError(
       "sliding-mixture \"%s\": both surfaces are rigid, so there is nothing that <laugon>LAGMULT</laugon> could be solved for. "
       "Use PENALTY or AUGLAG.",
@@ -184,21 +198,33 @@ bool FEMixtureContact::update_properties() {
   return found.has_value();
 }
 
+std::string FEMixtureContact::complaint(const FEMixtureAmbientConcentration& ambient) const {
+  if (ambient.solute < 0 || ambient.solute > concentrations_) {
+    return "<ambient_concentration sol=\"" + std::to_string(ambient.solute) +
+           "\"> names a solute that the model does not have. It has " + std::to_string(concentrations_) + ".";
+  }
+  if (ambient.solute == 0 && concentrations_ != 1) {
+    return "<ambient_concentration> needs the attribute sol=\"...\" to say which of the model's " +
+           std::to_string(concentrations_) + " solutes it is for: a name or an id of <Solutes>.";
+  }
+  if (!std::isfinite(ambient.value) || ambient.value < 0) {
+    return "<ambient_concentration> is " + std::to_string(ambient.value) +
+           "; it must be a number that is not negative.";
+  }
+  const auto same = [&](const FEMixtureAmbientConcentration* other) {
+    return std::max(other->solute, 1) == std::max(ambient.solute, 1);
+  };
+  if (std::count_if(ambient_concentrations_.begin(), ambient_concentrations_.end(), same) > 1)
+    return "<ambient_concentration> is given more than once for the same solute. Give each solute's once.";
+  return "";
+}
+
 bool FEMixtureContact::check_ambient() {
   for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
-    if (ambient->solute < 0 || ambient->solute > concentrations_) {
-      feLogError(
-          "sliding-mixture \"%s\": <ambient_concentration sol=\"%d\"> names a solute that the model does not have. It has %d.",
-          GetName().c_str(), ambient->solute, concentrations_);
-      return false;
-    }
-    if (ambient->solute == 0 && concentrations_ != 1) {
-      feLogError(
-          "sliding-mixture \"%s\": <ambient_concentration> needs the attribute sol=\"...\" to say which of the model's %d solutes "
-          "it is for.",
-          GetName().c_str(), concentrations_);
-      return false;
-    }
+    const std::string wrong = complaint(*ambient);
+    if (wrong.empty()) continue;
+    feLogError("sliding-mixture \"%s\": %s", GetName().c_str(), wrong.c_str());
+    return false;
   }
   return true;
 }

@@ -44,7 +44,8 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
 
 void archive_state(DumpStream& ar, ContactInterface::State& state) {
   int passes = static_cast<int>(state.multipliers.size());
-  ar & state.noticed & passes;
+  archive(ar, state.noticed);
+  ar & passes;
   state.multipliers.resize(static_cast<std::size_t>(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
 }

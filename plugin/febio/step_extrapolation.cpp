@@ -167,7 +167,8 @@ void StepExtrapolation::serialize(DumpStream& ar) {
     ahead_ = false;
     return;
   }
-  ar & analysis_step_ & iterations_plain_ & missed_ & missed_in_vain_ & load_values_;
+  ar & analysis_step_ & iterations_plain_ & missed_ & missed_in_vain_;
+  archive(ar, load_values_);
   archive_steps(ar, variables_);
   archive_steps(ar, loads_);
 }

@@ -1,7 +1,7 @@
 /// What happens to a contact when its host has found a solution.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 
 #include <string>
 #include <vector>

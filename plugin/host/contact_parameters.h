@@ -2,7 +2,7 @@
 /// by the hosts.
 #pragma once
 
-#include "contact/settings.h"
+#include "contact/base/settings.h"
 
 #include <string>
 #include <vector>
@@ -131,5 +131,12 @@ std::vector<std::string> notices(const ContactParameters& parameters);
 /// solutes is not given, so that it follows the convection.
 bool reads_properties_again(const ContactParameters& parameters);
 
+/// How the host's solver finds equilibrium, which bounds the traction penalty that it can bear where none is given.
+enum class SolverKind {
+  newton,              ///< with the tangent: any
+  conjugate_gradient,  ///< without: convergence takes the longer the stiffer the contact is
+  explicit_dynamics    ///< the stiffer the contact, the shorter the critical time step
+};
+
 /// The core's settings.
-mixture_contact::Settings core_settings(const ContactParameters& parameters);
+mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton);

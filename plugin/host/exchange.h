@@ -1,7 +1,7 @@
 /// What a contact exchanges: what the materials on both sides allow, and of that what the model asks for.
 #pragma once
 
-#include "contact/effects.h"
+#include "contact/base/effects.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 /// What a contact needs to know of the materials behind its facets, as hosts find it and as the core takes it.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 #include "exchange.h"
 
 #include <map>

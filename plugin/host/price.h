@@ -1,7 +1,7 @@
 /// What a contact cost, as hosts write it at the end of a run.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 /// What a host's log says of overlap.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "hexahedron.h"
 
-#include "contact/quadrature.h"
+#include "contact/geometry/quadrature.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 /// Shape functions and Gauss rules of hexahedra with 8 and 20 nodes, in FEBio's node order, and of their facets.
 #pragma once
 
-#include "contact/facet.h"
+#include "contact/geometry/facet.h"
 
 #include <vector>
 

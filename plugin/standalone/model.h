@@ -1,7 +1,7 @@
 /// A model as its file describes it: plain data, checked by the reader.
 #pragma once
 
-#include "contact/interface.h"
+#include "contact/interface/interface.h"
 #include "host/contact_parameters.h"
 
 #include <array>

@@ -33,11 +33,21 @@ void read_parameters(const Tag& tag, ContactParameters& parameters) {
   if (!wrong.empty()) tag.fail(wrong.front());
 }
 
+/// The id of the solute that the attribute sol names, by name or id; of the only one where it is left out.
+int solute_of(const Tag& tag, const Model& model) {
+  const std::optional<std::string> sol = tag.find_attribute("sol");
+  if (!sol && model.solutes.size() != 1) tag.fail("the attribute sol must say which of the solutes this is for");
+  if (!sol) return 1;
+  const auto named = std::find(model.solutes.begin(), model.solutes.end(), *sol);
+  if (named != model.solutes.end()) return static_cast<int>(named - model.solutes.begin()) + 1;
+  const int solute = tag.integer_attribute("sol");
+  if (solute < 1 || solute > static_cast<int>(model.solutes.size()))
+    tag.fail("solute " + std::to_string(solute) + " does not exist");
+  return solute;
+}
+
 void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefinition& contact) {
-  if (!tag.find_attribute("sol") && model.solutes.size() != 1)
-    tag.fail("the attribute sol must say which of the solutes this is for");
-  const int solute = tag.find_attribute("sol") ? tag.integer_attribute("sol") : 1;
-  if (solute > static_cast<int>(model.solutes.size())) tag.fail("solute " + std::to_string(solute) + " does not exist");
+  const int solute = solute_of(tag, model);
   if (!contact.ambient_concentration.emplace(solute - 1, read_parameter(tag, model)).second) tag.fail("given twice");
 }
 

@@ -102,7 +102,7 @@ const std::vector<Mistake> mistakes{
     {"type=\"sliding-mixture\"", "type=\"sliding-elastic\"", "contact", "not supported"},
     {"<penalty>100", "<penalty>-100", "contact", "<penalty>"},
     {"<penalty>100", "<penalty>1e400", "penalty", "not a finite number"},
-    {"<search_radius>0.5", "<search_radius>0", "contact", "<search_radius>"},
+    {"<search_radius>0.5", "<search_radius>-1", "contact", "<search_radius>"},
     {"surface_pair=\"pair\"", "surface_pair=\"pear\"", "contact", "does not exist"},
     {"<secondary>upper-bottom", "<secondary>lower-top", "contact", "in contact with itself"},
     {"sol=\"1\" lc=\"1\">0.1", "sol=\"2\" lc=\"1\">0.1", "ambient_concentration", "does not exist"},

@@ -1,9 +1,9 @@
 /// Random pairs of facets in contact, and central differences with derived steps, for the unit tests.
 #pragma once
 
-#include "contact/laws.h"
-#include "contact/point_integral.h"
-#include "contact/projection.h"
+#include "contact/geometry/projection.h"
+#include "contact/law/laws.h"
+#include "contact/law/point_integral.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 /// Surfaces made of regular grids, flat or disturbed, and contacts between two of them, for the unit tests.
 #pragma once
 
-#include "contact/interface.h"
-#include "contact/quadrature.h"
+#include "contact/geometry/quadrature.h"
+#include "contact/interface/interface.h"
 #include "random_contact.h"
 
 #include <Eigen/Geometry>

@@ -38,7 +38,7 @@ def _model(*params):
 
 
 @pytest.mark.parametrize("tag", ["penalty", "pressure_penalty", "concentration_penalty"])
-@pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf"), 0.0])
+@pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf")])
 def test_meaningless_penalties(complaint, tag, value):
     assert tag in complaint(_model(Param(tag, value)))
 
@@ -75,6 +75,22 @@ def test_ambient_concentration_of_an_unknown_solute(complaint):
     said = complaint(_model(Param("ambient_concentration", 1.0, None, {"sol": "3"})))
     assert "ambient_concentration" in said
     assert "3" in said
+
+
+@pytest.mark.parametrize("value", [-1.0, float("nan"), float("inf")])
+def test_meaningless_ambient_concentration(complaint, value):
+    assert "ambient_concentration" in complaint(_model(Param("ambient_concentration", value)))
+
+
+def test_ambient_concentration_given_twice(complaint):
+    one = Param("ambient_concentration", 1.0, None, {"sol": "1"})
+    assert "more than once" in complaint(_model(one, Param("ambient_concentration", 2.0)))
+
+
+def test_ambient_concentration_of_a_name_that_no_solute_has(complaint):
+    said = complaint(_model(Param("ambient_concentration", 1.0, None, {"sol": "Xy"})))
+    assert "ambient_concentration" in said
+    assert "sol" in said
 
 
 def test_missing_surface_pair(complaint):

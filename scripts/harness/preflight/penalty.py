@@ -13,7 +13,7 @@ from harness.preflight.sides import TRACTION, Field, Joint
 from harness.preflight.xml_file import Element
 
 TRACTION_FACTOR, FLUX_FACTOR = 1e3, 1e5
-"""`default_traction_factor` and `default_flux_factor` of plugin/contact/settings.h."""
+"""`default_traction_factor` and `default_flux_factor` of plugin/contact/base/settings.h."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ def _largest(joint: Joint, tag: Element) -> float:
 
 
 def in_series(joint: Joint, field: Field) -> float:
-    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/penalty.cpp."""
+    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/law/penalty.cpp."""
     one, two = _mean(joint.primary.conductances(field)), _harmonic_mean(joint.secondary.conductances(field))
     if math.isinf(one) or math.isinf(two):
         return 2.0 * min(one, two)

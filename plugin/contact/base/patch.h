@@ -1,0 +1,47 @@
+/// The nodes and fields that a local residual or tangent is about.
+#pragma once
+
+#include "base/local_layout.h"
+
+#include <optional>
+#include <vector>
+
+namespace mixture_contact {
+
+/// Nodes of both surfaces, by their indices within the surface the pass integrates over (primary) and the other
+/// (secondary), and the exchanged fields, as indices into Effects' order, with the layout of local vectors over them;
+/// and the multipliers of a node, where they are unknowns.
+struct Patch {
+  std::vector<int> primary;
+  std::vector<int> secondary;
+  std::vector<int> fields;
+  std::optional<int> multiplier_node = std::nullopt;  ///< the primary node whose multipliers are unknowns of the patch
+  bool displacements = true;                          ///< whether the nodes' displacements are among the unknowns
+
+  LocalLayout layout() const {
+    return {static_cast<Index>(primary.size()), static_cast<Index>(secondary.size()), static_cast<Index>(fields.size()),
+            multiplier_node.has_value(), displacements};
+  }
+
+  /// The n-th node of the layout, by its index within its surface.
+  int node(Index n) const {
+    const auto place = static_cast<std::size_t>(n);
+    return place < primary.size() ? primary[place] : secondary[place - primary.size()];
+  }
+
+  /// The same nodes with their displacements alone.
+  Patch of_displacements() const { return {primary, secondary, {}, multiplier_node, true}; }
+  /// The same nodes with one of the fields, and with their displacements or without.
+  Patch of_field(int field, bool with_displacements) const {
+    return {primary, secondary, {field}, multiplier_node, with_displacements};
+  }
+};
+
+/// A part of a tangent: the equations of one effect by what they depend on.
+struct TangentBlock {
+  Patch rows;       ///< traction: the displacements; a flux: its field
+  Patch columns;    ///< traction: the displacements; a flux: displacements and its field
+  MatrixXd values;  ///< shape (rows.layout().size(), columns.layout().size())
+};
+
+}  // namespace mixture_contact

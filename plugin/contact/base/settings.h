@@ -1,0 +1,79 @@
+/// The choices a user makes about a contact.
+#pragma once
+
+namespace mixture_contact {
+
+/// How the interface conditions are enforced.
+enum class Enforcement {
+  penalty,               ///< multipliers stay zero; gaps and jumps are flux / penalty
+  augmented_lagrangian,  ///< multipliers take up the loads of converged solutions until gaps and jumps meet the
+                         ///< tolerances
+  lagrange_multipliers   ///< multipliers are unknowns of the same Newton solve, with equations of their own
+};
+
+/// Where the integrals over the primary surface are sampled.
+enum class Integration {
+  gauss,    ///< at Gauss points of the primary facets: cheap; not exact where facets of both sides end at different
+            ///< places
+  segments  ///< on the pieces into which facets of both sides cut each other: exact there too
+};
+
+/// Penalty of one kind of field.
+struct PenaltyRule {
+  bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
+  double value = 1.0;
+
+  friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {
+    return a.automatic == b.automatic && a.value == b.value;
+  }
+};
+
+/// Default multiples of the local stiffness and conductance. A jump is about 1/factor of the drop across the adjoining
+/// elements. Fluxes are linear in the jump, so only rounding limits their factor; the traction has a kink that a large
+/// factor sharpens.
+inline constexpr double default_traction_factor = 1e3;
+inline constexpr double default_flux_factor = 1e5;
+/// The same with two passes, which ask for twice as many conditions as the surfaces have nodes to meet them:
+/// where curved surfaces close, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields
+/// of both.
+inline constexpr double two_pass_traction_factor = 1e2;
+inline constexpr double two_pass_flux_factor = 1e3;
+
+/// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
+struct Tolerances {
+  /// Criteria of one kind of field.
+  struct Field {
+    double relative = 2e-3;  ///< rms gap or jump over the drop across the adjoining elements [-]; above
+                             ///< 1/default_traction_factor
+    double largest = 0;      ///< largest |g| [mm], |p1 - p2| [MPa] or |c1 - c2| [mM] in contact
+  };
+  Field traction;
+  Field solvent;
+  Field solute;
+};
+
+/// All settings of a contact, with the defaults users get.
+struct Settings {
+  Enforcement enforcement = Enforcement::penalty;
+  PenaltyRule traction{true, default_traction_factor};
+  PenaltyRule solvent{true, default_flux_factor};
+  PenaltyRule solute{true, default_flux_factor};
+  Tolerances tolerances;
+  int min_augmentations = 0;
+  int max_augmentations = 10;
+  bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
+  bool symmetric = false;  ///< hand out the symmetric part of the tangent
+  Integration integration = Integration::segments;
+  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on
+                              ///< segments alike
+  double search_radius = 0;  ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces'
+                             ///< size
+  double search_tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still
+                                   ///< accepted [-]
+};
+
+inline bool same_penalties(const Settings& a, const Settings& b) {
+  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,162 @@
+/// Where the time of a contact goes: by task and by effect, from clocks around pairs of facets and around whole tasks.
+#pragma once
+
+#include "base/patch.h"
+
+#include <array>
+#include <chrono>
+#include <mutex>
+#include <utility>
+
+namespace mixture_contact {
+
+/// What a host asks a contact for.
+enum class Task {
+  search,        ///< which facets face each other, and where
+  residual,      ///< the virtual work (2.5)
+  stiffness,     ///< status, linearisation, matrix profile and tangent (2.6)
+  augmentation,  ///< whether a solution holds, gaps, and multipliers
+  output         ///< values for plot and log
+};
+inline constexpr std::array<Task, 5> all_tasks{Task::search, Task::residual, Task::stiffness, Task::augmentation,
+                                               Task::output};
+
+/// Seconds, by what they are spent on.
+struct Spent {
+  double shared = 0;    ///< what all effects need: search, geometry, status
+  double traction = 0;  ///< the traction alone
+  VectorXd fields;      ///< each exchanged scalar field alone, in the order of Effects
+  double host = 0;      ///< of all these: the host's own work of taking over residuals, profile and matrices
+
+  explicit Spent(Index count = 0) : fields(VectorXd::Zero(count)) {}
+  double total() const { return shared + traction + fields.sum(); }
+  /// What the equations of a patch are about: one field, or else the traction.
+  double& of(const Patch& rows) { return rows.fields.empty() ? traction : fields[rows.fields.front()]; }
+
+  Spent& operator+=(const Spent& more) {
+    shared += more.shared;
+    traction += more.traction;
+    fields += more.fields;
+    host += more.host;
+    return *this;
+  }
+};
+
+/// Seconds that pass, lap by lap.
+class Stopwatch {
+ public:
+  /// Seconds since the last lap or the beginning.
+  double lap() {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> passed = now - std::exchange(last_, now);
+    return passed.count();
+  }
+  /// The same, without beginning another lap.
+  double peek() const { return Stopwatch(*this).lap(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// Seconds by task.
+class Times {
+ public:
+  explicit Times(Index fields = 0) { spent_.fill(Spent(fields)); }
+
+  Spent& operator[](Task task) { return spent_.at(static_cast<std::size_t>(task)); }
+  const Spent& operator[](Task task) const { return spent_.at(static_cast<std::size_t>(task)); }
+
+  /// The sum over all tasks.
+  Spent sum() const {
+    Spent sum(spent_.front().fields.size());
+    for (const Spent& each : spent_) sum += each;
+    return sum;
+  }
+
+ private:
+  std::array<Spent, all_tasks.size()> spent_;
+};
+
+/// Seconds that threads spend on single effects; a clock of the task takes them over.
+class EffectTimes {
+ public:
+  explicit EffectTimes(Index fields) : spent_(fields) {}
+
+  void add(const Spent& spent) {
+    const std::scoped_lock lock(mutex_);
+    spent_ += spent;
+  }
+  /// What has been added since the last call.
+  Spent take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(spent_, Spent(spent_.fields.size()));
+  }
+
+ private:
+  std::mutex mutex_;
+  Spent spent_;
+};
+
+/// Charges the work on one pair of facets to effects, on any thread: each call charges what has passed since the last.
+class Laps {
+ public:
+  Laps(EffectTimes& times, Index fields) : times_(times), spent_(fields) {}
+  Laps(const Laps&) = delete;
+  Laps& operator=(const Laps&) = delete;
+  Laps(Laps&&) = delete;
+  Laps& operator=(Laps&&) = delete;
+  ~Laps() { times_.add(spent_); }
+
+  /// Work for all effects: left to the clock of the task.
+  void shared() { watch_.lap(); }
+  void traction() { spent_.traction += watch_.lap(); }
+  void field(int k) { spent_.fields[k] += watch_.lap(); }
+
+ private:
+  EffectTimes& times_;
+  Spent spent_;
+  Stopwatch watch_;
+};
+
+/// Times a task from construction to destruction. What has not been charged meanwhile, to an effect or by another clock
+/// of the same task, is shared.
+class TaskClock {
+ public:
+  explicit TaskClock(Spent& spent) : spent_(spent), before_(spent.total()) {}
+  TaskClock(const TaskClock&) = delete;
+  TaskClock& operator=(const TaskClock&) = delete;
+  TaskClock(TaskClock&&) = delete;
+  TaskClock& operator=(TaskClock&&) = delete;
+  ~TaskClock() { spent_.shared += watch_.lap() - (spent_.total() - before_); }
+
+  /// Calls something of the host's that is about the equations of a patch.
+  template <class Call>
+  void in_host(const Patch& rows, const Call& call) {
+    Stopwatch watch;
+    call();
+    const double seconds = watch.lap();
+    spent_.of(rows) += seconds;
+    spent_.host += seconds;
+  }
+  /// The same about all equations of a patch.
+  template <class Call>
+  void in_host(const Call& call) {
+    Stopwatch watch;
+    call();
+    spent_.host += watch.lap();
+  }
+  /// Takes over what threads have charged to effects, `threads` at a time.
+  void take(EffectTimes& times, int threads) {
+    const Spent spent = times.take();
+    spent_.traction += spent.traction / threads;
+    spent_.fields += spent.fields / threads;
+  }
+
+ private:
+  Spent& spent_;
+  double before_;
+  Stopwatch watch_;
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,373 @@
+#include "geometry/facet.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace mixture_contact {
+namespace {
+
+/// A function of one coordinate with its derivatives.
+struct Value {
+  double value;
+  double derivative;
+  double second;
+};
+
+/// Signs of the corner coordinates of a quadrilateral, in node order.
+constexpr std::array<std::array<double, 2>, 4> corner_sign{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+
+/// Nodes of the 3 x 3 grid of a quad9, in node order, as positions -1, 0, 1.
+constexpr std::array<std::array<int, 2>, 9> quad9_grid{
+    {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}}};
+
+/// Quadratic Lagrange polynomial on {-1, 0, 1} that is 1 at the given node.
+Value lagrange_quadratic(int node, double x) {
+  if (node == 0) return {1 - x * x, -2 * x, -2};
+  return {0.5 * x * (x + node), x + 0.5 * node, 1};
+}
+
+ShapeFunctions sized(FacetType type) {
+  ShapeFunctions shape;
+  shape.value.resize(node_count(type));
+  shape.gradient.resize(node_count(type), 2);
+  return shape;
+}
+
+ShapeFunctions tri3(const Vector2d& xi) {
+  ShapeFunctions shape = sized(FacetType::tri3);
+  shape.value << 1 - xi[0] - xi[1], xi[0], xi[1];
+  shape.gradient << -1, -1, 1, 0, 0, 1;
+  return shape;
+}
+
+ShapeFunctions tri6(const Vector2d& xi) {
+  // Area coordinates L_i and their constant gradients are those of the linear triangle.
+  const ShapeFunctions area = tri3(xi);
+  ShapeFunctions shape = sized(FacetType::tri6);
+  for (Index i = 0; i < 3; ++i) {
+    const Index j = (i + 1) % 3;
+    shape.value[i] = area.value[i] * (2 * area.value[i] - 1);
+    shape.gradient.row(i) = (4 * area.value[i] - 1) * area.gradient.row(i);
+    shape.value[3 + i] = 4 * area.value[i] * area.value[j];
+    shape.gradient.row(3 + i) = 4 * (area.value[j] * area.gradient.row(i) + area.value[i] * area.gradient.row(j));
+  }
+  return shape;
+}
+
+/// Shape functions of tri6 at the centre of the triangle.
+double tri6_at_centre(Index node) { return (node < 3 ? -1.0 : 4.0) / 9.0; }
+
+ShapeFunctions tri7(const Vector2d& xi) {
+  // Those of tri6 less what they are worth at the centre times the bubble 27 L_0 L_1 L_2, which is 1 there.
+  const ShapeFunctions area = tri3(xi);
+  const ShapeFunctions edges = tri6(xi);
+  const FacetVector& L = area.value;
+  const double bubble = 27 * L[0] * L[1] * L[2];
+  const Eigen::RowVector2d bubble_gradient = 27 *
+                                             (L[1] * L[2] * area.gradient.row(0) + L[2] * L[0] * area.gradient.row(1) +
+                                              L[0] * L[1] * area.gradient.row(2));
+  ShapeFunctions shape = sized(FacetType::tri7);
+  for (Index a = 0; a < 6; ++a) {
+    shape.value[a] = edges.value[a] - tri6_at_centre(a) * bubble;
+    shape.gradient.row(a) = edges.gradient.row(a) - tri6_at_centre(a) * bubble_gradient;
+  }
+  shape.value[6] = bubble;
+  shape.gradient.row(6) = bubble_gradient;
+  return shape;
+}
+
+ShapeFunctions quad4(const Vector2d& xi) {
+  ShapeFunctions shape = sized(FacetType::quad4);
+  for (Index a = 0; a < 4; ++a) {
+    const auto& [r, s] = corner_sign[static_cast<std::size_t>(a)];
+    shape.value[a] = 0.25 * (1 + r * xi[0]) * (1 + s * xi[1]);
+    shape.gradient.row(a) << 0.25 * r * (1 + s * xi[1]), 0.25 * s * (1 + r * xi[0]);
+  }
+  return shape;
+}
+
+ShapeFunctions quad9(const Vector2d& xi) {
+  ShapeFunctions shape = sized(FacetType::quad9);
+  for (Index a = 0; a < 9; ++a) {
+    const auto& grid = quad9_grid[static_cast<std::size_t>(a)];
+    const Value r = lagrange_quadratic(grid[0], xi[0]);
+    const Value s = lagrange_quadratic(grid[1], xi[1]);
+    shape.value[a] = r.value * s.value;
+    shape.gradient.row(a) << r.derivative * s.value, r.value * s.derivative;
+  }
+  return shape;
+}
+
+ShapeFunctions quad8(const Vector2d& xi) {
+  // The serendipity functions are those of quad9 with the centre function shared out so that the sum stays 1:
+  // -1/4 of it to each corner, 1/2 to each mid-edge.
+  const ShapeFunctions full = quad9(xi);
+  ShapeFunctions shape = sized(FacetType::quad8);
+  for (Index a = 0; a < 8; ++a) {
+    const double share = a < 4 ? -0.25 : 0.5;
+    shape.value[a] = full.value[a] + share * full.value[8];
+    shape.gradient.row(a) = full.gradient.row(a) + share * full.gradient.row(8);
+  }
+  return shape;
+}
+
+/// Second derivatives of a product of two functions with constant gradients f and g.
+Eigen::RowVector3d product_hessian(const Eigen::RowVector2d& f, const Eigen::RowVector2d& g) {
+  return {2 * f[0] * g[0], 2 * f[1] * g[1], f[0] * g[1] + f[1] * g[0]};
+}
+
+FacetHessian tri6_hessian() {
+  const FacetGradient area_gradient = tri3(Vector2d::Zero()).gradient;
+  FacetHessian hessian(6, 3);
+  for (Index i = 0; i < 3; ++i) {
+    hessian.row(i) = 2 * product_hessian(area_gradient.row(i), area_gradient.row(i));
+    hessian.row(3 + i) = 4 * product_hessian(area_gradient.row(i), area_gradient.row((i + 1) % 3));
+  }
+  return hessian;
+}
+
+FacetHessian tri7_hessian(const Vector2d& xi) {
+  const Eigen::RowVector3d bubble = 27 * Eigen::RowVector3d(-2 * xi[1], -2 * xi[0], 1 - 2 * xi[0] - 2 * xi[1]);
+  FacetHessian hessian(7, 3);
+  hessian.topRows(6) = tri6_hessian();
+  for (Index a = 0; a < 6; ++a) hessian.row(a) -= tri6_at_centre(a) * bubble;
+  hessian.row(6) = bubble;
+  return hessian;
+}
+
+FacetHessian quad4_hessian() {
+  FacetHessian hessian = FacetHessian::Zero(4, 3);
+  for (Index a = 0; a < 4; ++a) {
+    const auto& [r, s] = corner_sign[static_cast<std::size_t>(a)];
+    hessian(a, 2) = 0.25 * r * s;
+  }
+  return hessian;
+}
+
+FacetHessian quad9_hessian(const Vector2d& xi) {
+  FacetHessian hessian(9, 3);
+  for (Index a = 0; a < 9; ++a) {
+    const auto& grid = quad9_grid[static_cast<std::size_t>(a)];
+    const Value r = lagrange_quadratic(grid[0], xi[0]);
+    const Value s = lagrange_quadratic(grid[1], xi[1]);
+    hessian.row(a) << r.second * s.value, r.value * s.second, r.derivative * s.derivative;
+  }
+  return hessian;
+}
+
+FacetHessian quad8_hessian(const Vector2d& xi) {
+  const FacetHessian full = quad9_hessian(xi);
+  FacetHessian hessian = full.topRows(8);
+  hessian.topRows(4).rowwise() -= 0.25 * full.row(8);
+  hessian.bottomRows(4).rowwise() += 0.5 * full.row(8);
+  return hessian;
+}
+
+}  // namespace
+
+int node_count(FacetType type) {
+  switch (type) {
+    case FacetType::tri3:
+      return 3;
+    case FacetType::tri6:
+      return 6;
+    case FacetType::tri7:
+      return 7;
+    case FacetType::quad4:
+      return 4;
+    case FacetType::quad8:
+      return 8;
+    case FacetType::quad9:
+      return 9;
+  }
+  throw std::logic_error("unknown facet type");
+}
+
+bool is_triangle(FacetType type) {
+  return type == FacetType::tri3 || type == FacetType::tri6 || type == FacetType::tri7;
+}
+
+int edge_degree(FacetType type) { return type == FacetType::tri3 || type == FacetType::quad4 ? 1 : 2; }
+
+std::optional<FacetType> facet_type(bool triangle, int nodes) {
+  for (FacetType type :
+       {FacetType::tri3, FacetType::tri6, FacetType::tri7, FacetType::quad4, FacetType::quad8, FacetType::quad9}) {
+    if (is_triangle(type) == triangle && node_count(type) == nodes) return type;
+  }
+  return std::nullopt;
+}
+
+Vector2d parametric_centre(FacetType type) {
+  return is_triangle(type) ? Vector2d(1.0 / 3.0, 1.0 / 3.0) : Vector2d(0, 0);
+}
+
+Vector2d parametric_node(FacetType type, int node) {
+  constexpr std::array<std::array<double, 2>, 7> triangle{
+      {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}, {1.0 / 3.0, 1.0 / 3.0}}};
+  const auto a = static_cast<std::size_t>(node);
+  if (is_triangle(type)) return {triangle[a][0], triangle[a][1]};
+  return {static_cast<double>(quad9_grid[a][0]), static_cast<double>(quad9_grid[a][1])};
+}
+
+double distance_outside(FacetType type, const Vector2d& xi) {
+  if (is_triangle(type)) return std::max({0.0, -xi[0], -xi[1], xi[0] + xi[1] - 1});
+  return std::max(0.0, xi.cwiseAbs().maxCoeff() - 1);
+}
+
+ShapeFunctions shape_functions(FacetType type, const Vector2d& xi) {
+  switch (type) {
+    case FacetType::tri3:
+      return tri3(xi);
+    case FacetType::tri6:
+      return tri6(xi);
+    case FacetType::tri7:
+      return tri7(xi);
+    case FacetType::quad4:
+      return quad4(xi);
+    case FacetType::quad8:
+      return quad8(xi);
+    case FacetType::quad9:
+      return quad9(xi);
+  }
+  throw std::logic_error("unknown facet type");
+}
+
+FacetHessian shape_hessian(FacetType type, const Vector2d& xi) {
+  switch (type) {
+    case FacetType::tri3:
+      return FacetHessian::Zero(3, 3);
+    case FacetType::tri6:
+      return tri6_hessian();
+    case FacetType::tri7:
+      return tri7_hessian(xi);
+    case FacetType::quad4:
+      return quad4_hessian();
+    case FacetType::quad8:
+      return quad8_hessian(xi);
+    case FacetType::quad9:
+      return quad9_hessian(xi);
+  }
+  throw std::logic_error("unknown facet type");
+}
+
+namespace {
+
+/// A place on a linear piece of a facet.
+struct SubPlace {
+  Vector2d xi;            ///< in the piece's own parametric coordinates
+  Eigen::Matrix2d slope;  ///< derivatives of these with the facet's
+};
+
+SubPlace place_on(const SubFacet& piece, FacetType type, const Vector2d& xi) {
+  const auto corner = [&](std::size_t a) { return parametric_node(type, piece.nodes[a]); };
+  const bool triangle = is_triangle(piece.type);
+  Eigen::Matrix2d edges;
+  edges << corner(1) - corner(0), corner(triangle ? 2 : 3) - corner(0);
+  const double size = triangle ? 1 : 2;  // of the piece's domain, which begins at its first corner
+  const Eigen::Matrix2d slope = size * edges.inverse();
+  return {parametric_node(piece.type, 0) + slope * (xi - corner(0)), slope};
+}
+
+/// Whether two nodes end a common edge of a linear piece of a facet.
+bool adjacent(FacetType type, int one, int two) {
+  const auto ends_with_both = [&](const SubFacet& piece) {
+    const auto last = piece.nodes.begin() + node_count(piece.type);
+    const auto a = std::find(piece.nodes.begin(), last, one);
+    const auto b = std::find(piece.nodes.begin(), last, two);
+    if (a == last || b == last) return false;
+    const auto apart = std::abs(a - b);
+    return apart == 1 || apart == node_count(piece.type) - 1;
+  };
+  return std::any_of(sub_facets(type).begin(), sub_facets(type).end(), ends_with_both);
+}
+
+/// In which parts the nodes that count take a node's function.
+FacetVector heirs_of(FacetType type, int node, const FacetVector& counts) {
+  if (counts[node] > 0) return FacetVector::Unit(counts.size(), node);
+  const FacetVector beside = FacetVector::NullaryExpr(
+      counts.size(), [&](Index a) { return adjacent(type, node, static_cast<int>(a)) ? counts[a] : 0.0; });
+  const FacetVector& heirs = beside.sum() > 0 ? beside : counts;
+  return heirs / heirs.sum();
+}
+
+}  // namespace
+
+const std::vector<SubFacet>& sub_facets(FacetType type) {
+  using Type = FacetType;
+  static const std::vector<SubFacet> triangle{{Type::tri3, {0, 1, 2}}};
+  static const std::vector<SubFacet> four_triangles{
+      {Type::tri3, {0, 3, 5}}, {Type::tri3, {3, 1, 4}}, {Type::tri3, {5, 4, 2}}, {Type::tri3, {3, 4, 5}}};
+  static const std::vector<SubFacet> six_triangles{{Type::tri3, {0, 3, 6}}, {Type::tri3, {3, 1, 6}},
+                                                   {Type::tri3, {1, 4, 6}}, {Type::tri3, {4, 2, 6}},
+                                                   {Type::tri3, {2, 5, 6}}, {Type::tri3, {5, 0, 6}}};
+  static const std::vector<SubFacet> quadrilateral{{Type::quad4, {0, 1, 2, 3}}};
+  static const std::vector<SubFacet> four_quadrilaterals{{Type::quad4, {0, 4, 8, 7}},
+                                                         {Type::quad4, {4, 1, 5, 8}},
+                                                         {Type::quad4, {8, 5, 2, 6}},
+                                                         {Type::quad4, {7, 8, 6, 3}}};
+  if (edge_degree(type) == 1) return is_triangle(type) ? triangle : quadrilateral;
+  if (!is_triangle(type)) return four_quadrilaterals;
+  return type == Type::tri6 ? four_triangles : six_triangles;
+}
+
+int sub_facet_at(FacetType type, const Vector2d& xi) {
+  const std::vector<SubFacet>& pieces = sub_facets(type);
+  const auto outside = [&](const SubFacet& piece) {
+    return distance_outside(piece.type, place_on(piece, type, xi).xi);
+  };
+  const auto nearest = std::min_element(
+      pieces.begin(), pieces.end(),
+      [&](const SubFacet& one, const SubFacet& another) { return outside(one) < outside(another); });
+  return static_cast<int>(nearest - pieces.begin());
+}
+
+ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi) {
+  if (edge_degree(type) == 1) return shape_functions(type, xi);
+  const SubFacet& own = sub_facets(type)[static_cast<std::size_t>(sub_facet)];
+  const SubPlace place = place_on(own, type, xi);
+  const ShapeFunctions linear = shape_functions(own.type, place.xi);
+  const Index nodes = node_count(type);
+  ShapeFunctions psi{FacetVector::Zero(nodes), FacetGradient::Zero(nodes, 2)};
+  const auto add = [&](Index node, Index corner, double share) {
+    psi.value[node] += share * linear.value[corner];
+    psi.gradient.row(node) += share * linear.gradient.row(corner) * place.slope;
+  };
+  for (Index corner = 0; corner < linear.value.size(); ++corner) {
+    const Index node = own.nodes[static_cast<std::size_t>(corner)];
+    if (node < nodes) {
+      add(node, corner, 1);
+    } else {
+      for (Index mid = 4; mid < 8; ++mid) add(mid, corner, 0.25);
+    }
+  }
+  return psi;
+}
+
+ShapeFunctions shared_out(FacetType type, const ShapeFunctions& psi, const FacetVector& counts) {
+  ShapeFunctions shared{FacetVector::Zero(psi.value.size()), FacetGradient::Zero(psi.value.size(), 2)};
+  for (Index node = 0; node < psi.value.size(); ++node) {
+    const FacetVector heirs = heirs_of(type, static_cast<int>(node), counts);
+    shared.value += heirs * psi.value[node];
+    shared.gradient += heirs * psi.gradient.row(node);
+  }
+  return shared;
+}
+
+FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions) {
+  const int n = node_count(facet.type);
+  FacetCoordinates coordinates(3, n);
+  for (int a = 0; a < n; ++a) coordinates.col(a) = positions.col(facet.nodes[static_cast<std::size_t>(a)]);
+  return coordinates;
+}
+
+FacetVector facet_values(const Facet& facet, const NodalField& field) {
+  const int n = node_count(facet.type);
+  FacetVector values(n);
+  for (int a = 0; a < n; ++a) values[a] = field[facet.nodes[static_cast<std::size_t>(a)]];
+  return values;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,92 @@
+/// The facets of a contact surface: types, shape functions and parametric domains.
+#pragma once
+
+#include "base/types.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace mixture_contact {
+
+/// Facet types, with FEBio's node order: corners counter-clockwise seen from outside, then mid-edges, then the centre.
+/// Triangles live on xi >= 0, eta >= 0, xi + eta <= 1; quadrilaterals on [-1, 1]^2.
+enum class FacetType { tri3, tri6, tri7, quad4, quad8, quad9 };
+
+/// Number of nodes of a facet type.
+int node_count(FacetType type);
+
+/// Whether the facet is a triangle (else a quadrilateral).
+bool is_triangle(FacetType type);
+
+/// Polynomial degree along an edge: 1 or 2.
+int edge_degree(FacetType type);
+
+/// The facet type with this many nodes on a triangle or a quadrilateral; empty if there is none.
+std::optional<FacetType> facet_type(bool triangle, int nodes);
+
+/// Parametric coordinates of the middle of a facet.
+Vector2d parametric_centre(FacetType type);
+
+/// Parametric coordinates of each node, in node order.
+Vector2d parametric_node(FacetType type, int node);
+
+/// Distance in parametric coordinates by which a point lies outside the facet's domain; 0 inside.
+double distance_outside(FacetType type, const Vector2d& xi);
+
+/// Shape functions N_a(xi) and their derivatives with xi.
+struct ShapeFunctions {
+  FacetVector value;       ///< N_a, shape (n)
+  FacetGradient gradient;  ///< dN_a/dxi_alpha, shape (n, 2)
+};
+
+/// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
+ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
+
+/// Second derivatives of the shape functions with xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).
+FacetHessian shape_hessian(FacetType type, const Vector2d& xi);
+
+/// A linear piece of a facet: a triangle or quadrilateral between some of its nodes, by their numbers in node order;
+/// the middle of an 8-node quadrilateral counts as node 8.
+struct SubFacet {
+  FacetType type;  ///< tri3 or quad4
+  std::array<int, 4> nodes;
+};
+
+/// The linear pieces between neighbouring nodes that a facet is made of: a linear facet itself; four quadrilaterals;
+/// four triangles, or six around the middle node. In parametric coordinates they are parallelograms or triangles.
+const std::vector<SubFacet>& sub_facets(FacetType type);
+
+/// The sub-facet that a place lies on, or lies nearest to, as its number in sub_facets().
+int sub_facet_at(FacetType type, const Vector2d& xi);
+
+/// Shape functions psi_a of tractions, fluxes and multipliers, and the weights of nodal averages: linear on each
+/// sub-facet (bilinear on quadrilaterals), 1 at their own node and 0 at the others; the value at the middle of an
+/// 8-node quadrilateral is the mean of its mid-edge nodes. They add up to 1 and are nowhere negative on the facet,
+/// which those of quadratic facets are not, so that every part of a facet has weights to average with (Puso, Laursen
+/// and Solberg 2008, Comput Methods Appl Mech Eng 197:555-566). `sub_facet`: that of the place, whose functions go on
+/// beyond it.
+ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
+
+/// Functions psi_a shared out among the nodes of their facet that count, at least one: each of the others gives its
+/// own, in equal parts, to those beside it that count, or where there are none to all that do. They add up to 1 as
+/// before and are nowhere negative where those given are not. `counts`: 1 for nodes that count, 0 for the others, shape
+/// (n).
+ShapeFunctions shared_out(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);
+
+/// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
+struct Facet {
+  FacetType type = FacetType::quad4;
+  std::array<int, max_facet_nodes> nodes{};
+};
+
+/// Columns of a per-node array that belong to a facet's nodes, shape (3, n).
+FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions);
+
+/// A scalar field, one value per node: a vector, or a column or row of a matrix, seen in place.
+using NodalField = Eigen::Ref<const VectorXd, 0, Eigen::InnerStride<>>;
+
+/// Entries of a per-node scalar field that belong to a facet's nodes, shape (n).
+FacetVector facet_values(const Facet& facet, const NodalField& field);
+
+}  // namespace mixture_contact

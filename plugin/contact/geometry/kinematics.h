@@ -1,0 +1,70 @@
+/// Kinematics of one integration point: area vector, gap, projected point, and their exact variations.
+#pragma once
+
+#include "geometry/facet.h"
+
+namespace mixture_contact {
+
+/// A point of the primary facet and its projection on the secondary facet.
+///
+/// The area vector a = x1,1 x x1,2 carries both the normal n1 = a/|a| and the area element da1 = |a| dxi. The projected
+/// point satisfies x2(eta) - x1 = g n1 with the gap g.
+struct PointKinematics {
+  FacetVector primary_shape;                       ///< N1_a(xi)
+  FacetGradient primary_gradient;                  ///< N1_a,alpha(xi)
+  FacetVector secondary_shape;                     ///< N2_b(eta)
+  FacetGradient secondary_gradient;                ///< N2_b,beta(eta)
+  Eigen::Matrix<double, 3, 2> primary_tangents;    ///< x1,alpha
+  Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< x2,beta
+  Vector3d area_vector;                            ///< a
+  Vector3d normal;                                 ///< n1
+  double area = 0;                                 ///< |a|
+  double gap = 0;                                  ///< g = (x2 - x1).n1, negative where the bodies overlap
+
+  Index primary_nodes() const { return primary_shape.size(); }
+  Index nodes() const { return primary_shape.size() + secondary_shape.size(); }
+
+  /// Weight of each node in a jump of a field, h = (N1, -N2): jump = h . nodal values. The rows add up to zero.
+  PairVector jump_weights() const;
+};
+
+/// Kinematics from the shape functions at xi and eta and the nodal coordinates of both facets.
+PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1,
+                                 const ShapeFunctions& secondary, const FacetCoordinates& x2);
+
+/// How a point's place on the primary facet and its weight vary with the nodal positions of both facets.
+struct PointMotion {
+  PairVariation<2> xi;                                  ///< d xi_alpha
+  PairVariation<1> weight;                              ///< d(weight)/weight
+  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();  ///< columns x1,11, x1,22, x1,12
+};
+
+/// The motion of a point that is fixed on the primary facet: none. `nodes`: of both facets.
+PointMotion no_motion(Index nodes);
+
+/// Variation of an area vector a = x,1 x x,2 with the nodes of its facet at a fixed place; zero in the columns of
+/// further nodes. `tangents`: x,alpha; `nodes`: how many nodes have columns.
+PairVariation<3> area_vector_variation(const Eigen::Matrix<double, 3, 2>& tangents, const FacetGradient& gradient,
+                                       Index nodes);
+
+/// Derivative of an area vector with xi; `curvature`: columns x,11, x,22, x,12.
+Eigen::Matrix<double, 3, 2> area_vector_slope(const Eigen::Matrix<double, 3, 2>& tangents,
+                                              const Eigen::Matrix3d& curvature);
+
+/// First variations of a point's kinematics with the nodal positions of both facets (three columns per node).
+struct KinematicVariations {
+  PairVariation<1> gap;          ///< dg
+  PairVariation<2> eta;          ///< d eta_beta: how the projected point wanders over the secondary facet
+  PairVariation<3> area_vector;  ///< da
+  PairVariation<1> area;         ///< d|a|
+  PairVariation<2> xi;           ///< d xi_alpha: how the point wanders over the primary facet
+  PairVariation<1> weight;       ///< d(weight)/weight
+};
+
+/// Exact variations, from (x2(eta) - x1).x1,alpha = 0 and g = (x2 - x1).n1.
+KinematicVariations kinematic_variations(const PointKinematics& point, const PointMotion& motion);
+
+/// The same for a point that is fixed on the primary facet.
+KinematicVariations kinematic_variations(const PointKinematics& point);
+
+}  // namespace mixture_contact

@@ -1,0 +1,63 @@
+#include "geometry/surface.h"
+
+#include "geometry/quadrature.h"
+
+#include <Eigen/Geometry>
+
+#include <map>
+
+namespace mixture_contact {
+
+namespace {
+
+/// A point of a rule that is exact for psi_a on flat facets that are parallelograms or triangles.
+struct RulePoint {
+  double weight;
+  FacetGradient gradient;  ///< of the shape functions
+  FacetVector psi;
+};
+
+std::vector<RulePoint> rule_for(FacetType type) {
+  std::vector<RulePoint> rule;
+  for (const QuadraturePoint& q : piecewise_quadrature(type, default_quadrature_order(type))) {
+    const FacetVector psi = multiplier_functions(type, sub_facet_at(type, q.xi), q.xi).value;
+    rule.push_back({q.weight, shape_functions(type, q.xi).gradient, psi});
+  }
+  return rule;
+}
+
+/// The same, found once for each type.
+const std::vector<RulePoint>& nodal_rule(FacetType type) {
+  using Type = FacetType;
+  static const std::map<FacetType, std::vector<RulePoint>> rules{
+      {Type::tri3, rule_for(Type::tri3)},   {Type::tri6, rule_for(Type::tri6)},   {Type::tri7, rule_for(Type::tri7)},
+      {Type::quad4, rule_for(Type::quad4)}, {Type::quad8, rule_for(Type::quad8)}, {Type::quad9, rule_for(Type::quad9)}};
+  return rules.at(type);
+}
+
+}  // namespace
+
+FacetVector areas_of_nodes(const Facet& facet, const Matrix3Xd& position) {
+  const FacetCoordinates x = facet_coordinates(facet, position);
+  FacetVector areas = FacetVector::Zero(node_count(facet.type));
+  for (const RulePoint& point : nodal_rule(facet.type)) {
+    const Eigen::Matrix<double, 3, 2> tangents = x * point.gradient;
+    areas += point.weight * tangents.col(0).cross(tangents.col(1)).norm() * point.psi;
+  }
+  return areas;
+}
+
+VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position) {
+  VectorXd sum = VectorXd::Zero(mesh.nodes);
+  for (const Facet& facet : mesh.facets) {
+    const FacetVector areas = areas_of_nodes(facet, position);
+    for (Index a = 0; a < areas.size(); ++a) sum[facet.nodes[static_cast<std::size_t>(a)]] += areas[a];
+  }
+  return sum;
+}
+
+double half_diagonal(const Matrix3Xd& position) {
+  return 0.5 * (position.rowwise().maxCoeff() - position.rowwise().minCoeff()).norm();
+}
+
+}  // namespace mixture_contact

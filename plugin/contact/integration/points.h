@@ -1,0 +1,115 @@
+/// Where the integral over a surface is sampled: integration points, by the pair of facets that they lie on.
+#pragma once
+
+#include "base/settings.h"
+#include "geometry/kinematics.h"
+#include "integration/search.h"
+
+#include <memory>
+#include <vector>
+
+namespace mixture_contact {
+
+/// An integration point of a pair of facets: x1(xi) on the primary facet sees x2(eta) on the secondary one along n1.
+struct IntegrationPoint {
+  Vector2d xi{0, 0};
+  Vector2d eta{0, 0};
+  double weight = 0;  ///< da1 = weight |a|
+  int sub_facet = 0;  ///< of the primary facet, that it lies on
+};
+
+/// A facet of the primary surface and one of the secondary surface that it sees, with the points in between.
+struct FacetPair {
+  int primary = 0;
+  int secondary = 0;
+  std::vector<IntegrationPoint> points;
+};
+
+/// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.
+Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
+
+/// Finds the integration points of a primary surface and what they see of a secondary one.
+class PointFinder {
+ public:
+  PointFinder() = default;
+  PointFinder(const PointFinder&) = delete;
+  PointFinder& operator=(const PointFinder&) = delete;
+  PointFinder(PointFinder&&) = delete;
+  PointFinder& operator=(PointFinder&&) = delete;
+  virtual ~PointFinder() = default;
+
+  /// Pairs of facets that face each other within `radius`, in ascending order of the primary facets. Within an
+  /// iteration the result depends on the positions alone.
+  virtual std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
+
+  /// The same without a search: points keep to the facets that the last search() found for them. The result depends on
+  /// that search and the positions alone.
+  virtual std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+
+  /// Begins a Newton iteration where the last search was made. Returns whether a search there would now find more,
+  /// since points at the edge of the other surface are kept on it from now on.
+  virtual bool begin_iteration() { return false; }
+
+  /// Ends the iterations of a step, or those before an augmentation: no point is kept any more.
+  virtual void end_iterations() {}
+
+  /// How the points of a pair, found at these positions, move with them; one entry per point.
+  virtual std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+
+  /// What it keeps [bytes].
+  virtual std::size_t memory() const = 0;
+};
+
+/// The finder that the settings ask for. Keeps references to the facets.
+std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, const std::vector<Facet>& secondary,
+                                          const Settings& settings);
+
+/// Gauss points at fixed places of the primary facets: each sees the nearest facet that faces it.
+///
+/// What a point bears ends where it passes the edge of the other surface: it is a jump, and where a whole contact hangs
+/// on one point there may be no equilibrium on either side of it. A point that loses sight of the surface for the
+/// second time between iterations is at its edge: until they end it is kept on the facet that it saw last,
+/// continued beyond its edge.
+class GaussPoints : public PointFinder {
+ public:
+  /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
+  GaussPoints(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order, double tolerance);
+
+  std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  /// A point that leaves its facet comes back with it.
+  std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  bool begin_iteration() override;
+  void end_iterations() override;
+  std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  std::size_t memory() const override;
+
+ private:
+  struct Point {
+    int facet = 0;
+    Vector2d xi;
+    double weight = 0;
+    int sub_facet = 0;
+  };
+  static constexpr int nothing_seen = -1;
+  static constexpr int most_losses = 2;
+  /// Secondary facets, or nothing_seen.
+  struct Sight {
+    int facet = nothing_seen;         ///< what the last search() found
+    int at_iteration = nothing_seen;  ///< what was seen as the iteration began
+    int last = nothing_seen;          ///< the last one seen as an iteration of the step began
+    int losses = 0;                   ///< how often nothing was seen where the iteration before had seen something
+
+    /// Whether the point is at the edge of the other surface.
+    bool is_kept() const { return losses >= most_losses; }
+  };
+
+  const std::vector<Facet>& primary_;
+  const std::vector<Facet>& secondary_;
+  double tolerance_;
+  std::vector<Point> points_;
+  std::vector<Sight> sights_;              ///< per point
+  MovingSurface moving_;                   ///< the secondary surface
+  std::vector<RayNeighbours> neighbours_;  ///< per point
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,177 @@
+#include "integration/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mixture_contact {
+namespace {
+
+/// By how much a node's ray may pass a facet that it counts as meeting: a part of the gap.
+constexpr double largest_miss = 0.2;
+
+using Box = Eigen::AlignedBox3d;
+
+/// The slack of a surface that moves, over the mean diagonal of its facets' boxes. A smaller one is used up sooner, a
+/// larger one lets more facets come into question.
+constexpr double slack_fraction = 0.25;
+
+/// A segment that looks for boxes.
+struct Segment {
+  Vector3d middle;
+  Vector3d half;  ///< half the segment as a vector
+  double width;   ///< by which boxes are enlarged
+
+  /// Separating axes of a box and a segment: the box's axes and their cross products with the segment (Gottschalk et
+  /// al. 1996).
+  bool meets(const Box& box) const {
+    const Vector3d extent = 0.5 * box.sizes() + Vector3d::Constant(width);
+    const Vector3d offset = middle - box.center();
+    const Vector3d reach = half.cwiseAbs();
+    if ((offset.cwiseAbs().array() > (extent + reach).array()).any()) return false;
+    const Vector3d twist = offset.cross(half).cwiseAbs();
+    const double rounding = 1e-12 * (offset.cwiseAbs() + extent).sum() * reach.sum();
+    for (Index i = 0; i < 3; ++i) {
+      const Index j = (i + 1) % 3;
+      const Index k = (i + 2) % 3;
+      if (twist[i] > extent[j] * reach[k] + extent[k] * reach[j] + rounding) return false;
+    }
+    return true;
+  }
+};
+
+/// Collects the facets whose boxes a segment meets, in the form that Eigen's BVIntersect asks for.
+struct SegmentCollector {
+  Segment segment;
+  std::vector<int> found;
+
+  bool intersectVolume(const Box& box) const { return segment.meets(box); }
+
+  bool intersectObject(int facet) {
+    found.push_back(facet);
+    return false;  // continue the search
+  }
+};
+
+Box enlarged_box(const Facet& facet, const Matrix3Xd& positions, double margin) {
+  const FacetCoordinates x = facet_coordinates(facet, positions);
+  Box box(x.rowwise().minCoeff(), x.rowwise().maxCoeff());
+  const Vector3d pad = Vector3d::Constant(margin * box.diagonal().norm());
+  return {box.min() - pad, box.max() + pad};
+}
+
+std::vector<Box> enlarged_boxes(const std::vector<Facet>& facets, const Matrix3Xd& positions, double margin) {
+  std::vector<Box> boxes;
+  boxes.reserve(facets.size());
+  for (const Facet& facet : facets) boxes.push_back(enlarged_box(facet, positions, margin));
+  return boxes;
+}
+
+/// A box that holds a surface, whose facets bulge out of their nodes' box.
+Box surface_box(const Matrix3Xd& positions) {
+  Box box(positions.rowwise().minCoeff(), positions.rowwise().maxCoeff());
+  const Vector3d pad = Vector3d::Constant(box_margin * box.diagonal().norm());
+  return {box.min() - pad, box.max() + pad};
+}
+
+double mean_diagonal(const std::vector<Box>& boxes) {
+  double sum = 0;
+  for (const Box& box : boxes) sum += box.diagonal().norm();
+  return boxes.empty() ? 0 : sum / static_cast<double>(boxes.size());
+}
+
+/// The hit of nearest_facing() among some of the facets, in ascending order.
+std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, const std::vector<Facet>& facets,
+                                        const Matrix3Xd& positions, const Ray& ray) {
+  const auto length = [](const SurfaceHit& hit) { return std::abs(hit.gap) + hit.outside; };
+  std::optional<SurfaceHit> best;
+  for (const int candidate : candidates) {
+    const std::optional<SurfaceHit> hit = facing_hit(candidate, facets, positions, ray);
+    if (hit && (!best || length(*hit) < length(*best))) best = hit;
+  }
+  return best;
+}
+
+}  // namespace
+
+FacetTree::FacetTree(const std::vector<Facet>& facets, const Matrix3Xd& positions, double margin) {
+  std::vector<int> ids(facets.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  const std::vector<Box> boxes = enlarged_boxes(facets, positions, margin);
+  tree_.init(ids.begin(), ids.end(), boxes.begin(), boxes.end());
+}
+
+std::vector<int> FacetTree::candidates(const Vector3d& origin, const Vector3d& direction, double reach,
+                                       double width) const {
+  SegmentCollector collector{{origin, reach * direction, width}, {}};
+  Eigen::BVIntersect(tree_, collector);
+  std::sort(collector.found.begin(), collector.found.end());
+  return std::move(collector.found);
+}
+
+bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reach) {
+  if (x1.cols() == 0 || x2.cols() == 0) return false;
+  return surface_box(x1).exteriorDistance(surface_box(x2)) <= reach;
+}
+
+std::optional<SurfaceHit> facing_hit(int index, const std::vector<Facet>& facets, const Matrix3Xd& positions,
+                                     const Ray& ray) {
+  const Facet& facet = facets[static_cast<std::size_t>(index)];
+  const FacetCoordinates x = facet_coordinates(facet, positions);
+  const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
+  if (!hit || std::abs(hit->gap) > ray.reach) return std::nullopt;
+  const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
+  if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) >= 0) return std::nullopt;
+  const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
+  return SurfaceHit{index, hit->eta, hit->gap, outside};
+}
+
+std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
+                                         const Matrix3Xd& positions, const Ray& ray) {
+  return nearest_among(tree.candidates(ray.origin, ray.direction, ray.reach), facets, positions, ray);
+}
+
+std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const std::vector<Facet>& facets,
+                                                   const Matrix3Xd& positions, Ray ray) {
+  std::optional<SurfaceHit> hit = nearest_facing(tree, facets, positions, ray);
+  if (hit) return hit;
+  ray.tolerance = widest_miss;
+  hit = nearest_facing(tree, facets, positions, ray);
+  if (hit && hit->outside > largest_miss * std::abs(hit->gap)) hit.reset();
+  return hit;
+}
+
+void MovingSurface::move_to(const Matrix3Xd& positions) {
+  positions_ = positions;
+  boxes_ = enlarged_boxes(facets_, positions, box_margin);
+  if (tree_) {
+    const double moved = (positions - reference_).cwiseAbs().maxCoeff();
+    if (moved * (1 + 2 * std::sqrt(3.0) * box_margin) <= slack_) return;
+  }
+  reference_ = positions;
+  tree_.emplace(facets_, positions, box_margin);
+  slack_ = slack_fraction * mean_diagonal(boxes_);
+  ++references_;
+}
+
+bool MovingSurface::holds(const RayNeighbours& neighbours, const std::array<Vector3d, 2>& ends) const {
+  return neighbours.reference == references_ && (ends[0] - neighbours.ends[0]).cwiseAbs().maxCoeff() <= slack_ &&
+         (ends[1] - neighbours.ends[1]).cwiseAbs().maxCoeff() <= slack_;
+}
+
+std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeighbours& neighbours) const {
+  const Vector3d half = ray.reach * ray.direction;
+  const std::array<Vector3d, 2> ends{ray.origin - half, ray.origin + half};
+  if (!tree_) return std::nullopt;
+  if (!holds(neighbours, ends)) {
+    neighbours = {ends, references_, tree_->candidates(ray.origin, ray.direction, ray.reach, 2 * slack_)};
+  }
+  const Segment segment{ray.origin, half, 0};
+  std::vector<int> met;
+  for (const int facet : neighbours.facets) {
+    if (segment.meets(boxes_[static_cast<std::size_t>(facet)])) met.push_back(facet);
+  }
+  return nearest_among(met, facets_, positions_, ray);
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,50 @@
+/// Segment integration: each primary facet is cut into the pieces that face different secondary facets, and the
+/// integral is taken piece by piece, exactly where fields of the secondary side have kinks at its facets' edges.
+///
+/// Facets of both sides are polygons through their nodes (quadratic ones: four polygons whose straight edges
+/// join neighbouring nodes), seen along the normal in the middle of the primary polygon (Puso and Laursen 2004, Comput
+/// Methods Appl Mech Eng 193:601-629; Puso, Laursen and Solberg 2008, 197:555-566). Points on their overlap follow its
+/// area, centroid and covariance (polygon_quadrature.h). A point of such a piece is carried along that normal to the
+/// primary facet, and from there along the facet's own normal, as everywhere, to the secondary one.
+#pragma once
+
+#include "integration/clipping.h"
+#include "integration/points.h"
+
+namespace mixture_contact {
+
+/// Order of the rule on the pieces where the user gives none, that of the facets: 2 for linear ones, 3 for quadratic
+/// ones. With it a uniform load is exact on flat parallelograms; psi times an affine gap with 4.
+int default_segment_order(FacetType primary, FacetType secondary);
+
+/// Integration points on the segments of facing facets.
+///
+/// A secondary facet counts only where no other one, which is not its neighbour, lies nearer within its overlap with
+/// the primary facet.
+class Segments : public PointFinder {
+ public:
+  /// order: of the quadrature rule on the pieces; 0: default_segment_order.
+  Segments(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order);
+
+  std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  std::size_t memory() const override { return seen_.capacity() * sizeof(Facing); }
+
+ private:
+  struct Facing {
+    int primary = 0;
+    int secondary = 0;
+  };
+  FacetPair pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;
+  bool hidden(const FacetPair& pair, const std::vector<FacetPair>& all, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  int order(const Facing& facing) const;
+
+  const std::vector<Facet>& primary_;
+  const std::vector<Facet>& secondary_;
+  int order_;
+  std::vector<Facing> seen_;  ///< what the last search() found
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,83 @@
+// Threads: the same bits for any number of them.
+#include "contact/base/parallel.h"
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include <numeric>
+#include <stdexcept>
+
+namespace {
+
+using namespace test;
+
+void use_threads([[maybe_unused]] int threads) {
+#ifdef _OPENMP
+  omp_set_num_threads(threads);
+#endif
+}
+
+/// A step of a contact: search, status, residual, tangent and output, one after the other.
+VectorXd answers(const Scene& scene, int threads) {
+  use_threads(threads);
+  const GlobalLayout layout(scene);
+  const auto contact = scene.contact();
+  contact->begin_iteration(scene.fields);
+  PerSide<SurfaceFields> trial = scene.fields;
+  trial[Side::primary].position.row(2).array() += 1e-3;
+  const NodalOutput output = contact->nodal_output(Side::primary, trial);
+  std::vector<VectorXd> parts{assembled_residual(*contact, layout, trial, 0.5), output.gap, output.pressure,
+                              assembled_tangent(*contact, layout, scene.fields, 0.5).reshaped()};
+  for (const std::vector<bool>& nodes : contact->nodes_in_contact()) {
+    for (const bool in_contact : nodes) parts.push_back(VectorXd::Constant(1, in_contact ? 1.0 : 0.0));
+  }
+  const Index size = std::accumulate(parts.begin(), parts.end(), Index{0},
+                                     [](Index sum, const VectorXd& part) { return sum + part.size(); });
+  VectorXd all(size);
+  Index begin = 0;
+  for (const VectorXd& part : parts) {
+    all.segment(begin, part.size()) = part;
+    begin += part.size();
+  }
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(results_come_in_order) {
+  use_threads(3);
+  const std::size_t count = 2 * batch_size + 7;
+  std::size_t next = 0;
+  in_order(
+      count, [](std::size_t i) { return 2 * i; },
+      [&](std::size_t i, std::size_t twice) {
+        BOOST_TEST(i == next++);
+        BOOST_TEST(twice == 2 * i);
+      });
+  BOOST_TEST(next == count);
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_reaches_the_caller) {
+  use_threads(2);
+  const auto fail = [](std::size_t i) {
+    if (i == 5) throw std::runtime_error("five");
+  };
+  BOOST_CHECK_THROW(in_parallel(10, fail), std::runtime_error);
+}
+
+BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
+  for (const Integration integration : {Integration::gauss, Integration::segments}) {
+    std::mt19937 random(1);
+    Settings settings;
+    settings.integration = integration;
+    Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.02, 6, 5), effects_of(true, 2), settings);
+    scene.disturb(0.02, random);
+    const VectorXd one = answers(scene, 1);
+    BOOST_TEST(one.norm() > 0);
+    for (const int threads : {2, 3}) BOOST_TEST((answers(scene, threads) == one));
+  }
+}

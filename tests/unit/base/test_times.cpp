@@ -1,0 +1,76 @@
+#include "contact/base/times.h"
+
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <thread>
+
+using namespace test;
+
+namespace {
+
+void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_clock_within_another_of_the_same_task_counts_once) {
+  Spent spent;
+  const Stopwatch watch;
+  {
+    const TaskClock outer(spent);
+    wait();
+    {
+      const TaskClock inner(spent);
+      wait();
+    }
+  }
+  BOOST_TEST(spent.total() >= 4e-3);
+  BOOST_TEST(spent.total() <= watch.peek());
+}
+
+BOOST_AUTO_TEST_CASE(what_the_host_does_for_an_effect_is_charged_to_it) {
+  Spent spent(2);
+  const Stopwatch watch;
+  {
+    TaskClock clock(spent);
+    clock.in_host(Patch{{0}, {0}, {1}}, wait);
+    clock.in_host(Patch{{0}, {0}, {}}, wait);
+    clock.in_host(wait);
+  }
+  for (const double seconds : {spent.fields[1], spent.traction, spent.shared}) BOOST_TEST(seconds >= 2e-3);
+  BOOST_TEST(spent.fields[0] == 0);
+  BOOST_TEST(spent.host >= 6e-3);
+  BOOST_TEST(spent.total() <= watch.peek());
+}
+
+BOOST_AUTO_TEST_CASE(what_threads_charge_is_taken_over_once) {
+  EffectTimes times(1);
+  {
+    Laps laps(times, 1);
+    laps.shared();
+    wait();
+    laps.field(0);
+  }
+  Spent spent(1);
+  TaskClock(spent).take(times, 2);
+  BOOST_TEST(spent.fields[0] >= 1e-3);
+  BOOST_TEST(spent.traction == 0);
+  BOOST_TEST(times.take().total() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_task_of_a_contact_is_timed) {
+  const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 3), effects_of(true, 1),
+                    explicit_settings(3, 2, 5));
+  const auto contact = scene.contact();  // projects
+  contact->begin_iteration(scene.fields);
+  contact->residual(scene.fields, 1, [](const auto&...) { wait(); });
+  contact->augment(scene.fields);
+  contact->balance(scene.fields);
+  for (const Task task : all_tasks) BOOST_TEST(contact->times()[task].total() > 0);
+  BOOST_TEST(contact->times()[Task::residual].host >= 2e-3);
+  const Spent& stiffness = contact->times()[Task::stiffness];
+  for (const double seconds : {stiffness.shared, stiffness.traction, stiffness.fields[0], stiffness.fields[1]})
+    BOOST_TEST(seconds > 0);
+  BOOST_TEST(contact->times().sum().total() >= contact->times()[Task::residual].total());
+}

@@ -1,0 +1,70 @@
+#include "contact/integration/points.h"
+
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace test;
+
+namespace {
+
+/// One square below another one, which can be shifted along x; four points.
+struct Squares {
+  PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.1, 1, 1);
+  GridSurface below = grid_surface(grids[Side::primary], 0);
+  GridSurface above = grid_surface(grids[Side::secondary], 0);
+  GaussPoints points{below.mesh.facets, above.mesh.facets, 0, 0.01};
+
+  Matrix3Xd shifted(double by) const {
+    Matrix3Xd position = above.position;
+    position.row(0).array() += by;
+    return position;
+  }
+
+  /// Parametric coordinates along x of what is found; the upper square faces down, and its coordinate runs backwards.
+  std::vector<double> seen(double shift) {
+    std::vector<double> places;
+    for (const FacetPair& pair : points.search(below.position, shifted(shift), 1)) {
+      for (const IntegrationPoint& point : pair.points) places.push_back(-point.eta[0]);
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+};
+
+constexpr double half = 0.5;  // of a square: what its first two points lie beyond
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_point_that_loses_sight_twice_in_a_step_is_kept_beyond_the_edge) {
+  Squares squares;
+  for (int loss = 1; loss <= 2; ++loss) {
+    BOOST_TEST(squares.seen(0).size() == 4);
+    BOOST_TEST(!squares.points.begin_iteration());
+    BOOST_TEST(squares.seen(half).size() == 2);
+    BOOST_TEST(squares.points.begin_iteration() == (loss == 2));
+  }
+  const double place = 1 / std::sqrt(3.0);
+  const std::vector<double> kept = squares.seen(half);
+  BOOST_TEST(kept.size() == 4);
+  BOOST_TEST(std::abs(kept.front() + place + 1) <= rounding);  // half a square is a parametric coordinate of 1
+  BOOST_TEST(std::abs(kept.back() - place + 1) <= rounding);
+  const auto same = squares.points.on_same_facets(squares.below.position, squares.shifted(half));
+  BOOST_TEST(same.front().points.size() == 4);
+  BOOST_TEST(!squares.points.begin_iteration());
+  BOOST_TEST(squares.seen(0.75).size() == 2);  // more than half a square beyond the edge they are let go
+  squares.points.end_iterations();
+  BOOST_TEST(squares.seen(half).size() == 2);
+}
+
+BOOST_AUTO_TEST_CASE(points_that_pass_an_edge_once_are_let_go) {
+  Squares squares;
+  for (const double shift : {0.0, half, half, half}) {
+    squares.seen(shift);
+    BOOST_TEST(!squares.points.begin_iteration());
+  }
+  BOOST_TEST(squares.seen(half).size() == 2);
+}

@@ -1,0 +1,435 @@
+#include "contact/integration/segments.h"
+
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <Eigen/Geometry>
+
+#include <numeric>
+
+using namespace test;
+
+namespace {
+
+/// Sums over hundreds of points, each the outcome of a few dozen operations, are exact to this.
+constexpr double exact = 1e-12;
+
+constexpr std::array<std::pair<int, int>, 3> divisions{{{1, 1}, {2, 3}, {4, 3}}};
+
+/// Triangles and quadrilaterals of one linear piece and of several.
+constexpr std::array differently_cut{FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8};
+
+/// Facing unit squares with different divisions.
+Scene squares(FacetType one, FacetType two, int cells_one, int cells_two, double overlap = 0.0625) {
+  Settings settings = explicit_settings(4, 2, 8);
+  settings.integration = Integration::segments;
+  return {facing_grids(one, two, overlap, cells_one, cells_two), effects_of(true, 1), settings};
+}
+
+std::vector<FacetPair> pairs_of(const Scene& scene, int order = 0) {
+  return Segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, order)
+      .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
+}
+
+/// Kinematics at the points of all pairs.
+void for_each_point(
+    const Scene& scene, const std::vector<FacetPair>& pairs,
+    const std::function<void(const Facet&, const Facet&, const IntegrationPoint&, const PointKinematics&)>& use) {
+  for (const FacetPair& pair : pairs) {
+    const Facet& one = scene.mesh[Side::primary].facets[static_cast<std::size_t>(pair.primary)];
+    const Facet& two = scene.mesh[Side::secondary].facets[static_cast<std::size_t>(pair.secondary)];
+    for (const IntegrationPoint& point : pair.points) {
+      use(one, two, point,
+          point_kinematics(
+              shape_functions(one.type, point.xi), facet_coordinates(one, scene.fields[Side::primary].position),
+              shape_functions(two.type, point.eta), facet_coordinates(two, scene.fields[Side::secondary].position)));
+    }
+  }
+}
+
+/// INT psi_a f(x) da per node over a whole surface, by Gauss rules of high order piece by piece.
+VectorXd nodal_integrals(const SurfaceMesh& mesh, const Matrix3Xd& position, bool ordinary_shape,
+                         const std::function<double(const Vector3d&)>& f) {
+  VectorXd sum = VectorXd::Zero(mesh.nodes);
+  for (const Facet& facet : mesh.facets) {
+    const FacetCoordinates x = facet_coordinates(facet, position);
+    for (const QuadraturePoint& q : piecewise_quadrature(facet.type, 6)) {
+      const ShapeFunctions shape = shape_functions(facet.type, q.xi);
+      const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
+      const double area = q.weight * tangents.col(0).cross(tangents.col(1)).norm();
+      const FacetVector psi = ordinary_shape
+                                  ? shape.value
+                                  : multiplier_functions(facet.type, sub_facet_at(facet.type, q.xi), q.xi).value;
+      for (Index a = 0; a < psi.size(); ++a) {
+        sum[facet.nodes[static_cast<std::size_t>(a)]] += area * psi[a] * f(x * shape.value);
+      }
+    }
+  }
+  return sum;
+}
+
+/// A facet against four or eight that lie turned over it: edges cross at an angle, as the third derivatives of a
+/// crossing grow with the cube of its cotangent.
+Scene turned_squares(FacetType one, FacetType two, std::mt19937& random) {
+  Scene scene = squares(one, two, 1, 2, 0.08);
+  turn(scene.fields[Side::secondary].position, 0.5);
+  scene.disturb(0.02, random);
+  return scene;
+}
+
+using Function = std::function<VectorXd(const VectorXd&)>;
+
+MatrixXd plain_differences(const Function& function, const VectorXd& x) { return differences(function, x); }
+
+/// Residual of a scene's contact with the status of its nodes held against its tangent.
+double tangent_error(const Scene& scene, MatrixXd (*difference)(const Function&, const VectorXd&) = plain_differences) {
+  const auto contact = scene.contact();
+  contact->begin_iteration(scene.fields);
+  const GlobalLayout layout(scene);
+  const VectorXd q = layout.pack(scene.fields);
+  const MatrixXd approximate = difference(
+      [&](const VectorXd& at) -> VectorXd {
+        const PerSide<SurfaceFields> fields = layout.unpack(at);
+        contact->project({{fields[Side::primary].position, fields[Side::secondary].position}});
+        return assembled_residual(*contact, layout, fields, 0.3);
+      },
+      q);
+  contact->project(scene.position());
+  const MatrixXd tangent = assembled_tangent(*contact, layout, scene.fields, 0.3);
+  return (tangent - approximate).norm() / tangent.norm();
+}
+
+/// A primary facet and one that faces it, by themselves.
+struct LonePair {
+  std::vector<Facet> primary;
+  std::vector<Facet> secondary;
+  VectorXd nodes;  ///< coordinates of the primary facet's nodes, then of the other's
+
+  LonePair(const Scene& scene, Facet one, Facet two) {
+    nodes.resize(3 * (node_count(one.type) + node_count(two.type)));
+    nodes << facet_coordinates(one, scene.fields[Side::primary].position).reshaped(),
+        facet_coordinates(two, scene.fields[Side::secondary].position).reshaped();
+    for (Facet* facet : {&one, &two}) std::iota(facet->nodes.begin(), facet->nodes.end(), 0);
+    primary = {one};
+    secondary = {two};
+  }
+  Index primary_size() const { return 3 * node_count(primary.front().type); }
+  Matrix3Xd x1(const VectorXd& at) const { return at.head(primary_size()).reshaped(3, primary_size() / 3); }
+  Matrix3Xd x2(const VectorXd& at) const {
+    const Index size = at.size() - primary_size();
+    return at.tail(size).reshaped(3, size / 3);
+  }
+};
+
+/// Weights of a pair's points and their places times the weights, which is what integrals take from them.
+VectorXd weighted(const FacetPair& pair) {
+  VectorXd result(3 * static_cast<Index>(pair.points.size()));
+  Index row = 0;
+  for (const IntegrationPoint& point : pair.points) {
+    result.segment<3>(row) = point.weight * Vector3d(1, point.xi[0], point.xi[1]);
+    row += 3;
+  }
+  return result;
+}
+
+/// The variation of weighted() by the motions of the points.
+MatrixXd weighted_motion(const FacetPair& pair, const std::vector<PointMotion>& motions) {
+  MatrixXd result(3 * static_cast<Index>(motions.size()), motions.front().weight.cols());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const IntegrationPoint& point = pair.points[i];
+    result.middleRows<3>(3 * static_cast<Index>(i)) << motions[i].weight, motions[i].xi + point.xi * motions[i].weight;
+    result.middleRows<3>(3 * static_cast<Index>(i)) *= point.weight;
+  }
+  return result;
+}
+
+/// Squares of the error and of the size of the motions of a pair's points, by central differences: slivers vary over
+/// lengths of their width, of which a few are 1e-3.
+Vector2d motion_error(const LonePair& lone) {
+  Segments segments(lone.primary, lone.secondary, 0);
+  const std::vector<FacetPair> found = segments.search(lone.x1(lone.nodes), lone.x2(lone.nodes), 1);
+  if (found.empty()) return {0, 0};
+  const MatrixXd approximate = fine_differences(
+      [&](const VectorXd& at) { return weighted(segments.on_same_facets(lone.x1(at), lone.x2(at)).front()); },
+      lone.nodes);
+  const MatrixXd motion = weighted_motion(found.front(),
+                                          segments.motions(found.front(), lone.x1(lone.nodes), lone.x2(lone.nodes)));
+  return {(motion - approximate).squaredNorm(), approximate.squaredNorm()};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(pieces_cover_facing_squares_exactly_whatever_their_divisions) {
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      for (const auto& [cells_one, cells_two] : divisions) {
+        const Scene scene = squares(one, two, cells_one, cells_two);
+        double area = 0;
+        for_each_point(scene, pairs_of(scene),
+                       [&](const Facet&, const Facet&, const IntegrationPoint& place, const PointKinematics& point) {
+                         area += place.weight * point.area;
+                         BOOST_TEST(std::abs(point.gap + 0.0625) <= exact);
+                       });
+        BOOST_TEST(std::abs(area - 1) <= exact);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(weighted_integrals_of_an_affine_gap_are_exact) {
+  const auto gap = [](const Vector3d& x) { return 0.3 * x[0] - 0.2 * x[1] - 0.1; };
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      for (const auto& [cells_one, cells_two] : divisions) {
+        Scene scene = squares(one, two, cells_one, cells_two);
+        Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+        for (Index node = 0; node < x2.cols(); ++node) x2(2, node) = gap(x2.col(node));
+        VectorXd sum = VectorXd::Zero(scene.mesh[Side::primary].nodes);
+        for_each_point(
+            scene, pairs_of(scene, 4),
+            [&](const Facet& facet, const Facet&, const IntegrationPoint& place, const PointKinematics& point) {
+              const FacetVector psi = multiplier_functions(facet.type, place.sub_facet, place.xi).value;
+              for (Index a = 0; a < psi.size(); ++a) {
+                sum[facet.nodes[static_cast<std::size_t>(a)]] += place.weight * point.area * psi[a] * point.gap;
+              }
+            });
+        const VectorXd expected = nodal_integrals(scene.mesh[Side::primary], scene.fields[Side::primary].position,
+                                                  false, gap);
+        BOOST_TEST((sum - expected).norm() <= exact);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(integrals_do_not_jump_where_corners_pass_edges) {
+  // A corner of four turned facets passes the middle of each edge of a square. The rule of order 2 is in error for x^4;
+  // the error may not jump there. A shift moves the overlaps' edges, 8 long at most in all, by itself, and x^4 is 1 at
+  // most.
+  constexpr double shift = 1e-7;
+  const auto integral = [](const Vector2d& corner) {
+    Scene scene = squares(FacetType::quad4, FacetType::quad4, 1, 2);
+    turn(scene.fields[Side::secondary].position, 0.5);
+    scene.fields[Side::secondary].position.topRows<2>().colwise() += corner - Vector2d(0.5, 0.5);
+    double sum = 0;
+    for_each_point(scene, pairs_of(scene),
+                   [&](const Facet& facet, const Facet&, const IntegrationPoint& place, const PointKinematics& point) {
+                     const Vector3d x = facet_coordinates(facet, scene.fields[Side::primary].position) *
+                                        point.primary_shape;
+                     sum += place.weight * point.area * std::pow(x[0], 4);
+                   });
+    return sum;
+  };
+  for (const Vector2d& inwards : {Vector2d(1, 0), Vector2d(-1, 0), Vector2d(0, 1), Vector2d(0, -1)}) {
+    const Vector2d edge = 0.5 * (Vector2d::Ones() - inwards);
+    const double inside = integral(edge + shift * inwards);
+    BOOST_TEST(std::abs(inside - integral(edge - shift * inwards)) <= 2 * 8 * shift);
+    BOOST_TEST(std::abs(inside - integral(edge)) <= 8 * shift);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_uniform_load_reaches_the_nodes_of_the_other_side_exactly) {
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      for (const auto& [cells_one, cells_two] : divisions) {
+        const Scene scene = squares(one, two, cells_one, cells_two);
+        VectorXd sum = VectorXd::Zero(scene.mesh[Side::secondary].nodes);
+        for_each_point(
+            scene, pairs_of(scene),
+            [&](const Facet&, const Facet& facet, const IntegrationPoint& place, const PointKinematics& point) {
+              for (Index b = 0; b < point.secondary_shape.size(); ++b) {
+                sum[facet.nodes[static_cast<std::size_t>(b)]] += place.weight * point.area * point.secondary_shape[b];
+              }
+            });
+        const VectorXd expected = nodal_integrals(scene.mesh[Side::secondary], scene.fields[Side::secondary].position,
+                                                  true, [](const Vector3d&) { return 1.0; });
+        BOOST_TEST((sum - expected).norm() <= exact);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_smaller_square_turned_in_the_plane_is_covered_exactly) {
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      Scene scene = squares(one, two, 3, 2);
+      Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+      x2.topRows<2>() = (0.6 * x2.topRows<2>().array() + 0.2).matrix();
+      turn(x2, 0.5);
+      double area = 0;
+      VectorXd sum = VectorXd::Zero(scene.mesh[Side::secondary].nodes);
+      for_each_point(
+          scene, pairs_of(scene),
+          [&](const Facet&, const Facet& facet, const IntegrationPoint& place, const PointKinematics& point) {
+            area += place.weight * point.area;
+            for (Index b = 0; b < point.secondary_shape.size(); ++b) {
+              sum[facet.nodes[static_cast<std::size_t>(b)]] += place.weight * point.area * point.secondary_shape[b];
+            }
+          });
+      BOOST_TEST(std::abs(area - 0.36) <= exact);
+      const VectorXd expected = nodal_integrals(scene.mesh[Side::secondary], x2, true,
+                                                [](const Vector3d&) { return 1.0; });
+      BOOST_TEST((sum - expected).norm() <= exact);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_surface_covered_in_part_carries_the_exact_force_and_flows) {
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      Scene scene = squares(one, two, 3, 2);
+      Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+      x2.topRows<2>() = (0.6 * x2.topRows<2>().array() + 0.2).matrix();
+      turn(x2, 0.5);
+      scene.set_field(0, 0.5, 0.25);
+      const Balance balance = scene.contact()->balance(scene.fields);
+      BOOST_TEST(std::abs(balance.area - 0.36) <= exact);
+      BOOST_TEST((balance.force - Vector3d(0, 0, -4 * 0.0625 * 0.36)).norm() <= exact);
+      BOOST_TEST(std::abs(balance.flow[0] - 2 * 0.25 * 0.36) <= exact);
+      const GlobalLayout layout(scene);
+      const VectorXd residual = assembled_residual(*scene.contact(), layout, scene.fields, 1);
+      // The loads of the covering surface's nodes are those of a uniform traction and flux.
+      const VectorXd shares = nodal_integrals(scene.mesh[Side::secondary], x2, true,
+                                              [](const Vector3d&) { return 1.0; });
+      for (Index node = 0; node < shares.size(); ++node) {
+        BOOST_TEST(std::abs(residual[layout.entry(Side::secondary, node, 2)] - 4 * 0.0625 * shares[node]) <= exact);
+        BOOST_TEST(std::abs(residual[layout.entry(Side::secondary, node, 3)] + 2 * 0.25 * shares[node]) <= exact);
+      }
+      for (Index component = 0; component < layout.per_node(); ++component) {
+        double sum = 0;
+        for (Index i = component; i < layout.size(); i += layout.per_node()) sum += residual[i];
+        BOOST_TEST(std::abs(sum) <= exact);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(facets_that_face_away_or_lie_behind_others_are_left_out) {
+  Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3);
+  SurfaceMesh& mesh = scene.mesh[Side::secondary];
+  Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+  // A second, farther layer of the same facets, and a third one between them that faces away.
+  const std::vector<Facet> first = mesh.facets;
+  const Matrix3Xd near = x2;
+  x2.resize(3, 3 * near.cols());
+  x2 << near, near.colwise() - Vector3d(0, 0, 0.5), near.colwise() - Vector3d(0, 0, 0.2);
+  for (const bool away : {false, true}) {
+    for (Facet facet : first) {
+      for (int& node : facet.nodes) node += (away ? 2 : 1) * mesh.nodes;
+      if (away) std::swap(facet.nodes[1], facet.nodes[3]);
+      mesh.facets.push_back(facet);
+    }
+  }
+  for (const FacetPair& pair : pairs_of(scene)) BOOST_TEST(pair.secondary < static_cast<int>(first.size()));
+  BOOST_TEST(pairs_of(scene).size() == 16U);
+}
+
+BOOST_AUTO_TEST_CASE(facets_out_of_reach_are_not_seen) {
+  const Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3, -1.5);
+  BOOST_TEST(pairs_of(scene).empty());
+}
+
+BOOST_AUTO_TEST_CASE(points_on_the_same_facets_are_those_of_the_search) {
+  std::mt19937 random(3);
+  Scene scene = squares(FacetType::quad4, FacetType::tri6, 2, 3);
+  scene.disturb(0.03, random);
+  const Matrix3Xd& x1 = scene.fields[Side::primary].position;
+  const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+  Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
+  const std::vector<FacetPair> found = segments.search(x1, x2, 1);
+  const std::vector<FacetPair> again = segments.on_same_facets(x1, x2);
+  BOOST_TEST_REQUIRE(found.size() == again.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    BOOST_TEST(found[i].secondary == again[i].secondary);
+    BOOST_TEST(found[i].points.size() == again[i].points.size());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_move_as_their_motion_says) {
+  std::mt19937 random(10);
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : differently_cut) {
+      const Scene scene = turned_squares(one, two, random);
+      Vector2d error(0, 0);
+      for (const Facet& secondary : scene.mesh[Side::secondary].facets) {
+        error += motion_error(LonePair(scene, scene.mesh[Side::primary].facets.front(), secondary));
+      }
+      BOOST_TEST_CONTEXT(static_cast<int>(one) << " on " << static_cast<int>(two)) {
+        BOOST_TEST(std::sqrt(error[0] / error[1]) <= difference_tolerance);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_holds_the_motion_of_the_segments_corners) {
+  std::mt19937 random(11);
+  for (const FacetType type : differently_cut) {
+    BOOST_TEST_CONTEXT(static_cast<int>(type)) {
+      BOOST_TEST(tangent_error(turned_squares(type, type, random)) <= difference_tolerance);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_is_exact_for_turned_and_partly_covered_surfaces) {
+  std::mt19937 random(12);
+  Scene scene = squares(FacetType::quad4, FacetType::tri3, 2, 3, 0.08);
+  turn(scene.fields[Side::secondary].position, 0.5);
+  scene.disturb(0.01, random);
+  BOOST_TEST(tangent_error(scene) <= difference_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_the_bath_from_the_nodes_beyond_it) {
+  // The other surface ends where facets end, but for a slip. The nodes on that line are sealed, those beyond are not.
+  for (const double slip : {1e-12, 1e-7, 1e-2}) {
+    PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.0625, 2, 1);
+    grids[Side::secondary].high[0] = 0.5 + slip;
+    Scene scene(grids, effects_of(true, 1), explicit_settings(4, 2, 8));
+    scene.settings.integration = Integration::segments;
+    const auto contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    const std::vector<bool> sealed = contact->nodes_in_contact()[Side::primary];
+    const Matrix3Xd& x = scene.fields[Side::primary].position;
+    for (Index node = 0; node < x.cols(); ++node)
+      BOOST_TEST(sealed[static_cast<std::size_t>(node)] == (x(0, node) < 0.75));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_covered_least_bear_nothing_unless_they_are_far_away) {
+  // Two facets along x, the second covered to a half: 0.125/0.5 of the area of the nodes at its end, half an edge long
+  // on one side of them, and (0.25 + 0.1875)/0.5 of those in the middle.
+  for (const double away : {0.0, 0.5}) {
+    PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.0625, 2, 1);
+    grids[Side::secondary].high[0] = 0.75;
+    Scene scene(grids, effects_of(true, 1), explicit_settings(4, 2, 8));
+    scene.settings.integration = Integration::segments;
+    Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+    for (Index node = 0; node < x2.cols(); ++node) x2(2, node) += away * x2(0, node);
+    ContactPass pass(scene.mesh[Side::primary], scene.mesh[Side::secondary], scene.effects, scene.settings);
+    const Matrix3Xd& x1 = scene.fields[Side::primary].position;
+    pass.project(x1, x2, 1);
+    const std::vector<Facet>& facets = scene.mesh[Side::primary].facets;
+    const Vector2d xi(0.2, -0.6);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+      const FacetVector x = facet_coordinates(facets[f], x1).row(0).transpose();
+      const FacetVector psi = pass.multiplier_shape(static_cast<int>(f), 0, xi).value;
+      const double at_the_end = (x.array() > 0.75).select(psi, 0).sum();
+      const double before = (x.array() > 0.75).select(shape_functions(facets[f].type, xi).value, 0).sum();
+      BOOST_TEST(at_the_end == (away > 0 ? before : 0));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_is_exact_where_nodes_are_hardly_covered) {
+  // A fifth of the facets beyond the middle is covered: 0.02 of the area of the nodes at their far end.
+  PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.08, 2, 1);
+  grids[Side::secondary].high[0] = 0.6;
+  Scene scene(grids, effects_of(true, 1), explicit_settings(4, 2, 8));
+  scene.settings.integration = Integration::segments;
+  std::mt19937 random(5);
+  scene.disturb(0.01, random);
+  BOOST_TEST(tangent_error(scene, fine_differences) <= difference_tolerance);
+  const auto contact = scene.contact();
+  contact->begin_iteration(scene.fields);
+  const std::vector<bool> sealed = contact->nodes_in_contact()[Side::primary];
+  BOOST_TEST(std::count(sealed.begin(), sealed.end(), false) == 3);
+}

@@ -1,0 +1,469 @@
+#include "contact/interface/interface.h"
+
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace test;
+
+namespace {
+
+constexpr double dt = 0.25;
+constexpr double balance_tolerance = 1e-12;
+
+/// Pairs of facet types of non-matching meshes: every type on either side.
+constexpr std::array<std::array<FacetType, 2>, 5> mixed_pairs{{{FacetType::quad4, FacetType::tri3},
+                                                               {FacetType::tri3, FacetType::quad9},
+                                                               {FacetType::tri6, FacetType::quad8},
+                                                               {FacetType::quad8, FacetType::quad4},
+                                                               {FacetType::quad9, FacetType::tri6}}};
+
+/// A non-matching contact with random overlap, slopes, fields and multipliers.
+Scene random_scene(FacetType one, FacetType two, bool two_pass, std::mt19937& random) {
+  Scene scene(facing_grids(one, two, 0.05, 1, 2), effects_of(true, 1), explicit_settings(3, 2, 5));
+  scene.settings.two_pass = two_pass;
+  scene.disturb(0.02, random);
+  return scene;
+}
+
+/// Calls `check` for random contacts of mixed facets, with one and two passes, and for a contact of each with
+/// multipliers.
+template <class Check>
+void for_random_contacts(unsigned seed, const Check& check) {
+  std::mt19937 random(seed);
+  for (const auto& [one, two] : mixed_pairs) {
+    for (const bool two_pass : {false, true}) {
+      const Scene scene = random_scene(one, two, two_pass, random);
+      const auto contact = scene.contact();
+      contact->augment(scene.fields);
+      check(scene, *contact);
+    }
+  }
+}
+
+/// Unit squares with an overlap of 1/16, a jump of 1/4 in the solvent and of -2 in the solute, and penalties 4, 2, 8.
+Scene uniform_scene(FacetType one, FacetType two, bool two_pass) {
+  Scene scene(facing_grids(one, two, 0.0625, 2, 3), effects_of(true, 1), explicit_settings(4, 2, 8));
+  scene.settings.two_pass = two_pass;
+  scene.set_field(0, 0.5, 0.25);
+  scene.set_field(1, 1, 3);
+  return scene;
+}
+
+/// Force and flow on one side, shape (3 + fields).
+VectorXd side_sum(const GlobalLayout& layout, const VectorXd& residual, Side side) {
+  VectorXd sum = VectorXd::Zero(layout.per_node());
+  for (Index node = 0; node < layout.nodes[side]; ++node)
+    sum += residual.segment(layout.entry(side, node, 0), layout.per_node());
+  return sum;
+}
+
+/// All answers of a contact in one vector.
+VectorXd answers(const ContactInterface& contact, const Scene& scene) {
+  const GlobalLayout layout(scene);
+  std::vector<double> all;
+  const auto append = [&](const auto& values) { all.insert(all.end(), values.data(), values.data() + values.size()); };
+  append(assembled_residual(contact, layout, scene.fields, dt));
+  append(assembled_tangent(contact, layout, scene.fields, dt));
+  const GapReport report = contact.gaps(scene.fields);
+  all.insert(all.end(), {report.traction.relative, report.traction.largest});
+  for (const FieldGap& gap : report.flux) all.insert(all.end(), {gap.relative, gap.largest});
+  append(contact.balance(scene.fields).force);
+  append(contact.balance(scene.fields).flow);
+  const PerSide<std::vector<bool>> touched_nodes = contact.nodes_in_contact();
+  for (const Side side : both_sides) {
+    const NodalOutput out = contact.nodal_output(side, scene.fields);
+    append(out.gap);
+    append(out.pressure);
+    append(out.flux);
+    append(out.jump);
+    append(out.coverage);
+    for (const bool touched : touched_nodes[side]) all.push_back(touched ? 1 : 0);
+  }
+  return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
+}
+
+PerSide<Matrix3Xd> moved(PerSide<Matrix3Xd> position, const Vector3d& shift) {
+  position[Side::secondary].colwise() += shift;
+  return position;
+}
+
+std::vector<bool> touched_nodes(const Scene& scene, Side side) { return scene.contact()->nodes_in_contact()[side]; }
+
+/// A square plate of one facet type on [0, 3]^2 and one on [1, 2]^2, of which `small` says which is the smaller.
+Scene plates(FacetType one, FacetType two, Side small, bool two_pass, int cells_per_length_of_small) {
+  PerSide<Grid> grids = facing_grids(one, two, 0.05);
+  for (const Side side : both_sides) {
+    const bool inner = side == small;
+    Grid& grid = grids[side];
+    grid.cells_x = grid.cells_y = inner ? cells_per_length_of_small : 3;
+    grid.low.setConstant(inner ? 1 : 0);
+    grid.high.setConstant(inner ? 2 : 3);
+  }
+  Scene scene(grids, effects_of(true, 0));
+  scene.settings.two_pass = two_pass;
+  return scene;
+}
+
+/// Distance of a point from the square [1, 2]^2.
+double distance_from_inner(const Vector3d& x) {
+  return (x.head<2>() - Vector2d::Constant(1.5)).cwiseAbs().maxCoeff() - 0.5;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_tangent_of_a_whole_contact_matches_differences) {
+  double worst = 0;
+  for_random_contacts(1, [&](const Scene& scene, ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    const auto residual = [&](const VectorXd& q) {
+      const PerSide<SurfaceFields> fields = layout.unpack(q);
+      contact.project({{fields[Side::primary].position, fields[Side::secondary].position}});
+      return assembled_residual(contact, layout, fields, dt);
+    };
+    const MatrixXd approximate = differences(residual, layout.pack(scene.fields));
+    contact.project(scene.position());
+    const double error = relative_error(approximate, assembled_tangent(contact, layout, scene.fields, dt));
+    worst = std::max(worst, error);
+    BOOST_TEST(error <= difference_tolerance);
+  });
+  BOOST_TEST_MESSAGE("tangent of a whole contact, largest relative difference " << worst);
+}
+
+BOOST_AUTO_TEST_CASE(forces_and_flows_of_the_two_surfaces_cancel) {
+  double worst = 0;
+  for_random_contacts(2, [&](const Scene& scene, const ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    const VectorXd residual = assembled_residual(contact, layout, scene.fields, dt);
+    const VectorXd sum = side_sum(layout, residual, Side::primary) + side_sum(layout, residual, Side::secondary);
+    const VectorXd magnitude = residual.cwiseAbs();
+    const VectorXd size = side_sum(layout, magnitude, Side::primary) + side_sum(layout, magnitude, Side::secondary);
+    worst = std::max(worst, (sum.array() / size.array()).abs().maxCoeff());
+    BOOST_TEST((sum.array().abs() <= balance_tolerance * size.array()).all());
+  });
+  BOOST_TEST_MESSAGE("balance of a whole contact, largest relative imbalance " << worst);
+}
+
+BOOST_AUTO_TEST_CASE(moments_of_the_two_surfaces_cancel) {
+  for_random_contacts(3, [](const Scene& scene, const ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    const VectorXd residual = assembled_residual(contact, layout, scene.fields, dt);
+    Vector3d moment(0, 0, 0);
+    for (const Side side : both_sides) {
+      for (Index node = 0; node < layout.nodes[side]; ++node) {
+        const Vector3d x = scene.fields[side].position.col(node);
+        moment += x.cross(residual.segment<3>(layout.entry(side, node, 0)));
+      }
+    }
+    BOOST_TEST(moment.norm() <= balance_tolerance * residual.norm());
+  });
+}
+
+BOOST_AUTO_TEST_CASE(the_balance_is_the_sum_of_the_residual) {
+  for_random_contacts(4, [](const Scene& scene, const ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    const VectorXd sum = side_sum(layout, assembled_residual(contact, layout, scene.fields, dt), Side::primary);
+    const Balance balance = contact.balance(scene.fields);
+    BOOST_TEST((sum.head<3>() - balance.force).norm() <= balance_tolerance * balance.force.norm());
+    BOOST_TEST((sum.tail(2) - dt * balance.flow).norm() <= balance_tolerance * balance.flow.norm());
+  });
+}
+
+BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_bits_and_changes_no_state) {
+  for_random_contacts(5, [](const Scene& scene, ContactInterface& contact) {
+    const Multipliers before = contact.multipliers(0);
+    const VectorXd first = answers(contact, scene);
+    BOOST_TEST((answers(contact, scene) == first));
+    BOOST_TEST((contact.multipliers(0).traction == before.traction));
+    BOOST_TEST((contact.multipliers(0).flux == before.flux));
+    BOOST_TEST((contact.multipliers(0).flux_growth == before.flux_growth));
+    BOOST_TEST(contact.multipliers(0).traction_growth == before.traction_growth);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(projecting_away_and_back_leaves_no_trace) {
+  for_random_contacts(6, [](const Scene& scene, ContactInterface& contact) {
+    const VectorXd first = answers(contact, scene);
+    for (const Vector3d& shift : {Vector3d(0.1, 0.05, 0.3), Vector3d(0.4, 0, 0), Vector3d(0, 0, 100)}) {
+      contact.project(moved(scene.position(), shift));
+      contact.project(scene.position());
+      BOOST_TEST((answers(contact, scene) == first));
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(keeping_the_facets_leaves_no_trace_either) {
+  using Search = ContactInterface::Search;
+  for_random_contacts(7, [](const Scene& scene, ContactInterface& contact) {
+    const VectorXd first = answers(contact, scene);
+    // Far away no point hits the facet it saw, but comes back to it.
+    for (const double shift : {1e-3, 5.0}) {
+      contact.project(moved(scene.position(), {shift, 0, 0}), Search::same_facets);
+      contact.project(scene.position(), Search::same_facets);
+      BOOST_TEST((answers(contact, scene) == first));
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_search_follows_a_projection_on_the_same_facets_at_the_same_place) {
+  using Search = ContactInterface::Search;
+  for_random_contacts(8, [](const Scene& scene, ContactInterface& contact) {
+    const PerSide<Matrix3Xd> aside = moved(scene.position(), {-0.45, 0, 0});
+    Scene there = scene;
+    there.fields[Side::secondary].position = aside[Side::secondary];
+    contact.project(aside);
+    const VectorXd searched = answers(contact, there);
+    contact.project(scene.position());
+    contact.project(aside, Search::same_facets);
+    BOOST_TEST((answers(contact, there) != searched));
+    contact.project(aside);
+    BOOST_TEST((answers(contact, there) == searched));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_stored_state_restores_a_contact) {
+  for_random_contacts(9, [](const Scene& scene, ContactInterface& contact) {
+    const auto fresh = scene.contact();
+    BOOST_TEST((answers(*fresh, scene) != answers(contact, scene)));
+    fresh->restore(contact.state());
+    BOOST_TEST((answers(*fresh, scene) == answers(contact, scene)));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_state_that_does_not_fit_is_refused_and_changes_nothing) {
+  for_random_contacts(3, [](const Scene& scene, ContactInterface& contact) {
+    const auto before = answers(contact, scene);
+    const ContactInterface::State sound = contact.state();
+    const auto refused = [&](const auto& spoil) {
+      ContactInterface::State state = sound;
+      spoil(state);
+      BOOST_CHECK_THROW(contact.restore(state), std::invalid_argument);
+      BOOST_TEST((answers(contact, scene) == before));
+    };
+    refused([](auto& state) { state.multipliers.clear(); });
+    refused([](auto& state) { state.multipliers.emplace_back(state.multipliers.front()); });
+    refused([](auto& state) { state.noticed.push_back(0); });  // a second pass without its multipliers
+    refused([&](auto& state) { state.noticed.push_back(scene.mesh[Side::secondary].nodes); });
+    refused([](auto& state) { state.noticed.push_back(-1); });
+    refused([](auto& state) { state.multipliers.front().traction.conservativeResize(1); });
+    refused([](auto& state) { state.multipliers.front().flux.conservativeResize(Eigen::NoChange, 1); });
+    refused([](auto& state) { state.multipliers.front().flux_growth.conservativeResize(7); });
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_balance) {
+  for (const auto& [one, two] : mixed_pairs) {
+    for (const bool two_pass : {false, true}) {
+      const Scene scene = uniform_scene(one, two, two_pass);
+      const Balance balance = scene.contact()->balance(scene.fields);
+      const double passes = two_pass ? 2 : 1;
+      BOOST_TEST(std::abs(balance.area - 1) <= rounding);
+      BOOST_TEST((balance.force - Vector3d(0, 0, -0.25 * passes)).norm() <= rounding);
+      BOOST_TEST(std::abs(balance.flow[0] - 0.5 * passes) <= rounding);
+      BOOST_TEST(std::abs(balance.flow[1] + 16 * passes) <= 16 * rounding);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_nodal_values) {
+  for (const auto& [one, two] : mixed_pairs) {
+    for (const bool two_pass : {false, true}) {
+      const Scene scene = uniform_scene(one, two, two_pass);
+      const auto contact = scene.contact();
+      const double passes = two_pass ? 2 : 1;
+      for (const Side side : both_sides) {
+        const NodalOutput out = contact->nodal_output(side, scene.fields);
+        const double sign = side == Side::primary ? 1 : -1;
+        BOOST_TEST((out.gap.array() + 0.0625).abs().maxCoeff() <= rounding);
+        BOOST_TEST((out.pressure.array() - 0.25 * passes).abs().maxCoeff() <= rounding);
+        BOOST_TEST((out.flux.row(0).array() - sign * 0.5 * passes).abs().maxCoeff() <= rounding);
+        BOOST_TEST((out.flux.row(1).array() + sign * 16 * passes).abs().maxCoeff() <= 32 * rounding);
+        BOOST_TEST((out.jump.row(0).array() - sign * 0.25).abs().maxCoeff() <= rounding);
+        BOOST_TEST((out.jump.row(1).array() + sign * 2).abs().maxCoeff() <= 2 * rounding);
+        BOOST_TEST(std::abs(out.coverage.sum() - 1) <= rounding);
+        BOOST_TEST(out.coverage.minCoeff() > 0.0);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(two_passes_share_the_load) {
+  // Once the multipliers hold the load, each pass carries a half, and the nodal pressure is that of the sum.
+  const Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, true);
+  const auto contact = scene.contact();
+  const GlobalLayout layout(scene);
+  PerSide<VectorXd> force;
+  contact->residual(scene.fields, dt, [&](const ContactInterface::Location& location, const VectorXd& values) {
+    VectorXd& sum = force[location.first];
+    if (sum.size() == 0) sum = VectorXd::Zero(layout.size());
+    sum(layout.entries(location)) += values;
+  });
+  const VectorXd one = side_sum(layout, force[Side::primary], Side::primary);
+  const VectorXd two = side_sum(layout, force[Side::secondary], Side::primary);
+  BOOST_TEST((one - two).norm() <= rounding * one.norm());
+  BOOST_TEST((one.head<3>() + two.head<3>() - contact->balance(scene.fields).force).norm() <= rounding);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_in_contact_gives_nothing) {
+  for (const bool two_pass : {false, true}) {
+    Scene scene = uniform_scene(FacetType::quad8, FacetType::tri3, two_pass);
+    for (const double height : {0.3, 100.0}) {
+      scene.fields[Side::secondary].position.row(2).setConstant(height);
+      const auto contact = scene.contact();
+      const VectorXd all = answers(*contact, scene);
+      BOOST_TEST(all.norm() == 0.0);  // not a number would fail, too
+      contact->residual(scene.fields, dt, [](const auto&, const VectorXd&) { BOOST_TEST(false); });
+      contact->tangent(scene.fields, dt, [](const auto&, const auto&, const MatrixXd&) { BOOST_TEST(false); });
+      BOOST_TEST(contact->balance(scene.fields).area == 0.0);
+      contact->augment(scene.fields);
+      BOOST_TEST(contact->multipliers(0).traction.norm() == 0.0);
+      BOOST_TEST(contact->converged(contact->gaps(scene.fields)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_nodes_of_facing_surfaces_are_in_contact) {
+  for (const auto& [one, two] : mixed_pairs) {
+    for (const bool two_pass : {false, true}) {
+      const Scene scene = uniform_scene(one, two, two_pass);
+      for (const Side side : both_sides) {
+        const std::vector<bool> touched = touched_nodes(scene, side);
+        BOOST_TEST(static_cast<int>(touched.size()) == scene.mesh[side].nodes);
+        BOOST_TEST(std::count(touched.begin(), touched.end(), false) == 0);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_nodes_of_the_smaller_surface_are_in_contact_and_no_distant_ones_of_the_larger) {
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      for (const Side small : both_sides) {
+        for (const bool two_pass : {false, true}) {
+          for (const int cells : {1, 2, 5}) {
+            const Scene scene = plates(one, two, small, two_pass, cells);
+            for (const bool touched : touched_nodes(scene, small)) BOOST_TEST(touched);
+            const std::vector<bool> touched = touched_nodes(scene, other(small));
+            for (std::size_t node = 0; node < touched.size(); ++node) {
+              const double away = distance_from_inner(
+                  scene.fields[other(small)].position.col(static_cast<Index>(node)));
+              if (away < 1e-9) BOOST_TEST(touched[node]);
+              if (away > 0.9) BOOST_TEST(!touched[node]);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_at_the_edge_of_tilted_surfaces_face_what_their_normals_miss) {
+  // Both surfaces rise towards x = 1, as beside a plane of symmetry: the normals of one's nodes at x = 0 pass the edge
+  // of the other at 0.01, a tenth of their distance and a twenty-fifth of a facet. Its next row of nodes lies beyond.
+  for (const FacetType type : all_facets) {
+    PerSide<Grid> grids = facing_grids(type, type, 0.1, 4, 6);
+    grids[Side::secondary].low[0] = -0.5;
+    grids[Side::secondary].cells_x = 9;
+    Scene scene(grids, effects_of(true, 1), explicit_settings(4, 2, 8));
+    for (SurfaceFields& side : scene.fields) side.position.row(2) += 0.1 * side.position.row(0);
+    const std::vector<bool> touched = scene.contact()->nodes_in_contact()[Side::secondary];
+    for (std::size_t node = 0; node < touched.size(); ++node) {
+      const double x = scene.fields[Side::secondary].position(0, static_cast<Index>(node));
+      if (x > -1e-9) BOOST_TEST(touched[node]);
+      if (x < -0.05) BOOST_TEST(!touched[node]);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_are_in_contact_up_to_the_rim_of_the_contact_zone) {
+  for (const FacetType type : all_facets) {
+    PerSide<Grid> grids = facing_grids(type, FacetType::quad4, 0.05);
+    grids[Side::secondary].high[0] = 0.5;  // one of two columns of cells
+    const Scene half(grids, effects_of(false, 0));
+    const std::vector<bool> touched = touched_nodes(half, Side::primary);
+    for (std::size_t node = 0; node < touched.size(); ++node) {
+      BOOST_TEST(touched[node] == (half.fields[Side::primary].position(0, static_cast<Index>(node)) < 0.51));
+    }
+    grids[Side::secondary].z = 0.1;
+    for (const bool open : touched_nodes(Scene(grids, effects_of(false, 0)), Side::primary)) BOOST_TEST(!open);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(with_two_passes_nodes_that_face_contact_are_in_contact_too) {
+  Settings settings;
+  settings.two_pass = true;
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0, 8, 1), effects_of(true, 0), settings);
+  Matrix3Xd& x1 = scene.fields[Side::primary].position;  // a bump at the corner of a single facet
+  const auto bump = (x1.row(0) + x1.row(1)).array() < 0.3;
+  x1.row(2) = bump.select(Eigen::RowVectorXd::Constant(x1.cols(), 0.05), -0.5);
+  const auto contact = scene.contact();
+  BOOST_TEST(contact->pass(1).nodal_loads(scene.fields[Side::secondary], scene.fields[Side::primary]).traction.norm() ==
+             0.0);
+  const std::vector<bool> touched = contact->nodes_in_contact()[Side::secondary];
+  const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+  for (std::size_t node = 0; node < touched.size(); ++node) {
+    BOOST_TEST(touched[node] == (x2.col(static_cast<Index>(node)).norm() < 0.1));
+  }
+  contact->begin_iteration(scene.fields);
+  BOOST_TEST((contact->hold_nodes_in_contact()[Side::secondary] == touched));
+}
+
+BOOST_AUTO_TEST_CASE(nodes_of_graded_facets_are_in_contact_where_a_facet_around_them_is) {
+  // A narrow facet in contact next to a wide one that is not: the nodes between them are in contact.
+  PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 1);
+  grids[Side::secondary].high[0] = 0.5;
+  Scene scene(grids, effects_of(false, 0));
+  Matrix3Xd& x1 = scene.fields[Side::primary].position;
+  for (Index node = 0; node < x1.cols(); ++node) {
+    if (x1(0, node) > 0.9) x1(0, node) = 10;
+  }
+  const std::vector<bool> touched = touched_nodes(scene, Side::primary);
+  for (std::size_t node = 0; node < touched.size(); ++node) {
+    BOOST_TEST(touched[node] == (x1(0, static_cast<Index>(node)) < 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(overlapping_nodes_can_be_moved_onto_the_other_surface) {
+  std::mt19937 random(10);
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad8, 0), effects_of(false, 0));
+  scene.fields[Side::primary].position.row(2).setConstant(0.0625);
+  scene.fields[Side::primary].position(2, 4) = -0.25;
+  const auto contact = scene.contact();
+  const Matrix3Xd moved_nodes = contact->without_overlap(scene.position());
+  Matrix3Xd expected = scene.fields[Side::primary].position;
+  BOOST_TEST(moved_nodes.row(2).maxCoeff() <= rounding);
+  BOOST_TEST((moved_nodes.col(4) == expected.col(4)));  // apart as it was
+  Scene apart(facing_grids(FacetType::quad4, FacetType::quad8, -0.1), effects_of(false, 0));
+  BOOST_TEST((apart.contact()->without_overlap(apart.position()) == apart.fields[Side::primary].position));
+}
+
+BOOST_AUTO_TEST_CASE(overlapping_nodes_whose_normals_pass_an_edge_are_moved_onto_the_surface_beyond_it) {
+  // Both surfaces rise towards x = 1, as beside a plane of symmetry: there the primary normals pass the other's edge.
+  for (const FacetType type : all_facets) {
+    Scene scene(facing_grids(type, type, 0.1, 4, 6), effects_of(false, 0));
+    for (SurfaceFields& side : scene.fields) side.position.row(2) += 0.1 * side.position.row(0);
+    const Matrix3Xd moved = scene.contact()->without_overlap(scene.position());
+    const Eigen::RowVectorXd above = moved.row(2) - 0.1 * moved.row(0) +
+                                     Eigen::RowVectorXd::Constant(moved.cols(), 0.1);
+    BOOST_TEST(above.cwiseAbs().maxCoeff() <= rounding);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(new_properties_change_the_automatic_penalties) {
+  Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, true);
+  scene.settings = Settings{};
+  scene.settings.two_pass = true;
+  const auto contact = scene.contact();
+  PerSide<VectorXd> stiffness;
+  PerSide<MatrixXd> conductance;
+  for (const Side side : both_sides) {
+    stiffness[side] = 2 * scene.mesh[side].stiffness;
+    conductance[side] = 4 * scene.mesh[side].conductance;
+  }
+  const Penalties before = contact->pass(1).penalty();
+  contact->update_properties(stiffness, conductance);
+  BOOST_TEST((contact->pass(1).penalty().traction == 2 * before.traction));
+  BOOST_TEST((contact->pass(1).penalty().flux == 4 * before.flux));
+}

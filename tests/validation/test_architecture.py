@@ -1,0 +1,54 @@
+"""The contact core by concern: each folder has a purpose, and uses only those before it in the table."""
+
+from __future__ import annotations
+
+import re
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+CORE = ROOT / "plugin" / "contact"
+UNIT = ROOT / "tests" / "unit"
+
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+
+
+def floors() -> list[str]:
+    """The folders of the README's table, the lowest first."""
+    found: list[str] = re.findall(
+        r"^\| `(\w+)` \| \S.* \|$", (CORE / "README.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
+    return found
+
+
+def sources() -> list[Path]:
+    return sorted(path for path in CORE.rglob("*") if path.suffix in (".h", ".cpp"))
+
+
+def includes(path: Path) -> list[str]:
+    return INCLUDE.findall(path.read_text(encoding="utf-8"))
+
+
+def test_every_folder_has_a_purpose_and_every_file_a_folder() -> None:
+    assert sorted(floors()) == sorted({path.parent.name for path in sources()})
+    assert all(path.parent.parent == CORE for path in sources())
+
+
+def test_no_folder_uses_one_above_it() -> None:
+    height = {folder: floor for floor, folder in enumerate(floors())}
+    arrows_up = [
+        f"{path.relative_to(CORE)} includes {name}"
+        for path in sources()
+        for name in includes(path)
+        if height[Path(name).parent.name] > height[path.parent.name]
+    ]
+    assert arrows_up == []
+
+
+def test_no_headers_include_each_other_in_a_circle() -> None:
+    graph = {str(path.relative_to(CORE)): includes(path) for path in sources()}
+    assert list(TopologicalSorter(graph).static_order())  # raises CycleError
+
+
+def test_unit_tests_stand_in_the_folders_of_the_core() -> None:
+    assert {path.parent.name for path in UNIT.rglob("test_*.cpp")} == {*floors(), "host"}
