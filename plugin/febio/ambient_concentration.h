@@ -1,4 +1,4 @@
-/// <ambient_concentration>: the bath's concentration of one solute, or of the only one.
+/// <ambient_concentration>: the ambient concentration of one solute, or of the only one.
 #pragma once
 
 #include <FECore/FECoreClass.h>
@@ -13,7 +13,7 @@ class FEMixtureAmbientConcentration : public FECoreClass {
   explicit FEMixtureAmbientConcentration(FEModel* fem) : FECoreClass(fem) {}
 
   int solute = 0;    ///< solute id of the model file, 1 and up; 0 if not given
-  double value = 0;  ///< effective concentration of the bath [mM]
+  double value = 0;  ///< effective concentration outside contact [mM]
 
   DECLARE_FECORE_CLASS()
   FECORE_BASE_CLASS(FEMixtureAmbientConcentration)

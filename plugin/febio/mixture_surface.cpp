@@ -2,6 +2,7 @@
 
 #include "archive.h"
 #include "mixture_contact.h"
+#include "newton/vector_entry.h"
 
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -9,11 +10,16 @@
 #include <algorithm>
 #include <map>
 
-using mixture_contact::Index;
+using newton::at;
 
 namespace {
 
 vec3d to_febio(const mixture_contact::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+/// The point that CreateMaterialPoint() has made.
+FEBiphasicContactPoint& contact_point(FESurfaceElement& element, int q) {
+  return static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+}
 
 }  // namespace
 
@@ -26,14 +32,13 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
   for (int face = 0; face < Elements(); ++face) {
     FESurfaceElement& element = Element(face);
     for (int a = 0; a < element.Nodes(); ++a) {
-      const auto entry = static_cast<std::size_t>(a);
-      const int node = element.m_lnode[entry];
-      gap[entry] = nodal.gap[node];
-      pressure[entry] = nodal.pressure[node];
-      jump[entry] = nodal.jump.rows() > 0 ? nodal.jump(0, node) : 0.0;
+      const int node = at(element.m_lnode, a);
+      at(gap, a) = nodal.gap[node];
+      at(pressure, a) = nodal.pressure[node];
+      at(jump, a) = nodal.jump.rows() > 0 ? nodal.jump(0, node) : 0.0;
     }
     for (int q = 0; q < element.GaussPoints(); ++q) {
-      auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+      auto& point = contact_point(element, q);
       point.m_gap = -element.eval(gap.data(), q);  // FEBio counts an overlap as a positive gap
       point.m_Ln = element.eval(pressure.data(), q);
       point.m_pg = element.eval(jump.data(), q);
@@ -63,11 +68,11 @@ vec3d FEMixtureSurface::GetFluidForce() {
   for (int face = 0; face < Elements(); ++face) {
     FESurfaceElement& element = Element(face);
     for (int q = 0; q < element.GaussPoints(); ++q) {
-      const auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+      const auto& point = contact_point(element, q);
       if (!(point.m_Ln > 0)) continue;
       double pressure = 0;
       for (int a = 0; a < element.Nodes(); ++a) {
-        pressure += element.H(q)[a] * m_pMesh->Node(element.m_node[static_cast<std::size_t>(a)]).get(m_dofP);
+        pressure += element.H(q)[a] * m_pMesh->Node(at(element.m_node, a)).get(m_dofP);
       }
       vec3d tangents[2];
       CoBaseVectors(element, q, tangents);
@@ -81,7 +86,7 @@ void FEMixtureSurface::GetVectorGap(int face, vec3d& gap) {
   FESurfaceElement& element = Element(face);
   gap = vec3d(0, 0, 0);
   for (int q = 0; q < element.GaussPoints(); ++q) {
-    const auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+    const auto& point = contact_point(element, q);
     gap += point.m_nu * (point.m_gap / element.GaussPoints());
   }
 }
@@ -90,7 +95,7 @@ void FEMixtureSurface::GetContactTraction(int face, vec3d& traction) {
   FESurfaceElement& element = Element(face);
   traction = vec3d(0, 0, 0);
   for (int q = 0; q < element.GaussPoints(); ++q) {
-    traction += static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q)).m_tr / element.GaussPoints();
+    traction += contact_point(element, q).m_tr / element.GaussPoints();
   }
 }
 
@@ -98,7 +103,7 @@ void FEMixtureSurface::GetNodalVectorGap(int face, vec3d* gap) {
   FESurfaceElement& element = Element(face);
   vec3d at_points[FEElement::MAX_INTPOINTS];
   for (int q = 0; q < element.GaussPoints(); ++q) {
-    const auto& point = static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
+    const auto& point = contact_point(element, q);
     at_points[q] = point.m_nu * point.m_gap;
   }
   element.project_to_nodes(at_points, gap);
@@ -107,7 +112,7 @@ void FEMixtureSurface::GetNodalVectorGap(int face, vec3d* gap) {
 void FEMixtureSurface::GetNodalContactPressure(int face, double* pressure) {
   const FESurfaceElement& element = Element(face);
   for (int a = 0; a < element.Nodes(); ++a) {
-    const int node = element.m_lnode[static_cast<std::size_t>(a)];
+    const int node = at(element.m_lnode, a);
     pressure[a] = node < nodal_.pressure.size() ? nodal_.pressure[node] : 0.0;
   }
 }
@@ -116,7 +121,7 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
   FESurfaceElement& element = Element(face);
   double pressure[FEElement::MAX_NODES] = {};
   GetNodalContactPressure(face, pressure);
-  const mixture_contact::FacetType type = contact_.core_facet(*this, face).type;
+  const mixture_contact::FacetType type = newton::at(contact_.core().mesh(side_).facets, face).type;
   for (int a = 0; a < element.Nodes(); ++a) {
     const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
     traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);

@@ -9,7 +9,8 @@ class FEMixtureContact;
 
 class FEMixtureSurface : public FEBiphasicContactSurface {
  public:
-  FEMixtureSurface(FEModel* fem, const FEMixtureContact& contact) : FEBiphasicContactSurface(fem), contact_(contact) {}
+  FEMixtureSurface(FEModel* fem, const FEMixtureContact& contact, mixture_contact::Side side)
+      : FEBiphasicContactSurface(fem), contact_(contact), side_(side) {}
 
   /// The contact that owns this surface.
   const FEMixtureContact& contact() const { return contact_; }
@@ -42,6 +43,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
 
  private:
   const FEMixtureContact& contact_;
+  mixture_contact::Side side_;
   mixture_contact::NodalOutput nodal_;
   mixture_contact::Balance total_;
 };

@@ -2,6 +2,7 @@
 
 #include "material_properties.h"
 #include "mixture_contact.h"
+#include "newton/vector_entry.h"
 
 #include <FECore/FECoreFactory.h>
 #include <FECore/FECoreKernel.h>
@@ -21,10 +22,10 @@ constexpr int logged_solutes = 8;
 /// The exchanged field of a surface's contact that is the solvent (solute = -1) or a solute; -1 where it is not
 /// exchanged.
 int exchanged_field(const FEMixtureSurface& surface, int solute) {
-  const auto& effects = surface.contact().effects();
+  const auto& effects = surface.contact().core().effects();
   if (solute < 0) return effects.solvent ? 0 : -1;
-  for (std::size_t k = 0; k < effects.solutes.size(); ++k) {
-    if (effects.solutes[k] == solute) return static_cast<int>(k) + (effects.solvent ? 1 : 0);
+  for (int k = 0; k < newton::count(effects.solutes); ++k) {
+    if (newton::at(effects.solutes, k) == solute) return k + (effects.solvent ? 1 : 0);
   }
   return -1;
 }
@@ -58,7 +59,7 @@ FEMixtureSurface* contact_surface(FEModel& fem, FESurface& surface) {
 
 void name_solutes(FEPlotData& data, FEModel& fem) {
   std::vector<std::string> names = solute_names(fem);
-  data.SetArraySize(static_cast<int>(names.size()));
+  data.SetArraySize(newton::count(names));
   data.SetArrayNames(names);
 }
 
@@ -171,7 +172,7 @@ class FELogFacet : public FELogFaceData {
     if (own == nullptr) return 0;
     double sum = 0;
     for (int a = 0; a < element.Nodes(); ++a)
-      sum += nodal_value(*own, quantity, solute, element.m_lnode[static_cast<std::size_t>(a)]);
+      sum += nodal_value(*own, quantity, solute, newton::at(element.m_lnode, a));
     return sum / element.Nodes();
   }
 };

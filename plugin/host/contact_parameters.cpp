@@ -87,6 +87,11 @@ std::vector<std::string> complaints(const ContactParameters& p) {
                  "sliding-mixture works on the faces of solid elements");
   require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary,
                  "sliding-mixture works on the faces of solid elements");
+  if (p.extrapolation_given) {
+    list.emplace_back(
+        "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
+        "<predictor>1</predictor> to have it, and leave <extrapolation> out.");
+  }
   return list;
 }
 

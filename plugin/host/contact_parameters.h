@@ -4,6 +4,7 @@
 
 #include "contact/base/settings.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,6 @@ struct ContactParameters {
   double search_radius = 0;  ///< [length]
   bool search_radius_given = false;
   int seg_up = 0;
-  bool extrapolation = true;
-  bool extrapolation_given = false;
   bool node_reloc = false;
   int minaug = 0;
   int maxaug = 10;
@@ -50,6 +49,14 @@ struct ContactParameters {
 
   bool flip_primary = false;
   bool flip_secondary = false;
+
+  // Whether helpers of the solver (newton/helper.h) are on. They act on the whole model.
+  bool predictor = false;
+  bool predictor_given = false;
+  bool non_negative_concentrations = true;
+  bool non_negative_concentrations_given = false;
+  bool line_search_guard = true;
+  bool line_search_guard_given = false;
 
   // Parameters of FEBio's interfaces that this one has no use for, or not yet.
   double fric_coeff = 0;
@@ -65,7 +72,26 @@ struct ContactParameters {
   bool knmult_given = false;
   bool smooth_aug_given = false;
   bool smooth_fls_given = false;
+
+  // The former name of predictor.
+  bool extrapolation = false;
+  bool extrapolation_given = false;
 };
+
+/// The switch of one of the solver's helpers.
+struct HelperSwitch {
+  const char* name;
+  bool ContactParameters::* on;
+  bool ContactParameters::* given;
+};
+inline constexpr HelperSwitch predictor{"predictor", &ContactParameters::predictor,
+                                        &ContactParameters::predictor_given};
+inline constexpr HelperSwitch non_negative_concentrations{"non_negative_concentrations",
+                                                          &ContactParameters::non_negative_concentrations,
+                                                          &ContactParameters::non_negative_concentrations_given};
+inline constexpr HelperSwitch line_search_guard{"line_search_guard", &ContactParameters::line_search_guard,
+                                                &ContactParameters::line_search_guard_given};
+inline constexpr std::array<HelperSwitch, 3> helper_switches{predictor, non_negative_concentrations, line_search_guard};
 
 /// What a parameter is measured in.
 enum class Unit { none, length, pressure, concentration };
@@ -103,7 +129,9 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"search_tol", &p.search_tol_given}, p.search_tol);
   take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);
   take({"seg_up"}, p.seg_up);
-  take({"extrapolation", &p.extrapolation_given}, p.extrapolation);
+  take({"predictor", &p.predictor_given}, p.predictor);
+  take({"non_negative_concentrations", &p.non_negative_concentrations_given}, p.non_negative_concentrations);
+  take({"line_search_guard", &p.line_search_guard_given}, p.line_search_guard);
   take({"node_reloc"}, p.node_reloc);
   take({"minaug"}, p.minaug);
   take({"maxaug"}, p.maxaug);
@@ -118,6 +146,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"knmult", &p.knmult_given}, p.knmult);
   take({"smooth_aug", &p.smooth_aug_given}, p.smooth_aug);
   take({"smooth_fls", &p.smooth_fls_given}, p.smooth_fls);
+  take({"extrapolation", &p.extrapolation_given}, p.extrapolation);
 }
 
 /// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing

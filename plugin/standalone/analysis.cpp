@@ -37,7 +37,7 @@ class Steps {
   bool run() {
     for (const Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
     output_.write(0, 0);
-    problem_.begin_iteration();  // the bath is there when the first step begins
+    newton_.begin();  // ambient values are there when the first step begins
     const double end = model_.control.end;
     const double near = end * 1e-7;
     while (end - time_ > near) {
@@ -69,6 +69,7 @@ class Steps {
       log_.print("\n\n------- failed to converge at time : %g\n\n", time);
       total_ += newton_.effort();
       problem_.restore(before);
+      newton_.rewind();
       return false;
     }
     total_ += newton_.effort();

@@ -25,9 +25,9 @@ Eigen::Matrix<double, 4 * max_fields, 4 * max_fields> point_tangent(const Materi
 
 Bodies::Bodies(const Model& model) : model_(model), gas_energy_(model.gas_constant * model.temperature) {
   for (const Element& element : model.mesh.elements) {
-    const auto nodes = static_cast<int>(element.nodes.size());
+    const auto nodes = number_of(element.nodes);
     Matrix3Xd x(3, nodes);
-    for (int a = 0; a < nodes; ++a) x.col(a) = model.mesh.nodes.col(element.nodes[static_cast<std::size_t>(a)]);
+    for (int a = 0; a < nodes; ++a) x.col(a) = model.mesh.nodes.col(at(element.nodes, a));
     std::vector<Point> points;
     for (const HexahedronPoint& at : hexahedron_rule(nodes)) {
       Eigen::Matrix4Xd shape = hexahedron_shape(nodes, at.xi);
@@ -45,7 +45,7 @@ Bodies::Bodies(const Model& model) : model_(model), gas_energy_(model.gas_consta
 
 MatrixXd Bodies::nodal_fields(std::size_t e, const MatrixXd& values) const {
   const std::vector<int>& nodes = element(e).nodes;
-  MatrixXd fields = MatrixXd::Zero(static_cast<Index>(nodes.size()), max_fields);
+  MatrixXd fields = MatrixXd::Zero(count_of(nodes), max_fields);
   for (int f = 0; f < material(e).fields(); ++f) fields.col(f) = values(material(e).dof(f), nodes).transpose();
   return fields;
 }

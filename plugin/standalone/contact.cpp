@@ -102,11 +102,11 @@ mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials
 mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
   const std::vector<int>& nodes = nodes_[side];
   mixture_contact::SurfaceMesh mesh;
-  mesh.nodes = static_cast<int>(nodes.size());
+  mesh.nodes = number_of(nodes);
   for (const SurfaceFacet& facet : facets_[side]) {
     Facet local = facet.facet;
     for (int a = 0; a < node_count(local.type); ++a) {
-      int& node = local.nodes[static_cast<std::size_t>(a)];
+      int& node = at(local.nodes, a);
       node = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
     }
     mesh.facets.push_back(local);
@@ -134,24 +134,24 @@ Contact::PerSide<mixture_contact::SurfaceFields> Contact::fields(const MatrixXd&
   const int count = core_->effects().scalar_fields();
   for (const Side side : both_sides) {
     all[side].position = std::move(position[side]);
-    all[side].scalar.resize(static_cast<Index>(nodes_[side].size()), count);
+    all[side].scalar.resize(count_of(nodes_[side]), count);
     for (int k = 0; k < count; ++k) all[side].scalar.col(k) = values(field_dof(k), nodes_[side]).transpose();
   }
   return all;
 }
 
-std::vector<int> Contact::places(const mixture_contact::ContactInterface::Location& at) const {
-  const mixture_contact::LocalLayout layout = at.patch.layout();
-  std::vector<int> all(static_cast<std::size_t>(layout.size()));
+std::vector<int> Contact::places(const mixture_contact::ContactInterface::Location& where) const {
+  const mixture_contact::LocalLayout layout = where.patch.layout();
+  mixture_contact::IndexedVector<int> all(layout.size());
   for (Index a = 0; a < layout.nodes(); ++a) {
-    const Side side = a < layout.primary_nodes() ? at.first : other(at.first);
-    const int node = nodes_[side][static_cast<std::size_t>(at.patch.node(a))];
+    const Side side = a < layout.primary_nodes() ? where.first : other(where.first);
+    const int node = at(nodes_[side], where.patch.node(a));
     for (int i = 0; layout.has_displacements() && i < 3; ++i) {
-      all[static_cast<std::size_t>(layout.displacement(a, i))] = model_.place(i, node);
+      all[layout.displacement(a, i)] = model_.place(i, node);
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      const int dof = field_dof(at.patch.fields[static_cast<std::size_t>(k)]);
-      all[static_cast<std::size_t>(layout.scalar(a, k))] = model_.place(dof, node);
+      const int dof = field_dof(where.patch.fields[k]);
+      all[layout.scalar(a, k)] = model_.place(dof, node);
     }
   }
   return all;

@@ -28,19 +28,19 @@ Eigen::Vector2d factor(double xi, int node) {
 Eigen::Matrix4Xd hexahedron_shape(int nodes, const Eigen::Vector3d& xi) {
   Eigen::Matrix4Xd shape(4, nodes);
   for (int a = 0; a < nodes; ++a) {
-    const auto& at = node_xi[static_cast<std::size_t>(a)];
-    const Eigen::Vector2d r = factor(xi[0], at[0]);
-    const Eigen::Vector2d s = factor(xi[1], at[1]);
-    const Eigen::Vector2d t = factor(xi[2], at[2]);
+    const auto& place = at(node_xi, a);
+    const Eigen::Vector2d r = factor(xi[0], place[0]);
+    const Eigen::Vector2d s = factor(xi[1], place[1]);
+    const Eigen::Vector2d t = factor(xi[2], place[2]);
     const Eigen::Vector4d product(r[0] * s[0] * t[0], r[1] * s[0] * t[0], r[0] * s[1] * t[0], r[0] * s[0] * t[1]);
     if (a >= 8) {
       shape.col(a) = product / 4;
     } else if (nodes == 8) {
       shape.col(a) = product / 8;
     } else {  // a corner among 20: vanishes on the mid-edge nodes
-      const double plane = xi[0] * at[0] + xi[1] * at[1] + xi[2] * at[2] - 2;
+      const double plane = xi[0] * place[0] + xi[1] * place[1] + xi[2] * place[2] - 2;
       shape.col(a) = product * plane / 8;
-      for (int i = 0; i < 3; ++i) shape(1 + i, a) += product[0] * at[static_cast<std::size_t>(i)] / 8;
+      for (int i = 0; i < 3; ++i) shape(1 + i, a) += product[0] * at(place, i) / 8;
     }
   }
   return shape;

@@ -7,6 +7,8 @@
 
 namespace standalone {
 
+using mixture_contact::at;
+
 /// Faces of a hexahedron as local corner indices, counter-clockwise seen from outside.
 inline constexpr int hexahedron_faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};

@@ -44,7 +44,7 @@ void LinearSystem::factorise(const std::vector<bool>& free) {
   const Matrix last = std::exchange(constrained_, matrix_);
   for (Index column = 0; column < constrained_.outerSize(); ++column) {
     for (Matrix::InnerIterator entry(constrained_, column); entry; ++entry) {
-      const bool counts = free[static_cast<std::size_t>(entry.row())] && free[static_cast<std::size_t>(column)];
+      const bool counts = at(free, entry.row()) && at(free, column);
       if (!counts) entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
     }
   }

@@ -18,6 +18,9 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using mixture_contact::at;
+using mixture_contact::count_of;
+using mixture_contact::number_of;
 
 /// Rows of nodal values: displacements u [mm], effective fluid pressure p~ [MPa], effective concentrations c~ [mM].
 inline constexpr int pressure_dof = 3;
@@ -170,15 +173,13 @@ struct Model {
   std::vector<DataFile> data;
   std::vector<std::string> notices;  ///< what a user should know of parameters without effect
 
-  const Material& material(const Element& element) const {
-    return materials[static_cast<std::size_t>(element.material)];
-  }
+  const Material& material(const Element& element) const { return at(materials, element.material); }
   /// What a model may ask for in its log section, under FEBio's names: x y z, ux uy uz, p, c1 ..., Rx Ry Rz.
   std::vector<std::string> node_data() const;
   /// Likewise: p, wx wy wz, c1 j1x j1y j1z ..., and c jx jy jz of the first solute.
   std::vector<std::string> element_data() const;
   /// Number of rows of nodal values.
-  int dofs() const { return concentration_dof(static_cast<int>(solutes.size())); }
+  int dofs() const { return concentration_dof(number_of(solutes)); }
   /// Place of a degree of freedom in a vector of all nodal values, node by node.
   int place(int dof, int node) const { return node * dofs() + dof; }
 };

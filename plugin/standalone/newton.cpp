@@ -4,8 +4,8 @@
 #include "host/augmentation.h"
 #include "host/warnings.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace standalone {
 
@@ -15,8 +15,56 @@ void Effort::operator+=(const Effort& other) {
   residuals += other.residuals;
 }
 
+namespace {
+
+/// A contact of the problem at its current state.
+class ContactAtState : public mixture_contact::SteppedContact {
+ public:
+  ContactAtState(const Problem& problem, Contact& contact, Log& log)
+      : problem_(problem), contact_(contact), log_(log) {}
+
+  void project() override { contact_.project(problem_.values()); }
+  void prepare_step() override {}
+  void end_iterations() override { contact_.core().end_iterations(); }
+  bool begin_iteration() override { return contact_.core().begin_iteration(fields()); }
+  void move_iteration() override { contact_.core().move_iteration(fields()); }
+  bool is_solution() override { return contact_.core().is_solution(fields()); }
+  bool finds_overlap() override {
+    const mixture_contact::UnnoticedOverlap noticed = contact_.core().notice_overlap(fields());
+    if (noticed.nodes == 0) return false;
+    const ContactDefinition& definition = contact_.definition();
+    const auto& surfaces = definition.surfaces;
+    if (!std::exchange(said_overlap_, true))
+      log_.print("%s\n", noticed_line(definition.name, surfaces.front(), surfaces.back(), noticed).c_str());
+    return !is_solution();
+  }
+
+ private:
+  mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const { return contact_.fields(problem_.values()); }
+
+  const Problem& problem_;
+  Contact& contact_;
+  Log& log_;
+  bool said_overlap_ = false;
+};
+
+}  // namespace
+
 Newton::Newton(Problem& problem, Log& log)
-    : problem_(problem), log_(log), control_(problem.model().control), system_(problem.values().size()) {}
+    : problem_(problem),
+      log_(log),
+      control_(problem.model().control),
+      system_(problem.values().size()),
+      steps_(*this, no_helpers_) {
+  for (Contact& contact : problem.contacts())
+    contacts_.push_back(std::make_unique<ContactAtState>(problem, contact, log));
+}
+
+std::vector<mixture_contact::SteppedContact*> Newton::active_contacts() {
+  std::vector<mixture_contact::SteppedContact*> all;
+  for (const auto& contact : contacts_) all.push_back(contact.get());
+  return all;
+}
 
 Newton::Norms Newton::norms(const VectorXd& residual, const VectorXd& change) const {
   const Index dofs = problem_.values().rows();
@@ -26,7 +74,7 @@ Newton::Norms Newton::norms(const VectorXd& residual, const VectorXd& change) co
   return {residual.squaredNorm(), std::abs(change.dot(residual)), fields};
 }
 
-void Newton::evaluate() {
+void Newton::evaluate_residual() {
   end_ = problem_.residual();
   ++effort_.residuals;
 }
@@ -34,10 +82,12 @@ void Newton::evaluate() {
 void Newton::form_matrix(bool evaluated) {
   log_.print("Reforming stiffness matrix: reformation #%d\n\n", control_.max_reformations - allowed_reformations_ + 1);
   if (allowed_reformations_-- == 0) throw StepFailure("Max nr of reformations reached.");
+  steps_.before_matrix();
   problem_.assemble(system_);
   system_.factorise(problem_.free());
   ++effort_.reformations;
-  if (!evaluated) evaluate();
+  steps_.matrix_formed();
+  if (!evaluated) evaluate_residual();
   // Prescribed values change with the first iteration of a step: what they do to the unknowns counts as a force.
   const std::vector<bool> free = problem_.free();
   start_ = end_ - system_.times(problem_.pending());
@@ -80,13 +130,10 @@ void Newton::log_norms(const Norms& now, const Norms& required, double time) con
 
 bool Newton::augment() {
   std::vector<Contact>& contacts = problem_.contacts();
-  const auto is_solution = [&](const Contact& contact) {
-    return contact.core().is_solution(contact.fields(problem_.values())) && !notices_overlap(contact);
-  };
   // What converged with contact held is a solution only if it agrees with that; if not, iterations go on.
-  if (!std::all_of(contacts.begin(), contacts.end(), is_solution)) {
+  if (!steps_.accepts(this)) {
     log_.print(" Contact has to change.\n");
-    problem_.begin_iteration();
+    begin();
     return false;
   }
   if (contacts.empty()) return true;
@@ -101,22 +148,8 @@ bool Newton::augment() {
   }
   ++augmentations_;
   allowed_reformations_ = control_.max_reformations;
-  if (!done) {
-    problem_.end_iterations();
-    problem_.begin_iteration();
-  }
+  if (!done) begin();
   return done;
-}
-
-bool Newton::notices_overlap(const Contact& contact) {
-  const auto fields = contact.fields(problem_.values());
-  const mixture_contact::UnnoticedOverlap noticed = contact.core().notice_overlap(fields);
-  if (noticed.nodes == 0) return false;
-  const ContactDefinition& definition = contact.definition();
-  const auto& surfaces = definition.surfaces;
-  if (said_noticed_.insert(&contact).second)
-    log_.print("%s\n", noticed_line(definition.name, surfaces.front(), surfaces.back(), noticed).c_str());
-  return !contact.core().is_solution(fields);
 }
 
 void Newton::solve_step(double time, double dt) {
@@ -125,21 +158,23 @@ void Newton::solve_step(double time, double dt) {
   allowed_reformations_ = control_.max_reformations;
   increment_ = VectorXd::Zero(problem_.values().size());
   problem_.start_step(time, dt);
-  problem_.begin_iteration();
+  begin();
+  steps_.prepare_step(this);
   form_matrix(false);
   for (bool done = false; !done; ++effort_.iterations) {
     log_.print(" %d\n", effort_.iterations + 1);
     const VectorXd change = system_.solve(start_);
     if (effort_.iterations == 0) first_ = norms(start_, change);
     problem_.advance(change);
-    evaluate();
+    steps_.try_increment(this, {});
+    steps_.evaluate(this);
+    evaluate_residual();
     increment_ += change;
     const bool balanced = converged(norms(end_, change), time);
     done = balanced && augment();
     if (done) continue;
     // Where it balances, augment() has begun the next iteration, and its loads are to be evaluated.
-    const bool evaluated = !balanced && !problem_.begin_iteration();
-    form_matrix(evaluated);
+    form_matrix(!balanced);
   }
   problem_.accept_step();
 }

@@ -1,10 +1,12 @@
 /// Newton's method for one time step, with FEBio's convergence tests.
 #pragma once
 
+#include "host/contact_steps.h"
 #include "log.h"
 #include "problem.h"
 
-#include <set>
+#include <memory>
+#include <vector>
 
 namespace standalone {
 
@@ -19,12 +21,18 @@ struct Effort {
 
 /// Full Newton: the matrix is formed anew in each iteration, contact status changes between iterations only, and what
 /// converged counts as a solution only if the status agrees with it and the augmentations are done.
-class Newton {
+class Newton : private mixture_contact::SteppedModel {
  public:
   Newton(Problem& problem, Log& log);
 
+  /// Decides what is in contact at the current state, and what is at ambient values.
+  void begin() { steps_.evaluate(this); }
+
   /// Solves the step from the current state to `time`. Throws StepFailure where it does not converge.
   void solve_step(double time, double dt);
+
+  /// The state of the start of a step has been restored.
+  void rewind() { steps_.rewind(); }
 
   /// What the last step took, also if it failed.
   const Effort& effort() const { return effort_; }
@@ -39,14 +47,20 @@ class Newton {
   };
   Norms norms(const VectorXd& residual, const VectorXd& change) const;
 
-  void evaluate();
-  /// Matrix and residual of the state at which an iteration has begun; the residual is known if `evaluated`.
+  /// Matrix and residual of the current state; the latter is known already if `evaluated`, unless contact changes it.
   void form_matrix(bool evaluated);
   bool converged(const Norms& now, double time);
   void log_norms(const Norms& now, const Norms& required, double time) const;
   bool augment();
-  /// Whether the iterations go on with nodes that a second pass has just noticed.
-  bool notices_overlap(const Contact& contact);
+
+  std::vector<mixture_contact::SteppedContact*> active_contacts() override;
+  bool apply_ambient() override { return problem_.switch_ambient(); }
+  void evaluate() override { steps_.evaluate(this); }
+  void evaluate_bodies_after_contacts() override {}  // they are evaluated with the residual
+  void evaluate_residual() override;
+  bool keeps_matrices() override { return false; }
+  void request_matrix() override {}
+  void limit_rejections(int /*n*/) override {}  // the limit on reformations holds
 
   Problem& problem_;
   Log& log_;
@@ -57,8 +71,10 @@ class Newton {
   int augmentations_ = 0;
   VectorXd start_, end_;  ///< residual before and after an iteration
   Norms first_;
-  VectorXd increment_;                     ///< of the step so far
-  std::set<const Contact*> said_noticed_;  ///< whose first noticed nodes the log has named
+  VectorXd increment_;  ///< of the step so far
+  std::vector<std::unique_ptr<mixture_contact::SteppedContact>> contacts_;
+  newton::Helpers no_helpers_;
+  mixture_contact::ContactSteps steps_;
 };
 
 }  // namespace standalone

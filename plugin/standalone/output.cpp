@@ -80,7 +80,7 @@ void add_cells(XMLElement& parent, const Mesh& mesh) {
   std::vector<int> types;
   for (const Element& element : mesh.elements) {
     nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
-    ends.push_back(static_cast<int>(nodes.size()));
+    ends.push_back(number_of(nodes));
     types.push_back(element.nodes.size() == 8 ? vtk_hexahedron : vtk_quadratic_hexahedron);
   }
   add_array(parent, "connectivity", "Int32", nodes, 1);
@@ -92,13 +92,13 @@ void add_cells(XMLElement& parent, const Mesh& mesh) {
 void add_grid(XMLElement& grid, const Model& model, const MatrixXd& values) {
   XMLElement& piece = *grid.InsertNewChildElement("Piece");
   piece.SetAttribute("NumberOfPoints", static_cast<int>(model.mesh.nodes.cols()));
-  piece.SetAttribute("NumberOfCells", static_cast<int>(model.mesh.elements.size()));
+  piece.SetAttribute("NumberOfCells", number_of(model.mesh.elements));
   add_matrix(*piece.InsertNewChildElement("Points"), "position", model.mesh.nodes);
   add_cells(*piece.InsertNewChildElement("Cells"), model.mesh);
   XMLElement& data = *piece.InsertNewChildElement("PointData");
   add_matrix(data, "displacement", values.topRows(3));
   add_matrix(data, "effective fluid pressure", values.row(pressure_dof));
-  for (int k = 0; k < static_cast<int>(model.solutes.size()); ++k)
+  for (int k = 0; k < number_of(model.solutes); ++k)
     add_matrix(data, "effective concentration " + std::to_string(k + 1), values.row(concentration_dof(k)));
 }
 

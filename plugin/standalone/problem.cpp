@@ -15,7 +15,7 @@ using Status = Problem::Status;
 void check_rigid(const Model& model, const Bodies& bodies, const std::vector<Status>& status) {
   for (std::size_t e = 0; e < bodies.elements(); ++e) {
     for (const int place : bodies.places(e)) {
-      if (!bodies.material(e).rigid || status[static_cast<std::size_t>(place)] == Status::prescribed) continue;
+      if (!bodies.material(e).rigid || at(status, place) == Status::prescribed) continue;
       throw InputError(
           model.file + ": the rigid body \"" + bodies.material(e).name +
           "\" is free to move; all its translations must be given in <Rigid>, free rigid bodies are not supported");
@@ -27,11 +27,11 @@ void check_rigid(const Model& model, const Bodies& bodies, const std::vector<Sta
 std::vector<Status> initial_status(const Model& model, const Bodies& bodies) {
   std::vector<Status> status(static_cast<std::size_t>(model.dofs() * model.mesh.nodes.cols()), Status::absent);
   for (std::size_t e = 0; e < bodies.elements(); ++e) {
-    for (const int place : bodies.places(e)) status[static_cast<std::size_t>(place)] = Status::free;
+    for (const int place : bodies.places(e)) at(status, place) = Status::free;
   }
   for (const Condition& condition : model.prescribed) {
     for (const int node : condition.nodes) {
-      Status& now = status[static_cast<std::size_t>(model.place(condition.dof, node))];
+      Status& now = at(status, model.place(condition.dof, node));
       if (now != Status::absent) now = Status::prescribed;
     }
   }
@@ -48,7 +48,7 @@ MatrixXd unit_forces(const Model& model, const SurfaceLoad& load) {
   for (const SurfaceFacet& facet : load.facets) {
     for (const FacetPoint& point : facet_points(facet.facet, model.mesh.nodes)) {
       for (Index a = 0; a < point.shape.size(); ++a) {
-        const int node = facet.facet.nodes[static_cast<std::size_t>(a)];
+        const int node = at(facet.facet.nodes, a);
         if (load.fluid) {
           forces(pressure_dof, node) += point.shape[a] * point.area.norm();
         } else {
@@ -107,48 +107,32 @@ void Problem::start_step(double time, double dt) {
     const double target = condition.value.at(time, model_.curves);
     for (const int node : condition.nodes) {
       const int place = model_.place(condition.dof, node);
-      if (state_.status[static_cast<std::size_t>(place)] == Status::prescribed)
-        pending_[place] = target - state_.values(condition.dof, node);
+      if (at(state_.status, place) == Status::prescribed) pending_[place] = target - state_.values(condition.dof, node);
     }
   }
   for (Contact& contact : contacts_) {
     if (reads_properties_again(contact.definition().parameters)) contact.update_properties(state_.values);
   }
-  end_iterations();
 }
 
 // ------------------------------------------------------------ contact status
 
-void Problem::end_iterations() {
-  for (const Contact& contact : contacts_) contact.core().end_iterations();
-}
-
-bool Problem::begin_iteration() {
-  bool changed = false;
-  for (const Contact& contact : contacts_) {
-    const bool contact_changed = contact.core().begin_iteration(contact.fields(state_.values));
-    changed = changed || contact_changed;
-  }
-  const bool ambient_changed = switch_ambient();
-  return changed || ambient_changed;
-}
-
 bool Problem::switch_ambient() {
-  // A node is at ambient only where no contact has it; the first contact that it belongs to says what its bath is.
-  std::map<int, const ContactDefinition*> baths;
+  // A node is at ambient only where no contact has it; the first contact that it belongs to says what that is.
+  std::map<int, const ContactDefinition*> definitions;
   std::set<int> in_contact;
   for (const Contact& contact : contacts_) {
     const auto status = contact.core().hold_nodes_in_contact();
     for (const auto side : mixture_contact::both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
-        baths.emplace(contact.nodes(side)[i], &contact.definition());
+        definitions.emplace(contact.nodes(side)[i], &contact.definition());
         if (status[side][i]) in_contact.insert(contact.nodes(side)[i]);
       }
     }
   }
   bool changed = false;
-  for (const auto& [node, bath] : baths) {
-    const bool switched = switch_ambient(node, in_contact.count(node) > 0, *bath);
+  for (const auto& [node, definition] : definitions) {
+    const bool switched = switch_ambient(node, in_contact.count(node) > 0, *definition);
     changed = changed || switched;
   }
   return changed;
@@ -157,14 +141,14 @@ bool Problem::switch_ambient() {
 bool Problem::switch_ambient(int node, bool in_contact, const ContactDefinition& contact) {
   bool changed = false;
   for (int dof = pressure_dof; dof < model_.dofs(); ++dof) {
-    Status& status = state_.status[static_cast<std::size_t>(model_.place(dof, node))];
+    Status& status = at(state_.status, model_.place(dof, node));
     if (status != Status::free && status != Status::ambient) continue;
     double& value = state_.values(dof, node);
-    const double bath = in_contact ? value : ambient_value(model_, contact, dof, time_);
+    const double ambient = in_contact ? value : ambient_value(model_, contact, dof, time_);
     const Status wanted = in_contact ? Status::free : Status::ambient;
-    changed = changed || status != wanted || value != bath;
+    changed = changed || status != wanted || value != ambient;
     status = wanted;
-    value = bath;
+    value = ambient;
   }
   return changed;
 }
@@ -185,7 +169,7 @@ VectorXd Problem::residual() {
   for (const Contact& contact : contacts_) {
     contact.core().residual(contact.fields(state_.values), dt_, [&](const Location& at, const VectorXd& local) {
       const std::vector<int> places = contact.places(at);
-      for (Index i = 0; i < local.size(); ++i) forces_[places[static_cast<std::size_t>(i)]] += local[i];
+      for (Index i = 0; i < local.size(); ++i) forces_[mixture_contact::at(places, i)] += local[i];
     });
   }
   for (std::size_t k = 0; k < unit_forces_.size(); ++k) {

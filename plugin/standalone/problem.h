@@ -31,11 +31,8 @@ class Problem {
   /// Keeps the current state as what the next step starts from.
   void accept_step() { bodies_.accept_step(state_.values); }
 
-  /// Begins a Newton iteration at the current state: decides what is in contact, holds that, and switches the nodes
-  /// that are not to ambient values. Returns whether the residual has changed.
-  bool begin_iteration();
-  /// Forgets what iterations hold of contact: status and linearised gaps.
-  void end_iterations();
+  /// Switches nodes outside contact to ambient values, and frees the others. Returns whether anything changed.
+  bool switch_ambient();
   /// Adds a change to the nodal values, and what is pending.
   void advance(const VectorXd& change);
   /// Prescribed increments that are not yet in the nodal values.
@@ -47,7 +44,7 @@ class Problem {
   /// Assembles the tangent, -d residual/d values.
   void assemble(LinearSystem& system) const;
 
-  /// What stands at a place: nothing, or a value that is prescribed, that of the bath at a node that is not in contact,
+  /// What stands at a place: nothing, or a value that is prescribed, the ambient one at a node that is not in contact,
   /// or unknown.
   enum class Status : unsigned char { absent, prescribed, ambient, free };
 
@@ -61,7 +58,6 @@ class Problem {
   void restore(const State& state);
 
  private:
-  bool switch_ambient();
   bool switch_ambient(int node, bool in_contact, const ContactDefinition& contact);
 
   const Model& model_;

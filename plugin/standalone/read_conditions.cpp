@@ -11,7 +11,7 @@ constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 int read_axis(const Tag& tag) { return static_cast<int>(tag.one_of({axes.begin(), axes.end()})); }
 
 int read_concentration(const Tag& tag, const Model& model) {
-  for (int k = 0; k < static_cast<int>(model.solutes.size()); ++k) {
+  for (int k = 0; k < number_of(model.solutes); ++k) {
     if (tag.text() == "c" + std::to_string(k + 1)) return concentration_dof(k);
   }
   tag.fail("\"" + tag.text() + "\" is no concentration; there are c1 to c" + std::to_string(model.solutes.size()));
@@ -21,7 +21,7 @@ int read_concentration(const Tag& tag, const Model& model) {
 void read_fixed_axes(const Tag& tag, const std::string& prefix, bool fixed, const std::vector<int>& nodes,
                      Model& model) {
   for (int i = 0; i < 3; ++i) {
-    const auto flag = tag.find(prefix + axes[static_cast<std::size_t>(i)] + "_dof");
+    const auto flag = tag.find(prefix + at(axes, i) + "_dof");
     if (flag && flag->flag()) model.prescribed.push_back({i, nodes, {}, fixed});
   }
 }

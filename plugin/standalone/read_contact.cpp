@@ -27,7 +27,7 @@ void read_parameters(const Tag& tag, ContactParameters& parameters) {
   });
   // What only febio4 can do.
   tag.must_be("laugon", {"PENALTY", "AUGLAG", "0", "1"});
-  for (const char* name : {"extrapolation", "node_reloc", "seg_up", "flip_primary", "flip_secondary"})
+  for (const char* name : {"predictor", "node_reloc", "seg_up", "flip_primary", "flip_secondary"})
     tag.must_be(name, {"0"});
   const std::vector<std::string> wrong = complaints(parameters);
   if (!wrong.empty()) tag.fail(wrong.front());
@@ -71,7 +71,7 @@ void read_contacts(const Tag& section, Model& model) {
     contact.name = tag.find_attribute("name").value_or(tag.attribute("surface_pair"));
     read_parameters(tag, contact.parameters);
     if (const auto pressure = tag.find("ambient_pressure")) contact.ambient_pressure = read_parameter(*pressure, model);
-    for (const Tag& bath : tag.all("ambient_concentration")) read_ambient_concentration(bath, model, contact);
+    for (const Tag& ambient : tag.all("ambient_concentration")) read_ambient_concentration(ambient, model, contact);
     for (const std::string& notice : notices(contact.parameters)) model.notices.push_back(contact.name + ": " + notice);
     check_surfaces(tag, model, contact);
     model.contacts.push_back(std::move(contact));

@@ -25,7 +25,7 @@ void read_solid(const Tag& tag, Material& material) {
 Solute read_solute(const Tag& tag, const Model& model) {
   Solute solute;
   solute.index = tag.integer_attribute("sol") - 1;
-  if (solute.index >= static_cast<int>(model.solutes.size())) {
+  if (solute.index >= number_of(model.solutes)) {
     tag.fail("solute " + std::to_string(solute.index + 1) + " does not exist; <Globals> has " +
              std::to_string(model.solutes.size()));
   }
@@ -72,7 +72,7 @@ Material read_material(const Tag& tag, const Model& model) {
 
 void read_solute_of_model(const Tag& tag, Model& model) {
   model.solutes.push_back(tag.find_attribute("name").value_or(""));
-  if (tag.integer_attribute("id") != static_cast<int>(model.solutes.size())) tag.fail("ids must count up from 1");
+  if (tag.integer_attribute("id") != number_of(model.solutes)) tag.fail("ids must count up from 1");
   constexpr std::size_t most = mixture_contact::max_scalar_fields - 1;  // one more field is the solvent
   if (model.solutes.size() > most) tag.fail("there may be up to " + std::to_string(most) + " solutes");
   tag.ignore({"molar_mass", "density"});

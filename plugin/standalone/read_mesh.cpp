@@ -27,12 +27,11 @@ void read_nodes(const Tag& section, Mesh& mesh, Ids& ids) {
   std::vector<double> positions;
   for (const Tag& tag : section.all("node")) {
     const std::vector<double> x = tag.numbers(3);
-    if (!ids.emplace(tag.integer_attribute("id"), static_cast<int>(ids.size())).second)
-      tag.fail("this id is used twice");
+    if (!ids.emplace(tag.integer_attribute("id"), number_of(ids)).second) tag.fail("this id is used twice");
     positions.insert(positions.end(), x.begin(), x.end());
   }
   const Index known = mesh.nodes.cols();
-  mesh.nodes.conservativeResize(3, static_cast<Index>(ids.size()));
+  mesh.nodes.conservativeResize(3, count_of(ids));
   mesh.nodes.rightCols(mesh.nodes.cols() - known) = Matrix3Xd::Map(positions.data(), 3, mesh.nodes.cols() - known);
 }
 
@@ -44,7 +43,7 @@ std::vector<int> read_elements(const Tag& section, const Ids& nodes, Mesh& mesh,
     Element element{tag.integer_attribute("id"), -1, node_indices(tag, nodes, count), tag.line()};
     if (std::set<int>(element.nodes.begin(), element.nodes.end()).size() != count) tag.fail("a node appears twice");
     if (!ids.insert(element.id).second) tag.fail("this id is used twice");
-    part.push_back(static_cast<int>(mesh.elements.size()));
+    part.push_back(number_of(mesh.elements));
     mesh.elements.push_back(std::move(element));
   }
   return part;
@@ -61,8 +60,7 @@ Faces element_faces(const Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     for (int f = 0; f < 6; ++f) {
       std::array<int, 4> nodes{};
-      for (std::size_t k = 0; k < 4; ++k)
-        nodes[k] = mesh.elements[e].nodes[static_cast<std::size_t>(hexahedron_faces[f][k])];
+      for (std::size_t k = 0; k < 4; ++k) nodes[k] = at(mesh.elements[e].nodes, hexahedron_faces[f][k]);
       faces.emplace(in_order(nodes), std::pair<int, int>(e, f));
     }
   }
@@ -121,11 +119,10 @@ void read_mesh(const Tag& section, Model& model) {
 
 void read_mesh_domains(const Tag& section, Model& model) {
   std::map<std::string, int> materials;
-  for (const Material& material : model.materials) materials.emplace(material.name, static_cast<int>(materials.size()));
+  for (const Material& material : model.materials) materials.emplace(material.name, number_of(materials));
   for (const Tag& tag : section.all("SolidDomain")) {
     const int material = named(tag, "mat", materials);
-    for (const int element : named(tag, "name", model.mesh.parts))
-      model.mesh.elements[static_cast<std::size_t>(element)].material = material;
+    for (const int element : named(tag, "name", model.mesh.parts)) at(model.mesh.elements, element).material = material;
   }
   for (const Element& element : model.mesh.elements) {
     if (element.material < 0)

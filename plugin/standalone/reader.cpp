@@ -18,7 +18,7 @@ void read_module(const Tag& tag, Model& model) {
 void read_load_curve(const Tag& tag, Model& model) {
   LoadCurve curve;
   tag.attribute("type", {"loadcurve"});
-  if (tag.integer_attribute("id") != static_cast<int>(model.curves.size()) + 1) tag.fail("ids must count up from 1");
+  if (tag.integer_attribute("id") != number_of(model.curves) + 1) tag.fail("ids must count up from 1");
   if (const auto way = tag.find("interpolate")) curve.steps = way->one_of({"LINEAR", "STEP"}) == 1;
   tag.must_be("extend", {"CONSTANT"});
   for (const Tag& point : tag.one("points").all("pt")) {
@@ -124,7 +124,7 @@ void read_output(const Tag& tag, Model& model) {
 int read_curve(const Tag& tag, const Model& model) {
   if (!tag.find_attribute("lc")) return -1;
   const int curve = tag.integer_attribute("lc");
-  const auto count = static_cast<int>(model.curves.size());
+  const auto count = number_of(model.curves);
   if (curve <= count) return curve - 1;
   tag.fail("load curve " + std::to_string(curve) + " does not exist; there are " + std::to_string(count));
 }

@@ -20,7 +20,7 @@ class TimeStepper {
   void succeeded() { retries_ = 0; }
 
  private:
-  const LoadCurve& must_points() const { return model_.curves[static_cast<std::size_t>(rules_->must_points)]; }
+  const LoadCurve& must_points() const { return at(model_.curves, rules_->must_points); }
   double grown(double time, int iterations) const;
   double up_to_must_point(double time, double dt) const;
 

@@ -22,6 +22,7 @@ from harness.studies.cost import command as cost
 from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
 from harness.studies.price import command as price
+from harness.studies.robustness import command as robustness
 from harness.validate import command as validate
 from harness.validate import engines_command
 
@@ -50,6 +51,7 @@ for _command in (
     cost.cost_sweep,
     cost.cost_turn,
     price.price,
+    robustness.robustness,
     gallery.gallery,
     pages.pages,
     pages.report,

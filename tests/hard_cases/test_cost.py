@@ -88,7 +88,7 @@ def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
     assert named == {
         ("unsplit", "default", 0.0),
         ("sliding-mixture", "default", 0.0),
-        ("sliding-mixture", "extrapolation", 0.0),
+        ("sliding-mixture", "predictor", 1.0),
         ("sliding-mixture", "integration", 0.0),
         ("sliding-mixture", "penalty factor", 10.0),
         ("sliding-multiphasic", "penalty factor", 1e2),

@@ -9,6 +9,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 CORE = ROOT / "plugin" / "contact"
 UNIT = ROOT / "tests" / "unit"
+HELPERS = ROOT / "plugin" / "newton"
+ADAPTER = ROOT / "plugin" / "febio"
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
@@ -51,4 +53,30 @@ def test_no_headers_include_each_other_in_a_circle() -> None:
 
 
 def test_unit_tests_stand_in_the_folders_of_the_core() -> None:
-    assert {path.parent.name for path in UNIT.rglob("test_*.cpp")} == {*floors(), "host"}
+    assert {path.parent.name for path in UNIT.rglob("test_*.cpp")} == {*floors(), "host", "newton"}
+
+
+def test_what_helps_the_solver_knows_nothing_of_contact() -> None:
+    of_others = [
+        f"{path.relative_to(HELPERS)} includes {name}"
+        for path in sorted(HELPERS.rglob("*"))
+        if path.suffix in (".h", ".cpp")
+        for name in includes(path)
+        if name.split("/")[0] in ("contact", "host", "febio")
+    ]
+    assert of_others == []
+
+
+def test_the_adapter_names_a_helper_where_it_registers_it_and_nowhere_else() -> None:
+    helpers = "Predictor", "NonNegativeConcentrations", "LineSearchGuard"
+    found = {
+        helper: [
+            line.strip()
+            for path in sorted(ADAPTER.iterdir())
+            if path.suffix in (".h", ".cpp")
+            for line in path.read_text(encoding="utf-8").splitlines()
+            if helper in line
+        ]
+        for helper in helpers
+    }
+    assert {helper: len(lines) for helper, lines in found.items()} == dict.fromkeys(helpers, 1), found

@@ -51,6 +51,8 @@ SMALL = {
     "scripts/mixcontact hard-cases": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",
+    # Builds the plugin with sanitizers, which takes minutes.
+    "scripts/mixcontact robustness model.feb --only model": "{harness} robustness --help",
     # No network, and no second virtual environment.
     "git clone <address of this repository> FEBioMixtureContact": "git clone -q {root} FEBioMixtureContact",
     "cd FEBioMixtureContact": "cd FEBioMixtureContact && rm -r scripts && ln -s {root}/scripts scripts",

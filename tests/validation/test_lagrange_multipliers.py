@@ -14,7 +14,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
 from harness.models.pairs import Kind
-from harness.models.parts import Control, Param
+from harness.models.parts import Control
 from harness.post import compare
 
 LAGMULT = ContactSettings(laugon="LAGMULT")
@@ -57,8 +57,7 @@ def test_convection_is_that_of_the_whole_body(context, peclet):
 
 def test_creep_in_the_biphasic_module_is_that_of_the_whole_body(context):
     data = {"elements": 10, "control": STRICT}
-    as_the_whole = replace(LAGMULT, extra=(Param("extrapolation", False),))  # which begins its steps where they begin
-    cut = context.runner(Confined(context.interface, as_the_whole, name="multipliers-creep", **data).model())
+    cut = context.runner(Confined(context.interface, LAGMULT, name="multipliers-creep", **data).model())
     whole = context.runner(Confined(InterfaceType.UNSPLIT, name="multipliers-creep-whole", **data).model())
     assert compare.largest_difference(cut, whole, "p") <= BAR * np.abs(whole.nodes["p"]).max()
     assert cut.report.iterations <= 1.05 * whole.report.iterations

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.run import engine, logdata
 from harness.models import pairs
 from harness.models.interface import ContactSettings
 from harness.models.pairs import Kind
 from harness.models.parts import Control, Curve, Param
+from harness.run import engine, logdata
 
 pytestmark = pytest.mark.mixture_only
 

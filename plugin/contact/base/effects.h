@@ -1,8 +1,9 @@
 /// Which effects a contact exchanges. Search, residual, tangent, matrix profile, multipliers and log follow this value.
 #pragma once
 
+#include "base/indexed_vector.h"
+
 #include <cstdint>
-#include <vector>
 
 namespace mixture_contact {
 
@@ -22,7 +23,7 @@ struct Effects {
   std::vector<int> solutes;  ///< host's ids of the solutes that both surfaces share, ascending
 
   /// Number of exchanged scalar fields.
-  int scalar_fields() const { return (solvent ? 1 : 0) + static_cast<int>(solutes.size()); }
+  int scalar_fields() const { return (solvent ? 1 : 0) + number_of(solutes); }
 };
 
 }  // namespace mixture_contact

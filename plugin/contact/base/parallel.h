@@ -1,16 +1,16 @@
 /// Loops that OpenMP's threads share, with results that do not depend on how many threads there are.
 #pragma once
 
+#include "base/indexed_vector.h"
+
 #include <algorithm>
-#include <cstddef>
 #include <exception>
 #include <type_traits>
-#include <vector>
 
 namespace mixture_contact {
 
 /// Results of in_order() that are held at once: enough to keep threads busy, few enough for the cache.
-inline constexpr std::size_t batch_size = 512;
+inline constexpr Index batch_size = 512;
 
 /// How many threads share a loop.
 inline int thread_count() {
@@ -25,12 +25,12 @@ inline int thread_count() {
 /// Calls body(i) for each i below `count`, in any order and on several threads; it may write only to what belongs to i.
 /// Rethrows one of the exceptions that bodies throw.
 template <class Body>
-void in_parallel(std::size_t count, const Body& body) {
+void in_parallel(Index count, const Body& body) {
   std::exception_ptr thrown;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static, 8) default(none) shared(count, body, thrown) if (count > 1)
 #endif
-  for (std::size_t i = 0; i < count; ++i) {
+  for (Index i = 0; i < count; ++i) {
     try {
       body(i);
     } catch (...) {
@@ -47,12 +47,12 @@ void in_parallel(std::size_t count, const Body& body) {
 /// ascending order on the calling thread: sums and calls of a host come in the same order whatever the number of
 /// threads.
 template <class Make, class Use>
-void in_order(std::size_t count, const Make& make, const Use& use) {
-  std::vector<std::decay_t<std::invoke_result_t<const Make&, std::size_t>>> results(std::min(count, batch_size));
-  for (std::size_t first = 0; first < count; first += batch_size) {
-    const std::size_t size = std::min(batch_size, count - first);
-    in_parallel(size, [&](std::size_t i) { results[i] = make(first + i); });
-    for (std::size_t i = 0; i < size; ++i) use(first + i, results[i]);
+void in_order(Index count, const Make& make, const Use& use) {
+  IndexedVector<std::decay_t<std::invoke_result_t<const Make&, Index>>> results(std::min(count, batch_size));
+  for (Index first = 0; first < count; first += batch_size) {
+    const Index size = std::min(batch_size, count - first);
+    in_parallel(size, [&](Index i) { results[i] = make(first + i); });
+    for (Index i = 0; i < size; ++i) use(first + i, results[i]);
   }
 }
 

@@ -1,10 +1,10 @@
 /// The nodes and fields that a local residual or tangent is about.
 #pragma once
 
+#include "base/indexed_vector.h"
 #include "base/local_layout.h"
 
 #include <optional>
-#include <vector>
 
 namespace mixture_contact {
 
@@ -12,22 +12,18 @@ namespace mixture_contact {
 /// (secondary), and the exchanged fields, as indices into Effects' order, with the layout of local vectors over them;
 /// and the multipliers of a node, where they are unknowns.
 struct Patch {
-  std::vector<int> primary;
-  std::vector<int> secondary;
-  std::vector<int> fields;
+  IndexedVector<int> primary;
+  IndexedVector<int> secondary;
+  IndexedVector<int> fields;
   std::optional<int> multiplier_node = std::nullopt;  ///< the primary node whose multipliers are unknowns of the patch
   bool displacements = true;                          ///< whether the nodes' displacements are among the unknowns
 
   LocalLayout layout() const {
-    return {static_cast<Index>(primary.size()), static_cast<Index>(secondary.size()), static_cast<Index>(fields.size()),
-            multiplier_node.has_value(), displacements};
+    return {primary.count(), secondary.count(), fields.count(), multiplier_node.has_value(), displacements};
   }
 
   /// The n-th node of the layout, by its index within its surface.
-  int node(Index n) const {
-    const auto place = static_cast<std::size_t>(n);
-    return place < primary.size() ? primary[place] : secondary[place - primary.size()];
-  }
+  int node(Index n) const { return n < primary.count() ? primary[n] : secondary[n - primary.count()]; }
 
   /// The same nodes with their displacements alone.
   Patch of_displacements() const { return {primary, secondary, {}, multiplier_node, true}; }

@@ -82,7 +82,7 @@ ShapeFunctions tri7(const Vector2d& xi) {
 ShapeFunctions quad4(const Vector2d& xi) {
   ShapeFunctions shape = sized(FacetType::quad4);
   for (Index a = 0; a < 4; ++a) {
-    const auto& [r, s] = corner_sign[static_cast<std::size_t>(a)];
+    const auto& [r, s] = at(corner_sign, a);
     shape.value[a] = 0.25 * (1 + r * xi[0]) * (1 + s * xi[1]);
     shape.gradient.row(a) << 0.25 * r * (1 + s * xi[1]), 0.25 * s * (1 + r * xi[0]);
   }
@@ -92,7 +92,7 @@ ShapeFunctions quad4(const Vector2d& xi) {
 ShapeFunctions quad9(const Vector2d& xi) {
   ShapeFunctions shape = sized(FacetType::quad9);
   for (Index a = 0; a < 9; ++a) {
-    const auto& grid = quad9_grid[static_cast<std::size_t>(a)];
+    const auto& grid = at(quad9_grid, a);
     const Value r = lagrange_quadratic(grid[0], xi[0]);
     const Value s = lagrange_quadratic(grid[1], xi[1]);
     shape.value[a] = r.value * s.value;
@@ -141,7 +141,7 @@ FacetHessian tri7_hessian(const Vector2d& xi) {
 FacetHessian quad4_hessian() {
   FacetHessian hessian = FacetHessian::Zero(4, 3);
   for (Index a = 0; a < 4; ++a) {
-    const auto& [r, s] = corner_sign[static_cast<std::size_t>(a)];
+    const auto& [r, s] = at(corner_sign, a);
     hessian(a, 2) = 0.25 * r * s;
   }
   return hessian;
@@ -150,7 +150,7 @@ FacetHessian quad4_hessian() {
 FacetHessian quad9_hessian(const Vector2d& xi) {
   FacetHessian hessian(9, 3);
   for (Index a = 0; a < 9; ++a) {
-    const auto& grid = quad9_grid[static_cast<std::size_t>(a)];
+    const auto& grid = at(quad9_grid, a);
     const Value r = lagrange_quadratic(grid[0], xi[0]);
     const Value s = lagrange_quadratic(grid[1], xi[1]);
     hessian.row(a) << r.second * s.value, r.value * s.second, r.derivative * s.derivative;
@@ -326,7 +326,7 @@ int sub_facet_at(FacetType type, const Vector2d& xi) {
 
 ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi) {
   if (edge_degree(type) == 1) return shape_functions(type, xi);
-  const SubFacet& own = sub_facets(type)[static_cast<std::size_t>(sub_facet)];
+  const SubFacet& own = at(sub_facets(type), sub_facet);
   const SubPlace place = place_on(own, type, xi);
   const ShapeFunctions linear = shape_functions(own.type, place.xi);
   const Index nodes = node_count(type);
@@ -336,7 +336,7 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
     psi.gradient.row(node) += share * linear.gradient.row(corner) * place.slope;
   };
   for (Index corner = 0; corner < linear.value.size(); ++corner) {
-    const Index node = own.nodes[static_cast<std::size_t>(corner)];
+    const Index node = at(own.nodes, corner);
     if (node < nodes) {
       add(node, corner, 1);
     } else {
@@ -346,7 +346,7 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
   return psi;
 }
 
-ShapeFunctions shared_out(FacetType type, const ShapeFunctions& psi, const FacetVector& counts) {
+ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const FacetVector& counts) {
   ShapeFunctions shared{FacetVector::Zero(psi.value.size()), FacetGradient::Zero(psi.value.size(), 2)};
   for (Index node = 0; node < psi.value.size(); ++node) {
     const FacetVector heirs = heirs_of(type, static_cast<int>(node), counts);
@@ -359,14 +359,14 @@ ShapeFunctions shared_out(FacetType type, const ShapeFunctions& psi, const Facet
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions) {
   const int n = node_count(facet.type);
   FacetCoordinates coordinates(3, n);
-  for (int a = 0; a < n; ++a) coordinates.col(a) = positions.col(facet.nodes[static_cast<std::size_t>(a)]);
+  for (int a = 0; a < n; ++a) coordinates.col(a) = positions.col(facet.node(a));
   return coordinates;
 }
 
 FacetVector facet_values(const Facet& facet, const NodalField& field) {
   const int n = node_count(facet.type);
   FacetVector values(n);
-  for (int a = 0; a < n; ++a) values[a] = field[facet.nodes[static_cast<std::size_t>(a)]];
+  for (int a = 0; a < n; ++a) values[a] = field[facet.node(a)];
   return values;
 }
 

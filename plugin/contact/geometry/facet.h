@@ -1,7 +1,7 @@
 /// The facets of a contact surface: types, shape functions and parametric domains.
 #pragma once
 
-#include "base/types.h"
+#include "base/indexed_vector.h"
 
 #include <array>
 #include <optional>
@@ -72,12 +72,18 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
 /// own, in equal parts, to those beside it that count, or where there are none to all that do. They add up to 1 as
 /// before and are nowhere negative where those given are not. `counts`: 1 for nodes that count, 0 for the others, shape
 /// (n).
-ShapeFunctions shared_out(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);
+ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);
 
 /// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
 struct Facet {
   FacetType type = FacetType::quad4;
   std::array<int, max_facet_nodes> nodes{};
+
+  int count() const { return node_count(type); }
+  int node(Index a) const { return nodes[static_cast<std::size_t>(a)]; }
+  /// The nodes that count.
+  const int* begin() const { return nodes.data(); }
+  const int* end() const { return nodes.data() + count(); }
 };
 
 /// Columns of a per-node array that belong to a facet's nodes, shape (3, n).

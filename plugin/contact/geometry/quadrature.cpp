@@ -81,7 +81,7 @@ std::vector<QuadraturePoint> piecewise_quadrature(FacetType type, int order) {
   for (const SubFacet& piece : sub_facets(type)) {
     Eigen::Matrix2Xd corners(2, node_count(piece.type));
     for (Index a = 0; a < corners.cols(); ++a) {
-      corners.col(a) = parametric_node(type, piece.nodes[static_cast<std::size_t>(a)]);
+      corners.col(a) = parametric_node(type, at(piece.nodes, a));
     }
     for (const QuadraturePoint& q : quadrature(piece.type, order)) {
       const ShapeFunctions shape = shape_functions(piece.type, q.xi);

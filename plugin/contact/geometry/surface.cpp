@@ -51,7 +51,7 @@ VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   VectorXd sum = VectorXd::Zero(mesh.nodes);
   for (const Facet& facet : mesh.facets) {
     const FacetVector areas = areas_of_nodes(facet, position);
-    for (Index a = 0; a < areas.size(); ++a) sum[facet.nodes[static_cast<std::size_t>(a)]] += areas[a];
+    for (Index a = 0; a < areas.size(); ++a) sum[facet.node(a)] += areas[a];
   }
   return sum;
 }

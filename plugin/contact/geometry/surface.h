@@ -2,19 +2,21 @@
 #pragma once
 
 #include "base/effects.h"
+#include "base/indexed_vector.h"
+#include "base/side.h"
 #include "geometry/facet.h"
 
-#include <vector>
+#include <algorithm>
 
 namespace mixture_contact {
 
 /// What does not change in a run: facets, and the properties of the material behind each.
 struct SurfaceMesh {
   int nodes = 0;
-  std::vector<Facet> facets;
-  std::vector<FieldMask> permeable;  ///< per facet: the exchanged scalar fields that the material behind it knows
+  IndexedVector<Facet> facets;
+  IndexedVector<FieldMask> permeable;  ///< per facet: the exchanged scalar fields that the material behind it knows
   VectorXd stiffness;    ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
-  MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where sealed
+  MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where impermeable
 };
 
 /// The current state of a surface: one column or row per node.
@@ -22,6 +24,18 @@ struct SurfaceFields {
   Matrix3Xd position;  ///< current positions, shape (3, nodes) [mm]
   MatrixXd scalar;     ///< exchanged scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects
 };
+
+/// Positions, or positions and fields, of both surfaces as a pass sees them.
+using FacingPositions = Facing<Matrix3Xd>;
+using FacingFields = Facing<SurfaceFields>;
+inline FacingPositions positions(const FacingFields& fields) {
+  return {fields.primary.position, fields.secondary.position};
+}
+
+/// Whether any of a facet's nodes is among those given.
+inline bool any_node(const Facet& facet, const NodeFlags& given) {
+  return std::any_of(facet.begin(), facet.end(), [&](int node) { return given[node]; });
+}
 
 /// INT psi_a da over one facet, shape (n) [mm^2].
 FacetVector areas_of_nodes(const Facet& facet, const Matrix3Xd& position);

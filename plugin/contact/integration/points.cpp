@@ -10,7 +10,7 @@ namespace mixture_contact {
 namespace {
 
 /// Adds a point to its pair of facets. Points come facet by facet, so only the pairs of the last primary facet count.
-void add_point(std::vector<FacetPair>& pairs, int primary, int secondary, const IntegrationPoint& point) {
+void add_point(IndexedVector<FacetPair>& pairs, int primary, int secondary, const IntegrationPoint& point) {
   for (auto pair = pairs.rbegin(); pair != pairs.rend() && pair->primary == primary; ++pair) {
     if (pair->secondary != secondary) continue;
     pair->points.push_back(point);
@@ -28,7 +28,7 @@ Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& x
   return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), reach, tolerance};
 }
 
-std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, const std::vector<Facet>& secondary,
+std::unique_ptr<PointFinder> point_finder(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary,
                                           const Settings& settings) {
   if (settings.integration == Integration::segments) {
     return std::make_unique<Segments>(primary, secondary, settings.integration_order);
@@ -36,13 +36,13 @@ std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, con
   return std::make_unique<GaussPoints>(primary, secondary, settings.integration_order, settings.search_tolerance);
 }
 
-GaussPoints::GaussPoints(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order,
+GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
                          double tolerance)
     : primary_(primary), secondary_(secondary), tolerance_(tolerance), moving_(secondary) {
-  for (std::size_t f = 0; f < primary.size(); ++f) {
+  for (int f = 0; f < primary.count(); ++f) {
     const FacetType type = primary[f].type;
     for (const QuadraturePoint& q : quadrature(type, order > 0 ? order : default_quadrature_order(type))) {
-      points_.push_back({static_cast<int>(f), q.xi, q.weight, sub_facet_at(type, q.xi)});
+      points_.push_back({f, q.xi, q.weight, sub_facet_at(type, q.xi)});
     }
   }
   sights_.resize(points_.size());
@@ -64,20 +64,20 @@ void GaussPoints::end_iterations() {
   for (Sight& sight : sights_) sight = {sight.facet};
 }
 
-std::vector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
-  std::vector<FacetPair> pairs;
+IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
+  IndexedVector<FacetPair> pairs;
   for (Sight& sight : sights_) sight.facet = nothing_seen;
   if (!surfaces_within_reach(x1, x2, radius)) return pairs;
   moving_.move_to(x2);
-  const auto hit_of = [&](std::size_t q) {
+  const auto hit_of = [&](Index q) {
     const Point& point = points_[q];
-    Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, radius, tolerance_);
+    Ray ray = normal_ray(primary_[point.facet], x1, point.xi, radius, tolerance_);
     std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q]);
     if (hit || !sights_[q].is_kept()) return hit;
     ray.tolerance = widest_miss;
     return facing_hit(sights_[q].last, secondary_, x2, ray);
   };
-  in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<SurfaceHit>& hit) {
+  in_order(points_.count(), hit_of, [&](Index q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];
     if (!hit) return;
     sights_[q].facet = hit->facet;
@@ -94,23 +94,22 @@ std::size_t GaussPoints::memory() const {
 
 std::vector<PointMotion> GaussPoints::motions(const FacetPair& pair, const Matrix3Xd& /*x1*/,
                                               const Matrix3Xd& /*x2*/) const {
-  const int nodes = node_count(primary_[static_cast<std::size_t>(pair.primary)].type) +
-                    node_count(secondary_[static_cast<std::size_t>(pair.secondary)].type);
+  const int nodes = node_count(primary_[pair.primary].type) + node_count(secondary_[pair.secondary].type);
   return std::vector<PointMotion>(pair.points.size(), no_motion(nodes));
 }
 
-std::vector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  std::vector<FacetPair> pairs;
-  const auto hit_of = [&](std::size_t q) -> std::optional<RayHit> {
+IndexedVector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  IndexedVector<FacetPair> pairs;
+  const auto hit_of = [&](Index q) -> std::optional<RayHit> {
     const Sight& sight = sights_[q];
     if (sight.facet == nothing_seen) return std::nullopt;
     const Point& point = points_[q];
-    const Facet& facet = secondary_[static_cast<std::size_t>(sight.facet)];
+    const Facet& facet = secondary_[sight.facet];
     const double tolerance = sight.is_kept() ? widest_miss : tolerance_;
-    const Ray ray = normal_ray(primary_[static_cast<std::size_t>(point.facet)], x1, point.xi, 0, tolerance);
+    const Ray ray = normal_ray(primary_[point.facet], x1, point.xi, 0, tolerance);
     return intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
   };
-  in_order(points_.size(), hit_of, [&](std::size_t q, const std::optional<RayHit>& hit) {
+  in_order(points_.count(), hit_of, [&](Index q, const std::optional<RayHit>& hit) {
     const Point& point = points_[q];
     if (hit) add_point(pairs, point.facet, sights_[q].facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });

@@ -40,11 +40,11 @@ class PointFinder {
 
   /// Pairs of facets that face each other within `radius`, in ascending order of the primary facets. Within an
   /// iteration the result depends on the positions alone.
-  virtual std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
+  virtual IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
 
   /// The same without a search: points keep to the facets that the last search() found for them. The result depends on
   /// that search and the positions alone.
-  virtual std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+  virtual IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
 
   /// Begins a Newton iteration where the last search was made. Returns whether a search there would now find more,
   /// since points at the edge of the other surface are kept on it from now on.
@@ -61,7 +61,7 @@ class PointFinder {
 };
 
 /// The finder that the settings ask for. Keeps references to the facets.
-std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, const std::vector<Facet>& secondary,
+std::unique_ptr<PointFinder> point_finder(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary,
                                           const Settings& settings);
 
 /// Gauss points at fixed places of the primary facets: each sees the nearest facet that faces it.
@@ -73,11 +73,11 @@ std::unique_ptr<PointFinder> point_finder(const std::vector<Facet>& primary, con
 class GaussPoints : public PointFinder {
  public:
   /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
-  GaussPoints(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order, double tolerance);
+  GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, double tolerance);
 
-  std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   /// A point that leaves its facet comes back with it.
-  std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   bool begin_iteration() override;
   void end_iterations() override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
@@ -103,13 +103,13 @@ class GaussPoints : public PointFinder {
     bool is_kept() const { return losses >= most_losses; }
   };
 
-  const std::vector<Facet>& primary_;
-  const std::vector<Facet>& secondary_;
+  const IndexedVector<Facet>& primary_;
+  const IndexedVector<Facet>& secondary_;
   double tolerance_;
-  std::vector<Point> points_;
-  std::vector<Sight> sights_;              ///< per point
-  MovingSurface moving_;                   ///< the secondary surface
-  std::vector<RayNeighbours> neighbours_;  ///< per point
+  IndexedVector<Point> points_;
+  IndexedVector<Sight> sights_;              ///< per point
+  MovingSurface moving_;                     ///< the secondary surface
+  IndexedVector<RayNeighbours> neighbours_;  ///< per point
 };
 
 }  // namespace mixture_contact

@@ -11,7 +11,7 @@ namespace {
 /// Sum of the corners of a polygon with given weights.
 VaryingVector combined(const Polygon& corners, const Eigen::Ref<const VectorXd>& weights) {
   VaryingVector sum = weights[0] * corners[0];
-  for (std::size_t a = 1; a < corners.size(); ++a) sum = sum + weights[static_cast<Index>(a)] * corners[a];
+  for (Index a = 1; a < count_of(corners); ++a) sum = sum + weights[a] * at(corners, a);
   return sum;
 }
 

@@ -60,7 +60,7 @@ Box enlarged_box(const Facet& facet, const Matrix3Xd& positions, double margin) 
   return {box.min() - pad, box.max() + pad};
 }
 
-std::vector<Box> enlarged_boxes(const std::vector<Facet>& facets, const Matrix3Xd& positions, double margin) {
+std::vector<Box> enlarged_boxes(const IndexedVector<Facet>& facets, const Matrix3Xd& positions, double margin) {
   std::vector<Box> boxes;
   boxes.reserve(facets.size());
   for (const Facet& facet : facets) boxes.push_back(enlarged_box(facet, positions, margin));
@@ -81,7 +81,7 @@ double mean_diagonal(const std::vector<Box>& boxes) {
 }
 
 /// The hit of nearest_facing() among some of the facets, in ascending order.
-std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, const std::vector<Facet>& facets,
+std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, const IndexedVector<Facet>& facets,
                                         const Matrix3Xd& positions, const Ray& ray) {
   const auto length = [](const SurfaceHit& hit) { return std::abs(hit.gap) + hit.outside; };
   std::optional<SurfaceHit> best;
@@ -94,7 +94,7 @@ std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, cons
 
 }  // namespace
 
-FacetTree::FacetTree(const std::vector<Facet>& facets, const Matrix3Xd& positions, double margin) {
+FacetTree::FacetTree(const IndexedVector<Facet>& facets, const Matrix3Xd& positions, double margin) {
   std::vector<int> ids(facets.size());
   std::iota(ids.begin(), ids.end(), 0);
   const std::vector<Box> boxes = enlarged_boxes(facets, positions, margin);
@@ -114,9 +114,9 @@ bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reac
   return surface_box(x1).exteriorDistance(surface_box(x2)) <= reach;
 }
 
-std::optional<SurfaceHit> facing_hit(int index, const std::vector<Facet>& facets, const Matrix3Xd& positions,
+std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& facets, const Matrix3Xd& positions,
                                      const Ray& ray) {
-  const Facet& facet = facets[static_cast<std::size_t>(index)];
+  const Facet& facet = facets[index];
   const FacetCoordinates x = facet_coordinates(facet, positions);
   const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
   if (!hit || std::abs(hit->gap) > ray.reach) return std::nullopt;
@@ -126,12 +126,12 @@ std::optional<SurfaceHit> facing_hit(int index, const std::vector<Facet>& facets
   return SurfaceHit{index, hit->eta, hit->gap, outside};
 }
 
-std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
+std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray) {
   return nearest_among(tree.candidates(ray.origin, ray.direction, ray.reach), facets, positions, ray);
 }
 
-std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const std::vector<Facet>& facets,
+std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                                    const Matrix3Xd& positions, Ray ray) {
   std::optional<SurfaceHit> hit = nearest_facing(tree, facets, positions, ray);
   if (hit) return hit;
@@ -169,7 +169,7 @@ std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeigh
   const Segment segment{ray.origin, half, 0};
   std::vector<int> met;
   for (const int facet : neighbours.facets) {
-    if (segment.meets(boxes_[static_cast<std::size_t>(facet)])) met.push_back(facet);
+    if (segment.meets(at(boxes_, facet))) met.push_back(facet);
   }
   return nearest_among(met, facets_, positions_, ray);
 }

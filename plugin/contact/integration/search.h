@@ -21,7 +21,7 @@ class FacetTree {
  public:
   /// Boxes around the facets' nodes, enlarged by `margin` times their diagonal (curved facets bulge out of their nodes'
   /// box).
-  FacetTree(const std::vector<Facet>& facets, const Matrix3Xd& positions, double margin);
+  FacetTree(const IndexedVector<Facet>& facets, const Matrix3Xd& positions, double margin);
 
   /// Indices, ascending, of the facets whose box meets the segment from origin - reach * direction to origin + reach *
   /// direction; with a width, those that come that near to it along the axes.
@@ -56,7 +56,7 @@ struct SurfaceHit {
 };
 
 /// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction.
-std::optional<SurfaceHit> facing_hit(int index, const std::vector<Facet>& facets, const Matrix3Xd& positions,
+std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& facets, const Matrix3Xd& positions,
                                      const Ray& ray);
 
 /// The nearest hit of a ray on the facets of a tree whose outward normals oppose its direction; empty if there is none.
@@ -64,13 +64,13 @@ std::optional<SurfaceHit> facing_hit(int index, const std::vector<Facet>& facets
 /// at less than 45 degrees the one that the ray does meet wins, so that the gap does not jump as the hit crosses their
 /// edge. The choice depends on the configuration alone, never on earlier calls; equal lengths go to the lowest facet
 /// index.
-std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const std::vector<Facet>& facets,
+std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray);
 
 /// The same for the ray of a node. Where a surface ends at a plane of symmetry the normal at its edge, the mean over
 /// one side, is off by up to half the turn between two facets: a ray that hits nothing, and passes the edge of a facet
 /// by less than a fifth of the gap there (facets that turn by 23 degrees), meets it.
-std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const std::vector<Facet>& facets,
+std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                                    const Matrix3Xd& positions, Ray ray);
 
 /// The facets that a ray of an earlier configuration could meet.
@@ -91,7 +91,7 @@ struct RayNeighbours {
 class MovingSurface {
  public:
   /// Keeps a reference to the facets.
-  explicit MovingSurface(const std::vector<Facet>& facets) : facets_(facets) {}
+  explicit MovingSurface(const IndexedVector<Facet>& facets) : facets_(facets) {}
 
   /// Sets the present configuration.
   void move_to(const Matrix3Xd& positions);
@@ -104,7 +104,7 @@ class MovingSurface {
  private:
   bool holds(const RayNeighbours& neighbours, const std::array<Vector3d, 2>& ends) const;
 
-  const std::vector<Facet>& facets_;
+  const IndexedVector<Facet>& facets_;
   Matrix3Xd positions_;
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< in the present configuration
   Matrix3Xd reference_;

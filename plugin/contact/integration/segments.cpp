@@ -50,7 +50,7 @@ Polygon in_space(const VaryingFacet& facet, const SubFacet& piece) {
   Polygon polygon;
   polygon.reserve(piece.nodes.size());
   for (int a = 0; a < node_count(piece.type); ++a) {
-    polygon.push_back(facet.at(parametric_node(facet.type, piece.nodes[static_cast<std::size_t>(a)])));
+    polygon.push_back(facet.at(parametric_node(facet.type, at(piece.nodes, a))));
   }
   return polygon;
 }
@@ -59,7 +59,7 @@ Polygon in_space(const VaryingFacet& facet, const SubFacet& piece) {
 Vector2d middle(FacetType type, const SubFacet& piece) {
   const int corners = node_count(piece.type);
   Vector2d sum(0, 0);
-  for (int a = 0; a < corners; ++a) sum += parametric_node(type, piece.nodes[static_cast<std::size_t>(a)]);
+  for (int a = 0; a < corners; ++a) sum += parametric_node(type, at(piece.nodes, a));
   return sum / corners;
 }
 
@@ -155,18 +155,17 @@ int default_segment_order(FacetType primary, FacetType secondary) {
   return std::max(default_quadrature_order(primary), default_quadrature_order(secondary));
 }
 
-Segments::Segments(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order)
+Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order)
     : primary_(primary), secondary_(secondary), order_(order) {}
 
 int Segments::order(const Facing& facing) const {
   if (order_ > 0) return order_;
-  return default_segment_order(primary_[static_cast<std::size_t>(facing.primary)].type,
-                               secondary_[static_cast<std::size_t>(facing.secondary)].type);
+  return default_segment_order(primary_[facing.primary].type, secondary_[facing.secondary].type);
 }
 
 FacetPair Segments::pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  const Facet& one = primary_[static_cast<std::size_t>(facing.primary)];
-  const Facet& two = secondary_[static_cast<std::size_t>(facing.secondary)];
+  const Facet& one = primary_[facing.primary];
+  const Facet& two = secondary_[facing.secondary];
   const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, 0};
   const VaryingFacet secondary{two.type, facet_coordinates(two, x2), 0, 0};
   FacetPair pair{facing.primary, facing.secondary, {}};
@@ -185,47 +184,48 @@ FacetPair Segments::pair_of(const Facing& facing, const Matrix3Xd& x1, const Mat
 
 bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const {
   const IntegrationPoint& point = heaviest(pair);
-  const Facet& one = primary_[static_cast<std::size_t>(pair.primary)];
-  const Facet& two = secondary_[static_cast<std::size_t>(pair.secondary)];
+  const Facet& one = primary_[pair.primary];
+  const Facet& two = secondary_[pair.secondary];
   const Ray ray = normal_ray(one, x1, point.xi, radius, 0);
   return (facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin).norm() <= radius;
 }
 
-bool Segments::hidden(const FacetPair& pair, const std::vector<FacetPair>& all, const Matrix3Xd& x1,
+bool Segments::hidden(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
                       const Matrix3Xd& x2) const {
-  const Facet& one = primary_[static_cast<std::size_t>(pair.primary)];
-  const Facet& two = secondary_[static_cast<std::size_t>(pair.secondary)];
+  const Facet& one = primary_[pair.primary];
+  const Facet& two = secondary_[pair.secondary];
   const IntegrationPoint& point = heaviest(pair);
   const Ray ray = normal_ray(one, x1, point.xi, 0, 0);
   const Vector3d seen = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value;
   return std::any_of(all.begin(), all.end(), [&](const FacetPair& rival) {
-    const Facet& facet = secondary_[static_cast<std::size_t>(rival.secondary)];
+    const Facet& facet = secondary_[rival.secondary];
     if (share_a_node(facet, two)) return false;
     const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
     return hit && std::abs(hit->gap) < (seen - ray.origin).norm();
   });
 }
 
-std::vector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
-  std::vector<FacetPair> found;
+IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
+  IndexedVector<FacetPair> found;
   seen_.clear();
   if (!surfaces_within_reach(x1, x2, radius)) return found;
   const FacetTree tree(secondary_, x2, box_margin);
-  const auto pairs_of = [&](std::size_t f) {
+  const auto pairs_of = [&](Index index) {
+    const int f = static_cast<int>(index);
     const Ray ray = normal_ray(primary_[f], x1, parametric_centre(primary_[f].type), radius, 0);
     const double width = radius_around(facet_coordinates(primary_[f], x1), ray.origin);
-    std::vector<FacetPair> pairs;
+    IndexedVector<FacetPair> pairs;
     for (const int candidate : tree.candidates(ray.origin, ray.direction, radius, width)) {
-      FacetPair pair = pair_of({static_cast<int>(f), candidate}, x1, x2);
+      FacetPair pair = pair_of({f, candidate}, x1, x2);
       if (!pair.points.empty() && within_reach(pair, x1, x2, radius)) pairs.push_back(std::move(pair));
     }
-    std::vector<FacetPair> visible;
+    IndexedVector<FacetPair> visible;
     for (const FacetPair& pair : pairs) {
       if (!hidden(pair, pairs, x1, x2)) visible.push_back(pair);
     }
     return visible;
   };
-  in_order(primary_.size(), pairs_of, [&](std::size_t /*facet*/, std::vector<FacetPair>& pairs) {
+  in_order(primary_.count(), pairs_of, [&](Index /*facet*/, IndexedVector<FacetPair>& pairs) {
     for (FacetPair& pair : pairs) {
       seen_.push_back({pair.primary, pair.secondary});
       found.push_back(std::move(pair));
@@ -234,8 +234,8 @@ std::vector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2
   return found;
 }
 
-std::vector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  std::vector<FacetPair> found;
+IndexedVector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  IndexedVector<FacetPair> found;
   for (const Facing& facing : seen_) {
     FacetPair pair = pair_of(facing, x1, x2);
     if (!pair.points.empty()) found.push_back(std::move(pair));
@@ -244,8 +244,8 @@ std::vector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Matri
 }
 
 std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  const Facet& one = primary_[static_cast<std::size_t>(pair.primary)];
-  const Facet& two = secondary_[static_cast<std::size_t>(pair.secondary)];
+  const Facet& one = primary_[pair.primary];
+  const Facet& two = secondary_[pair.secondary];
   const Index first = node_count(one.type);
   const Index nodes = first + node_count(two.type);
   const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, nodes};

@@ -24,10 +24,10 @@ int default_segment_order(FacetType primary, FacetType secondary);
 class Segments : public PointFinder {
  public:
   /// order: of the quadrature rule on the pieces; 0: default_segment_order.
-  Segments(const std::vector<Facet>& primary, const std::vector<Facet>& secondary, int order);
+  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order);
 
-  std::vector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
-  std::vector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::size_t memory() const override { return seen_.capacity() * sizeof(Facing); }
 
@@ -38,11 +38,12 @@ class Segments : public PointFinder {
   };
   FacetPair pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;
-  bool hidden(const FacetPair& pair, const std::vector<FacetPair>& all, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  bool hidden(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
+              const Matrix3Xd& x2) const;
   int order(const Facing& facing) const;
 
-  const std::vector<Facet>& primary_;
-  const std::vector<Facet>& secondary_;
+  const IndexedVector<Facet>& primary_;
+  const IndexedVector<Facet>& secondary_;
   int order_;
   std::vector<Facing> seen_;  ///< what the last search() found
 };

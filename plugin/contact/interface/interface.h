@@ -2,69 +2,11 @@
 #pragma once
 
 #include "base/times.h"
-#include "interface/augmentation.h"
-
-#include <array>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <vector>
+#include "enforcement/augmentation.h"
+#include "interface/output.h"
+#include "interface/penetration_check.h"
 
 namespace mixture_contact {
-
-/// The two surfaces of a contact, in the host's order.
-enum class Side { primary = 0, secondary = 1 };
-inline constexpr std::array<Side, 2> both_sides{Side::primary, Side::secondary};
-
-template <class T>
-class PerSide : public std::array<T, 2> {
- public:
-  T& operator[](Side side) { return this->at(static_cast<std::size_t>(side)); }
-  const T& operator[](Side side) const { return this->at(static_cast<std::size_t>(side)); }
-};
-
-inline Side other(Side side) { return side == Side::primary ? Side::secondary : Side::primary; }
-
-/// What crosses the interface, as it acts on the primary surface; the secondary surface gets the exact opposite.
-struct Balance {
-  Vector3d force{0, 0, 0};  ///< contact force on the primary surface [N]
-  double area = 0;          ///< area in contact [mm^2]
-  VectorXd flow;            ///< flow out of the primary body per exchanged field [mm^3/s] or [nmol/s]
-};
-
-/// Values at the nodes of a surface for output, from the points in contact around each.
-struct NodalOutput {
-  VectorXd gap;       ///< [mm]
-  VectorXd pressure;  ///< -t_n [MPa]
-  MatrixXd flux;      ///< (fields, nodes), out of this surface's body
-  MatrixXd jump;      ///< (fields, nodes), this side minus the other
-  VectorXd coverage;  ///< area in contact that belongs to the node [mm^2]
-};
-
-/// A node counts as in contact where the contact of the nodes facing it, by the pass over their surface and
-/// interpolated, reaches this share; with two passes also where its own pass has it in contact.
-inline constexpr double covered = 0.5 - 1e-9;
-
-/// What a node of the surface that a pass does not integrate over faces.
-struct FacingNode {
-  int facet = -1;  ///< of the surface integrated over; -1: none
-  double gap = 0;  ///< along the node's own normal [mm]
-  bool in_contact = false;
-};
-
-/// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
-/// contact. The laws hold as averages around primary nodes: what is smaller than a primary facet may overlap it without
-/// any load, unless a second pass notices it. Beside facets in contact the average reaches that far: an overlap there
-/// is the error of the edge of contact, which no second law mends.
-struct UnnoticedOverlap {
-  int nodes = 0;     ///< how many lie deeper than sound_overlap
-  double depth = 0;  ///< of the deepest [mm]
-  double share = 0;  ///< largest depth over the longest edge of the facet that the node faces [-]
-};
-
-/// What sound meshes show, relative to the longest edge of a facet: a facet bulges out of the arc between its ends, or
-/// stays behind it, by 1/8 of the angle of that arc, here 0.4 (16 facets around a circle).
-inline constexpr double sound_overlap = 0.05;
 
 /// What a contact keeps in memory.
 struct Memory {
@@ -106,7 +48,7 @@ class ContactInterface {
   /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
   /// evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
-  /// Moves what an iteration holds to another state (see ContactPass::move_iteration), after project().
+  /// Moves what an iteration holds to another state (see ContactPass::linearise_at), after project().
   void move_iteration(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations();
@@ -125,7 +67,7 @@ class ContactInterface {
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
   bool converged(const GapReport& report) const { return meets(report, settings_.tolerances, effects_); }
 
-  /// Unknown multipliers (see ContactPass::has_unknown_multipliers): none unless the enforcement says so, and then in
+  /// Unknown multipliers (see UnknownMultipliers): none unless the enforcement says so, and then in
   /// one pass only. The host gives each an equation, and sets them with every trial state before residual() or
   /// tangent().
   MultiplierLayout multiplier_layout() const;
@@ -135,12 +77,12 @@ class ContactInterface {
   /// One augmentation: multipliers take the current loads, and slow fields a larger penalty.
   void augment(const PerSide<SurfaceFields>& fields);
 
-  /// Which nodes of each surface are in contact and sealed by it; the others see the bath.
-  PerSide<std::vector<bool>> nodes_in_contact() const;
+  /// Which nodes of each surface are in contact and flux-coupled by it; the others see the ambient.
+  PerSide<NodeFlags> nodes_in_contact() const;
 
-  /// The same for an iteration that has begun: once in each, and only where there is a bath. Nodes that face contact
-  /// are held until the next one, so that those at the edge of contact do not come and go for ever.
-  PerSide<std::vector<bool>> hold_nodes_in_contact();
+  /// The same for an iteration that has begun: once in each, and only where there is an ambient. Nodes that face
+  /// contact are held until the next one, so that those at the edge of contact do not come and go for ever.
+  PerSide<NodeFlags> hold_nodes_in_contact();
 
   /// Looks, at a solution, for secondary nodes inside the primary body that no pass notices. All secondary nodes that
   /// face the same primary facets become nodes of a second pass, in which no others can close, and remain so: open they
@@ -174,7 +116,7 @@ class ContactInterface {
   const Times& times() const { return times_; }
   /// Times what a host does for a task around its calls; those are not counted twice.
   TaskClock clock(Task task) const { return TaskClock(times_[task]); }
-  Multipliers& multipliers(std::size_t index) { return passes_[index].integral->multipliers; }
+  Multipliers& multipliers(std::size_t index) { return passes_[index].integral->laws().multipliers; }
 
   /// All that is kept between time steps, to be stored and restored by the host.
   struct State {
@@ -187,42 +129,22 @@ class ContactInterface {
   void restore(State state);
 
  private:
-  struct Pass {
-    Side side;  ///< the surface integrated over
-    std::unique_ptr<ContactPass> integral;
-    std::optional<std::vector<bool>> faced;  ///< nodes of the other surface that face contact, during iterations
-    std::vector<int> faced_changes;          ///< of these, since the iterations began
-  };
-
-  Pass make_pass(Side side, const Settings& settings) const;
-  void find_points(Pass& pass);
-  /// For each secondary node, its overlap with a primary facet away from contact, over the facet's longest edge; else
-  /// 0.
-  VectorXd overlap_shares(const std::vector<FacingNode>& nodes, const std::vector<bool>& primary_in_contact) const;
-  void notice(const std::vector<FacingNode>& nodes, const VectorXd& shares, const PerSide<SurfaceFields>& fields);
-  void limit_second_pass();
-  /// Throws std::invalid_argument unless a state has this contact's nodes, fields and passes.
-  void check(const State& state) const;
-  /// Area in contact that belongs to each node of a side, given that of each pass: two full passes cover the same area,
-  /// each with the errors of its own integration; a pass of noticed nodes covers what the first one leaves, and its
-  /// edge.
-  VectorXd coverage(const std::vector<VectorXd>& areas) const;
-  /// The facet of one side that a point lies on, or faces; `integrated`: whether its pass integrates over that side.
-  const Facet& facet_at(const PointContact& contact, Side side, bool integrated) const;
-  double search_radius(const PerSide<Matrix3Xd>& position) const;
-  void hold_facing_contact(Pass& pass);
-  std::vector<bool> sealed_nodes(const Pass& pass) const;
+  Reach reach(const PerSide<Matrix3Xd>& position) const;
+  void find_points(SidedPass& pass);
+  NodeFlags flux_coupled(const SidedPass& pass) const;
+  IndexedVector<FacingNode> facing(const SidedPass& pass, const NodeFlags& in_contact) const;
+  /// Restricts a second pass, which joins the first one if need be, to the penetration-check nodes.
+  void restrict_second_pass();
   void note_memory();
-  /// What the nodes of the surface that a pass does not integrate over face, given which of its own are in contact.
-  std::vector<FacingNode> facing_nodes(const Pass& pass, const std::vector<bool>& in_contact) const;
+  AllPasses all_passes() const { return {passes_, mesh_, effects_.scalar_fields(), settings_.two_pass}; }
 
   PerSide<SurfaceMesh> mesh_;
   Effects effects_;
   Settings settings_;
-  Settings settings_of_noticed_;  ///< of a second pass that is limited to noticed nodes
-  std::vector<bool> noticed_;     ///< secondary nodes that it is limited to
+  Settings settings_of_check_;  ///< of a second pass that is restricted to penetration-check nodes
+  NodeFlags check_nodes_;       ///< secondary nodes that it is restricted to
   UnnoticedOverlap unnoticed_;
-  std::vector<Pass> passes_;
+  std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere
   Memory memory_;

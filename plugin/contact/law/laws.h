@@ -35,8 +35,8 @@ inline constexpr double multiplier_compliance = 1e-11;
 /// The equation of a multiplier that is an unknown, and its derivatives.
 struct ConditionValue {
   double value;
-  double with_gap;
-  double with_multiplier;
+  double d_dgap;         ///< d(value)/d(gap or jump)
+  double d_dmultiplier;  ///< d(value)/dmu
 };
 
 /// In contact, gap or jump = 0; elsewhere, mu = 0.

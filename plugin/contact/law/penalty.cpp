@@ -32,7 +32,7 @@ double in_series(double one, double other) {
 
 Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                     const Settings& settings) {
-  const auto facets = static_cast<Index>(primary.facets.size());
+  const auto facets = primary.facets.count();
   const Index fields = effects.scalar_fields();
   Penalties result{VectorXd(facets), MatrixXd(fields, facets), VectorXd(facets), MatrixXd(fields, facets)};
   const double secondary_stiffness = harmonic_mean(secondary.stiffness);
@@ -58,16 +58,14 @@ Penalties at_nodes(const Penalties& facets, const SurfaceMesh& primary) {
   Penalties nodes{VectorXd::Zero(primary.nodes), MatrixXd::Zero(fields, primary.nodes), VectorXd::Zero(primary.nodes),
                   MatrixXd::Zero(fields, primary.nodes)};
   VectorXd count = VectorXd::Zero(primary.nodes);
-  for (std::size_t f = 0; f < primary.facets.size(); ++f) {
+  for (Index f = 0; f < primary.facets.count(); ++f) {
     const Facet& facet = primary.facets[f];
-    const auto index = static_cast<Index>(f);
-    for (int a = 0; a < node_count(facet.type); ++a) {
-      const int node = facet.nodes[static_cast<std::size_t>(a)];
+    for (const int node : facet) {
       count[node] += 1;
-      nodes.traction[node] += facets.traction[index];
-      nodes.stiffness[node] += facets.stiffness[index];
-      nodes.flux.col(node) += facets.flux.col(index);
-      nodes.conductance.col(node) += facets.conductance.col(index);
+      nodes.traction[node] += facets.traction[f];
+      nodes.stiffness[node] += facets.stiffness[f];
+      nodes.flux.col(node) += facets.flux.col(f);
+      nodes.conductance.col(node) += facets.conductance.col(f);
     }
   }
   for (Index node = 0; node < primary.nodes; ++node) {

@@ -93,8 +93,9 @@ GROUPS = (
     ),
     Group(
         "Solution",
-        "What the solver gets.",
-        ("symmetric_stiffness", "extrapolation"),
+        "What the solver gets. The last three switch [what helps the solver](user-guide.md#what-helps-the-solver). "
+        "They act on the whole model: contacts that give one must give the same value.",
+        ("symmetric_stiffness", "predictor", "non_negative_concentrations", "line_search_guard"),
     ),
     Group(
         "Accepted for the sake of old models",
@@ -111,6 +112,7 @@ GROUPS = (
             "knmult",
             "smooth_aug",
             "smooth_fls",
+            "extrapolation",
         ),
     ),
 )
@@ -221,12 +223,23 @@ NOTES = {
         "default 1; in `sliding-biphasic-solute` partly a multiple of the model's size",
         "mm",
     ),
-    "extrapolation": Note(
-        "Form the first matrix of a step where the last steps lead to expect the solution: of every variable whose "
-        "last change that would have told to a third, where no load curve turns. A step may then end with its first "
-        "iteration. For the whole model, if one of its "
-        "contacts has it; without effect where there are rigid bodies. See [theory](theory.md#the-start-of-a-step).",
-        "memory for the nodal values of five steps",
+    "predictor": Note(
+        "Form the first matrix of a step at a state that is predicted from the last steps: of every variable whose "
+        "last change was predicted to a third, where no load curve turns. A step may then end with its first "
+        "iteration. A predicted state is dropped where an element is inverted or the residual is larger than that of "
+        "the plain start. Not available where there are rigid bodies. See [theory](theory.md#the-start-of-a-step).",
+        "memory for the nodal values of five steps, two evaluations of the residual and a copy of the state in a step",
+        "not there",
+    ),
+    "non_negative_concentrations": Note(
+        "Where FEBio's solver clamps negative concentrations to zero, solve that as an inequality: such a "
+        "concentration is held at zero until its balance makes it positive. Without effect where nothing is clamped.",
+        febio="not there",
+    ),
+    "line_search_guard": Note(
+        "Where FEBio's line search left less than half of the last increment of a solution, take the next increment "
+        "as a whole before the solution is accepted; once in a step.",
+        "at most one iteration in such a step",
         "not there",
     ),
     "seg_up": Note(
@@ -259,4 +272,5 @@ NOTES = {
     "knmult": Note("No effect, with a notice: the linearisation is complete.", febio="factor on a part of the tangent"),
     "smooth_aug": Note("No effect, with a notice.", febio="smoothed augmentation"),
     "smooth_fls": Note("No effect, with a notice.", febio="smoothed fluid load support"),
+    "extrapolation": Note("An error: the former name of `predictor`, which was on by default.", febio="not there"),
 }

@@ -78,7 +78,10 @@ _OWN = (
     "solute_tolerance",
     "integration",
     "integration_order",
+    "predictor",
     "extrapolation",
+    "non_negative_concentrations",
+    "line_search_guard",
 )
 _MIXTURE_PARAMETERS = frozenset(
     [*_BASE, "symmetric_stiffness", *_SOLVENT, *_SOLUTE, *_FRICTION, *_SHELLS, "offset", "tension", *_OWN]

@@ -50,11 +50,11 @@ VectorXd answers(const Scene& scene, int threads) {
 
 BOOST_AUTO_TEST_CASE(results_come_in_order) {
   use_threads(3);
-  const std::size_t count = 2 * batch_size + 7;
-  std::size_t next = 0;
+  const Index count = 2 * batch_size + 7;
+  Index next = 0;
   in_order(
-      count, [](std::size_t i) { return 2 * i; },
-      [&](std::size_t i, std::size_t twice) {
+      count, [](Index i) { return 2 * i; },
+      [&](Index i, Index twice) {
         BOOST_TEST(i == next++);
         BOOST_TEST(twice == 2 * i);
       });
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(results_come_in_order) {
 
 BOOST_AUTO_TEST_CASE(an_exception_reaches_the_caller) {
   use_threads(2);
-  const auto fail = [](std::size_t i) {
+  const auto fail = [](Index i) {
     if (i == 5) throw std::runtime_error("five");
   };
   BOOST_CHECK_THROW(in_parallel(10, fail), std::runtime_error);

@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(slopes_of_multiplier_functions_are_the_differences_of_the_v
   }
 }
 
-BOOST_AUTO_TEST_CASE(functions_shared_out_among_some_nodes_add_up_to_one_with_their_slopes) {
+BOOST_AUTO_TEST_CASE(functions_redistributed_among_some_nodes_add_up_to_one_with_their_slopes) {
   std::mt19937 random(6);
   for (const FacetType type : all_facets) {
     const Vector2d xi = random_inside(type, random);
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(functions_shared_out_among_some_nodes_add_up_to_one_with_th
       FacetVector counts = FacetVector::Ones(node_count(type));
       counts[alone] = 0;
       const auto shared = [&](const Vector2d& at) {
-        return shared_out(type, multiplier_functions(type, piece, at), counts);
+        return redistributed(type, multiplier_functions(type, piece, at), counts);
       };
       const ShapeFunctions psi = shared(xi);
       BOOST_TEST(std::abs(psi.value.sum() - 1) <= rounding);
@@ -148,10 +148,10 @@ BOOST_AUTO_TEST_CASE(functions_shared_out_among_some_nodes_add_up_to_one_with_th
   }
 }
 
-BOOST_AUTO_TEST_CASE(functions_are_shared_out_beside_their_nodes_where_these_have_someone_there) {
+BOOST_AUTO_TEST_CASE(functions_are_redistributed_beside_their_nodes_where_these_have_someone_there) {
   const Vector2d xi(0.2, -0.6);
   const auto shared = [&](const FacetVector& counts) {
-    return shared_out(FacetType::quad4, shape_functions(FacetType::quad4, xi), counts).value;
+    return redistributed(FacetType::quad4, shape_functions(FacetType::quad4, xi), counts).value;
   };
   // The far edge, nodes 1 and 2, gives each to the node across: along the near one functions are linear as before.
   const FacetVector edge = shared(Eigen::Vector4d(1, 0, 0, 1));

@@ -102,8 +102,8 @@ double tangent_error(const Scene& scene, MatrixXd (*difference)(const Function&,
 
 /// A primary facet and one that faces it, by themselves.
 struct LonePair {
-  std::vector<Facet> primary;
-  std::vector<Facet> secondary;
+  IndexedVector<Facet> primary;
+  IndexedVector<Facet> secondary;
   VectorXd nodes;  ///< coordinates of the primary facet's nodes, then of the other's
 
   LonePair(const Scene& scene, Facet one, Facet two) {
@@ -379,7 +379,8 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_exact_for_turned_and_partly_covered_surfaces
 }
 
 BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_the_bath_from_the_nodes_beyond_it) {
-  // The other surface ends where facets end, but for a slip. The nodes on that line are sealed, those beyond are not.
+  // The other surface ends where facets end, but for a slip. The nodes on that line are flux-coupled, those beyond are
+  // not.
   for (const double slip : {1e-12, 1e-7, 1e-2}) {
     PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.0625, 2, 1);
     grids[Side::secondary].high[0] = 0.5 + slip;
@@ -387,10 +388,10 @@ BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_the_bath_from_the_nodes_beyond_it) {
     scene.settings.integration = Integration::segments;
     const auto contact = scene.contact();
     contact->begin_iteration(scene.fields);
-    const std::vector<bool> sealed = contact->nodes_in_contact()[Side::primary];
+    const std::vector<bool> coupled = contact->nodes_in_contact()[Side::primary];
     const Matrix3Xd& x = scene.fields[Side::primary].position;
     for (Index node = 0; node < x.cols(); ++node)
-      BOOST_TEST(sealed[static_cast<std::size_t>(node)] == (x(0, node) < 0.75));
+      BOOST_TEST(coupled[static_cast<std::size_t>(node)] == (x(0, node) < 0.75));
   }
 }
 
@@ -406,12 +407,12 @@ BOOST_AUTO_TEST_CASE(nodes_covered_least_bear_nothing_unless_they_are_far_away) 
     for (Index node = 0; node < x2.cols(); ++node) x2(2, node) += away * x2(0, node);
     ContactPass pass(scene.mesh[Side::primary], scene.mesh[Side::secondary], scene.effects, scene.settings);
     const Matrix3Xd& x1 = scene.fields[Side::primary].position;
-    pass.project(x1, x2, 1);
+    pass.project({x1, x2}, 1);
     const std::vector<Facet>& facets = scene.mesh[Side::primary].facets;
     const Vector2d xi(0.2, -0.6);
     for (std::size_t f = 0; f < facets.size(); ++f) {
       const FacetVector x = facet_coordinates(facets[f], x1).row(0).transpose();
-      const FacetVector psi = pass.multiplier_shape(static_cast<int>(f), 0, xi).value;
+      const FacetVector psi = pass.space().shape(static_cast<int>(f), 0, xi).value;
       const double at_the_end = (x.array() > 0.75).select(psi, 0).sum();
       const double before = (x.array() > 0.75).select(shape_functions(facets[f].type, xi).value, 0).sum();
       BOOST_TEST(at_the_end == (away > 0 ? before : 0));
@@ -430,6 +431,6 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_exact_where_nodes_are_hardly_covered) {
   BOOST_TEST(tangent_error(scene, fine_differences) <= difference_tolerance);
   const auto contact = scene.contact();
   contact->begin_iteration(scene.fields);
-  const std::vector<bool> sealed = contact->nodes_in_contact()[Side::primary];
-  BOOST_TEST(std::count(sealed.begin(), sealed.end(), false) == 3);
+  const std::vector<bool> coupled = contact->nodes_in_contact()[Side::primary];
+  BOOST_TEST(std::count(coupled.begin(), coupled.end(), false) == 3);
 }

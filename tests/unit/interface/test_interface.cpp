@@ -72,7 +72,7 @@ VectorXd answers(const ContactInterface& contact, const Scene& scene) {
   for (const FieldGap& gap : report.flux) all.insert(all.end(), {gap.relative, gap.largest});
   append(contact.balance(scene.fields).force);
   append(contact.balance(scene.fields).flow);
-  const PerSide<std::vector<bool>> touched_nodes = contact.nodes_in_contact();
+  const PerSide<NodeFlags> touched_nodes = contact.nodes_in_contact();
   for (const Side side : both_sides) {
     const NodalOutput out = contact.nodal_output(side, scene.fields);
     append(out.gap);
@@ -399,8 +399,7 @@ BOOST_AUTO_TEST_CASE(with_two_passes_nodes_that_face_contact_are_in_contact_too)
   const auto bump = (x1.row(0) + x1.row(1)).array() < 0.3;
   x1.row(2) = bump.select(Eigen::RowVectorXd::Constant(x1.cols(), 0.05), -0.5);
   const auto contact = scene.contact();
-  BOOST_TEST(contact->pass(1).nodal_loads(scene.fields[Side::secondary], scene.fields[Side::primary]).traction.norm() ==
-             0.0);
+  BOOST_TEST(contact->pass(1).nodal_loads(seen_from(Side::secondary, scene.fields)).traction.norm() == 0.0);
   const std::vector<bool> touched = contact->nodes_in_contact()[Side::secondary];
   const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
   for (std::size_t node = 0; node < touched.size(); ++node) {

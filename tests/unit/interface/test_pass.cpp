@@ -19,17 +19,17 @@ class ProjectedPass : public ContactPass {
  public:
   explicit ProjectedPass(const Scene& scene, double radius = 1)
       : ContactPass(scene.mesh[Side::primary], scene.mesh[Side::secondary], scene.effects, scene.settings) {
-    project(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, radius);
+    project(positions(seen_from(Side::primary, scene.fields)), radius);
   }
 };
 
 void residual_of(const ContactPass& pass, const Scene& scene,
                  const std::function<void(const Patch&, const VectorXd&)>& use) {
-  pass.residual(scene.fields[Side::primary], scene.fields[Side::secondary], dt, use);
+  pass.residual(seen_from(Side::primary, scene.fields), dt, use);
 }
 
 void tangent_of(const ContactPass& pass, const Scene& scene, const std::function<void(const TangentBlock&)>& use) {
-  pass.tangent(scene.fields[Side::primary], scene.fields[Side::secondary], dt, use);
+  pass.tangent(seen_from(Side::primary, scene.fields), dt, use);
 }
 
 /// Number of integration points that see the other surface.
@@ -51,8 +51,7 @@ Index all_points(const Scene& scene) {
 /// Number of integration points in contact.
 int contacts(const ContactPass& pass, const Scene& scene) {
   int count = 0;
-  pass.for_each_contact(scene.fields[Side::primary], scene.fields[Side::secondary], dt,
-                        [&](const PointContact&) { ++count; });
+  pass.for_each_contact(seen_from(Side::primary, scene.fields), dt, [&](const PointContact&) { ++count; });
   return count;
 }
 
@@ -130,12 +129,11 @@ BOOST_AUTO_TEST_CASE(every_point_of_facing_surfaces_finds_the_point_opposite) {
       const ProjectedPass pass(scene);
       BOOST_TEST(points(pass) == all_points(scene));
       int found = 0;
-      pass.for_each_contact(scene.fields[Side::primary], scene.fields[Side::secondary], dt,
-                            [&](const PointContact& contact) {
-                              ++found;
-                              BOOST_TEST(std::abs(contact.kinematics.gap + 0.0625) <= rounding);
-                              BOOST_TEST((contact.kinematics.normal - Vector3d(0, 0, 1)).norm() <= rounding);
-                            });
+      pass.for_each_contact(seen_from(Side::primary, scene.fields), dt, [&](const PointContact& contact) {
+        ++found;
+        BOOST_TEST(std::abs(contact.kinematics.gap + 0.0625) <= rounding);
+        BOOST_TEST((contact.kinematics.normal - Vector3d(0, 0, 1)).norm() <= rounding);
+      });
       BOOST_TEST(found == all_points(scene));
     }
   }
@@ -169,7 +167,7 @@ BOOST_AUTO_TEST_CASE(residuals_come_once_per_pair_of_facets_and_tangents_within_
   BOOST_TEST(loaded.size() > 9U);
   std::set<std::pair<Unknown, Unknown>> profile;
   std::set<std::pair<Unknown, Unknown>> filled;
-  pass.for_each_coupling(scene.fields[Side::primary].position, scene.fields[Side::secondary].position,
+  pass.for_each_coupling(positions(seen_from(Side::primary, scene.fields)),
                          [&](const Patch& patch) { add_couplings(profile, patch, patch); });
   tangent_of(pass, scene, [&](const TangentBlock& block) {
     BOOST_TEST(block.values.rows() == block.rows.layout().size());
@@ -257,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_field_keeps_its_own_values_penalty_and_multiplier_where_o
   }
   for (FieldMask& mask : scene.mesh[Side::secondary].permeable) mask = only(1) | only(3);
   ProjectedPass pass(scene);
-  for (Index k = 0; k < 4; ++k) pass.multipliers.flux.row(k).setConstant(100 * static_cast<double>(k + 1));
+  for (Index k = 0; k < 4; ++k) pass.laws().multipliers.flux.row(k).setConstant(100 * static_cast<double>(k + 1));
   VectorXd sum = VectorXd::Zero(5);
   residual_of(pass, scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
   const Vector2d expected = dt * (Vector2d(200, 400) + 2 * Vector2d(2, 8).cwiseProduct(jumps));
@@ -322,8 +320,8 @@ BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
 BOOST_AUTO_TEST_CASE(growth_multiplies_the_penalties) {
   const Scene scene = overlapping_squares();
   ProjectedPass pass(scene);
-  pass.multipliers.traction_growth = 2;
-  pass.multipliers.flux_growth << 4, 8, 16;
+  pass.laws().multipliers.traction_growth = 2;
+  pass.laws().multipliers.flux_growth << 4, 8, 16;
   VectorXd sum = VectorXd::Zero(6);
   residual_of(pass, scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
   VectorXd expected(6);

@@ -22,9 +22,8 @@ ALLOWED = {
     **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
     **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), POSITIVE),
     **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
-    **dict.fromkeys(
-        ("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc", "extrapolation"), SWITCH
-    ),
+    **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
+    **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
     "ambient_pressure": NUMBER,
     "ambient_concentration": NOT_NEGATIVE,
@@ -37,6 +36,7 @@ UNSUPPORTED = {
     "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
     "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
 }
+RENAMED = {"extrapolation": "predictor"}
 FOLLOWED = (
     *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
     *("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol"),
@@ -47,12 +47,12 @@ FEW_REFORMATIONS = 15
 
 def unknown_parameter(joint: Joint) -> Iterator[Finding]:
     """Parameters that the contact's type does not have."""
-    known = joint.contact.kind.parameters
+    known = joint.contact.kind.parameters - RENAMED.keys()
     for tag in children(joint.contact.tag):
         name = str(tag.tag)
         if name in known:
             continue
-        near = difflib.get_close_matches(name, known, 1)
+        near = [RENAMED[name]] if name in RENAMED else difflib.get_close_matches(name, known, 1)
         yield error(
             "unknown-parameter",
             tag,

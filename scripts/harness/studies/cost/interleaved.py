@@ -35,7 +35,7 @@ class Kind(str, Enum):
 
 SIZES = {Kind.SHORT: Size(), Kind.COLUMN: Size(elements=20, steps=100), Kind.WIDE: Size(width=4)}
 """Runs of the two that are timed take ten times as long as those of the sweep."""
-OTHERWISE = ((Parameter.DEFAULT, 0.0), (Parameter.EXTRAPOLATION, 0.0), (Parameter.INTEGRATION, 0.0))
+OTHERWISE = ((Parameter.DEFAULT, 0.0), (Parameter.PREDICTOR, 1.0), (Parameter.INTEGRATION, 0.0))
 """Settings of ours that are always timed."""
 _COUNT = re.compile(r"refs:\s+([\d,]+)")
 
@@ -84,7 +84,7 @@ class Timing:
 
 
 def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
-    """The unsplit body; ours by default, without extrapolation, and with Gauss points; and what reached each error.
+    """The unsplit body; ours by default, with the predictor, and with Gauss points; and what reached each error.
 
     Of settings that reached it the one that took the fewest iterations.
     """

@@ -22,7 +22,7 @@ MARKERS = {
     Parameter.PENALTY: "o",
     Parameter.AUGLAG: "^",
     Parameter.LAGMULT: "X",
-    Parameter.EXTRAPOLATION: ">",
+    Parameter.PREDICTOR: ">",
     Parameter.NEWTON: "P",
     Parameter.DEFAULT: "*",
 }

@@ -43,11 +43,11 @@ class Parameter(str, Enum):
     PENALTY = "penalty factor"
     AUGLAG = "AUGLAG tolerance"
     LAGMULT = "LAGMULT"
-    EXTRAPOLATION = "extrapolation"
+    PREDICTOR = "predictor"
     NEWTON = "Newton tolerance"
 
 
-OWN = (Parameter.ORDER, Parameter.INTEGRATION, Parameter.LAGMULT, Parameter.EXTRAPOLATION)
+OWN = (Parameter.ORDER, Parameter.INTEGRATION, Parameter.LAGMULT, Parameter.PREDICTOR)
 """Of the plugin's interface alone."""
 VALUES: dict[Parameter, tuple[float, ...]] = {
     Parameter.DEFAULT: (0.0,),
@@ -58,7 +58,7 @@ VALUES: dict[Parameter, tuple[float, ...]] = {
     Parameter.PENALTY: tuple(10.0**k for k in range(7)),
     Parameter.AUGLAG: tuple(10.0**-k for k in range(1, 8)),
     Parameter.LAGMULT: (0, 1),
-    Parameter.EXTRAPOLATION: (0,),
+    Parameter.PREDICTOR: (1,),
     Parameter.NEWTON: (1e-1, 1e-3, 1e-6),
 }
 VALUES_33: dict[Parameter, tuple[float, ...]] = {
@@ -70,7 +70,7 @@ VALUES_33: dict[Parameter, tuple[float, ...]] = {
     Parameter.PENALTY: (1.0, 10.0, 100.0, 1000.0),
     Parameter.AUGLAG: (1e-1, 1e-2),
     Parameter.LAGMULT: (0, 1),
-    Parameter.EXTRAPOLATION: (0,),
+    Parameter.PREDICTOR: (1,),
     Parameter.NEWTON: (1e-2, 1e-4),
 }
 """Of problem 3.3: elements over the half-width of the slab (else 9), and a factor on the number of steps."""
@@ -130,8 +130,8 @@ class Point:
             return replace(automatic(AUGLAG_START), laugon="AUGLAG", tolerance=self.value)
         if self.parameter is Parameter.ORDER:
             return replace(base, extra=(Param("integration_order", int(self.value)),))
-        if self.parameter is Parameter.EXTRAPOLATION:
-            return replace(base, extra=(Param("extrapolation", bool(self.value)),))
+        if self.parameter is Parameter.PREDICTOR:
+            return replace(base, extra=(Param("predictor", bool(self.value)),))
         if self.parameter in (Parameter.INTEGRATION, Parameter.LAGMULT):
             return replace(
                 base,

@@ -1,0 +1,76 @@
+#include "active_set/active_set.h"
+
+#include "law/laws.h"
+
+#include <algorithm>
+
+namespace mixture_contact {
+namespace {
+
+/// The status before with the first of the changes alone.
+NodeFlags with_first_change(const NodeFlags& before, const NodeFlags& status) {
+  NodeFlags next = before;
+  const auto [was, is] = std::mismatch(before.begin(), before.end(), status.begin());
+  if (was != before.end()) next[was - before.begin()] = *is;
+  return next;
+}
+
+}  // namespace
+
+NodeFlags ActiveSet::initial(const NodalGaps& now) const {
+  const double touch = options_.touch_fraction * now.size;
+  NodeFlags status;
+  for (Index node = 0; node < laws_.nodes(); ++node) {
+    // Surfaces that exchange no traction touch whatever the penalty.
+    const double penalty = laws_.effects().traction ? laws_.traction_penalty(node) : laws_.penalties().stiffness[node];
+    const LawValue law = normal_traction(laws_.multipliers.traction[node], penalty, now.gap[node], touch);
+    status.push_back(may_close(node) && now.faces(node) && law.derivative > 0);
+  }
+  return status;
+}
+
+NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now) const {
+  const double least = negligible(predicted, now);
+  NodeFlags status;
+  for (Index node = 0; node < laws_.nodes(); ++node) {
+    const bool stays = may_close(node) && now.faces(node) && predicted.traction[node] <= least;
+    status.push_back(predicted.in_contact[node] ? stays : closes(now, node, least));
+  }
+  return status;
+}
+
+ContactStatus ActiveSet::moved(const NodalLoads& last, const NodalGaps& now) const {
+  ContactStatus status = last.status();
+  const double least = negligible(last, now);
+  for (Index node = 0; node < laws_.nodes(); ++node) {
+    if (!now.faces(node)) status.in_contact[node] = status.flux_coupled[node] = false;
+    if (!status.in_contact[node] && closes(now, node, least)) {
+      status.in_contact[node] = status.flux_coupled[node] = true;
+    }
+  }
+  return status;
+}
+
+ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool counts) {
+  const bool cycles = !changes_.empty() &&
+                      *std::max_element(changes_.begin(), changes_.end()) > options_.most_joint_changes;
+  if (cycles) updated = with_first_change(before, updated);
+  ContactStatus status{updated, updated};
+  for (Index node = 0; node < updated.count(); ++node) {
+    if (counts && updated[node] != before[node]) ++changes_[node];
+    if (changes_[node] > options_.most_status_changes) status.flux_coupled[node] = false;
+  }
+  return status;
+}
+
+double ActiveSet::negligible(const NodalLoads& loads, const NodalGaps& now) const {
+  return std::max(options_.negligible_traction * loads.traction.cwiseAbs().maxCoeff(),
+                  laws_.traction_rounding(now.size));
+}
+
+bool ActiveSet::closes(const NodalGaps& now, Index node, double negligible) const {
+  const double overlap_load = laws_.multipliers.traction[node] + laws_.traction_penalty(node) * now.gap[node];
+  return may_close(node) && now.faces(node) && overlap_load < -negligible;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,68 @@
+/// The active set: which nodes are in contact. It decides status and nothing else.
+#pragma once
+
+#include "law/nodal_laws.h"
+
+#include <optional>
+
+namespace mixture_contact {
+
+/// All constants of the active set, each with its reason.
+struct ActiveSetOptions {
+  /// Tractions below this part of the largest one do not decide: rounding, and what Newton leaves.
+  double negligible_traction = 1e-6;
+  /// Surfaces closer than this part of their size touch to rounding.
+  double touch_fraction = 1e-10;
+  /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
+  int most_status_changes = 3;
+  /// Where a node has changed more often than this within a time step, the active set cycles: from then on nodes change
+  /// one at a time.
+  int most_joint_changes = 2 * most_status_changes;
+};
+
+/// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays so while its load, as the last
+/// iteration predicts it, is compressive; a node out of contact enters where it overlaps.
+///
+/// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
+/// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
+/// then on. Where nodes keep changing together, closed pulled and open overlapping, the first of those that would
+/// change does so alone (least index rule, Murty 1974, Opsearch 11:123-130, which ends where each load grows with its
+/// own gap however the others are held: a P matrix).
+class ActiveSet {
+ public:
+  /// Keeps a reference to the laws.
+  explicit ActiveSet(const NodalLaws& laws, ActiveSetOptions options = {}) : laws_(laws), options_(options) {}
+
+  /// Lets only some nodes close.
+  void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
+
+  /// Status where no iteration has begun: what the true gaps say.
+  NodeFlags initial(const NodalGaps& now) const;
+  /// Status that the loads which an iteration predicts ask for, given the true gaps.
+  NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now) const;
+  /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
+  /// those that overlap close.
+  ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;
+
+  /// Forgets how often nodes have changed.
+  void start_counting() { changes_.fill(laws_.nodes(), 0); }
+  /// The status of the next iteration: the updated one, but where changes lead in cycles. Counts changes where the
+  /// status before was that of an iteration, too.
+  ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
+
+  std::size_t memory() const { return changes_.capacity() * sizeof(int); }
+
+ private:
+  bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
+  /// The traction that counts.
+  double negligible(const NodalLoads& loads, const NodalGaps& now) const;
+  /// Whether a node that is not in contact comes into it.
+  bool closes(const NodalGaps& now, Index node, double negligible) const;
+
+  const NodalLaws& laws_;
+  ActiveSetOptions options_;
+  std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
+  IndexedVector<int> changes_;            ///< of each node's status since the iterations began
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,63 @@
+/// Containers that are indexed as Eigen's matrices are: what is known per node, facet, field or pair.
+#pragma once
+
+#include "base/types.h"
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace mixture_contact {
+
+/// The number of entries of a container, as an index of Eigen's.
+template <class Container>
+Index count_of(const Container& entries) {
+  return static_cast<Index>(entries.size());
+}
+
+/// The same as an int, for what hosts and files count in ints.
+template <class Container>
+int number_of(const Container& entries) {
+  return static_cast<int>(entries.size());
+}
+
+/// An entry of an array or a std::vector, by an index of any kind.
+template <class Container, class I>
+constexpr decltype(auto) at(Container&& entries, I index) {
+  return std::forward<Container>(entries)[static_cast<std::size_t>(index)];
+}
+
+/// A std::vector that any integer indexes, so that it stands beside matrices without a cast.
+template <class T>
+class IndexedVector : public std::vector<T> {
+ public:
+  using Base = std::vector<T>;
+  using Base::Base;
+  using Base::operator=;
+  IndexedVector() = default;
+  explicit IndexedVector(Base entries) : Base(std::move(entries)) {}
+  template <class I, std::enable_if_t<std::is_integral_v<I>, bool> = true>
+  explicit IndexedVector(I count, const T& entry = T()) : Base(static_cast<std::size_t>(count), entry) {}
+
+  Index count() const { return count_of(*this); }
+
+  /// Gives this many entries the same value.
+  template <class I>
+  void fill(I count, const T& entry) {
+    this->assign(static_cast<std::size_t>(count), entry);
+  }
+
+  template <class I>
+  typename Base::reference operator[](I index) {
+    return Base::operator[](static_cast<std::size_t>(index));
+  }
+  template <class I>
+  typename Base::const_reference operator[](I index) const {
+    return Base::operator[](static_cast<std::size_t>(index));
+  }
+};
+
+/// A yes or no per node of a surface.
+using NodeFlags = IndexedVector<bool>;
+
+}  // namespace mixture_contact

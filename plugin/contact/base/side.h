@@ -1,0 +1,36 @@
+/// The two surfaces of a contact.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace mixture_contact {
+
+/// The two surfaces of a contact, in the host's order.
+enum class Side { primary = 0, secondary = 1 };
+inline constexpr std::array<Side, 2> both_sides{Side::primary, Side::secondary};
+
+template <class T>
+class PerSide : public std::array<T, 2> {
+ public:
+  T& operator[](Side side) { return this->at(static_cast<std::size_t>(side)); }
+  const T& operator[](Side side) const { return this->at(static_cast<std::size_t>(side)); }
+};
+
+inline Side other(Side side) { return side == Side::primary ? Side::secondary : Side::primary; }
+
+/// What is known of both surfaces as one pass sees them: of the surface it integrates over and of the one that faces
+/// it. It looks at what others own.
+template <class T>
+struct Facing {
+  const T& primary;
+  const T& secondary;
+};
+
+/// Both surfaces as the pass over a side sees them.
+template <class T>
+Facing<T> seen_from(Side side, const PerSide<T>& both) {
+  return {both[side], both[other(side)]};
+}
+
+}  // namespace mixture_contact

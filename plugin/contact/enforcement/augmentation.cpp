@@ -1,0 +1,96 @@
+#include "enforcement/augmentation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mixture_contact {
+namespace {
+
+/// A jump below this part of the field's own size counts as none where no load flows: rounding of the field's values.
+constexpr double rounding_fraction = 1e-10;
+constexpr double growth_step = 10;
+
+/// Sums over the contact area from which a FieldGap is formed.
+struct GapSums {
+  double gap = 0;   ///< INT (eps0 gap)^2 da
+  double load = 0;  ///< INT load^2 da
+  double size = 0;  ///< INT (eps0 field)^2 da
+  double largest = 0;
+
+  void add(double area, double base, double jump, double value, double field) {
+    gap += area * std::pow(base * jump, 2);
+    load += area * value * value;
+    size += area * std::pow(base * field, 2);
+    largest = larger(largest, std::abs(jump));
+  }
+
+  FieldGap field_gap() const {
+    const double scale = std::max(std::sqrt(load), rounding_fraction * std::sqrt(size));
+    return {std::sqrt(gap) / (scale == 0 ? 1 : scale), largest};  // nothing over nothing is no gap; NaN stays NaN
+  }
+};
+
+const Tolerances::Field& tolerance_of_flux(const Tolerances& tolerances, const Effects& effects, Index field) {
+  return effects.solvent && field == 0 ? tolerances.solvent : tolerances.solute;
+}
+
+bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
+  return (tolerance.relative <= 0 || gap.relative <= tolerance.relative) &&
+         (tolerance.largest <= 0 || gap.largest <= tolerance.largest);
+}
+
+/// The factor on a field's penalties after a growth step, at most what brings the smallest penalty to `accurate` times
+/// the largest base. Facets without a penalty (impermeable ones) have no say.
+double grown(double growth, const VectorXd& penalties, const VectorXd& bases, double accurate) {
+  const double none = std::numeric_limits<double>::infinity();
+  const double penalty = (penalties.array() > 0).select(penalties, none).minCoeff();
+  return std::max(growth, std::min(growth * growth_step, accurate * bases.maxCoeff() / penalty));
+}
+
+}  // namespace
+
+GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields) {
+  GapSums traction;
+  IndexedVector<GapSums> flux(laws.effects().scalar_fields());
+  const Penalties& base = laws.penalties();
+  const VectorXd rounding = laws.field_rounding(fields, loads.size);
+  for (Index node = 0; node < loads.area.size(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
+    const double gap = loads.traction[node] < 0 ? loads.gap[node] : 0.0;
+    traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
+    if (!loads.flux_coupled[node]) continue;
+    for (Index k = 0; k < flux.count(); ++k) {
+      const bool is_rounding = std::abs(loads.jump(k, node)) <= rounding[k];
+      flux[k].add(loads.flux_area(k, node), base.conductance(k, node), is_rounding ? 0.0 : loads.jump(k, node),
+                  loads.flux(k, node), fields.primary.scalar(node, k));
+    }
+  }
+  GapReport report{traction.field_gap(), {}};
+  for (const GapSums& sums : flux) report.flux.push_back(sums.field_gap());
+  return report;
+}
+
+bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
+  bool met = within(report.traction, tolerances.traction);
+  for (Index k = 0; k < report.flux.count(); ++k) {
+    met = met && within(report.flux[k], tolerance_of_flux(tolerances, effects, k));
+  }
+  return met;
+}
+
+void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
+  const Penalties& penalty = laws.penalties();
+  Multipliers& state = laws.multipliers;
+  if (!within(report.traction, tolerances.traction)) {
+    state.traction_growth = grown(state.traction_growth, penalty.traction, penalty.stiffness, default_traction_factor);
+  }
+  for (Index k = 0; k < report.flux.count(); ++k) {
+    if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;
+    state.flux_growth[k] = grown(state.flux_growth[k], penalty.flux.row(k).transpose(),
+                                 penalty.conductance.row(k).transpose(), default_flux_factor);
+  }
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,47 @@
+/// How a pass evaluates the integral (2.5), by what the nodes of its surfaces can do.
+#pragma once
+
+#include "active_set/active_set.h"
+#include "enforcement/enforcement_method.h"
+
+namespace mixture_contact {
+
+/// Surfaces that move, or that are fixed. Independent of how conditions are enforced: either goes with any
+/// EnforcementMethod.
+class ContactGeometry {
+ public:
+  ContactGeometry() = default;
+  ContactGeometry(const ContactGeometry&) = delete;
+  ContactGeometry& operator=(const ContactGeometry&) = delete;
+  ContactGeometry(ContactGeometry&&) = delete;
+  ContactGeometry& operator=(ContactGeometry&&) = delete;
+  virtual ~ContactGeometry() = default;
+
+  /// Takes over a projection.
+  virtual void update(const FacingPositions& x) = 0;
+
+  /// What ContactPass documents under the same names.
+  virtual bool begin_iteration(const FacingFields& fields) = 0;
+  virtual void relinearise(const FacingFields& fields) = 0;
+  virtual void start_inactive(const FacingFields& fields) = 0;
+  virtual void take_multipliers() = 0;
+  virtual void end_iterations() = 0;
+  virtual bool is_solution(const FacingFields& fields) const = 0;
+
+  virtual NodalLoads loads(const FacingFields& fields) const = 0;
+  virtual NodeFlags flux_coupled(const FacingPositions& x) const = 0;
+  virtual void residual(const FacingFields& fields, double dt, const AddVector& add) const = 0;
+  virtual void tangent(const FacingFields& fields, double dt, const AddBlock& add) const = 0;
+  virtual void for_each_coupling(const FacingPositions& x, const UsePatch& use) const = 0;
+  /// Bytes that it keeps between calls.
+  virtual std::size_t memory() const = 0;
+};
+
+/// Calls `add` with the tangents of all nodes, in their order.
+void node_tangents(const EnforcementMethod& method, const IndexedVector<NodeLinearisation>& nodes,
+                   const NodalLoads& loads, const VectorXd& weights, double dt, const AddBlock& add);
+
+/// Calls `use` with what each effect of a patch couples.
+void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& use);
+
+}  // namespace mixture_contact

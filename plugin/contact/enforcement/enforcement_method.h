@@ -1,0 +1,59 @@
+/// How the conditions of contact are enforced at nodes: what takes the place of gaps and jumps that are exactly zero.
+#pragma once
+
+#include "law/nodal_laws.h"
+#include "mortar/linearisation.h"
+
+#include <functional>
+#include <memory>
+
+namespace mixture_contact {
+
+using AddVector = std::function<void(const Patch&, const VectorXd&)>;
+using AddBlock = std::function<void(const TangentBlock&)>;
+using UsePatch = std::function<void(const Patch&)>;
+
+/// A way to enforce the conditions. Evaluations are const.
+class EnforcementMethod {
+ public:
+  /// Keeps references.
+  EnforcementMethod(const MortarSpace& space, const NodalLaws& laws) : space_(space), laws_(laws) {}
+  EnforcementMethod(const EnforcementMethod&) = delete;
+  EnforcementMethod& operator=(const EnforcementMethod&) = delete;
+  EnforcementMethod(EnforcementMethod&&) = delete;
+  EnforcementMethod& operator=(EnforcementMethod&&) = delete;
+  virtual ~EnforcementMethod() = default;
+
+  /// Loads of the nodes in contact from the averages around them.
+  virtual void load(NodalLoads& loads) const = 0;
+  /// Loads within an iteration.
+  virtual NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const = 0;
+  /// Whether predicted loads may differ from those of the true averages.
+  virtual bool predicts() const = 0;
+  /// Weights of the equations that the method adds at nodes, of the size of their fields' residual.
+  virtual VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const = 0;
+  /// Residual of these equations.
+  virtual void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const = 0;
+  /// Tangent of the loads at a node, and of its equations. The residual holds t_a traction_work + dt phi_a A_a weights;
+  /// the variation of the works is the geometric part.
+  virtual std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                                 const VectorXd& weights, double dt) const = 0;
+
+ protected:
+  const MortarSpace& space() const { return space_; }
+  const NodalLaws& laws() const { return laws_; }
+  const Effects& effects() const { return space_.effects(); }
+
+ private:
+  const MortarSpace& space_;
+  const NodalLaws& laws_;
+};
+
+/// The method that the settings ask for.
+std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
+                                                      const NodalLaws& laws);
+
+/// A block of tractions by displacements; its symmetric part where that is asked for.
+TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values);
+
+}  // namespace mixture_contact

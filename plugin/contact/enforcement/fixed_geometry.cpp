@@ -1,0 +1,83 @@
+#include "enforcement/fixed_geometry.h"
+
+#include "base/parallel.h"
+
+namespace mixture_contact {
+namespace {
+
+/// (2.5) with fluxes between nodes interpolated with psi_a: dt sum_a phi_a INT psi_a h da = dt sum_a phi_a A_a weights.
+VectorXd flux_residual(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) {
+  const LocalLayout layout = linear.patch.layout();
+  VectorXd residual = VectorXd::Zero(layout.size());
+  for (Index k = 0; k < linear.jumps.count(); ++k) {
+    const int field = linear.patch.fields[k];
+    if (!loads.exchanges(field, node)) continue;
+    const double flow = dt * loads.flux(field, node) * loads.flux_area(field, node);
+    for (Index n = 0; n < layout.nodes(); ++n) residual[layout.scalar(n, k)] = flow * linear.jumps[k].weights[n];
+  }
+  return residual;
+}
+
+}  // namespace
+
+FixedGeometry::FixedGeometry(MortarSpace& space, const ActiveSet& active_set, const EnforcementMethod& method)
+    : space_(space), active_set_(active_set), method_(method), nodes_(space.nodes()) {
+  const Index fields = space.effects().scalar_fields();
+  fixed_.in_contact = fixed_.flux_coupled = NodeFlags(space.nodes(), false);
+  fixed_.area.setZero(space.nodes());
+  fixed_.gap.setZero(space.nodes());
+  fixed_.flux_area.setZero(fields, space.nodes());
+  fixed_.jump.setZero(fields, space.nodes());
+  method_.load(fixed_);
+}
+
+void FixedGeometry::update(const FacingPositions& x) {
+  const Index fields = space_.effects().scalar_fields();
+  space_.clear_boundary_weights();
+  space_.update_boundary_weights(x);
+  const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields)};
+  const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields)};
+  const NodeFlags status = active_set_.initial(space_.gaps(x));
+  fixed_ = space_.averages({primary, secondary}, {status, status});
+  fixed_.traction.setZero(space_.nodes());
+  fixed_.flux.setZero(fields, space_.nodes());
+  nodes_ = linearise(space_, fixed_, {primary, secondary});
+}
+
+void FixedGeometry::end_iterations() {
+  space_.clear_boundary_weights();
+  space_.facing().end_iterations();
+}
+
+NodalLoads FixedGeometry::loads(const FacingFields& fields) const {
+  NodalLoads loads = fixed_;
+  in_parallel(nodes_.count(), [&](Index node) {
+    const NodeLinearisation& linear = nodes_[node];
+    for (Index k = 0; k < linear.jumps.count(); ++k) {
+      loads.jump(linear.patch.fields[k], node) = jump_of(linear, k, fields);
+    }
+  });
+  method_.load(loads);
+  return loads;
+}
+
+void FixedGeometry::residual(const FacingFields& fields, double dt, const AddVector& add) const {
+  const NodalLoads now = loads(fields);
+  const auto of_node = [&](Index node) { return flux_residual(node, nodes_[node], now, dt); };
+  in_order(nodes_.count(), of_node, [&](Index node, const VectorXd& sum) {
+    if (sum.size() > 0) add(nodes_[node].patch, sum);
+  });
+  method_.equations(now, method_.equation_weights(now, fields.primary.position), dt, add);
+}
+
+void FixedGeometry::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
+  const NodalLoads now = loads(fields);
+  const VectorXd weights = method_.equation_weights(now, fields.primary.position);
+  node_tangents(method_, nodes_, now, weights, dt, add);
+}
+
+void FixedGeometry::for_each_coupling(const FacingPositions& /*x*/, const UsePatch& use) const {
+  for (const NodeLinearisation& node : nodes_) use_effects(space_, node.patch, use);
+}
+
+}  // namespace mixture_contact

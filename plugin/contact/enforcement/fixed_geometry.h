@@ -1,0 +1,37 @@
+/// Surfaces that cannot move exchange no traction, and fluxes that are linear in the fields: jumps have coefficients
+/// that are found once, and no status changes.
+#pragma once
+
+#include "enforcement/contact_geometry.h"
+
+namespace mixture_contact {
+
+class FixedGeometry : public ContactGeometry {
+ public:
+  /// Keeps references. Nothing is in contact until update().
+  FixedGeometry(MortarSpace& space, const ActiveSet& active_set, const EnforcementMethod& method);
+
+  void update(const FacingPositions& x) override;
+  bool begin_iteration(const FacingFields& /*fields*/) override { return false; }
+  void relinearise(const FacingFields& /*fields*/) override {}
+  void start_inactive(const FacingFields& /*fields*/) override {}
+  void take_multipliers() override {}
+  void end_iterations() override;
+  bool is_solution(const FacingFields& /*fields*/) const override { return true; }
+
+  NodalLoads loads(const FacingFields& fields) const override;
+  NodeFlags flux_coupled(const FacingPositions& /*x*/) const override { return fixed_.flux_coupled; }
+  void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
+  void tangent(const FacingFields& fields, double dt, const AddBlock& add) const override;
+  void for_each_coupling(const FacingPositions& x, const UsePatch& use) const override;
+  std::size_t memory() const override { return 0; }
+
+ private:
+  MortarSpace& space_;
+  const ActiveSet& active_set_;
+  const EnforcementMethod& method_;
+  NodalLoads fixed_;                        ///< areas, gaps and status
+  IndexedVector<NodeLinearisation> nodes_;  ///< without displacements; empty for nodes out of contact
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,162 @@
+#include "enforcement/moving_geometry.h"
+
+#include "base/parallel.h"
+#include "enforcement/virtual_work.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mixture_contact {
+namespace {
+
+/// Loads that differ by less than this part of the largest one are the same; and are near enough for a solution.
+constexpr double load_rounding = 1e-9;
+constexpr double load_tolerance = 1e-2;
+
+/// Whether two arrays of loads (fields, nodes) differ by more than a part of a field's largest entry, and by more than
+/// `rounding` of the field.
+bool differs(const MatrixXd& one, const MatrixXd& other, double part, const VectorXd& rounding) {
+  for (Index field = 0; field < one.rows(); ++field) {
+    const double size = std::max(one.row(field).cwiseAbs().maxCoeff(), other.row(field).cwiseAbs().maxCoeff());
+    if (!((one.row(field) - other.row(field)).cwiseAbs().maxCoeff() <= part * size + rounding[field])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void MovingGeometry::update(const FacingPositions& x) {
+  if (!point_) space_.clear_boundary_weights();
+  space_.update_boundary_weights(x);
+}
+
+LinearisationPoint MovingGeometry::linearised_at(const FacingFields& fields, ContactStatus status) const {
+  LinearisationPoint point;
+  point.loads = space_.averages(fields, std::move(status));
+  method_.load(point.loads);
+  point.nodes = linearise(space_, point.loads, fields);
+  point.primary = fields.primary;
+  point.secondary = fields.secondary;
+  point.equation_weights = method_.equation_weights(point.loads, fields.primary.position);
+  return point;
+}
+
+NodeFlags MovingGeometry::updated_status(const FacingFields& fields) const {
+  if (!point_) return initial_status(positions(fields));
+  return active_set_.updated(method_.predicted_loads(*point_, fields), space_.gaps(positions(fields)));
+}
+
+bool MovingGeometry::begin_iteration(const FacingFields& fields) {
+  const bool predicted = point_.has_value();
+  const bool finds_more = space_.facing().begin_iteration(positions(fields));
+  if (finds_more && !predicted) space_.clear_boundary_weights();
+  space_.update_boundary_weights(positions(fields));
+  const NodalLoads before = loads(fields);
+  if (!predicted) active_set_.start_counting();
+  LinearisationPoint next = linearised_at(fields,
+                                          active_set_.next(before.in_contact, updated_status(fields), predicted));
+  // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
+  const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
+  const bool augmented = std::exchange(augmented_, false);
+  next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
+  next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
+  const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
+                       before.flux_coupled != next.loads.flux_coupled ||
+                       differ(before, next.loads, load_rounding, fields);
+  point_ = std::move(next);
+  return changed;
+}
+
+void MovingGeometry::start_inactive(const FacingFields& fields) {
+  const NodeFlags open(space_.nodes(), false);
+  active_set_.start_counting();
+  LinearisationPoint point = linearised_at(fields, {open, open});
+  point.geometric_traction = point.loads.traction;
+  point.geometric_flux = point.loads.flux;
+  point_ = std::move(point);
+}
+
+void MovingGeometry::relinearise(const FacingFields& fields) {
+  if (!point_) return;
+  LinearisationPoint next = linearised_at(fields, active_set_.moved(point_->loads, space_.gaps(positions(fields))));
+  next.geometric_traction = point_->loads.traction;
+  next.geometric_flux = point_->loads.flux;
+  point_ = std::move(next);
+}
+
+void MovingGeometry::end_iterations() {
+  point_.reset();
+  space_.clear_boundary_weights();
+  space_.facing().end_iterations();
+}
+
+bool MovingGeometry::is_solution(const FacingFields& fields) const {
+  if (!point_) return true;
+  if (updated_status(fields) != point_->loads.in_contact) return false;
+  if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
+  NodalLoads now = space_.averages(fields, point_->loads.status());
+  method_.load(now);
+  return !differ(method_.predicted_loads(*point_, fields), now, load_tolerance, fields);
+}
+
+bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, double part,
+                            const FacingFields& fields) const {
+  const double size = space_.facing().surface_size();
+  VectorXd flux_rounding = laws_.field_rounding(fields, size);
+  for (Index field = 0; field < flux_rounding.size(); ++field) {
+    flux_rounding[field] *= laws_.multipliers.flux_growth[field] * laws_.penalties().flux.row(field).maxCoeff();
+  }
+  return differs(one.traction.transpose(), other.traction.transpose(), part,
+                 VectorXd::Constant(1, laws_.traction_rounding(size))) ||
+         differs(one.flux, other.flux, part, flux_rounding);
+}
+
+NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
+  if (point_) return method_.predicted_loads(*point_, fields);
+  const NodeFlags status = initial_status(positions(fields));
+  NodalLoads loads = space_.averages(fields, {status, status});
+  method_.load(loads);
+  loads.traction = loads.traction.cwiseMin(0.0);
+  return loads;
+}
+
+NodeFlags MovingGeometry::flux_coupled(const FacingPositions& x) const {
+  return point_ ? point_->loads.flux_coupled : initial_status(x);
+}
+
+VectorXd MovingGeometry::equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
+  return point_ ? point_->equation_weights : method_.equation_weights(loads, x1);
+}
+
+void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVector& add) const {
+  const NodalLoads now = loads(fields);
+  pair_residuals(space_, now, fields, dt, add);
+  method_.equations(now, equation_weights(now, fields.primary.position), dt, add);
+}
+
+void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
+  NodalLoads now = loads(fields);
+  IndexedVector<NodeLinearisation> present;
+  if (!point_) present = linearise(space_, now, fields);
+  const VectorXd weights = equation_weights(now, fields.primary.position);
+  node_tangents(method_, point_ ? point_->nodes : present, now, weights, dt, add);
+  if (point_) {
+    now.traction = point_->geometric_traction;
+    now.flux = point_->geometric_flux;
+  }
+  geometric_tangents(space_, now, fields, dt, add);
+}
+
+void MovingGeometry::for_each_coupling(const FacingPositions& x, const UsePatch& use) const {
+  // A node's patch holds the facet pairs of all points that its loads act at.
+  const auto around = space_.facing().around(point_ ? point_->loads.in_contact : initial_status(x));
+  const auto absent = [&](Index node) { return around[node].empty() && !space_.has_unknown_multipliers(); };
+  const auto patch_of = [&](Index node) { return absent(node) ? Patch() : space_.node_patch(node, around[node]); };
+  in_order(around.count(), patch_of, [&](Index node, const Patch& patch) {
+    if (!absent(node)) use_effects(space_, patch, use);
+  });
+}
+
+std::size_t MovingGeometry::memory() const { return point_ ? point_->memory() + active_set_.memory() : 0; }
+
+}  // namespace mixture_contact

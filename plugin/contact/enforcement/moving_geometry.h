@@ -1,0 +1,47 @@
+/// Surfaces that move: status and linearised gaps hold during a Newton iteration, and the loads change the geometry.
+#pragma once
+
+#include "enforcement/contact_geometry.h"
+
+#include <optional>
+
+namespace mixture_contact {
+
+class MovingGeometry : public ContactGeometry {
+ public:
+  /// Keeps references.
+  MovingGeometry(MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set, const EnforcementMethod& method)
+      : space_(space), laws_(laws), active_set_(active_set), method_(method) {}
+
+  void update(const FacingPositions& x) override;
+  bool begin_iteration(const FacingFields& fields) override;
+  void relinearise(const FacingFields& fields) override;
+  void start_inactive(const FacingFields& fields) override;
+  void take_multipliers() override { augmented_ = true; }
+  void end_iterations() override;
+  bool is_solution(const FacingFields& fields) const override;
+
+  NodalLoads loads(const FacingFields& fields) const override;
+  NodeFlags flux_coupled(const FacingPositions& x) const override;
+  void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
+  void tangent(const FacingFields& fields, double dt, const AddBlock& add) const override;
+  void for_each_coupling(const FacingPositions& x, const UsePatch& use) const override;
+  std::size_t memory() const override;
+
+ private:
+  LinearisationPoint linearised_at(const FacingFields& fields, ContactStatus status) const;
+  NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
+  NodeFlags updated_status(const FacingFields& fields) const;
+  VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
+  /// Whether loads differ by more than a part of the largest one of their kind, and by more than rounding.
+  bool differ(const NodalLoads& one, const NodalLoads& other, double part, const FacingFields& fields) const;
+
+  MortarSpace& space_;
+  const NodalLaws& laws_;
+  ActiveSet& active_set_;
+  const EnforcementMethod& method_;
+  std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun
+  bool augmented_ = false;                   ///< since the last iteration began
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,25 @@
+/// Penalties, with multipliers that only augmentations change.
+#pragma once
+
+#include "enforcement/enforcement_method.h"
+
+namespace mixture_contact {
+
+/// Loads are lambda + eps times gap or jump, linearised within an iteration: the load predicted by the linear solve is
+/// not multiplied by the second-order error of the gap times a large penalty, which would make it useless as a measure
+/// of contact and as a geometric stiffness (mixed integration points, Magisano, Leonetti and Garcea 2017).
+class PenaltyMethod : public EnforcementMethod {
+ public:
+  using EnforcementMethod::EnforcementMethod;
+
+  void load(NodalLoads& loads) const override { laws().load(loads, true); }
+  NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
+  bool predicts() const override { return true; }
+  VectorXd equation_weights(const NodalLoads& /*loads*/, const Matrix3Xd& /*x1*/) const override { return {}; }
+  void equations(const NodalLoads& /*loads*/, const VectorXd& /*weights*/, double /*dt*/,
+                 const AddVector& /*add*/) const override {}
+  std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                         const VectorXd& weights, double dt) const override;
+};
+
+}  // namespace mixture_contact

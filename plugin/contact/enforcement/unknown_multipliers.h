@@ -1,0 +1,39 @@
+/// Multipliers as unknowns of the Newton solve.
+#pragma once
+
+#include "enforcement/enforcement_method.h"
+#include "law/laws.h"
+
+namespace mixture_contact {
+
+/// Loads are the multipliers. Each has an equation: gap or jump = 0 in contact, mu = 0 elsewhere (laws.h), weighted
+/// such that the equation is in the units of the residual of its field, and rows and columns of the tangent are alike.
+class UnknownMultipliers : public EnforcementMethod {
+ public:
+  using EnforcementMethod::EnforcementMethod;
+
+  void load(NodalLoads& loads) const override { laws().load(loads, false); }
+  NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
+  bool predicts() const override { return false; }
+  VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const override;
+  void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const override;
+  std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                         const VectorXd& weights, double dt) const override;
+
+ private:
+  ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
+  ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
+  TangentBlock traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                const VectorXd& weights) const;
+  TangentBlock flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                            const VectorXd& weights, double dt) const;
+};
+
+/// The order of the unknowns of a surface.
+MultiplierLayout multiplier_layout(const NodalLaws& laws);
+/// The unknowns mu = lambda/k in that order [mm, and the units of the fields], with k the stiffness or conductance of
+/// the adjoining elements.
+VectorXd scaled_multipliers(const NodalLaws& laws);
+void set_scaled_multipliers(NodalLaws& laws, const VectorXd& mu);
+
+}  // namespace mixture_contact

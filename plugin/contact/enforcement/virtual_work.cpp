@@ -1,0 +1,80 @@
+#include "enforcement/virtual_work.h"
+
+#include "base/parallel.h"
+#include "mortar/loaded_points.h"
+
+#include <utility>
+
+namespace mixture_contact {
+namespace {
+
+/// Blocks of zeros for the fluxes of a patch; none in a symmetric tangent, where what is left of their part depends on
+/// displacements alone.
+std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& patch) {
+  std::vector<TangentBlock> blocks;
+  if (space.symmetric()) return blocks;
+  const Index nodes = patch.layout().nodes();
+  for (const int field : patch.fields) {
+    const Patch columns = space.columns_of(patch, field);
+    blocks.push_back({patch.of_field(field, false), columns, MatrixXd::Zero(nodes, columns.layout().size())});
+  }
+  return blocks;
+}
+
+std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                                            const FacingFields& fields, double dt) {
+  if (!space.facing().has_node_among(pair, loads.in_contact)) return {};
+  const Patch patch = space.facing().patch(pair);
+  const LocalLayout displacements = patch.of_displacements().layout();
+  MatrixXd traction = MatrixXd::Zero(displacements.size(), displacements.size());
+  std::vector<TangentBlock> blocks = flux_blocks(space, patch);
+  Laps laps(space.effect_times(), space.effects().scalar_fields());
+  const std::vector<VaryingPoint> points = varying_points(space, pair, loads, fields, dt);
+  laps.shared();
+  for (const auto& [point, vary] : points) {
+    traction += traction_tangent(point.kinematics, vary, point.loads, displacements);
+  }
+  laps.traction();
+  for (Index k = 0; k < count_of(blocks); ++k) {
+    TangentBlock& block = at(blocks, k);
+    for (const auto& [point, vary] : points) {
+      block.values += flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), block.columns.layout());
+    }
+    laps.field(patch.fields[k]);
+  }
+  blocks.push_back(traction_block(space, patch, std::move(traction)));
+  return blocks;
+}
+
+}  // namespace
+
+void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+                    const AddVector& add) {
+  const FacingPairs& facing = space.facing();
+  const auto residual_of = [&](Index index) {
+    const FacetPair& pair = facing.pairs()[index];
+    VectorXd sum;
+    if (!facing.has_node_among(pair, loads.in_contact)) return sum;
+    const LocalLayout layout = facing.patch(pair).layout();
+    sum.setZero(layout.size());
+    for (const IntegrationPoint& place : pair.points) {
+      const PointContact point = loaded_point(space, pair, place, loads, fields, dt);
+      sum += point_residual(point.kinematics, point.loads, layout);
+    }
+    return sum;
+  };
+  in_order(facing.pairs().count(), residual_of, [&](Index index, const VectorXd& sum) {
+    if (sum.size() > 0) add(facing.patch(facing.pairs()[index]), sum);
+  });
+}
+
+void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+                        const AddBlock& add) {
+  const IndexedVector<FacetPair>& pairs = space.facing().pairs();
+  const auto of_pair = [&](Index index) { return geometric_tangent(space, pairs[index], loads, fields, dt); };
+  in_order(pairs.count(), of_pair, [&](Index /*index*/, const std::vector<TangentBlock>& blocks) {
+    for (const TangentBlock& block : blocks) add(block);
+  });
+}
+
+}  // namespace mixture_contact

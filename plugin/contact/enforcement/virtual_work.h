@@ -1,0 +1,16 @@
+/// The virtual work (2.5) of loads that are interpolated from the nodes, and its change with the geometry (2.6).
+#pragma once
+
+#include "enforcement/enforcement_method.h"
+
+namespace mixture_contact {
+
+/// Residual, in one part per pair of facets that carries load.
+void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+                    const AddVector& add);
+
+/// The part of the tangent in which loads stay and the geometry changes, effect by effect for each of these pairs.
+void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+                        const AddBlock& add);
+
+}  // namespace mixture_contact

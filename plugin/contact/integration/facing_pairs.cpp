@@ -1,0 +1,98 @@
+#include "integration/facing_pairs.h"
+
+#include "base/bytes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mixture_contact {
+
+FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
+                         const Settings& settings)
+    : primary_(primary),
+      secondary_(secondary),
+      effects_(effects),
+      finder_(point_finder(primary.facets, secondary.facets, settings)) {}
+
+void FacingPairs::search(const FacingPositions& x, double radius) {
+  radius_ = radius;
+  surface_size_ = half_diagonal(x.primary);
+  keep(finder_->search(x.primary, x.secondary, radius));
+}
+
+void FacingPairs::project_on_same_facets(const FacingPositions& x) {
+  keep(finder_->on_same_facets(x.primary, x.secondary));
+}
+
+bool FacingPairs::begin_iteration(const FacingPositions& x) {
+  const bool finds_more = finder_->begin_iteration();
+  if (finds_more) search(x, radius_);
+  return finds_more;
+}
+
+void FacingPairs::keep(IndexedVector<FacetPair> pairs) {
+  pairs_ = std::move(pairs);
+  if (!restriction_) return;
+  const auto apart = [&](const FacetPair& pair) { return !has_node_among(pair, *restriction_); };
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
+}
+
+IndexedVector<int> FacingPairs::exchanged_fields(const FacetPair& pair) const {
+  const FieldMask both = primary_.permeable[pair.primary] & secondary_.permeable[pair.secondary];
+  IndexedVector<int> fields;
+  for (int k = 0; k < effects_.scalar_fields(); ++k) {
+    if (contains(both, k)) fields.push_back(k);
+  }
+  return fields;
+}
+
+Patch FacingPairs::patch(const FacetPair& pair) const {
+  const Facet& one = primary_facet(pair);
+  const Facet& two = secondary_facet(pair);
+  return {IndexedVector<int>(one.begin(), one.end()), IndexedVector<int>(two.begin(), two.end()),
+          exchanged_fields(pair), std::nullopt, effects_.traction};
+}
+
+PointKinematics FacingPairs::kinematics(const FacetPair& pair, const IntegrationPoint& point,
+                                        const FacingPositions& x) const {
+  const Facet& one = primary_facet(pair);
+  const Facet& two = secondary_facet(pair);
+  return point_kinematics(shape_functions(one.type, point.xi), facet_coordinates(one, x.primary),
+                          shape_functions(two.type, point.eta), facet_coordinates(two, x.secondary));
+}
+
+PairVector FacingPairs::values(const FacetPair& pair, int field, const FacingFields& fields) const {
+  const FacetVector one = facet_values(primary_facet(pair), fields.primary.scalar.col(field));
+  const FacetVector two = facet_values(secondary_facet(pair), fields.secondary.scalar.col(field));
+  PairVector values(one.size() + two.size());
+  values << one, two;
+  return values;
+}
+
+bool FacingPairs::has_node_among(const FacetPair& pair, const NodeFlags& nodes) const {
+  return any_node(primary_facet(pair), nodes);
+}
+
+IndexedVector<std::vector<const FacetPair*>> FacingPairs::around(const NodeFlags& nodes) const {
+  IndexedVector<std::vector<const FacetPair*>> around(primary_.nodes);
+  for (const FacetPair& pair : pairs_) {
+    for (const int node : primary_facet(pair)) {
+      if (nodes[node]) around[node].push_back(&pair);
+    }
+  }
+  return around;
+}
+
+std::size_t FacingPairs::points() const {
+  std::size_t count = 0;
+  for (const FacetPair& pair : pairs_) count += pair.points.size();
+  return count;
+}
+
+std::size_t FacingPairs::memory() const {
+  std::size_t sum = finder_->memory() + bytes(pairs_);
+  for (const FacetPair& pair : pairs_) sum += bytes(pair.points);
+  return sum;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,69 @@
+/// Two surfaces with the pairs of facets that face each other, and the integration points in between.
+#pragma once
+
+#include "base/patch.h"
+#include "integration/points.h"
+
+#include <optional>
+
+namespace mixture_contact {
+
+class FacingPairs {
+ public:
+  /// Keeps references to the surfaces and what they exchange.
+  FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
+              const Settings& settings);
+
+  /// Finds the facets that face each other within `radius`, the nearest of them for each point.
+  void search(const FacingPositions& x, double radius);
+  /// The same without a search: points keep to the facets that the last search() found for them.
+  void project_on_same_facets(const FacingPositions& x);
+  /// Begins and ends the iterations of the points (see PointFinder); where a search would now find more, makes one.
+  bool begin_iteration(const FacingPositions& x);
+  void end_iterations() { finder_->end_iterations(); }
+  /// Lets only facets with one of these nodes take part, from the next search on.
+  void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
+  bool is_restricted() const { return restriction_.has_value(); }
+  void clear() { pairs_.clear(); }
+
+  const SurfaceMesh& primary() const { return primary_; }
+  const Effects& effects() const { return effects_; }
+  const IndexedVector<FacetPair>& pairs() const { return pairs_; }
+  /// Half the diagonal of the primary surface where the last search was made [mm].
+  double surface_size() const { return surface_size_; }
+
+  const Facet& primary_facet(const FacetPair& pair) const { return primary_.facets[pair.primary]; }
+  const Facet& secondary_facet(const FacetPair& pair) const { return secondary_.facets[pair.secondary]; }
+  /// The fields that both facets of a pair let through.
+  IndexedVector<int> exchanged_fields(const FacetPair& pair) const;
+  /// The nodes of both facets with their displacements and exchanged fields.
+  Patch patch(const FacetPair& pair) const;
+  PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const FacingPositions& x) const;
+  /// Nodal values of a field on both facets.
+  PairVector values(const FacetPair& pair, int field, const FacingFields& fields) const;
+  /// Whether any of the nodes of the primary facet is among those given.
+  bool has_node_among(const FacetPair& pair, const NodeFlags& nodes) const;
+  /// For each of the nodes given, the pairs whose primary facet has it.
+  IndexedVector<std::vector<const FacetPair*>> around(const NodeFlags& nodes) const;
+  /// How the points of a pair move with the nodes.
+  std::vector<PointMotion> motions(const FacetPair& pair, const FacingPositions& x) const {
+    return finder_->motions(pair, x.primary, x.secondary);
+  }
+
+  std::size_t points() const;
+  std::size_t memory() const;
+
+ private:
+  void keep(IndexedVector<FacetPair> pairs);
+
+  const SurfaceMesh& primary_;
+  const SurfaceMesh& secondary_;
+  const Effects& effects_;
+  std::unique_ptr<PointFinder> finder_;
+  IndexedVector<FacetPair> pairs_;
+  std::optional<NodeFlags> restriction_;
+  double radius_ = 0;  ///< of the last search [mm]
+  double surface_size_ = 0;
+};
+
+}  // namespace mixture_contact

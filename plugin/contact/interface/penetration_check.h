@@ -1,0 +1,37 @@
+/// Secondary nodes inside the primary body that the laws at primary nodes do not feel.
+#pragma once
+
+#include "interface/facing_nodes.h"
+
+namespace mixture_contact {
+
+/// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
+/// contact. The laws hold as averages around primary nodes: what is smaller than a primary facet may overlap it without
+/// any load, unless a second pass notices it. Beside facets in contact the average reaches that far: an overlap there
+/// is the error of the edge of contact, which no second law mends.
+struct UnnoticedOverlap {
+  int nodes = 0;     ///< how many lie deeper than penetration_tolerance
+  double depth = 0;  ///< of the deepest [mm]
+  double share = 0;  ///< largest depth over the longest edge of the facet that the node faces [-]
+};
+
+/// What sound meshes show, relative to the longest edge of a facet: a facet bulges out of the arc between its ends, or
+/// stays behind it, by 1/8 of the angle of that arc, here 0.4 (16 facets around a circle).
+inline constexpr double penetration_tolerance = 0.05;
+
+/// For each secondary node, its overlap with a primary facet away from contact, over the facet's longest edge; else 0.
+VectorXd overlap_shares(const IndexedVector<FacingNode>& nodes, const NodeFlags& primary_in_contact,
+                        const IndexedVector<Facet>& primary, const Matrix3Xd& x1);
+
+/// Of nodes deeper than the tolerance, all but some.
+UnnoticedOverlap overlap_among(const IndexedVector<FacingNode>& nodes, const VectorXd& shares, const NodeFlags& but);
+
+/// The penetration-check nodes with those added that face the same primary facets as a node deeper than the tolerance.
+NodeFlags with_entered(NodeFlags check_nodes, const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
+                       Index primary_facets);
+
+/// Settings of the pass that is restricted to penetration-check nodes: those of the first one, but for unknown
+/// multipliers, for which there is no room on both surfaces.
+Settings settings_of_check(Settings settings);
+
+}  // namespace mixture_contact

@@ -1,0 +1,42 @@
+/// What the laws say at the nodes of the surface that a pass integrates over.
+#pragma once
+
+#include "base/indexed_vector.h"
+
+namespace mixture_contact {
+
+/// Averages of the gap around nodes: g_a = INT psi_a g da / INT psi_a da.
+struct NodalGaps {
+  VectorXd area;    ///< tributary area INT psi_a da, over points that face the other surface [mm^2]
+  VectorXd gap;     ///< g_a [mm]
+  double size = 0;  ///< of the surface, by which rounding of its positions is measured [mm]
+
+  /// Whether any point around a node faces the other surface.
+  bool faces(Index node) const { return area[node] > 0; }
+};
+
+/// The status of nodes. Stick and slip of a tangential law belong here, beside open and closed.
+struct ContactStatus {
+  NodeFlags in_contact;
+  NodeFlags flux_coupled;  ///< in contact, and so exchanging fluxes with the other side instead of with the ambient
+};
+
+/// What the laws (2.7)-(2.9) say at the nodes of the primary surface, from averages around each node: g_a and, alike,
+/// jumps. Traction and fluxes between nodes are interpolated with psi_a. The traction is normal; a tangential law would
+/// add its two components per node beside it, from the mean slip of the node.
+///
+/// Laws at nodes instead of integration points: as many conditions as the surface has nodes can be met at once.
+/// Conditions at more points than that fight each other where meshes do not match, and some of them open and close in
+/// turn.
+struct NodalLoads : NodalGaps, ContactStatus {
+  VectorXd traction;   ///< t_a [MPa]; 0 out of contact
+  MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]
+  MatrixXd jump;       ///< (fields, nodes)
+  MatrixXd flux;       ///< (fields, nodes); 0 out of contact
+
+  const ContactStatus& status() const { return *this; }
+  /// Whether a node exchanges a field with the other side.
+  bool exchanges(Index field, Index node) const { return flux_coupled[node] && flux_area(field, node) > 0; }
+};
+
+}  // namespace mixture_contact

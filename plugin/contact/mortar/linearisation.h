@@ -1,0 +1,50 @@
+/// First variations of nodal averages, and the state that an iteration takes them at.
+#pragma once
+
+#include "mortar/mortar_space.h"
+
+namespace mixture_contact {
+
+/// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
+/// Where multipliers are unknowns every node has one, out of contact of its multipliers alone.
+struct NodeLinearisation {
+  /// Of the jump of one field; the virtual work of its flux is weights times the node's flux_area.
+  struct Jump {
+    VectorXd projection_variation;  ///< djump/du, in the order of gap_variation
+    VectorXd weights;               ///< with the field's nodal values, in the order of patch.of_field(field, false)
+  };
+  Patch patch;
+  VectorXd gap_variation;     ///< dg_a/du, in the order of patch.of_displacements()
+  VectorXd traction_work;     ///< sum_q w psi_a h a, in the same order
+  IndexedVector<Jump> jumps;  ///< per field of the patch
+
+  bool empty() const { return patch.primary.empty() && !patch.multiplier_node; }
+};
+
+/// Linearises the averages of the nodes in contact. The entries of other nodes are empty.
+IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
+                                           const FacingFields& fields);
+
+/// The jump of the k-th field of a node's patch, or its change, with the values of the field or their changes; without
+/// the part of the displacements.
+double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fields);
+
+/// Variation of a jump with displacements, if there are any, and values of its field, in the order of `columns`.
+VectorXd jump_row(const NodeLinearisation::Jump& jump, const Patch& columns);
+
+/// Where an iteration linearises: within it and its line search averages are linear in the unknowns.
+struct LinearisationPoint {
+  SurfaceFields primary;  ///< the state
+  SurfaceFields secondary;
+  NodalLoads loads;                        ///< there
+  IndexedVector<NodeLinearisation> nodes;  ///< empty for nodes out of contact
+  VectorXd geometric_traction;             ///< t_a for the geometric part of the tangent
+  MatrixXd geometric_flux;                 ///< fluxes for it
+  VectorXd equation_weights;               ///< of the equations of unknown multipliers
+
+  /// Its averages, with status and loads of the point, as they vary to another state.
+  NodalLoads predicted_averages(const FacingFields& fields) const;
+  std::size_t memory() const;
+};
+
+}  // namespace mixture_contact

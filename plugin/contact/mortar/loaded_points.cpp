@@ -1,0 +1,58 @@
+#include "mortar/loaded_points.h"
+
+#include <utility>
+
+namespace mixture_contact {
+
+PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
+                          const NodalLoads& loads, const FacingFields& fields, double dt) {
+  const FacingPairs& facing = space.facing();
+  const Facet& facet = facing.primary_facet(pair);
+  PointContact contact;
+  contact.pair = &pair;
+  contact.kinematics = facing.kinematics(pair, place, positions(fields));
+  const ShapeFunctions psi = space.shape(pair.primary, place.sub_facet, place.xi);
+  contact.psi = psi.value;
+  contact.psi_gradient = psi.gradient;
+  contact.fields = facing.exchanged_fields(pair);
+  const Index count = contact.fields.count();
+  contact.values.resize(contact.kinematics.nodes(), count);
+  const FacetVector traction = facet_values(facet, loads.traction);
+  contact.loads.traction = {contact.psi.dot(traction), 0.0};
+  contact.loads.traction_slope = contact.psi_gradient.transpose() * traction;
+  contact.loads.weight = place.weight;
+  contact.loads.time_increment = dt;
+  contact.loads.flux.resize(count);
+  contact.loads.flux_slope.resize(count, 2);
+  for (Index k = 0; k < count; ++k) {
+    const int field = contact.fields[k];
+    contact.values.col(k) = facing.values(pair, field, fields);
+    const FacetVector nodal = facet_values(facet, loads.flux.row(field).transpose());
+    contact.loads.flux[k] = {contact.psi.dot(nodal), 0.0};
+    contact.loads.flux_slope.row(k) = nodal.transpose() * contact.psi_gradient;
+  }
+  return contact;
+}
+
+std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                                         const FacingFields& fields, double dt) {
+  const std::vector<PointMotion> motions = space.facing().motions(pair, positions(fields));
+  std::vector<VaryingPoint> points;
+  points.reserve(pair.points.size());
+  for (std::size_t q = 0; q < pair.points.size(); ++q) {
+    PointContact point = loaded_point(space, pair, pair.points[q], loads, fields, dt);
+    const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
+    points.push_back({std::move(point), vary});
+  }
+  return points;
+}
+
+void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+                           const std::function<void(const PointContact&)>& use) {
+  for (const FacetPair& pair : space.facing().pairs()) {
+    if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
+    for (const IntegrationPoint& place : pair.points) use(loaded_point(space, pair, place, loads, fields, dt));
+  }
+}
+
+}  // namespace mixture_contact

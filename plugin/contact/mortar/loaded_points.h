@@ -1,0 +1,39 @@
+/// Integration points with the loads that are interpolated from the nodes around them.
+#pragma once
+
+#include "law/point_integral.h"
+#include "mortar/mortar_space.h"
+
+#include <functional>
+
+namespace mixture_contact {
+
+/// Everything at one integration point that carries load.
+struct PointContact {
+  const FacetPair* pair = nullptr;
+  PointKinematics kinematics;
+  FacetVector psi;             ///< psi_a here
+  FacetGradient psi_gradient;  ///< psi_a,alpha
+  IndexedVector<int> fields;   ///< exchanged scalar fields here, as indices into Effects' order
+  PairFields values;           ///< their nodal values
+  PointLoads loads;  ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
+};
+
+/// A point with the first variations of its kinematics.
+struct VaryingPoint {
+  PointContact contact;
+  KinematicVariations vary;
+};
+
+PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
+                          const NodalLoads& loads, const FacingFields& fields, double dt);
+
+/// All points of a pair with their variations.
+std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                                         const FacingFields& fields, double dt);
+
+/// Calls `use` for every point that carries load, in a fixed order.
+void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+                           const std::function<void(const PointContact&)>& use);
+
+}  // namespace mixture_contact

@@ -1,0 +1,146 @@
+#include "mortar/mortar_space.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace mixture_contact {
+namespace {
+
+/// As FacetGapSums for the jumps of the fields that a pair exchanges; no fields where it carries no load.
+struct JumpSums {
+  IndexedVector<int> fields;
+  FacetVector area;  ///< INT psi_a da
+  MatrixXd jump;     ///< (fields, nodes): INT psi_a jump da
+};
+
+/// Adds the entries of `more` that `list` does not have yet.
+void merge_unique(IndexedVector<int>& list, const IndexedVector<int>& more) {
+  for (const int entry : more) {
+    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
+  }
+}
+
+JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields,
+                   const NodeFlags& in_contact) {
+  const FacingPairs& facing = space.facing();
+  JumpSums sums;
+  if (!facing.has_node_among(pair, in_contact)) return sums;
+  sums.fields = facing.exchanged_fields(pair);
+  sums.area.setZero(facing.primary_facet(pair).count());
+  sums.jump.setZero(sums.fields.count(), sums.area.size());
+  for (const IntegrationPoint& place : pair.points) {
+    const PointKinematics point = facing.kinematics(pair, place, positions(fields));
+    const FacetVector share = place.weight * point.area * space.shape(pair.primary, place.sub_facet, place.xi).value;
+    const PairVector h = point.jump_weights();
+    sums.area += share;
+    for (Index k = 0; k < sums.fields.count(); ++k) {
+      sums.jump.row(k) += h.dot(facing.values(pair, sums.fields[k], fields)) * share;
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
+                         const Settings& settings)
+    : facing_(primary, secondary, effects, settings),
+      weights_(primary.facets),
+      redistributes_(settings.integration == Integration::segments),
+      unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
+      symmetric_(settings.symmetric),
+      effect_times_(effects.scalar_fields()) {}
+
+FacetGapSums MortarSpace::gap_sums(const FacetPair& pair, const FacingPositions& x) const {
+  FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
+  for (const IntegrationPoint& place : pair.points) {
+    const PointKinematics point = facing_.kinematics(pair, place, x);
+    const FacetVector psi = shape(pair.primary, place.sub_facet, place.xi).value;
+    sums.row(0) += place.weight * point.area * psi;
+    sums.row(1) += place.weight * point.area * point.gap * psi;
+  }
+  return sums;
+}
+
+void MortarSpace::update_boundary_weights(const FacingPositions& x) {
+  // Nodes that a restricted pass is for keep their conditions: there are no others to carry their load.
+  if (!redistributes_ || facing_.is_restricted()) return;
+  IndexedVector<const FacetPair*> unknown;
+  for (const FacetPair& pair : facing_.pairs()) {
+    if (!weights_.knows(pair.primary)) unknown.push_back(&pair);
+  }
+  std::map<int, FacetGapSums> covered;
+  in_order(
+      unknown.count(), [&](Index index) { return gap_sums(*unknown[index], x); },
+      [&](Index index, const FacetGapSums& sums) {
+        const auto [place, first] = covered.try_emplace(unknown[index]->primary, sums);
+        if (!first) place->second += sums;
+      });
+  for (const auto& [facet, sums] : covered) {
+    weights_.decide(facet, sums, areas_of_nodes(facing_.primary().facets[facet], x.primary));
+  }
+}
+
+NodalGaps MortarSpace::gaps(const FacingPositions& x) const {
+  NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size()};
+  const IndexedVector<FacetPair>& pairs = facing_.pairs();
+  const auto sums_of = [&](Index index) { return gap_sums(pairs[index], x); };
+  in_order(pairs.count(), sums_of, [&](Index index, const FacetGapSums& sums) {
+    const Facet& facet = facing_.primary_facet(pairs[index]);
+    for (Index a = 0; a < sums.cols(); ++a) {
+      gaps.area[facet.node(a)] += sums(0, a);
+      gaps.gap[facet.node(a)] += sums(1, a);
+    }
+  });
+  gaps.gap = (gaps.area.array() > 0).select(gaps.gap.array() / gaps.area.array(), 0.0);
+  return gaps;
+}
+
+void MortarSpace::average_jumps(const FacingFields& fields, NodalLoads& loads) const {
+  loads.flux_area.setZero(effects().scalar_fields(), nodes());
+  loads.jump.setZero(effects().scalar_fields(), nodes());
+  if (effects().scalar_fields() == 0) return;
+  const IndexedVector<FacetPair>& pairs = facing_.pairs();
+  const auto sums_of = [&](Index index) { return jump_sums(*this, pairs[index], fields, loads.in_contact); };
+  in_order(pairs.count(), sums_of, [&](Index index, const JumpSums& sums) {
+    const Facet& facet = facing_.primary_facet(pairs[index]);
+    for (Index k = 0; k < sums.fields.count(); ++k) {
+      for (Index a = 0; a < sums.area.size(); ++a) {
+        loads.flux_area(sums.fields[k], facet.node(a)) += sums.area[a];
+        loads.jump(sums.fields[k], facet.node(a)) += sums.jump(k, a);
+      }
+    }
+  });
+  loads.jump = (loads.flux_area.array() > 0).select(loads.jump.array() / loads.flux_area.array(), 0.0);
+}
+
+NodalLoads MortarSpace::averages(const FacingFields& fields, ContactStatus status) const {
+  NodalLoads loads{gaps(positions(fields)), std::move(status), {}, {}, {}, {}};
+  average_jumps(fields, loads);
+  return loads;
+}
+
+Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {
+  Patch patch;
+  patch.displacements = effects().traction;
+  if (unknown_multipliers_) {
+    patch.multiplier_node = static_cast<int>(node);
+    for (int field = 0; field < effects().scalar_fields(); ++field) patch.fields.push_back(field);
+  }
+  for (const FacetPair* pair : pairs) {
+    const Patch facets = facing_.patch(*pair);
+    merge_unique(patch.primary, facets.primary);
+    merge_unique(patch.secondary, facets.secondary);
+    merge_unique(patch.fields, facets.fields);
+  }
+  return patch;
+}
+
+Patch MortarSpace::columns_of(const Patch& patch, int field) const {
+  return patch.of_field(field, effects().traction && !symmetric_);
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,60 @@
+/// Nodal averages over the integration points around each node of the surface that a pass integrates over.
+#pragma once
+
+#include "base/times.h"
+#include "integration/facing_pairs.h"
+#include "law/nodal_loads.h"
+#include "mortar/boundary_weights.h"
+
+namespace mixture_contact {
+
+class MortarSpace {
+ public:
+  /// Keeps references to the surfaces and what they exchange.
+  MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
+              const Settings& settings);
+
+  FacingPairs& facing() { return facing_; }
+  const FacingPairs& facing() const { return facing_; }
+  const Effects& effects() const { return facing_.effects(); }
+  Index nodes() const { return facing_.primary().nodes; }
+
+  /// Decides for facets that face the other surface for the first time since clear_boundary_weights() which of their
+  /// nodes carry load.
+  void update_boundary_weights(const FacingPositions& x);
+  void clear_boundary_weights() { weights_.clear(); }
+  /// Functions psi_a (see BoundaryWeights::shape).
+  ShapeFunctions shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
+    return weights_.shape(primary_facet, sub_facet, xi);
+  }
+
+  NodalGaps gaps(const FacingPositions& x) const;
+  /// Gaps, and the jumps of nodes of a status; without loads.
+  NodalLoads averages(const FacingFields& fields, ContactStatus status) const;
+
+  /// Whether multipliers are unknowns, so that every node has equations of its own.
+  bool has_unknown_multipliers() const { return unknown_multipliers_; }
+  /// The nodes and fields that the averages of a node are taken over, given the pairs around it.
+  Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
+  /// What the rows of one field of a patch depend on.
+  Patch columns_of(const Patch& patch, int field) const;
+  /// Whether the symmetric part of the tangent is wanted.
+  bool symmetric() const { return symmetric_; }
+
+  /// What linearising and tangents spend on single effects; whoever times them takes it.
+  EffectTimes& effect_times() const { return effect_times_; }
+  std::size_t memory() const { return facing_.memory() + weights_.memory(); }
+
+ private:
+  FacetGapSums gap_sums(const FacetPair& pair, const FacingPositions& x) const;
+  void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
+
+  FacingPairs facing_;
+  BoundaryWeights weights_;
+  bool redistributes_;  ///< on segments alone
+  bool unknown_multipliers_;
+  bool symmetric_;
+  mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,62 @@
+#include "ambient_conditions.h"
+
+#include "mixture_contact.h"
+#include "newton/held_values.h"
+
+#include <FECore/FEMesh.h>
+#include <FECore/FEModel.h>
+
+using mixture_contact::both_sides;
+using mixture_contact::Side;
+using newton::Place;
+
+std::map<int, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
+    const std::vector<FEMixtureContact*>& contacts) const {
+  std::map<int, NodeStatus> nodes;
+  for (const FEMixtureContact* contact : contacts) {
+    const auto in_contact = contact->core().hold_nodes_in_contact();
+    for (const Side side : both_sides) {
+      const FEMixtureSurface& surface = contact->surfaces()[side];
+      for (int i = 0; i < surface.Nodes(); ++i) {
+        NodeStatus& status = nodes.insert({surface.NodeIndex(i), {false, contact}}).first->second;
+        status.in_contact = status.in_contact || newton::at(in_contact[side], i);
+      }
+    }
+  }
+  return nodes;
+}
+
+/// Whether ambient conditions may act on a nodal value: it exists and no boundary condition holds it.
+bool AmbientConditions::is_free(Place place) const {
+  return place.dof >= 0 && fem_.GetMesh().Node(place.node).get_bc(place.dof) == DOF_OPEN &&
+         solver_.equation(place) != -1;
+}
+
+bool AmbientConditions::release(Place place) {
+  if (!newton::release_with_value(solver_, place)) return false;
+  released_.push_back(place);
+  return true;
+}
+
+bool AmbientConditions::apply(Place place, const NodeStatus& status) {
+  if (!is_free(place) || helpers_.keeps(place, status.in_contact)) return false;
+  if (status.in_contact) return release(place);
+  return newton::hold_at(solver_, place, status.ambient->ambient_value(place.dof));
+}
+
+bool AmbientConditions::apply(const std::vector<FEMixtureContact*>& contacts) {
+  if (contacts.empty()) return false;
+  const DofMap& dofs = contacts.front()->dofs();
+  if (dofs.pressure() < 0) return false;
+  bool changed = false;
+  for (const auto& [node, status] : status_of_nodes(contacts)) {
+    changed = apply({node, dofs.pressure()}, status) || changed;
+    for (int k = 0; k < dofs.concentrations(); ++k) changed = apply({node, dofs.concentration(k)}, status) || changed;
+  }
+  return changed;
+}
+
+void AmbientConditions::begin_step() {
+  for (const Place place : released_) newton::synchronise(solver_, place);
+  released_.clear();
+}

@@ -1,0 +1,43 @@
+/// Ambient (free-draining) conditions on the nodes of contact surfaces that are not in contact.
+///
+/// FEBio's solvers switch ambient nodes only for contact classes that they know by name, so the plugin does it, once
+/// for all contacts of a model: a node is at ambient only where no contact has it.
+#pragma once
+
+#include "newton/febio/febio_solver.h"
+#include "newton/helper.h"
+
+#include <map>
+#include <vector>
+
+class FEMixtureContact;
+class FEModel;
+
+class AmbientConditions {
+ public:
+  AmbientConditions(FEModel& fem, newton::Solver& solver, newton::Helpers& helpers)
+      : fem_(fem), solver_(solver), helpers_(helpers) {}
+
+  /// Holds nodes outside contact at ambient values, and frees the others with the value that they have. Not to be
+  /// called while a trial increment is evaluated. Returns whether anything changed.
+  bool apply(const std::vector<FEMixtureContact*>& contacts);
+
+  /// Brings the solver in step with nodes freed since the last call: an attempt that was cut back may have left it
+  /// changed.
+  void begin_step();
+
+ private:
+  struct NodeStatus {
+    bool in_contact;
+    const FEMixtureContact* ambient;  ///< the first contact that the node belongs to says what its ambient values are
+  };
+  std::map<int, NodeStatus> status_of_nodes(const std::vector<FEMixtureContact*>& contacts) const;
+  bool apply(newton::Place place, const NodeStatus& status);
+  bool is_free(newton::Place place) const;
+  bool release(newton::Place place);
+
+  FEModel& fem_;
+  newton::Solver& solver_;
+  newton::Helpers& helpers_;
+  std::vector<newton::Place> released_;  ///< since the last begin_step()
+};

@@ -1,0 +1,30 @@
+/// Assembly: the core's patches in FEBio's equations.
+#pragma once
+
+#include "bound_contact.h"
+#include "fingerprint.h"
+
+class FEGlobalMatrix;
+class FEGlobalVector;
+class FELinearSystem;
+
+class Assembly {
+ public:
+  Assembly(const BoundContact& contact, const DofMap& dofs) : contact_(contact), dofs_(dofs) {}
+
+  /// Adds the blocks of the present active set to the profile of the matrix.
+  void add_to_profile(FEGlobalMatrix& matrix);
+  /// Whether they are those that were added last.
+  bool fits_matrix() const { return couplings() == couplings_of_matrix_; }
+
+  void residual(FEGlobalVector& residual, double dt) const;
+  /// `is_constrained`: whether linear constraints tie degrees of freedom of the model to each other.
+  void tangent(FELinearSystem& system, FEGlobalMatrix& global, bool is_constrained, double dt) const;
+
+ private:
+  Fingerprint couplings() const;
+
+  const BoundContact& contact_;
+  const DofMap& dofs_;
+  Fingerprint couplings_of_matrix_;
+};

@@ -1,0 +1,72 @@
+#include "bound_contact.h"
+
+#include "archive.h"
+#include "core_archive.h"
+#include "host/warnings.h"
+
+#include <FECore/FEAnalysis.h>
+#include <FECore/FEModel.h>
+#include <FECore/FESolver.h>
+
+#include <utility>
+
+using namespace mixture_contact;
+
+void BoundContact::build(PerSide<SurfaceMesh> meshes, const Effects& effects) {
+  core_ = std::make_unique<ContactInterface>(std::move(meshes), effects, core_settings(parameters_));
+}
+
+PerSide<SurfaceFields> BoundContact::fields() const { return surfaces_.fields(dofs_, core_->effects()); }
+
+void BoundContact::project() {
+  const TaskClock timed = core_->clock(Task::search);
+  const FESolver* solver = surfaces_[Side::primary].GetFEModel()->GetCurrentStep()->GetFESolver();
+  const bool keep_facets = parameters_.seg_up > 0 && solver->m_niter > parameters_.seg_up;
+  core_->project(surfaces_.positions(),
+                 keep_facets ? ContactInterface::Search::same_facets : ContactInterface::Search::everywhere);
+}
+
+void BoundContact::prepare_step() {
+  if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();
+}
+
+bool BoundContact::begin_iteration() {
+  const TaskClock timed = core_->clock(Task::stiffness);
+  return core_->begin_iteration(fields());
+}
+
+bool BoundContact::finds_overlap() {
+  const UnnoticedOverlap noticed = core_->notice_overlap(fields());
+  if (noticed.nodes == 0) return false;
+  const PerSide<std::string> names = surfaces_.names();
+  if (!std::exchange(said_overlap_, true))
+    log_.line(noticed_line(log_.name(), names[Side::primary], names[Side::secondary], noticed));
+  return !is_solution();
+}
+
+void BoundContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {
+  const Index count = core_->multiplier_layout().size();
+  if (count == 0) return;
+  const auto of_contact = [&](const std::vector<double>& all) {
+    return Eigen::Map<const VectorXd>(all.data() + dofs_.first_multiplier(), count);
+  };
+  core_->set_unknown_multipliers(step_start_ + of_contact(total) + of_contact(increment));
+}
+
+void BoundContact::serialize(DumpStream& ar) {
+  if (!ar.IsShallow()) {
+    archive(ar, step_start_);
+    Effects effects;
+    PerSide<SurfaceMesh> meshes;
+    if (ar.IsSaving()) {
+      effects = core_->effects();
+      for (const Side side : both_sides) meshes[side] = core_->mesh(side);
+    }
+    archive_effects(ar, effects);
+    for (const Side side : both_sides) archive_mesh(ar, meshes[side]);
+    if (!ar.IsSaving()) build(std::move(meshes), effects);
+  }
+  ContactInterface::State state = core_->state();
+  archive_state(ar, state);
+  if (!ar.IsSaving()) core_->restore(std::move(state));
+}

@@ -1,0 +1,43 @@
+/// The contact core, bound to surfaces and degrees of freedom of an FEBio model.
+#pragma once
+
+#include "contact_log.h"
+#include "dof_map.h"
+#include "host/contact_parameters.h"
+#include "host/contact_steps.h"
+
+#include <memory>
+
+class BoundContact : public mixture_contact::SteppedContact {
+ public:
+  BoundContact(ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters, const ContactLog& log)
+      : surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
+
+  /// Makes the core. Nothing else may be called before.
+  void build(mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes, const mixture_contact::Effects& effects);
+  mixture_contact::ContactInterface& core() const { return *core_; }
+  /// Values at the nodes, as the core takes them.
+  mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const;
+
+  void project() override;
+  void prepare_step() override;
+  void end_iterations() override { core_->end_iterations(); }
+  bool begin_iteration() override;
+  void move_iteration() override { core_->move_iteration(fields()); }
+  bool is_solution() override { return core_->is_solution(fields()); }
+  bool finds_overlap() override;
+
+  /// Multipliers that are unknowns, in a trial: those at the start of the step and FEBio's increments.
+  void set_multipliers(const std::vector<double>& total, const std::vector<double>& increment);
+
+  void serialize(DumpStream& ar);
+
+ private:
+  ContactSurfaces& surfaces_;
+  DofMap& dofs_;
+  const ContactParameters& parameters_;
+  const ContactLog& log_;
+  std::unique_ptr<mixture_contact::ContactInterface> core_;
+  mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
+  bool said_overlap_ = false;             ///< in this run
+};

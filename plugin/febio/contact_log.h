@@ -1,0 +1,35 @@
+/// What a contact says in FEBio's log.
+#pragma once
+
+#include <FECore/FECoreBase.h>
+#include <FECore/log.h>
+
+#include <string>
+#include <vector>
+
+/// Sentences that begin with the name of the contact.
+class ContactLog {
+ public:
+  explicit ContactLog(FECoreBase& contact) : contact_(contact) {}
+
+  void say(const std::string& sentence) const {
+    feLogEx(contact_.GetFEModel(), "%s%s\n", subject().c_str(), sentence.c_str());
+  }
+  void error(const std::string& sentence) const {
+    feLogErrorEx(contact_.GetFEModel(), "%s%s", subject().c_str(), sentence.c_str());
+  }
+  void errors(const std::vector<std::string>& sentences) const {
+    for (const std::string& sentence : sentences) error(sentence);
+  }
+
+  // Sentences that name the contact themselves
+  void line(const std::string& sentence) const { feLogEx(contact_.GetFEModel(), "%s\n", sentence.c_str()); }
+  void warning(const std::string& sentence) const { feLogWarningEx(contact_.GetFEModel(), "%s", sentence.c_str()); }
+
+  std::string name() const { return contact_.GetName(); }
+
+ private:
+  std::string subject() const { return "sliding-mixture \"" + name() + "\": "; }
+
+  FECoreBase& contact_;
+};

@@ -1,0 +1,31 @@
+#include "contact_output.h"
+
+#include "host/timings.h"
+#include "host/warnings.h"
+
+using namespace mixture_contact;
+
+void ContactOutput::store() {
+  const ContactInterface& core = contact_.core();
+  const TaskClock timed = core.clock(Task::output);
+  const PerSide<SurfaceFields> current = contact_.fields();
+  Balance total = core.balance(current);
+  surfaces_[Side::primary].store_output(core.nodal_output(Side::primary, current), total);
+  total.force = -total.force;
+  total.flow = -total.flow;
+  surfaces_[Side::secondary].store_output(core.nodal_output(Side::secondary, current), total);
+  warn_of_overlap();
+}
+
+void ContactOutput::warn_of_overlap() {
+  const UnnoticedOverlap& overlap = contact_.core().unnoticed_overlap();
+  if (has_warned_ || overlap.nodes == 0) return;
+  has_warned_ = true;
+  const PerSide<std::string> names = surfaces_.names();
+  log_.warning(overlap_warning(log_.name(), names[Side::primary], names[Side::secondary], overlap));
+}
+
+void ContactOutput::log_timings() const {
+  log_.line("");
+  for (const std::string& line : timings_table(log_.name(), contact_.core(), run_.peek())) log_.line(line);
+}

@@ -1,0 +1,57 @@
+/// Setting up a contact: what the model's parameters, surfaces and materials are to the core, and what is wrong with
+/// them.
+#pragma once
+
+#include "ambient_concentration.h"
+#include "bound_contact.h"
+#include "host/facet_material.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
+
+class ContactSetup {
+ public:
+  ContactSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters,
+               const AmbientConcentrations& ambient, const ContactLog& log)
+      : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), ambient_(ambient), log_(log) {}
+
+  // Each says in the log what is wrong, and returns whether nothing is.
+  bool check_parameters() const;
+  bool check_surfaces() const;
+  bool check_ambient() const;
+
+  /// Makes the core from the materials. Returns whether that is possible; the log says if not.
+  bool build(BoundContact& contact);
+  /// Reads the materials again, for automatic penalties.
+  void update_properties(const BoundContact& contact) const;
+  /// Takes penalties and tolerances as their load curves say at this time.
+  void update_laws(const BoundContact& contact) const;
+  /// The same, where all values make sense. Returns whether they do; the log says which do not.
+  bool follow_load_curves(const BoundContact& contact) const;
+  /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the effects that
+  /// the model asks for exist in it.
+  bool decide_traction(const BoundContact& contact);
+
+ private:
+  bool has_sound_values() const;
+  std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
+  SolverKind solver_kind() const;
+  std::optional<FacetMaterials> materials() const;
+  std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;
+  std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
+  bool has_penalty(const BoundContact& contact) const;
+  bool can_have_multipliers(const BoundContact& contact) const;
+  Motion motion() const;
+
+  FEModel& fem_;
+  ContactSurfaces& surfaces_;
+  DofMap& dofs_;
+  const ContactParameters& parameters_;
+  const AmbientConcentrations& ambient_;
+  const ContactLog& log_;
+  std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow
+  std::string summary_;                            ///< what the log said last of the effects
+};

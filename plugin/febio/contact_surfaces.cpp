@@ -1,0 +1,62 @@
+#include "contact_surfaces.h"
+
+#include "dof_map.h"
+#include "mixture_contact.h"
+
+#include <FECore/FEMesh.h>
+#include <FECore/FEModel.h>
+#include <FECore/FESolidDomain.h>
+
+using namespace mixture_contact;
+
+ContactSurfaces::ContactSurfaces(FEModel& fem, FEMixtureContact& contact)
+    : primary_(&fem, contact, Side::primary), secondary_(&fem, contact, Side::secondary) {
+  primary_.SetSibling(&secondary_);
+  secondary_.SetSibling(&primary_);
+  primary_.SetContactInterface(&contact);
+  secondary_.SetContactInterface(&contact);
+}
+
+PerSide<std::string> ContactSurfaces::names() const { return {{primary_.GetName(), secondary_.GetName()}}; }
+
+PerSide<Matrix3Xd> ContactSurfaces::positions() {
+  PerSide<Matrix3Xd> all;
+  for (const Side side : both_sides) {
+    FEMixtureSurface& surface = (*this)[side];
+    all[side].resize(3, surface.Nodes());
+    for (int i = 0; i < surface.Nodes(); ++i) {
+      const vec3d& r = surface.Node(i).m_rt;
+      all[side].col(i) << r.x, r.y, r.z;
+    }
+  }
+  return all;
+}
+
+PerSide<SurfaceFields> ContactSurfaces::fields(const DofMap& dofs, const Effects& effects) {
+  PerSide<SurfaceFields> all;
+  PerSide<Matrix3Xd> x = positions();
+  for (const Side side : both_sides) {
+    FEMixtureSurface& surface = (*this)[side];
+    all[side].position = std::move(x[side]);
+    all[side].scalar.resize(surface.Nodes(), effects.scalar_fields());
+    for (int k = 0; k < effects.scalar_fields(); ++k) {
+      const int dof = dofs.field(effects, k);
+      for (int i = 0; i < surface.Nodes(); ++i) all[side].scalar(i, k) = surface.Node(i).get(dof);
+    }
+  }
+  return all;
+}
+
+void ContactSurfaces::relocate_primary(const Matrix3Xd& positions) {
+  for (int i = 0; i < primary_.Nodes(); ++i) {
+    FENode& node = primary_.Node(i);
+    node.m_rt = vec3d(positions(0, i), positions(1, i), positions(2, i));
+    node.m_r0 = node.m_rt;
+  }
+  // Elements keep their reference Jacobians, which FEBio evaluates at its start alone.
+  FEMesh& mesh = primary_.GetFEModel()->GetMesh();
+  for (int i = 0; i < mesh.Domains(); ++i) {
+    auto* domain = dynamic_cast<FESolidDomain*>(&mesh.Domain(i));
+    if (domain != nullptr) domain->FESolidDomain::Init();
+  }
+}

@@ -1,0 +1,61 @@
+#include "core_archive.h"
+
+#include "archive.h"
+#include "newton/vector_entry.h"
+
+#include <FECore/DumpStream.h>
+
+#include <cstdint>
+
+using namespace mixture_contact;
+
+namespace {
+
+void archive_facet(DumpStream& ar, Facet& facet) {
+  int type = static_cast<int>(facet.type);
+  ar & type;
+  facet.type = static_cast<FacetType>(type);
+  for (int& node : facet.nodes) ar & node;
+}
+
+/// Dump streams know no 64-bit integers.
+void archive_mask(DumpStream& ar, FieldMask& mask) {
+  constexpr FieldMask lower = 0xffffffffU;
+  int low = int(std::uint32_t(mask & lower));
+  int high = int(std::uint32_t(mask >> 32U));
+  ar & low & high;
+  mask = FieldMask(std::uint32_t(low)) | FieldMask(std::uint32_t(high)) << 32U;
+}
+
+void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
+  archive(ar, multipliers.traction);
+  archive(ar, multipliers.flux);
+  archive(ar, multipliers.traction_growth);
+  archive(ar, multipliers.flux_growth);
+}
+
+}  // namespace
+
+void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
+  int facets = newton::count(mesh.facets);
+  ar & mesh.nodes & facets;
+  mesh.facets.resize(std::size_t(facets));
+  mesh.permeable.resize(std::size_t(facets));
+  for (Facet& facet : mesh.facets) archive_facet(ar, facet);
+  for (FieldMask& mask : mesh.permeable) archive_mask(ar, mask);
+  archive(ar, mesh.stiffness);
+  archive(ar, mesh.conductance);
+}
+
+void archive_effects(DumpStream& ar, Effects& effects) {
+  ar & effects.traction & effects.solvent;
+  archive(ar, effects.solutes);
+}
+
+void archive_state(DumpStream& ar, ContactInterface::State& state) {
+  int passes = newton::count(state.multipliers);
+  archive(ar, state.noticed);
+  ar & passes;
+  state.multipliers.resize(std::size_t(passes));
+  for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
+}

@@ -1,0 +1,10 @@
+/// Storing what the core is made of, and its state, in FEBio's dump streams.
+#pragma once
+
+#include "contact/interface/interface.h"
+
+class DumpStream;
+
+void archive_mesh(DumpStream& ar, mixture_contact::SurfaceMesh& mesh);
+void archive_effects(DumpStream& ar, mixture_contact::Effects& effects);
+void archive_state(DumpStream& ar, mixture_contact::ContactInterface::State& state);

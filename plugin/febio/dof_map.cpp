@@ -1,0 +1,109 @@
+#include "dof_map.h"
+
+#include "host/facet_material.h"
+#include "newton/solver.h"
+
+#include <FECore/FEMesh.h>
+#include <FECore/FEModel.h>
+
+#include <algorithm>
+
+using mixture_contact::both_sides;
+using mixture_contact::ContactInterface;
+using mixture_contact::Index;
+using mixture_contact::LocalLayout;
+using mixture_contact::MultiplierLayout;
+using mixture_contact::Side;
+using newton::at;
+
+void DofMap::init() {
+  displacements_ = {fem_.GetDOFIndex("x"), fem_.GetDOFIndex("y"), fem_.GetDOFIndex("z")};
+  pressure_ = fem_.GetDOFIndex("p");
+  concentration_ = fem_.GetDOFIndex("concentration", 0);
+  concentrations_ = std::max(0, fem_.GetDOFS().GetVariableSize("concentration"));
+}
+
+void DofMap::number_multipliers(int first) {
+  first_multiplier_ = first;
+  multiplier_node_ = deformable_node();
+}
+
+void DofMap::serialize(DumpStream& ar) {
+  ar & pressure_ & concentration_ & concentrations_ & first_multiplier_ & multiplier_node_;
+  for (int& dof : displacements_) ar & dof;
+}
+
+int DofMap::field(const mixture_contact::Effects& effects, int field) const {
+  const int solute = solute_of(effects, field);
+  return solute < 0 ? pressure_ : concentration(solute);
+}
+
+int DofMap::deformable_node() const {
+  for (const Side side : both_sides) {
+    FEMixtureSurface& surface = surfaces_[side];
+    for (int i = 0; i < surface.Nodes(); ++i) {
+      if (surface.Node(i).m_rid < 0) return surface.NodeIndex(i);
+    }
+  }
+  return -1;
+}
+
+std::vector<int> DofMap::nodes(const Location& place) const {
+  std::vector<int> nodes;
+  for (const int node : place.patch.primary) nodes.push_back(surfaces_[place.first].NodeIndex(node));
+  for (const int node : place.patch.secondary) nodes.push_back(surfaces_[other(place.first)].NodeIndex(node));
+  if (place.patch.multiplier_node) nodes.push_back(multiplier_node_);
+  return nodes;
+}
+
+const std::vector<int>& DofMap::node_equations(int node) const { return fem_.GetMesh().Node(node).m_ID; }
+
+void DofMap::add_multipliers(const ContactInterface& core, const Location& place, std::vector<int>& ids) const {
+  if (!place.patch.multiplier_node) return;
+  const LocalLayout layout = place.patch.layout();
+  const MultiplierLayout own = core.multiplier_layout();
+  const int node = *place.patch.multiplier_node;
+  const int first = first_multiplier_;
+  if (layout.has_displacements()) at(ids, layout.traction_multiplier()) = first + int(own.traction(node));
+  for (Index k = 0; k < layout.scalar_fields(); ++k)
+    at(ids, layout.flux_multiplier(k)) = first + int(own.flux(node, at(place.patch.fields, k)));
+}
+
+std::vector<int> DofMap::equations(const ContactInterface& core, const Location& place) const {
+  const LocalLayout layout = place.patch.layout();
+  const std::vector<int> mesh_nodes = nodes(place);
+  std::vector<int> ids(std::size_t(layout.size()), -1);
+  add_multipliers(core, place, ids);
+  for (Index node = 0; node < layout.nodes(); ++node) {
+    const std::vector<int>& own = node_equations(at(mesh_nodes, node));
+    for (Index i = 0; layout.has_displacements() && i < 3; ++i)
+      at(ids, layout.displacement(node, i)) = at(own, at(displacements_, i));
+    for (Index k = 0; k < layout.scalar_fields(); ++k)
+      at(ids, layout.scalar(node, k)) = at(own, field(core.effects(), at(place.patch.fields, k)));
+  }
+  return ids;
+}
+
+void DofMap::add_rotations(const std::vector<int>& nodes, std::vector<int>& ids) const {
+  const std::array<int, 3> rotation{fem_.GetDOFIndex("Ru"), fem_.GetDOFIndex("Rv"), fem_.GetDOFIndex("Rw")};
+  for (const int node : nodes) {
+    for (const int dof : rotation) {
+      if (dof >= 0) ids.push_back(at(node_equations(node), dof));
+    }
+  }
+}
+
+void DofMap::for_each_coupling(const ContactInterface& core, const std::function<void(std::vector<int>&)>& use) const {
+  core.for_each_coupling([&](const Location& place) {
+    std::vector<int> ids = equations(core, place);
+    // Rigid nodes bring the equations of their body's rotations in as well.
+    if (place.patch.displacements) add_rotations(nodes(place), ids);
+    for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
+    use(ids);
+  });
+}
+
+bool DofMap::are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const {
+  return std::none_of(equations.begin(), equations.end(), [](int equation) { return equation < -1; }) &&
+         std::none_of(nodes.begin(), nodes.end(), [&](int node) { return fem_.GetMesh().Node(node).m_rid >= 0; });
+}

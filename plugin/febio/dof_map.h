@@ -1,0 +1,61 @@
+/// Which of FEBio's degrees of freedom and equations the unknowns of a contact are.
+#pragma once
+
+#include "contact_surfaces.h"
+
+#include <FECore/DumpStream.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+class DofMap {
+ public:
+  DofMap(FEModel& fem, ContactSurfaces& surfaces) : fem_(fem), surfaces_(surfaces) {}
+
+  /// Finds the degrees of freedom of the module.
+  void init();
+  /// Takes the equations of multipliers, where they are unknowns, from this number on.
+  void number_multipliers(int first);
+  void serialize(DumpStream& ar);
+
+  const std::array<int, 3>& displacements() const { return displacements_; }
+  /// -1 where the module has none.
+  int pressure() const { return pressure_; }
+  int concentration(int solute) const { return concentration_ + solute; }
+  /// The number of solutes in the model.
+  int concentrations() const { return concentrations_; }
+  /// That of an exchanged field.
+  int field(const mixture_contact::Effects& effects, int field) const;
+  int first_multiplier() const { return first_multiplier_; }
+  /// A node that belongs to no rigid body; -1 where there is none.
+  int deformable_node() const;
+
+  using Location = mixture_contact::ContactInterface::Location;
+  /// The nodes of the mesh whose blocks make up a local vector.
+  std::vector<int> nodes(const Location& at) const;
+  /// The equation of each entry of a local vector.
+  std::vector<int> equations(const mixture_contact::ContactInterface& core, const Location& at) const;
+  /// Equations that stand in one block of the matrix, for each of its blocks.
+  void for_each_coupling(const mixture_contact::ContactInterface& core,
+                         const std::function<void(std::vector<int>&)>& use) const;
+  /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
+  bool are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const;
+
+ private:
+  void add_multipliers(const mixture_contact::ContactInterface& core, const Location& at, std::vector<int>& ids) const;
+  void add_rotations(const std::vector<int>& nodes, std::vector<int>& ids) const;
+  const std::vector<int>& node_equations(int node) const;
+
+  FEModel& fem_;
+  ContactSurfaces& surfaces_;
+  std::array<int, 3> displacements_{-1, -1, -1};
+  int pressure_ = -1;
+  int concentration_ = -1;     ///< of solute 0; the others follow
+  int concentrations_ = 0;     ///< number of solutes in the model
+  int first_multiplier_ = -1;  ///< equation; the others follow
+  /// Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out
+  /// of the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for
+  /// the block of multipliers.
+  int multiplier_node_ = -1;
+};

@@ -1,0 +1,208 @@
+#include "model_contacts.h"
+
+#include "archive.h"
+#include "mixture_contact.h"
+#include "newton/line_search_guard.h"
+#include "newton/non_negative_concentrations.h"
+#include "newton/predictor.h"
+
+#include <FECore/Callback.h>
+#include <FECore/FEException.h>
+#include <FECore/FEGlobalMatrix.h>
+#include <FECore/FEModel.h>
+#include <FECore/FEModifiedNewtonStrategy.h>
+#include <FECore/FENewtonSolver.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+using mixture_contact::SteppedContact;
+
+namespace {
+
+/// The objects of all models, which own themselves by way of their contacts: an entry ends with the last contact.
+std::map<const FEModel*, std::weak_ptr<ModelContacts>>& registry() {
+  static std::map<const FEModel*, std::weak_ptr<ModelContacts>> entries;
+  return entries;
+}
+
+class FEBioArchive : public newton::Archive {
+ public:
+  explicit FEBioArchive(DumpStream& stream) : stream_(stream) {}
+  void part(int& value) override { archive(stream_, value); }
+  void part(double& value) override { archive(stream_, value); }
+  void part(std::vector<double>& values) override { archive(stream_, values); }
+  void part(Eigen::MatrixXd& values) override { archive(stream_, values); }
+
+ private:
+  DumpStream& stream_;
+};
+
+}  // namespace
+
+std::shared_ptr<ModelContacts> ModelContacts::of(FEModel& fem) {
+  if (auto existing = registry()[&fem].lock()) return existing;
+  const auto release = [](ModelContacts* contacts) {
+    registry().erase(&contacts->fem_);
+    delete contacts;  // NOLINT(cppcoreguidelines-owning-memory): the deleter of the pointer that owns it
+  };
+  std::shared_ptr<ModelContacts> contacts(new ModelContacts(fem), release);
+  registry()[&fem] = contacts;
+  return contacts;
+}
+
+ModelContacts::ModelContacts(FEModel& fem)
+    : fem_(fem), solver_(fem), helpers_(solver_), steps_(*this, helpers_), ambient_(fem, solver_, helpers_) {
+  offer<newton::NonNegativeConcentrations>(non_negative_concentrations);
+  offer<newton::LineSearchGuard>(line_search_guard);
+  offer<newton::Predictor>(predictor);
+  fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_TIMESTEP_SOLVED | CB_SOLVED, this);
+}
+
+// ------------------------------------------------------------ contacts and switches
+
+void ModelContacts::add(FEMixtureContact& contact) {
+  contacts_.push_back(&contact);
+  unactivated_.insert(&contact);
+}
+
+void ModelContacts::remove(FEMixtureContact& contact) {
+  contacts_.erase(std::remove(contacts_.begin(), contacts_.end(), &contact), contacts_.end());
+  unactivated_.erase(&contact);
+}
+
+std::vector<FEMixtureContact*> ModelContacts::active() const {
+  std::vector<FEMixtureContact*> found;
+  std::copy_if(contacts_.begin(), contacts_.end(), std::back_inserter(found),
+               [](const FEMixtureContact* contact) { return contact->IsActive(); });
+  return found;
+}
+
+std::vector<SteppedContact*> ModelContacts::active_contacts() {
+  std::vector<SteppedContact*> found;
+  for (FEMixtureContact* contact : active()) found.push_back(&contact->bound());
+  return found;
+}
+
+template <class Helper>
+void ModelContacts::offer(const HelperSwitch& which) {
+  helpers_.add(std::make_unique<Helper>(solver_), [this, which] { return is_on(which); });
+}
+
+/// As the active contacts say that give it, or its default.
+bool ModelContacts::is_on(const HelperSwitch& which) const {
+  const std::vector<FEMixtureContact*> contacts = active();
+  if (contacts.empty()) return false;
+  const auto given = std::find_if(contacts.begin(), contacts.end(),
+                                  [&](const FEMixtureContact* contact) { return contact->parameters().*which.given; });
+  return given == contacts.end() ? ContactParameters().*which.on : (*given)->parameters().*which.on;
+}
+
+std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& contact) const {
+  std::vector<std::string> list;
+  const ContactParameters& own = contact.parameters();
+  for (const HelperSwitch& which : helper_switches) {
+    const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&](const FEMixtureContact* other) {
+      const ContactParameters& its = other->parameters();
+      return its.*which.given && own.*which.given && its.*which.on != own.*which.on;
+    });
+    if (differs)
+      list.push_back("<" + std::string(which.name) +
+                     "> acts on the whole model, and another contact sets it otherwise.");
+  }
+  if (own.predictor_given && own.predictor && !solver_.is_predictable())
+    list.emplace_back("<predictor> is not available in models with rigid bodies; set it to 0.");
+  return list;
+}
+
+// ------------------------------------------------------------ FEBio's calls
+
+void ModelContacts::activate(FEMixtureContact& contact) {
+  unactivated_.erase(&contact);
+  steps_.activate(contact.bound());
+  // Nodes that contacts share depend on all of them.
+  const std::vector<FEMixtureContact*> contacts = active();
+  const bool all_known = std::none_of(contacts.begin(), contacts.end(),
+                                      [&](const auto* other) { return unactivated_.count(other) > 0; });
+  if (all_known) apply_ambient();
+}
+
+void ModelContacts::deactivate(FEMixtureContact& /*contact*/) { steps_.reset_rounds(); }
+
+void ModelContacts::prepare_step(FEMixtureContact& contact) {
+  if (!steps_.prepare_step(&contact)) return;
+  ambient_.begin_step();
+  keep_matrix_if_it_fits();
+}
+
+void ModelContacts::keep_matrix_if_it_fits() {
+  // FEBio shapes the matrix of a model with contact anew for each iteration, at the first one of a step even what the
+  // bodies add. There the iteration has begun already, so that nothing but the shape is left to BuildMatrixProfile.
+  FENewtonSolver* const solver = solver_.febio();
+  if (solver == nullptr) return;
+  const std::vector<FEMixtureContact*> contacts = active();
+  const bool alone = newton::count(contacts) == fem_.SurfacePairConstraints() && fem_.NonlinearConstraints() == 0;
+  const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
+                    std::all_of(contacts.begin(), contacts.end(),
+                                [](const FEMixtureContact* contact) { return contact->fits_matrix(); });
+  solver->m_breshape = !fits;
+}
+
+void ModelContacts::serialize(FEMixtureContact& contact, DumpStream& ar) {
+  if (ar.IsLoading()) unactivated_.erase(&contact);
+  if (!dumps_.opens(&contact)) return;
+  FEBioArchive archive(ar);
+  if (!ar.IsShallow()) helpers_.archive(archive);
+  if (!ar.IsLoading()) return;
+  if (ar.IsShallow()) {
+    steps_.rewind();
+  } else {
+    steps_.restart();
+  }
+}
+
+bool ModelContacts::call_back(FEModel* fem, unsigned int when, void* contacts) {
+  // FEBio keeps callbacks of contacts that are gone.
+  const auto entry = registry().find(fem);
+  const auto alive = entry == registry().end() ? nullptr : entry->second.lock();
+  if (alive != nullptr && alive.get() == contacts) alive->on_callback(when);
+  return true;
+}
+
+void ModelContacts::on_callback(unsigned int when) {
+  const std::vector<FEMixtureContact*> contacts = when == CB_SOLVED ? contacts_ : active();
+  if (contacts.empty()) return;
+  if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
+    solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
+    steps_.matrix_formed();
+  }
+  for (FEMixtureContact* contact : contacts) contact->on_callback(when);
+  if (when == CB_TIMESTEP_SOLVED) steps_.end_step();
+}
+
+// ------------------------------------------------------------ the model, as the contacts' steps know it
+
+bool ModelContacts::apply_ambient() { return ambient_.apply(active()); }
+void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
+void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
+void ModelContacts::request_matrix() { solver_.febio()->QNForceReform(true); }
+
+void ModelContacts::evaluate_residual() {
+  FENewtonSolver& solver = *solver_.febio();
+  solver.Residual(solver.m_R0);
+  solver.m_R0 += solver.m_Fd;  // what prescribed increments add, at the start of a step
+}
+
+/// All but full Newton may go on with the matrix of an earlier iteration.
+bool ModelContacts::keeps_matrices() {
+  const FENewtonSolver* const solver = solver_.febio();
+  if (solver == nullptr) return false;
+  const FENewtonStrategy* strategy = solver->m_qnstrategy;
+  return strategy->m_maxups > 0 || dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
+}
+
+void ModelContacts::limit_rejections(int n) {
+  // FEBio counts reformations anew after this: the limit on them is to hold all the same.
+  if (solver_.is_newton() && n > solver_.febio()->m_maxref) throw MaxStiffnessReformations();
+}

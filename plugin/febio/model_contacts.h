@@ -1,0 +1,64 @@
+/// What the contacts of a model share: one object for each model, kept alive by its contacts.
+#pragma once
+
+#include "ambient_conditions.h"
+#include "host/contact_parameters.h"
+#include "host/contact_steps.h"
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <vector>
+
+class DumpStream;
+class FEGlobalMatrix;
+
+class ModelContacts : public mixture_contact::SteppedModel {
+ public:
+  explicit ModelContacts(FEModel& fem);
+
+  /// That of a model.
+  static std::shared_ptr<ModelContacts> of(FEModel& fem);
+
+  void add(FEMixtureContact& contact);
+  void remove(FEMixtureContact& contact);
+  /// What is wrong with the switches of helpers that a contact gives, beside those of the others: a sentence each.
+  std::vector<std::string> complaints(const FEMixtureContact& contact) const;
+
+  // FEBio's calls, as each contact passes them on
+  void activate(FEMixtureContact& contact);
+  void deactivate(FEMixtureContact& contact);
+  void prepare_step(FEMixtureContact& contact);
+  mixture_contact::ContactSteps& steps() { return steps_; }
+  /// What the model keeps between steps is stored once, with the first contact that is.
+  void serialize(FEMixtureContact& contact, DumpStream& ar);
+
+  newton::FEBioSolver& solver() { return solver_; }
+
+  std::vector<mixture_contact::SteppedContact*> active_contacts() override;
+  bool apply_ambient() override;
+  void evaluate() override;
+  void evaluate_bodies_after_contacts() override;
+  void evaluate_residual() override;
+  bool keeps_matrices() override;
+  void request_matrix() override;
+  void limit_rejections(int n) override;
+
+ private:
+  template <class Helper>
+  void offer(const HelperSwitch& which);
+  bool is_on(const HelperSwitch& which) const;
+  std::vector<FEMixtureContact*> active() const;
+  void keep_matrix_if_it_fits();
+  void on_callback(unsigned int when);
+  static bool call_back(FEModel* fem, unsigned int when, void* contacts);
+
+  FEModel& fem_;
+  newton::FEBioSolver solver_;
+  newton::Helpers helpers_;
+  mixture_contact::ContactSteps steps_;
+  AmbientConditions ambient_;
+  std::vector<FEMixtureContact*> contacts_;        ///< in the order of the model
+  std::set<const FEMixtureContact*> unactivated_;  ///< whose state is not known to the core yet
+  mixture_contact::Round dumps_;
+};

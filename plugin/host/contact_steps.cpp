@@ -1,0 +1,139 @@
+#include "contact_steps.h"
+
+#include <algorithm>
+
+namespace mixture_contact {
+
+void ContactSteps::activate(SteppedContact& contact) {
+  reset_rounds();
+  contact.project();
+  contact.end_iterations();
+  contact.begin_iteration();
+}
+
+void ContactSteps::reset_rounds() {
+  for (Round* const round : {&evaluations_, &trials_, &preparations_, &convergences_}) round->reset();
+}
+
+bool ContactSteps::prepare_step(const void* told) {
+  if (!preparations_.opens(told)) return false;
+  stepper_.prepare_step();
+  helpers_.begin_step();
+  for (SteppedContact* contact : model_.active_contacts()) contact->prepare_step();
+  return true;
+}
+
+/// Decides what is in contact at this state, and what is at ambient values. Returns whether loads have changed.
+bool ContactSteps::begin_iteration() {
+  bool changed = false;
+  for (SteppedContact* contact : model_.active_contacts()) changed = contact->begin_iteration() || changed;
+  return model_.apply_ambient() || changed;
+}
+
+void ContactSteps::evaluate(const void* told) {
+  if (!evaluations_.opens(told)) return;
+  const std::vector<SteppedContact*> contacts = model_.active_contacts();
+  for (SteppedContact* contact : contacts) contact->project();
+  bool changed = false;
+  switch (stepper_.evaluate()) {
+    case Stepper::Evaluation::keep_active_set:
+      // The active set changes where a matrix is formed: where it must change, quasi-Newton methods have to form one.
+      if (model_.keeps_matrices() && !is_solution()) model_.request_matrix();
+      return;
+    case Stepper::Evaluation::begin_anew:
+      for (SteppedContact* contact : contacts) contact->end_iterations();
+      helpers_.begin_iterations();
+      changed = begin_iteration();
+      break;
+    case Stepper::Evaluation::go_on:
+      changed = begin_iteration();
+      changed = helpers_.adapt() || changed;
+      break;
+  }
+  if (changed) model_.evaluate_bodies_after_contacts();
+}
+
+void ContactSteps::try_increment(const void* told, const std::vector<double>& increment) {
+  if (!trials_.opens(told)) return;
+  stepper_.try_state();
+  for (SteppedContact* contact : model_.active_contacts()) contact->project();
+  helpers_.try_increment(increment);
+}
+
+/// Evaluates the model with what is held.
+void ContactSteps::evaluate_again() {
+  stepper_.try_state();
+  model_.evaluate();
+}
+
+void ContactSteps::start_at_prediction() {
+  const auto arrived = [&] {
+    if (helpers_.adapt_before_residual()) evaluate_again();
+  };
+  if (helpers_.predict(arrived)) {
+    for (SteppedContact* contact : model_.active_contacts()) contact->move_iteration();
+    if (model_.apply_ambient()) evaluate_again();
+  } else if (!has_begun()) {
+    model_.evaluate();  // a predicted state was dropped: the plain start is evaluated anew
+  }
+}
+
+void ContactSteps::before_matrix() {
+  // At the start of a step and after an augmentation an evaluation has begun the iteration already, and the host's
+  // residual is the right one. Elsewhere the host accepts a state whose residual it has evaluated with loads that may
+  // change now; then the residual is evaluated again when the matrix is done.
+  bool changed = false;
+  switch (stepper_.before_matrix()) {
+    case Stepper::Matrix::predict:
+      start_at_prediction();
+      break;
+    case Stepper::Matrix::nothing:
+      break;
+    case Stepper::Matrix::begin:
+      changed = begin_iteration();
+      changed = helpers_.adapt() || changed;
+      if (changed) evaluate_again();
+      break;
+    case Stepper::Matrix::is_formed:
+      return;
+  }
+  stepper_.form_matrix(changed);
+}
+
+void ContactSteps::matrix_formed() {
+  helpers_.complete_residual();
+  if (stepper_.matrix_formed()) model_.evaluate_residual();
+}
+
+bool ContactSteps::is_solution() {
+  const std::vector<SteppedContact*> contacts = model_.active_contacts();
+  return std::all_of(contacts.begin(), contacts.end(), [](SteppedContact* contact) { return contact->is_solution(); });
+}
+
+bool ContactSteps::accepts(const void* told) {
+  if (!convergences_.opens(told)) return stepper_.phase() != Phase::rejected;
+  // The host has converged with the active set and the gaps that were held: it is a solution only if the true laws
+  // agree.
+  bool accepted = is_solution() && helpers_.are_settled();
+  if (accepted) {
+    for (SteppedContact* contact : model_.active_contacts()) accepted = !contact->finds_overlap() && accepted;
+  }
+  if (accepted && !helpers_.reject()) {
+    stepper_.accept();
+    return true;
+  }
+  model_.limit_rejections(stepper_.reject());
+  return false;
+}
+
+void ContactSteps::rewind() {
+  restart();
+  helpers_.rewind();
+}
+
+void ContactSteps::restart() {
+  reset_rounds();
+  stepper_.rewind();
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,104 @@
+/// What a host of contacts does at each call, by the phase that it is in (stepper.h).
+///
+/// There is one for a model, and it acts on all contacts of the model: hosts that inform each contact of a call pass
+/// on which one it is, and the first one to be told does it for all.
+#pragma once
+
+#include "newton/helper.h"
+#include "stepper.h"
+
+#include <vector>
+
+namespace mixture_contact {
+
+/// A contact, at the present state of its model.
+class SteppedContact {
+ public:
+  SteppedContact() = default;
+  SteppedContact(const SteppedContact&) = delete;
+  SteppedContact& operator=(const SteppedContact&) = delete;
+  SteppedContact(SteppedContact&&) = delete;
+  SteppedContact& operator=(SteppedContact&&) = delete;
+  virtual ~SteppedContact() = default;
+
+  virtual void project() = 0;
+  virtual void prepare_step() = 0;
+  virtual void end_iterations() = 0;
+  /// Returns whether loads have changed.
+  virtual bool begin_iteration() = 0;
+  virtual void move_iteration() = 0;
+  virtual bool is_solution() = 0;
+  /// Whether what a converged state tells of overlaps changes the loads.
+  virtual bool finds_overlap() = 0;
+};
+
+/// The model that the contacts are in.
+class SteppedModel {
+ public:
+  SteppedModel() = default;
+  SteppedModel(const SteppedModel&) = delete;
+  SteppedModel& operator=(const SteppedModel&) = delete;
+  SteppedModel(SteppedModel&&) = delete;
+  SteppedModel& operator=(SteppedModel&&) = delete;
+  virtual ~SteppedModel() = default;
+
+  virtual std::vector<SteppedContact*> active_contacts() = 0;
+  /// Sets nodes outside all contacts to ambient values and frees the others. Returns whether anything changed.
+  virtual bool apply_ambient() = 0;
+  /// Evaluates bodies and contacts at the present state, by way of ContactSteps::evaluate().
+  virtual void evaluate() = 0;
+  /// Within an evaluation: has the bodies evaluated after the contacts.
+  virtual void evaluate_bodies_after_contacts() = 0;
+  virtual void evaluate_residual() = 0;
+  /// Whether iterations may go on with the matrix of an earlier one.
+  virtual bool keeps_matrices() = 0;
+  virtual void request_matrix() = 0;
+  /// A converged state has been rejected for the n-th time in a step.
+  virtual void limit_rejections(int n) = 0;
+};
+
+class ContactSteps {
+ public:
+  ContactSteps(SteppedModel& model, newton::Helpers& helpers) : model_(model), helpers_(helpers) {}
+
+  /// A contact has become active: its iterations begin at the present state.
+  void activate(SteppedContact& contact);
+  /// The set of active contacts has changed, or a step begins: no call is under way.
+  void reset_rounds();
+
+  // Calls that a host makes for each contact
+  /// Returns whether this contact is the first one to be told.
+  bool prepare_step(const void* told);
+  void evaluate(const void* told);
+  void try_increment(const void* told, const std::vector<double>& increment);
+  void before_matrix();
+  /// The host has converged. Returns whether the state is accepted as a solution.
+  bool accepts(const void* told);
+
+  // Calls for the model
+  void matrix_formed();
+  void end_step() { helpers_.end_step(); }
+  /// The state at the start of a failed attempt has been restored.
+  void rewind();
+  /// A run is continued.
+  void restart();
+
+  /// Whether an iteration has begun at the present state, so that nothing but the matrix is left to do.
+  bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
+
+ private:
+  bool begin_iteration();
+  void evaluate_again();
+  void start_at_prediction();
+  bool is_solution();
+
+  SteppedModel& model_;
+  newton::Helpers& helpers_;
+  Stepper stepper_;
+  Round evaluations_;
+  Round trials_;
+  Round preparations_;
+  Round convergences_;
+};
+
+}  // namespace mixture_contact

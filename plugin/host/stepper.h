@@ -1,0 +1,86 @@
+/// The order in which things happen around a contact: time steps, iterations, trials, augmentations.
+///
+/// A host solves a step by Newton's method. Between two of its calls the contacts of its model are in one of a few
+/// phases, and the phase alone decides what a call means. The machine knows no host: it is told of events and answers
+/// what is to be done.
+///
+///     converged ---evaluate---> begun ---prepare_step---> step_prepared
+///     begun, step_prepared, evaluated ---form_matrix---> forming, forming_anew
+///     any ---try_state---> trial ---evaluate---> evaluated
+///     evaluated ---reject---> rejected ---evaluate---> begun
+///     evaluated ---accept---> converged
+///     any ---rewind---> converged
+#pragma once
+
+#include <set>
+
+namespace mixture_contact {
+
+enum class Phase {
+  converged,      ///< nothing is held: a step, or the iterations after an augmentation, may begin
+  begun,          ///< an iteration has begun at this state
+  step_prepared,  ///< the same, the first one of a time step
+  forming,        ///< a matrix is formed; the host's residual is that of this state
+  forming_anew,   ///< a matrix is formed; loads have changed since the host evaluated its residual
+  trial,          ///< a trial state is set, but not evaluated yet; the active set is held
+  evaluated,      ///< a trial state has been evaluated
+  rejected        ///< the host has converged at a state that is no solution
+};
+
+class Stepper {
+ public:
+  /// What an evaluation of the model asks for.
+  enum class Evaluation {
+    keep_active_set,  ///< of a trial: nothing changes
+    begin_anew,       ///< a step or an augmentation: forget what was held, and begin an iteration
+    go_on             ///< convergence was rejected: begin an iteration from what the last one predicts
+  };
+  Evaluation evaluate();
+
+  /// A time step begins at the state that has just been evaluated.
+  void prepare_step();
+
+  /// A trial state has been set.
+  void try_state() { phase_ = Phase::trial; }
+
+  /// What a matrix asks for before it is formed.
+  enum class Matrix {
+    predict,   ///< the first one of a step: a predictor may move the model
+    nothing,   ///< an iteration has begun at this state already
+    begin,     ///< the state of the last trial is accepted: begin an iteration
+    is_formed  ///< the host has been told already
+  };
+  Matrix before_matrix() const;
+  /// The matrix is formed now. `loads_changed`: since the host evaluated its residual.
+  void form_matrix(bool loads_changed) { phase_ = loads_changed ? Phase::forming_anew : Phase::forming; }
+  /// The matrix has been formed. Returns whether the host's residual is to be evaluated again.
+  bool matrix_formed();
+
+  /// The host has converged at a state that is a solution, or that is augmented.
+  void accept() { phase_ = Phase::converged; }
+  /// The host has converged at a state that is no solution. Returns how often it has in this step.
+  int reject();
+
+  /// The state of an earlier time has been restored.
+  void rewind() { phase_ = Phase::converged; }
+
+  Phase phase() const { return phase_; }
+
+ private:
+  Phase phase_ = Phase::converged;
+  int rejections_ = 0;  ///< in this step
+};
+
+/// Tells a host that informs several participants of one event, one after the other, apart from a host that informs
+/// them of the next event: a round ends where a participant is told again.
+class Round {
+ public:
+  /// Whether this participant is the first one to be told.
+  bool opens(const void* participant);
+  void reset() { told_.clear(); }
+
+ private:
+  std::set<const void*> told_;
+};
+
+}  // namespace mixture_contact

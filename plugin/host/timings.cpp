@@ -1,0 +1,84 @@
+#include "timings.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <string_view>
+
+using mixture_contact::all_tasks;
+using mixture_contact::Effects;
+using mixture_contact::Spent;
+using mixture_contact::Task;
+
+namespace {
+
+std::string_view name_of(Task task) {
+  switch (task) {
+    case Task::search:
+      return "search";
+    case Task::residual:
+      return "residual";
+    case Task::stiffness:
+      return "stiffness";
+    case Task::augmentation:
+      return "augmentation";
+    case Task::output:
+      return "output";
+  }
+  return {};
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string row(std::string_view title, const std::vector<std::string>& entries) {
+  std::string line = "    " + std::string(title) + std::string(14 - std::min<std::size_t>(14, title.size()), ' ');
+  for (const std::string& entry : entries) line += padded(entry, 12);
+  return line;
+}
+
+std::vector<std::string> headings(const Effects& effects) {
+  std::vector<std::string> names{"shared", "traction"};
+  if (effects.solvent) names.emplace_back("solvent");
+  for (const int solute : effects.solutes) names.push_back("solute " + std::to_string(solute + 1));
+  names.emplace_back("all");
+  names.emplace_back("of it host");
+  return names;
+}
+
+std::string scientific(double value) {
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(3) << value;
+  return text.str();
+}
+
+std::string seconds(std::string_view title, const Spent& spent) {
+  std::vector<double> values{spent.shared, spent.traction};
+  values.insert(values.end(), spent.fields.begin(), spent.fields.end());
+  values.push_back(spent.total());
+  values.push_back(spent.host);
+  std::vector<std::string> entries;
+  for (const double value : values) entries.push_back(scientific(value));
+  return row(title, entries);
+}
+
+}  // namespace
+
+std::vector<std::string> timings_table(const std::string& name, const mixture_contact::ContactInterface& contact,
+                                       double run) {
+  const Spent sum = contact.times().sum();
+  std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
+                                 row("", headings(contact.effects()))};
+  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), contact.times()[task]));
+  lines.push_back(seconds("all", sum));
+  std::ostringstream share;
+  share << std::setprecision(3) << "    share of the run: " << 100 * sum.total() / run << " percent of " << run << " s";
+  lines.push_back(share.str());
+  const auto [points, bytes] = contact.memory();
+  if (points > 0) {
+    lines.push_back("    memory: " + std::to_string(bytes / points) + " bytes for each of " + std::to_string(points) +
+                    " integration points");
+  }
+  return lines;
+}

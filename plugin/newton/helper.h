@@ -1,0 +1,105 @@
+/// What helps a Newton solver, and the one interface through which it is driven.
+///
+/// A helper has one switch. It is told of the phases of a step and acts on the solver; it knows nothing of what else
+/// stands in the model.
+#pragma once
+
+#include "archive.h"
+#include "solver.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace newton {
+
+class Helper {
+ public:
+  Helper() = default;
+  Helper(const Helper&) = delete;
+  Helper& operator=(const Helper&) = delete;
+  Helper(Helper&&) = delete;
+  Helper& operator=(Helper&&) = delete;
+  virtual ~Helper() = default;
+
+  /// A time step begins, or an attempt at one.
+  virtual void begin_step() {}
+  /// Iterations begin: at the start of a step, and after an augmentation.
+  virtual void begin_iterations() {}
+  /// A trial increment has been set.
+  virtual void try_increment(const std::vector<double>& /*increment*/) {}
+  /// At an accepted state within iterations. Returns whether the model is to be evaluated again.
+  virtual bool adapt() { return false; }
+  /// The same at a state whose residual the solver has not evaluated.
+  virtual bool adapt_before_residual() { return false; }
+
+  /// Whether the solver is to go on where it has converged, for a reason that can be seen without changing anything.
+  virtual bool is_settled() const { return true; }
+  /// The last word on a converged state: returns whether the solver is to go on, and prepares that.
+  virtual bool rejects() { return false; }
+
+  /// Whether the step that begins is to start at a predicted state.
+  virtual bool will_predict() const { return false; }
+  /// Before the first matrix of a step: moves the model to a predicted state, and calls `arrived` there. Returns
+  /// whether it has; if not, the state is that of before.
+  virtual bool predict(const std::function<void()>& /*arrived*/) { return false; }
+  /// With that matrix.
+  virtual void complete_residual() {}
+
+  /// A time step has been solved.
+  virtual void end_step() {}
+  /// An attempt at a step has failed; the state is that of its start.
+  virtual void rewind() {}
+
+  /// Whether it holds a nodal value, and leaves it to somebody else.
+  virtual bool holds(Place /*place*/) const { return false; }
+  virtual void yield(Place /*place*/) {}
+
+  /// State for a restart.
+  virtual void archive(Archive& /*archive*/) {}
+};
+
+/// The helpers of a model. One that is switched off is not told of anything but restarts.
+class Helpers {
+ public:
+  /// None.
+  Helpers() = default;
+  explicit Helpers(Solver& solver) : solver_(&solver) {}
+
+  /// Switches that can change from step to step.
+  using Switch = std::function<bool()>;
+  void add(std::unique_ptr<Helper> helper, Switch is_on);
+
+  void begin_step();
+  void begin_iterations();
+  void try_increment(const std::vector<double>& increment);
+  bool adapt();
+  bool adapt_before_residual();
+  bool are_settled();
+  bool reject();
+  bool will_predict();
+  bool predict(const std::function<void()>& arrived);
+  void complete_residual();
+  void end_step();
+  void rewind();
+  /// Has the helper that holds a nodal value, if there is one, keep it or yield it. Returns whether it is kept.
+  bool keeps(Place place, bool keep);
+  void archive(Archive& archive);
+
+ private:
+  struct Switched {
+    std::unique_ptr<Helper> helper;
+    Switch is_on;
+  };
+  /// Calls `use` with each helper that is on.
+  template <class Use>
+  void for_each(const Use& use) const;
+  /// Whether the answer of a helper that is on is yes; after the first one no more are asked.
+  template <class Ask>
+  bool any(const Ask& ask) const;
+
+  Solver* solver_ = nullptr;
+  std::vector<Switched> helpers_;
+};
+
+}  // namespace newton

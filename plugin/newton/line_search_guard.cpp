@@ -1,0 +1,44 @@
+#include "line_search_guard.h"
+
+#include "norm.h"
+
+#include <utility>
+
+namespace newton {
+namespace {
+
+/// A solution whose last increment the line search cut to less than this part is looked at once more.
+constexpr double least_part = 0.5;
+
+}  // namespace
+
+void LineSearchGuard::begin_step() {
+  allow_search();
+  has_acted_ = false;
+}
+
+void LineSearchGuard::try_increment(const std::vector<double>& increment) {
+  allow_search();
+  tried_ = norm(increment);
+}
+
+bool LineSearchGuard::rejects() {
+  double* const tolerance = solver_.line_search_tolerance();
+  if (tolerance == nullptr || *tolerance == 0 || has_acted_) return false;
+  if (tried_ >= least_part * norm(solver_.vectors().increment)) return false;
+  has_acted_ = true;
+  tolerance_ = std::exchange(*tolerance, 0.0);
+  solver_.log(
+      "line_search_guard: the line search left less than half of the last increment, so the step is too short to be "
+      "accepted. The next increment is taken as a whole.");
+  return true;
+}
+
+void LineSearchGuard::allow_search() {
+  double* const tolerance = solver_.line_search_tolerance();
+  if (!tolerance_ || tolerance == nullptr) return;
+  *tolerance = *tolerance_;
+  tolerance_.reset();
+}
+
+}  // namespace newton

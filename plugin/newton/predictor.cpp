@@ -1,0 +1,231 @@
+#include "predictor.h"
+
+#include "norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+namespace newton {
+namespace {
+
+/// Load curves turn where the prediction of a change differs from it by more than this part.
+constexpr double largest_turn = 1.0 / 3.0;
+/// Of the differences of load values of 1, extrapolated.
+constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+/// Newton's method takes no more for a linear step that starts at the end of the last one: one to solve it, and one in
+/// which the solver compares the increment with it.
+constexpr int least_iterations = 2;
+/// Where a step takes no more than those, a prediction is tried when the error of the last one is less than half of
+/// this, and after a try in vain when it is less than half of what it was there.
+constexpr double largest_error = 0.1;
+constexpr double better = 0.5;
+/// Of the predicted change, the part that is left to the first increment. FEBio measures residuals and energies against
+/// those of the first increment, so it must not be rounding, where the predicted state is the solution.
+constexpr double part_left = 1e-4;
+
+/// A free nodal value: its equation, and where it stands among the values of its variable.
+struct FreeValue {
+  Place place;
+  int equation;
+  std::size_t variable;
+  Index row;
+};
+
+/// Calls `use` with every free nodal value.
+template <class Use>
+void for_each_free_value(const Solver& solver, const Use& use) {
+  std::size_t variable = 0;
+  for (const std::vector<int>& dofs : solver.variables()) {
+    Index row = 0;
+    for (const int dof : dofs) {
+      for (int node = 0; node < solver.nodes(); ++node) {
+        const int equation = solver.equation({node, dof});
+        if (equation >= 0) use(FreeValue{{node, dof}, equation, variable, row});
+      }
+      ++row;
+    }
+    ++variable;
+  }
+}
+
+/// Changes of the free values of each variable; zero elsewhere.
+std::vector<MatrixXd> changes_of_step(const Solver& solver) {
+  std::vector<MatrixXd> changes;
+  for (const std::vector<int>& dofs : solver.variables())
+    changes.emplace_back(MatrixXd::Zero(count(dofs), solver.nodes()));
+  for_each_free_value(solver, [&](const FreeValue& value) {
+    changes[value.variable](value.row, value.place.node) = solver.value(value.place) -
+                                                           solver.previous_value(value.place);
+  });
+  return changes;
+}
+
+/// Stores some past steps, or reads them.
+void archive_steps(Archive& archive, std::vector<PastSteps>& quantities) {
+  int size = count(quantities);
+  archive.part(size);
+  quantities.resize(std::size_t(size));
+  for (PastSteps& steps : quantities) steps.for_each_part([&](auto& part) { archive.part(part); });
+}
+
+}  // namespace
+
+// ------------------------------------------------------------ steps that have been solved
+
+void Predictor::forget_other_analysis_step() {
+  const int now = solver_.analysis_step();
+  if (std::exchange(analysis_step_, now) == now) return;
+  variables_.clear();
+  loads_.clear();
+  error_in_vain_ = largest_error;
+}
+
+void Predictor::end_step() {
+  plain_steps_ = std::max(0, plain_steps_ - 1);
+  if (!std::exchange(has_predicted_, false)) {
+    iterations_plain_ = solver_.iterations();
+  } else {
+    error_in_vain_ = solver_.iterations() < iterations_plain_ ? largest_error : error_;
+  }
+  const std::vector<double> before = std::exchange(load_values_, solver_.load_values());
+  forget_other_analysis_step();
+  if (before.size() != load_values_.size()) return;  // the first step: what the loads were at its start is not known
+  const double dt = solver_.time_increment();
+  const std::vector<MatrixXd> changes = changes_of_step(solver_);
+  variables_.resize(changes.size());
+  loads_.resize(before.size());
+  for (std::size_t v = 0; v < changes.size(); ++v) variables_[v].add({changes[v], dt});
+  for (std::size_t n = 0; n < before.size(); ++n)
+    loads_[n].add({MatrixXd::Constant(1, 1, load_values_[n] - before[n]), dt});
+  error_ = 0;
+  for (const PastSteps& variable : variables_) error_ = std::max(error_, variable.prediction_error());
+}
+
+void Predictor::rewind() {
+  if (is_dropping_) return;
+  part_of_prediction_.clear();
+  has_predicted_ = false;
+  plain_steps_ = plain_steps_after_failure;
+}
+
+void Predictor::archive(Archive& archive) {
+  for (int* const number : {&analysis_step_, &iterations_plain_, &plain_steps_}) archive.part(*number);
+  for (double* const number : {&error_, &error_in_vain_}) archive.part(*number);
+  archive.part(load_values_);
+  archive_steps(archive, variables_);
+  archive_steps(archive, loads_);
+}
+
+// ------------------------------------------------------------ the step that begins
+
+bool Predictor::loads_turn() const {
+  const std::vector<double> loads = solver_.load_values();
+  for (std::size_t n = 0; n < loads.size(); ++n) {
+    const double actual = loads[n] - load_values_[n];
+    const MatrixXd predicted = loads_[n].predicted(solver_.time_increment());
+    const double difference = (predicted.size() == 0 ? 0 : predicted.value()) - actual;
+    if (std::abs(difference) > largest_turn * std::abs(actual) + rounding * std::abs(loads[n])) return true;
+  }
+  return false;
+}
+
+bool Predictor::is_worth_trying() const {
+  if (iterations_plain_ > least_iterations) return true;
+  return iterations_plain_ == least_iterations && error_ <= better * error_in_vain_;
+}
+
+/// A variable that is not predicted stays where it is. If displacements do, those that are prescribed would squeeze the
+/// elements beside them; and where all that changes stays, there is nothing to gain.
+bool Predictor::predicts_the_change() const {
+  const double dt = solver_.time_increment();
+  return variables_[solver_.displacements()].predicts(dt) &&
+         std::any_of(variables_.begin(), variables_.end(),
+                     [&](const PastSteps& variable) { return variable.changed() && variable.predicts(dt); });
+}
+
+bool Predictor::will_predict() const {
+  return plain_steps_ == 0 && solver_.is_predictable() && !variables_.empty() &&
+         analysis_step_ == solver_.analysis_step() && is_worth_trying() && predicts_the_change() && !loads_turn();
+}
+
+std::vector<double> Predictor::prediction(const std::vector<double>& prescribed) const {
+  std::vector<MatrixXd> changes;
+  for (const PastSteps& variable : variables_) changes.push_back(variable.predicted(solver_.time_increment()));
+  std::vector<double> whole = prescribed;
+  for_each_free_value(solver_, [&](const FreeValue& value) {
+    const MatrixXd& change = changes[value.variable];
+    at(whole, value.equation) = change.size() == 0 ? 0 : change(value.row, value.place.node);
+  });
+  return whole;
+}
+
+/// Infinite where an element is inverted.
+double Predictor::residual_norm(const std::vector<double>& change, std::vector<double> increment) {
+  solver_.vectors().change = change;
+  try {
+    solver_.update(increment);
+    return norm(solver_.evaluate_residual());
+  } catch (const InvertedElement&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+/// Leaves the model at the predicted state.
+bool Predictor::is_better_than_plain(const std::vector<double>& predicted, const std::vector<double>& prescribed) {
+  const std::vector<double> none(predicted.size(), 0.0);
+  const double plain = residual_norm(none, prescribed);
+  const double ahead = residual_norm(predicted, none);
+  if (std::isfinite(ahead) && ahead <= plain) return true;
+  solver_.log(std::isfinite(ahead)
+                  ? "predictor: the predicted state is dropped, its residual is larger than that of the "
+                    "plain start."
+                  : "predictor: the predicted state is dropped, an element is inverted there.");
+  return false;
+}
+
+void Predictor::drop(const std::vector<double>& prescribed) {
+  is_dropping_ = true;
+  solver_.restore_state();
+  is_dropping_ = false;
+  solver_.vectors().increment = prescribed;
+}
+
+bool Predictor::predict(const std::function<void()>& arrived) {
+  if (!will_predict()) return false;
+  const std::vector<double> prescribed = solver_.vectors().increment;
+  const std::vector<double> whole = prediction(prescribed);
+  solver_.save_state();
+  if (!is_better_than_plain(whole, prescribed)) {
+    drop(prescribed);
+    return false;
+  }
+  has_predicted_ = true;
+  arrived();
+  const double left = solver_.has_known_totals() ? part_left : 1;
+  solver_.set_totals(scaled(whole, 1 - left));
+  solver_.vectors().increment = scaled(prescribed, left);
+  part_of_prediction_ = scaled(whole, left);
+  return true;
+}
+
+void Predictor::complete_residual() {
+  if (part_of_prediction_.empty()) return;
+  // The solver's right-hand side is R(x + P) and what prescribed increments add. To free values these have added
+  // already, in R(x + P).
+  const Vectors vectors = solver_.vectors();
+  std::vector<double> part(part_of_prediction_.size(), 0.0);
+  for_each_free_value(solver_, [&](const FreeValue& value) {
+    at(part, value.equation) = at(part_of_prediction_, value.equation);
+    at(vectors.residual, value.equation) -= at(vectors.prescribed_load, value.equation);
+  });
+  part_of_prediction_.clear();
+  const std::vector<double> load = solver_.times_matrix(part);
+  for (std::size_t n = 0; n < load.size(); ++n) vectors.residual[n] += load[n];
+}
+
+}  // namespace newton

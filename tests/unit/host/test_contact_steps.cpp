@@ -1,0 +1,350 @@
+// A fake host that makes FEBio's calls in FEBio's order, with contacts that note what they are asked to do.
+#include "host/contact_steps.h"
+
+#include "fake_solver.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+using mixture_contact::ContactSteps;
+using mixture_contact::SteppedContact;
+using mixture_contact::SteppedModel;
+
+namespace {
+
+using Notes = std::vector<std::string>;
+
+class FakeContact : public SteppedContact {
+ public:
+  FakeContact(std::string name, Notes& notes) : name_(std::move(name)), notes_(notes) {}
+  void project() override {}
+  void prepare_step() override { note("prepare"); }
+  void end_iterations() override { note("end"); }
+  bool begin_iteration() override {
+    note("begin");
+    return loads_change;
+  }
+  void move_iteration() override { note("move"); }
+  bool is_solution() override { return solution; }
+  bool finds_overlap() override { return overlap; }
+
+  bool loads_change = false;
+  bool solution = true;
+  bool overlap = false;
+
+ private:
+  void note(const std::string& what) { notes_.push_back(name_ + " " + what); }
+
+  std::string name_;
+  Notes& notes_;
+};
+
+/// A helper that predicts, or says that it does.
+class FakeHelper : public newton::Helper {
+ public:
+  explicit FakeHelper(Notes& notes) : notes_(notes) {}
+  void begin_step() override { notes_.emplace_back("helper step"); }
+  void begin_iterations() override { notes_.emplace_back("helper iterations"); }
+  void try_increment(const std::vector<double>& /*increment*/) override { notes_.emplace_back("helper trial"); }
+  bool adapt() override {
+    notes_.emplace_back("helper adapt");
+    return false;
+  }
+  bool rejects() override { return std::exchange(too_short, false); }
+  bool predict(const std::function<void()>& arrived) override {
+    if (on_prediction) on_prediction();
+    if (predicted) arrived();
+    return predicted;
+  }
+  void complete_residual() override { notes_.emplace_back("helper residual"); }
+  void rewind() override { notes_.emplace_back("helper rewind"); }
+
+  bool too_short = false;
+  bool predicted = false;
+  std::function<void()> on_prediction;
+
+ private:
+  Notes& notes_;
+};
+
+struct TooManyRejections : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class FakeHost : public SteppedModel {
+ public:
+  explicit FakeHost(int count) : helpers_(solver_), steps(*this, helpers_) {
+    auto made = std::make_unique<FakeHelper>(notes);
+    helper = made.get();
+    helpers_.add(std::move(made), [] { return true; });
+    for (int n = 0; n < count; ++n) {
+      contacts.push_back(std::make_unique<FakeContact>(std::string(1, char('A' + n)), notes));
+      is_active.push_back(true);
+    }
+  }
+
+  // FEBio's calls, each for every active contact
+  void update_model() {
+    for (SteppedContact* contact : active_contacts()) steps.evaluate(contact);
+  }
+  void start_step() {
+    update_model();
+    for (SteppedContact* contact : active_contacts()) steps.prepare_step(contact);
+    form_matrix();
+  }
+  void form_matrix() {
+    for (std::size_t n = 0; n < active_contacts().size(); ++n) steps.before_matrix();
+    steps.matrix_formed();
+  }
+  void update(double increment) {
+    for (SteppedContact* contact : active_contacts()) steps.try_increment(contact, {increment});
+    update_model();
+  }
+  /// Returns whether the step has been solved.
+  bool augment() {
+    bool accepted = true;
+    for (SteppedContact* contact : active_contacts()) accepted = steps.accepts(contact) && accepted;
+    if (!accepted) {
+      update_model();
+      form_matrix_without_callback();
+    }
+    return accepted;
+  }
+  void form_matrix_without_callback() {
+    for (std::size_t n = 0; n < active_contacts().size(); ++n) steps.before_matrix();
+  }
+
+  std::vector<SteppedContact*> active_contacts() override {
+    std::vector<SteppedContact*> active;
+    for (std::size_t n = 0; n < contacts.size(); ++n) {
+      if (is_active[n]) active.push_back(contacts[n].get());
+    }
+    return active;
+  }
+  bool apply_ambient() override {
+    notes.emplace_back("ambient");
+    return ambient_changes;
+  }
+  void evaluate() override {
+    notes.emplace_back("model");
+    update_model();
+  }
+  void evaluate_bodies_after_contacts() override { notes.emplace_back("bodies"); }
+  void evaluate_residual() override { notes.emplace_back("residual"); }
+  bool keeps_matrices() override { return quasi_newton; }
+  void request_matrix() override { notes.emplace_back("matrix please"); }
+  void limit_rejections(int n) override {
+    if (n > 2) throw TooManyRejections("too many");
+  }
+
+  Notes said() { return std::exchange(notes, {}); }
+
+  Notes notes;
+  std::vector<std::unique_ptr<FakeContact>> contacts;
+  std::vector<bool> is_active;
+  FakeHelper* helper = nullptr;
+  bool ambient_changes = false;
+  bool quasi_newton = false;
+
+ private:
+  FakeSolver solver_;
+  newton::Helpers helpers_;
+
+ public:
+  ContactSteps steps;
+};
+
+void check(const Notes& actual, const Notes& expected) {
+  BOOST_CHECK_EQUAL_COLLECTIONS(actual.begin(), actual.end(), expected.begin(), expected.end());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_step_starts_with_one_iteration_of_all_contacts) {
+  FakeHost host(2);
+  host.start_step();
+  check(host.said(), {"A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper step",
+                      "A prepare", "B prepare", "helper residual"});
+}
+
+BOOST_AUTO_TEST_CASE(bodies_are_evaluated_after_contacts_where_the_start_changes_something) {
+  for (const bool ambient : {false, true}) {
+    FakeHost host(1);
+    host.ambient_changes = ambient;
+    host.contacts[0]->loads_change = !ambient;
+    host.update_model();
+    BOOST_TEST(host.said().back() == "bodies");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(trials_and_line_searches_hold_everything) {
+  FakeHost host(2);
+  host.start_step();
+  host.said();
+  host.update(1.0);
+  host.update(0.5);
+  check(host.said(), {"helper trial", "helper trial"});
+}
+
+BOOST_AUTO_TEST_CASE(the_next_matrix_begins_an_iteration_once) {
+  FakeHost host(2);
+  host.start_step();
+  host.update(1.0);
+  host.said();
+  host.form_matrix();
+  check(host.said(), {"A begin", "B begin", "ambient", "helper adapt", "helper residual"});
+}
+
+BOOST_AUTO_TEST_CASE(what_changes_at_a_matrix_is_evaluated_with_what_is_held_and_then_the_residual) {
+  FakeHost host(2);
+  host.start_step();
+  host.update(1.0);
+  host.contacts[1]->loads_change = true;
+  host.said();
+  host.form_matrix();
+  check(host.said(), {"A begin", "B begin", "ambient", "helper adapt", "model", "helper residual", "residual"});
+}
+
+BOOST_AUTO_TEST_CASE(quasi_newton_methods_get_a_matrix_where_the_active_set_must_change) {
+  FakeHost host(2);
+  host.quasi_newton = true;
+  host.start_step();
+  host.said();
+  host.update(1.0);
+  check(host.said(), {"helper trial"});
+  host.contacts[1]->solution = false;
+  host.update(1.0);
+  check(host.said(), {"helper trial", "matrix please"});
+  host.update(1.0);  // an update without a matrix: nothing begins
+  check(host.said(), {"helper trial", "matrix please"});
+}
+
+BOOST_AUTO_TEST_CASE(full_newton_asks_for_no_matrix) {
+  FakeHost host(1);
+  host.start_step();
+  host.contacts[0]->solution = false;
+  host.said();
+  host.update(1.0);
+  check(host.said(), {"helper trial"});
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_is_accepted_and_what_follows_begins_anew) {
+  FakeHost host(2);
+  host.start_step();
+  host.update(1.0);
+  BOOST_TEST(host.augment());
+  host.said();
+  host.update_model();  // an augmentation, or the next step
+  check(host.said(), {"A end", "B end", "helper iterations", "A begin", "B begin", "ambient"});
+}
+
+BOOST_AUTO_TEST_CASE(one_contact_that_is_not_solved_has_all_go_on) {
+  FakeHost host(2);
+  host.start_step();
+  host.update(1.0);
+  host.contacts[1]->solution = false;
+  host.said();
+  BOOST_TEST(!host.augment());
+  check(host.said(), {"A begin", "B begin", "ambient", "helper adapt"});
+  host.contacts[1]->solution = true;
+  host.update(1.0);
+  BOOST_TEST(host.augment());
+}
+
+BOOST_AUTO_TEST_CASE(overlaps_and_helpers_reject_too) {
+  FakeHost host(2);
+  host.start_step();
+  host.update(1.0);
+  host.contacts[0]->overlap = true;
+  BOOST_TEST(!host.augment());
+  host.contacts[0]->overlap = false;
+  host.helper->too_short = true;
+  host.update(1.0);
+  BOOST_TEST(!host.augment());
+  host.update(1.0);
+  BOOST_TEST(host.augment());
+}
+
+BOOST_AUTO_TEST_CASE(rejections_are_limited_in_each_step) {
+  FakeHost host(2);
+  host.start_step();
+  host.contacts[0]->solution = false;
+  for (int n = 0; n < 2; ++n) {
+    host.update(1.0);
+    BOOST_TEST(!host.augment());
+  }
+  host.update(1.0);
+  BOOST_CHECK_THROW(host.augment(), TooManyRejections);
+  host.steps.rewind();
+  host.start_step();
+  host.update(1.0);
+  BOOST_TEST(!host.augment());
+}
+
+BOOST_AUTO_TEST_CASE(a_cutback_within_a_round_leaves_nothing_behind) {
+  FakeHost host(2);
+  host.start_step();
+  host.steps.try_increment(host.contacts[0].get(), {1.0});  // and an element inverts before the second is told
+  host.steps.rewind();
+  host.said();
+  host.start_step();
+  check(host.said(), {"A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper step",
+                      "A prepare", "B prepare", "helper residual"});
+}
+
+BOOST_AUTO_TEST_CASE(a_cutback_is_told_to_helpers_and_a_restart_is_not) {
+  FakeHost host(1);
+  host.start_step();
+  host.said();
+  host.steps.restart();
+  check(host.said(), {});
+  host.steps.rewind();
+  check(host.said(), {"helper rewind"});
+}
+
+BOOST_AUTO_TEST_CASE(contacts_come_and_go_with_steps_of_the_analysis) {
+  FakeHost host(2);
+  host.is_active[0] = false;
+  host.steps.reset_rounds();
+  host.start_step();
+  check(host.said(),
+        {"B end", "helper iterations", "B begin", "ambient", "helper step", "B prepare", "helper residual"});
+  host.update(1.0);
+  BOOST_TEST(host.augment());
+  host.is_active[0] = true;
+  host.said();
+  host.steps.activate(*host.contacts[0]);
+  check(host.said(), {"A end", "A begin"});
+  host.start_step();
+  BOOST_TEST(host.said().front() == "A end");
+  host.is_active[1] = false;
+  host.steps.reset_rounds();
+  host.update(1.0);
+  BOOST_TEST(host.augment());
+}
+
+BOOST_AUTO_TEST_CASE(a_predicted_state_moves_what_the_contacts_hold) {
+  FakeHost host(2);
+  host.helper->predicted = true;
+  host.helper->on_prediction = [&] { host.update(1.0); };
+  host.start_step();
+  const Notes notes = host.said();
+  check(Notes(notes.end() - 5, notes.end()), {"helper trial", "A move", "B move", "ambient", "helper residual"});
+}
+
+BOOST_AUTO_TEST_CASE(after_a_dropped_prediction_the_step_starts_plainly) {
+  FakeHost host(2);
+  host.helper->on_prediction = [&] {
+    host.update(1.0);
+    host.steps.rewind();  // the state is restored
+  };
+  host.start_step();
+  const Notes notes = host.said();
+  check(Notes(notes.end() - 8, notes.end()),
+        {"model", "A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper residual"});
+  host.update(1.0);
+  BOOST_TEST(host.augment());
+}

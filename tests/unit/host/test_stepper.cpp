@@ -1,0 +1,117 @@
+#include "host/stepper.h"
+
+#include <boost/test/unit_test.hpp>
+
+using mixture_contact::Phase;
+using mixture_contact::Round;
+using mixture_contact::Stepper;
+using Evaluation = Stepper::Evaluation;
+using Matrix = Stepper::Matrix;
+
+namespace {
+
+/// At the start of a step.
+Stepper prepared() {
+  Stepper stepper;
+  stepper.evaluate();
+  stepper.prepare_step();
+  return stepper;
+}
+
+/// After a trial that has been evaluated.
+Stepper evaluated() {
+  Stepper stepper = prepared();
+  stepper.form_matrix(false);
+  stepper.try_state();
+  stepper.evaluate();
+  return stepper;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_step_begins_anew_and_may_be_predicted) {
+  Stepper stepper;
+  BOOST_TEST((stepper.evaluate() == Evaluation::begin_anew));
+  BOOST_TEST((stepper.phase() == Phase::begun));
+  stepper.prepare_step();
+  BOOST_TEST((stepper.before_matrix() == Matrix::predict));
+}
+
+BOOST_AUTO_TEST_CASE(trials_keep_the_active_set) {
+  Stepper stepper = evaluated();
+  for (int search = 0; search < 3; ++search) {
+    stepper.try_state();
+    BOOST_TEST((stepper.evaluate() == Evaluation::keep_active_set));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_matrix_at_an_accepted_trial_begins_an_iteration) {
+  BOOST_TEST((evaluated().before_matrix() == Matrix::begin));
+}
+
+BOOST_AUTO_TEST_CASE(a_matrix_is_formed_once_however_many_contacts_hear_of_it) {
+  Stepper stepper = evaluated();
+  stepper.form_matrix(true);
+  BOOST_TEST((stepper.before_matrix() == Matrix::is_formed));
+  BOOST_TEST(stepper.matrix_formed());
+  BOOST_TEST(!stepper.matrix_formed());
+}
+
+BOOST_AUTO_TEST_CASE(the_residual_is_not_evaluated_again_where_no_load_has_changed) {
+  Stepper stepper = evaluated();
+  stepper.form_matrix(false);
+  BOOST_TEST(!stepper.matrix_formed());
+}
+
+BOOST_AUTO_TEST_CASE(after_an_augmentation_iterations_begin_anew_and_nothing_is_predicted) {
+  Stepper stepper = evaluated();
+  stepper.accept();
+  BOOST_TEST((stepper.evaluate() == Evaluation::begin_anew));
+  BOOST_TEST((stepper.before_matrix() == Matrix::nothing));
+}
+
+BOOST_AUTO_TEST_CASE(after_a_rejection_iterations_go_on) {
+  Stepper stepper = evaluated();
+  BOOST_TEST(stepper.reject() == 1);
+  BOOST_TEST((stepper.evaluate() == Evaluation::go_on));
+  BOOST_TEST((stepper.before_matrix() == Matrix::nothing));
+}
+
+BOOST_AUTO_TEST_CASE(rejections_are_counted_by_step) {
+  Stepper stepper = evaluated();
+  stepper.reject();
+  BOOST_TEST(stepper.reject() == 2);
+  stepper.evaluate();
+  stepper.prepare_step();
+  BOOST_TEST(stepper.reject() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_rewind_ends_whatever_is_under_way) {
+  for (Stepper stepper : {prepared(), evaluated()}) {
+    stepper.try_state();
+    stepper.rewind();
+    BOOST_TEST((stepper.evaluate() == Evaluation::begin_anew));
+  }
+  Stepper rejected = evaluated();
+  rejected.reject();
+  rejected.rewind();
+  BOOST_TEST((rejected.evaluate() == Evaluation::begin_anew));
+  Stepper forming = evaluated();
+  forming.form_matrix(true);
+  forming.rewind();
+  BOOST_TEST(!forming.matrix_formed());
+}
+
+BOOST_AUTO_TEST_CASE(the_first_to_be_told_opens_a_round) {
+  const int one = 1;
+  const int two = 2;
+  Round round;
+  BOOST_TEST(round.opens(&one));
+  BOOST_TEST(!round.opens(&two));
+  BOOST_TEST(round.opens(&one));
+  BOOST_TEST(round.opens(&one));  // the round before was interrupted
+  BOOST_TEST(!round.opens(&two));
+  BOOST_TEST(round.opens(&two));  // the other one is no longer active
+  round.reset();
+  BOOST_TEST(round.opens(&one));
+}

@@ -1,0 +1,142 @@
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace test;
+
+/// Residual of a whole contact with the status of its nodes held, as a function of all unknowns.
+BOOST_AUTO_TEST_CASE(the_assembled_tangent_matches_differences_for_every_pair_of_meshes) {
+  std::mt19937 random(7);
+  double worst = 0;
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      for (const bool two_pass : {false, true}) {
+        Settings settings = explicit_settings(2.5, 1.5, 0.8);
+        settings.two_pass = two_pass;
+        Scene scene(facing_grids(one, two, 0.08, 1, 2), effects_of(true, 1), settings);
+        scene.disturb(0.02, random);
+        const auto contact = scene.contact();
+        contact->begin_iteration(scene.fields);
+        const GlobalLayout layout(scene);
+        const VectorXd q = layout.pack(scene.fields);
+        const auto residual = [&](const VectorXd& at) {
+          const PerSide<SurfaceFields> fields = layout.unpack(at);
+          contact->project({{fields[Side::primary].position, fields[Side::secondary].position}});
+          return assembled_residual(*contact, layout, fields, 0.3);
+        };
+        const MatrixXd approximate = differences(residual, q);
+        contact->project(scene.position());
+        const MatrixXd exact = assembled_tangent(*contact, layout, scene.fields, 0.3);
+        const double difference = (exact - approximate).norm() / exact.norm();
+        BOOST_TEST_MESSAGE(static_cast<int>(one)
+                           << " " << static_cast<int>(two) << " " << two_pass << ": " << difference);
+        worst = std::max(worst, difference);
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE("largest relative difference " << worst);
+  BOOST_TEST(worst <= 1e-7);
+}
+
+/// A started iteration that is moved to another state keeps its status and measures its loads there.
+BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
+  std::mt19937 random(11);
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 2, 3), effects_of(true, 1),
+              explicit_settings(2.5, 1.5, 0.8));
+  scene.disturb(0.02, random);
+  const auto moved = scene.contact();
+  moved->begin_iteration(scene.fields);
+  moved->hold_nodes_in_contact();
+  scene.disturb(0.02, random);
+  const GlobalLayout layout(scene);
+  moved->project(scene.position());
+  moved->move_iteration(scene.fields);
+
+  const auto started = scene.contact();
+  started->begin_iteration(scene.fields);
+  const VectorXd expected = assembled_residual(*started, layout, scene.fields, 0.3);
+  BOOST_TEST(relative_error(assembled_residual(*moved, layout, scene.fields, 0.3), expected) <= rounding);
+
+  // Apart by 0.2: a new iteration would find no contact.
+  for (Index node = 0; node < scene.fields[Side::secondary].position.cols(); ++node)
+    scene.fields[Side::secondary].position(2, node) += 0.3;
+  moved->project(scene.position());
+  moved->move_iteration(scene.fields);
+  const PerSide<NodeFlags> status = moved->nodes_in_contact();
+  BOOST_TEST(std::count(status[Side::primary].begin(), status[Side::primary].end(), false) == 0);
+  const double force = moved->balance(scene.fields).force[2];
+  BOOST_TEST(std::abs(force) > 0.1);
+  started->project(scene.position());
+  started->end_iterations();
+  BOOST_TEST(std::abs(started->balance(scene.fields).force[2]) == 0.0);
+}
+
+/// Nodes that come to overlap on the way to the other state are in contact there, with the loads that they have then.
+BOOST_AUTO_TEST_CASE(nodes_that_overlap_where_an_iteration_is_moved_to_close) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, -0.05, 2, 3), effects_of(true, 1),
+              explicit_settings(2.5, 1.5, 0.8));
+  const auto moved = scene.contact();
+  moved->begin_iteration(scene.fields);
+  BOOST_TEST(moved->balance(scene.fields).force[2] == 0.0);
+  scene.fields[Side::secondary].position.row(2).array() -= 0.1;
+  moved->project(scene.position());
+  moved->move_iteration(scene.fields);
+  for (const Side side : both_sides) {
+    const std::vector<bool> closed = moved->hold_nodes_in_contact()[side];
+    BOOST_TEST(std::count(closed.begin(), closed.end(), false) == 0);
+  }
+  const GlobalLayout layout(scene);
+  const VectorXd expected = assembled_residual(*scene.contact(), layout, scene.fields, 0.3);
+  BOOST_TEST(expected.norm() > 0.0);
+  BOOST_TEST(relative_error(assembled_residual(*moved, layout, scene.fields, 0.3), expected) <= rounding);
+}
+
+/// Two squares of side h = 1 under the traction t = penalty * g, which tilt together: their nodes move by a (1 - 2x)
+/// along the normal. The gaps remain, but the points that the normals meet move by 2 a g / h, and the loads of a
+/// surface that rays meet differ by 4 t g a / h between its two edges, along its tilt. With two passes rays meet both
+/// surfaces.
+BOOST_AUTO_TEST_CASE(surfaces_that_rays_meet_are_pushed_the_way_both_tilt) {
+  for (const bool two_pass : {false, true}) {
+    const double penalty = 2.5;
+    const double overlap = 0.25;
+    Settings settings = explicit_settings(penalty, 1.5, 0.8);
+    settings.two_pass = two_pass;
+    const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap, 1, 1), effects_of(false, 0), settings);
+    const auto contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    const GlobalLayout layout(scene);
+    PerSide<VectorXd> tilt;
+    for (const Side side : both_sides) {
+      tilt[side] = VectorXd::Zero(layout.size());
+      for (Index node = 0; node < 4; ++node)
+        tilt[side][layout.entry(side, node, 2)] = 1 - 2 * scene.fields[side].position(0, node);
+    }
+    const VectorXd change = assembled_tangent(*contact, layout, scene.fields, 1) *
+                            (tilt[Side::primary] + tilt[Side::secondary]);
+    const double pushed = 4 * penalty * overlap * overlap;
+    BOOST_TEST(std::abs(tilt[Side::secondary].dot(change) - pushed) <= rounding);
+    BOOST_TEST(std::abs(tilt[Side::primary].dot(change) - (two_pass ? pushed : 0)) <= rounding);
+  }
+}
+
+/// An augmentation doubles the loads until the gaps are closed. The stiffness is that of the equilibrium that it left.
+BOOST_AUTO_TEST_CASE(an_augmentation_leaves_the_tangent_as_it_is) {
+  std::mt19937 random(13);
+  Settings settings = explicit_settings(2.5, 1.5, 0.8);
+  settings.tolerances.traction.relative = settings.tolerances.solvent.relative = settings.tolerances.solute
+                                                                                     .relative = 0;
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 2, 3), effects_of(true, 1), settings);
+  scene.disturb(0.02, random);
+  const auto contact = scene.contact();
+  const GlobalLayout layout(scene);
+  contact->begin_iteration(scene.fields);
+  const MatrixXd before = assembled_tangent(*contact, layout, scene.fields, 0.3);
+  const VectorXd load = assembled_residual(*contact, layout, scene.fields, 0.3);
+  contact->augment(scene.fields);
+  contact->end_iterations();
+  contact->begin_iteration(scene.fields);
+  BOOST_TEST(relative_error(assembled_tangent(*contact, layout, scene.fields, 0.3), before) <= rounding);
+  BOOST_TEST(relative_error(assembled_residual(*contact, layout, scene.fields, 0.3), VectorXd(2 * load)) <= rounding);
+}

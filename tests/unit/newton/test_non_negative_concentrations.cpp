@@ -1,0 +1,146 @@
+#include "fake_solver.h"
+#include "newton/held_values.h"
+#include "newton/non_negative_concentrations.h"
+
+#include <boost/test/unit_test.hpp>
+
+using newton::NonNegativeConcentrations;
+using newton::Place;
+
+namespace {
+
+constexpr Place first{0, 1};   // the concentration of node 0: equation 1
+constexpr Place second{1, 1};  // that of node 1: equation 3
+
+/// Node 0 at -0.1 in the solver's vectors, node 1 at 1.
+class Undershoot : public FakeSolver {
+ public:
+  Undershoot() : FakeSolver(2) {
+    clamps = true;
+    begin_step();
+    change = {0, -0.1, 0, 1};
+    std::vector<double> none(4, 0.0);
+    update(none);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_happens_where_the_solver_clamps_nothing) {
+  Undershoot solver;
+  solver.clamps = false;
+  NonNegativeConcentrations helper(solver);
+  BOOST_TEST(helper.is_settled());
+  BOOST_TEST(!helper.adapt());
+  BOOST_TEST(solver.equation(first) == 1);
+  BOOST_TEST(solver.lines.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_negative_concentration_is_held_at_zero_and_the_log_says_so_once) {
+  Undershoot solver;
+  NonNegativeConcentrations helper(solver);
+  BOOST_TEST(!helper.is_settled());
+  BOOST_TEST(helper.adapt());
+  BOOST_TEST(solver.equation(first) == newton::prescribed(1));
+  BOOST_TEST(solver.value(first) == 0);
+  BOOST_TEST(helper.holds(first));
+  BOOST_TEST(!helper.holds(second));
+  BOOST_TEST(helper.is_settled());
+  solver.change[3] = -1;
+  BOOST_TEST(helper.adapt());
+  BOOST_TEST(solver.lines.size() == 1);
+  BOOST_TEST(solver.lines[0].find("non_negative_concentrations") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(an_undershoot_of_rounding_does_not_count) {
+  Undershoot solver;
+  solver.change[1] = -1e-7;
+  NonNegativeConcentrations helper(solver);
+  BOOST_TEST(helper.is_settled());
+  BOOST_TEST(!helper.adapt());
+}
+
+BOOST_AUTO_TEST_CASE(a_held_one_is_freed_once_a_step_where_its_balance_wants_it_positive) {
+  Undershoot solver;
+  NonNegativeConcentrations helper(solver);
+  helper.adapt();
+  solver.reactions[1] = 1;
+  BOOST_TEST(!helper.is_settled());
+  BOOST_TEST(helper.adapt());
+  BOOST_TEST(solver.equation(first) == 1);
+  // The vectors say what the node says, so that the next update does not bring the undershoot back.
+  BOOST_TEST(solver.total[1] + solver.change[1] == 0);
+  solver.change[1] -= 0.2;
+  BOOST_TEST(helper.adapt());
+  BOOST_TEST(helper.is_settled());  // held again, and not freed a second time
+}
+
+BOOST_AUTO_TEST_CASE(a_reaction_that_draws_down_frees_nothing) {
+  Undershoot solver;
+  NonNegativeConcentrations helper(solver);
+  helper.adapt();
+  solver.reactions[1] = -1;
+  BOOST_TEST(helper.is_settled());
+}
+
+BOOST_AUTO_TEST_CASE(reactions_are_evaluated_where_the_solver_has_not) {
+  Undershoot solver;
+  NonNegativeConcentrations helper(solver);
+  helper.adapt_before_residual();
+  BOOST_TEST(solver.evaluations == 0);  // nothing was held
+  helper.adapt_before_residual();
+  BOOST_TEST(solver.evaluations == 1);
+}
+
+BOOST_AUTO_TEST_CASE(between_steps_nothing_is_held_and_the_next_one_resumes) {
+  Undershoot solver;
+  NonNegativeConcentrations helper(solver);
+  helper.adapt();
+  for (std::size_t n = 0; n < 4; ++n) solver.total[n] += solver.change[n];
+  helper.end_step();
+  BOOST_TEST(solver.equation(first) == 1);
+  BOOST_TEST(solver.total[1] == 0);
+  BOOST_TEST(!helper.holds(first));
+  solver.begin_step();
+  helper.begin_iterations();
+  BOOST_TEST(helper.holds(first));
+  solver.set_value(first, 0.5);  // somebody else has set it
+  helper.begin_iterations();
+  BOOST_TEST(solver.equation(first) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(after_a_cutback_the_vectors_are_those_of_the_start) {
+  Undershoot solver;
+  NonNegativeConcentrations helper(solver);
+  helper.adapt();
+  solver.reactions[1] = 1;
+  helper.adapt();  // freed: the vectors were changed
+  solver.begin_step();
+  solver.set_value(first, 0.25);
+  helper.begin_iterations();
+  BOOST_TEST(solver.total[1] == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(a_value_can_be_left_to_somebody_else) {
+  Undershoot solver;
+  newton::Helpers helpers(solver);
+  helpers.add(std::make_unique<NonNegativeConcentrations>(solver), [] { return true; });
+  helpers.adapt();
+  BOOST_TEST(helpers.keeps(first, true));
+  BOOST_TEST(!helpers.keeps(second, true));
+  BOOST_TEST(!helpers.keeps(first, false));
+  BOOST_TEST(!helpers.keeps(first, true));
+  BOOST_TEST(solver.equation(first) == newton::prescribed(1));  // as it was
+}
+
+BOOST_AUTO_TEST_CASE(a_helper_that_is_off_and_a_solver_that_is_not_newtons_do_nothing) {
+  for (const bool on : {false, true}) {
+    Undershoot solver;
+    solver.newton = !on;
+    newton::Helpers helpers(solver);
+    helpers.add(std::make_unique<NonNegativeConcentrations>(solver), [on] { return on; });
+    BOOST_TEST(helpers.are_settled());
+    BOOST_TEST(!helpers.adapt());
+    BOOST_TEST(solver.equation(first) == 1);
+  }
+}
