@@ -1,5 +1,6 @@
 #include "ambient_conditions.h"
 
+#include "contact/base/indexed_vector.h"
 #include "mixture_contact.h"
 #include "newton/held_values.h"
 
@@ -19,7 +20,7 @@ std::map<int, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
       const FEMixtureSurface& surface = contact->surfaces()[side];
       for (int i = 0; i < surface.Nodes(); ++i) {
         NodeStatus& status = nodes.insert({surface.NodeIndex(i), {false, contact}}).first->second;
-        status.in_contact = status.in_contact || newton::at(in_contact[side], i);
+        status.in_contact = status.in_contact || mixture_contact::at(in_contact[side], i);
       }
     }
   }

@@ -1,7 +1,7 @@
 #include "assembly.h"
 
+#include "contact/base/indexed_vector.h"
 #include "matrix_rows.h"
-#include "newton/vector_entry.h"
 
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>
@@ -10,7 +10,6 @@
 #include <FECore/FEModel.h>
 
 using namespace mixture_contact;
-using newton::at;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "contact_setup.h"
 
+#include "contact/base/indexed_vector.h"
 #include "material_properties.h"
-#include "newton/vector_entry.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
 #include <FECore/FEAnalysis.h>

@@ -1,7 +1,7 @@
 #include "core_archive.h"
 
 #include "archive.h"
-#include "newton/vector_entry.h"
+#include "contact/base/indexed_vector.h"
 
 #include <FECore/DumpStream.h>
 
@@ -37,7 +37,7 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
 }  // namespace
 
 void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
-  int facets = newton::count(mesh.facets);
+  int facets = mixture_contact::number_of(mesh.facets);
   ar & mesh.nodes & facets;
   mesh.facets.resize(std::size_t(facets));
   mesh.permeable.resize(std::size_t(facets));
@@ -53,7 +53,7 @@ void archive_effects(DumpStream& ar, Effects& effects) {
 }
 
 void archive_state(DumpStream& ar, ContactInterface::State& state) {
-  int passes = newton::count(state.multipliers);
+  int passes = mixture_contact::number_of(state.multipliers);
   archive(ar, state.noticed);
   ar & passes;
   state.multipliers.resize(std::size_t(passes));

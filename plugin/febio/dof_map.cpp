@@ -1,5 +1,6 @@
 #include "dof_map.h"
 
+#include "contact/base/indexed_vector.h"
 #include "host/facet_material.h"
 #include "newton/solver.h"
 
@@ -8,13 +9,13 @@
 
 #include <algorithm>
 
+using mixture_contact::at;
 using mixture_contact::both_sides;
 using mixture_contact::ContactInterface;
 using mixture_contact::Index;
 using mixture_contact::LocalLayout;
 using mixture_contact::MultiplierLayout;
 using mixture_contact::Side;
-using newton::at;
 
 void DofMap::init() {
   displacements_ = {fem_.GetDOFIndex("x"), fem_.GetDOFIndex("y"), fem_.GetDOFIndex("z")};

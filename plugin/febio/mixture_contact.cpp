@@ -1,6 +1,7 @@
 #include "mixture_contact.h"
 
 #include "archive.h"
+#include "contact/base/indexed_vector.h"
 #include "host/augmentation.h"
 
 #include <FECore/Callback.h>
@@ -128,7 +129,7 @@ void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::v
   // FEBio's solver for solids leaves equations that are not nodes' to their owners.
   const int first = dofs_.first_multiplier();
   for (Index n = first; n < first + core().multiplier_layout().size(); ++n)
-    newton::at(total, n) += newton::at(increment, n);
+    mixture_contact::at(total, n) += mixture_contact::at(increment, n);
 }
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {

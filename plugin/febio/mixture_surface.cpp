@@ -1,8 +1,8 @@
 #include "mixture_surface.h"
 
 #include "archive.h"
+#include "contact/base/indexed_vector.h"
 #include "mixture_contact.h"
-#include "newton/vector_entry.h"
 
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <map>
 
-using newton::at;
+using mixture_contact::at;
 
 namespace {
 
@@ -121,7 +121,7 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
   FESurfaceElement& element = Element(face);
   double pressure[FEElement::MAX_NODES] = {};
   GetNodalContactPressure(face, pressure);
-  const mixture_contact::FacetType type = newton::at(contact_.core().mesh(side_).facets, face).type;
+  const mixture_contact::FacetType type = mixture_contact::at(contact_.core().mesh(side_).facets, face).type;
   for (int a = 0; a < element.Nodes(); ++a) {
     const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
     traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);

@@ -1,8 +1,8 @@
 #include "output_variables.h"
 
+#include "contact/base/indexed_vector.h"
 #include "material_properties.h"
 #include "mixture_contact.h"
-#include "newton/vector_entry.h"
 
 #include <FECore/FECoreFactory.h>
 #include <FECore/FECoreKernel.h>
@@ -24,8 +24,8 @@ constexpr int logged_solutes = 8;
 int exchanged_field(const FEMixtureSurface& surface, int solute) {
   const auto& effects = surface.contact().core().effects();
   if (solute < 0) return effects.solvent ? 0 : -1;
-  for (int k = 0; k < newton::count(effects.solutes); ++k) {
-    if (newton::at(effects.solutes, k) == solute) return k + (effects.solvent ? 1 : 0);
+  for (int k = 0; k < mixture_contact::number_of(effects.solutes); ++k) {
+    if (mixture_contact::at(effects.solutes, k) == solute) return k + (effects.solvent ? 1 : 0);
   }
   return -1;
 }
@@ -59,7 +59,7 @@ FEMixtureSurface* contact_surface(FEModel& fem, FESurface& surface) {
 
 void name_solutes(FEPlotData& data, FEModel& fem) {
   std::vector<std::string> names = solute_names(fem);
-  data.SetArraySize(newton::count(names));
+  data.SetArraySize(mixture_contact::number_of(names));
   data.SetArrayNames(names);
 }
 
@@ -172,7 +172,7 @@ class FELogFacet : public FELogFaceData {
     if (own == nullptr) return 0;
     double sum = 0;
     for (int a = 0; a < element.Nodes(); ++a)
-      sum += nodal_value(*own, quantity, solute, newton::at(element.m_lnode, a));
+      sum += nodal_value(*own, quantity, solute, mixture_contact::at(element.m_lnode, a));
     return sum / element.Nodes();
   }
 };
