@@ -64,15 +64,15 @@ void DofMap::add_multipliers(const ContactInterface& core, const Location& place
   const MultiplierLayout own = core.multiplier_layout();
   const int node = *place.patch.multiplier_node;
   const int first = first_multiplier_;
-  if (layout.has_displacements()) at(ids, layout.traction_multiplier()) = first + int(own.traction(node));
+  if (layout.has_displacements()) at(ids, layout.traction_multiplier()) = first + newton::as_int(own.traction(node));
   for (Index k = 0; k < layout.scalar_fields(); ++k)
-    at(ids, layout.flux_multiplier(k)) = first + int(own.flux(node, at(place.patch.fields, k)));
+    at(ids, layout.flux_multiplier(k)) = first + newton::as_int(own.flux(node, at(place.patch.fields, k)));
 }
 
 std::vector<int> DofMap::equations(const ContactInterface& core, const Location& place) const {
   const LocalLayout layout = place.patch.layout();
   const std::vector<int> mesh_nodes = nodes(place);
-  std::vector<int> ids(std::size_t(layout.size()), -1);
+  std::vector<int> ids(newton::entries(layout.size()), -1);
   add_multipliers(core, place, ids);
   for (Index node = 0; node < layout.nodes(); ++node) {
     const std::vector<int>& own = node_equations(at(mesh_nodes, node));
