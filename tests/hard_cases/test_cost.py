@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from harness.errors import DataFileError
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.studies import files
 from harness.studies.cost import command, interleaved, pareto
 from harness.studies.cost.interleaved import Timing
@@ -69,7 +69,7 @@ def test_every_point_has_a_model_and_a_name_of_its_own():
     assert len(names) == len(chosen)
     for point in chosen:
         assert point.model().contacts[0].kind == point.interface.value
-    assert {p.interface for p in chosen if p.parameter in OWN} == {Join.MIXTURE}
+    assert {p.interface for p in chosen if p.parameter in OWN} == {InterfaceType.MIXTURE}
 
 
 def test_the_pictures_are_drawn(tmp_path):

@@ -8,7 +8,7 @@ import pytest
 
 from harness.errors import DataFileError
 from harness.models import pairs
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.studies.price import page, paired_runs, table
 from harness.studies.price.paired_runs import Timed
 from harness.studies.price.scenes import Kind, Scene, effects_added
@@ -85,7 +85,7 @@ def test_contacts_are_compared_on_the_same_model():
     scenes = paired_runs.compared(Scene(Kind.BIPHASIC))
     assert [scene.contact for scene in scenes.values()] == [
         "unsplit",
-        Join.MIXTURE.value,
+        InterfaceType.MIXTURE.value,
         "sliding-biphasic",
         "sliding-biphasic",
     ]

@@ -13,7 +13,7 @@ from harness.errors import ModelError
 from harness.models.bath import Apart
 from harness.models.confined import Confined
 from harness.models.diffusion import Diffusion
-from harness.models.interface import ContactSettings, Join
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Param, concentration, pressure
 from harness.pages.plugin_parameters import registered
 from harness.paths import REPOSITORY
@@ -21,8 +21,8 @@ from harness.preflight.contact_types import CONVERTIBLE, TYPES
 from harness.preflight.rules.settings import CHOICES
 
 
-def text(*params, join=Join.SOLUTE):
-    return Diffusion(join, ContactSettings(extra=params), elements=2).model().text()
+def text(*params, interface=InterfaceType.SOLUTE):
+    return Diffusion(interface, ContactSettings(extra=params), elements=2).model().text()
 
 
 @pytest.fixture
@@ -99,7 +99,7 @@ def test_every_parameter_of_every_type_has_a_fate(converted):
 
 
 def test_names_of_solutes_stay(converted):
-    old = text(Param("ambient_concentration", 0.0, None, {"sol": "s1"}), join=Join.MULTIPHASIC)
+    old = text(Param("ambient_concentration", 0.0, None, {"sol": "s1"}), interface=InterfaceType.MULTIPHASIC)
     new = converted(old).data.decode("iso-8859-1")
     assert '<ambient_concentration sol="s1">0</ambient_concentration>' in new
 
@@ -129,7 +129,7 @@ def test_contacts_in_steps(converted):
 
 
 def test_nodes_held_at_the_value_of_the_bath_are_spoken_of(converted):
-    made = converted(Apart(Join.SOLUTE, held=(pressure("lower-top", -1e-3, 1),)).model().text())
+    made = converted(Apart(InterfaceType.SOLUTE, held=(pressure("lower-top", -1e-3, 1),)).model().text())
     assert [change.name for change in made.changes["boundary conditions"]] == ["fluid pressure"]
     assert "4 nodes" in made.changes["boundary conditions"][0].reason
 
@@ -145,12 +145,12 @@ def in_module(model, kind, module=None):
     return made.replace('<Module type="solute"', f'<Module type="{module}"') if module else made
 
 
-BIPHASIC = Confined(Join.BIPHASIC, ContactSettings(), elements=2).model()
-SOLUTE = Diffusion(Join.SOLUTE, ContactSettings(), elements=2).model()
+BIPHASIC = Confined(InterfaceType.BIPHASIC, ContactSettings(), elements=2).model()
+SOLUTE = Diffusion(InterfaceType.SOLUTE, ContactSettings(), elements=2).model()
 REFUSED = {
     "friction": (text(Param("fric_coeff", 0.1)), "no parameter <fric_coeff>|friction"),
     "friction of the biphasic type": (
-        Confined(Join.BIPHASIC, ContactSettings(extra=(Param("fric_coeff", 0.1),)), elements=2).model().text(),
+        Confined(InterfaceType.BIPHASIC, ContactSettings(extra=(Param("fric_coeff", 0.1),)), elements=2).model().text(),
         "friction is not part of sliding-mixture",
     ),
     "fluid behind sliding-elastic": (in_module(BIPHASIC, "sliding-elastic"), "leaves its fluid sealed"),
@@ -160,16 +160,16 @@ REFUSED = {
         "takes it for a solid without fluid",
     ),
     "nodes held at another pressure": (
-        Apart(Join.SOLUTE, held=(pressure("lower-top", 1.0),)).model().text(),
+        Apart(InterfaceType.SOLUTE, held=(pressure("lower-top", 1.0),)).model().text(),
         "prescribes the fluid pressure of 4 nodes",
     ),
     "nodes held at another concentration": (
-        Apart(Join.SOLUTE, held=(concentration("upper-bottom", 0.7),)).model().text(),
+        Apart(InterfaceType.SOLUTE, held=(concentration("upper-bottom", 0.7),)).model().text(),
         "prescribes the concentration of solute 1 of 4 nodes",
     ),
     "a penalty of zero": (text(Param("pressure_penalty", 0.0)), "<pressure_penalty> is '0'"),
     "a radius of zero": (text(Param("search_radius", 0.0)), "<search_radius> is '0'"),
-    "nothing to convert": (text(join=Join.MIXTURE), "has nothing to convert"),
+    "nothing to convert": (text(interface=InterfaceType.MIXTURE), "has nothing to convert"),
     "tied contact": (in_module(BIPHASIC, "tied-biphasic"), "no sliding contact"),
     "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
     "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),

@@ -11,7 +11,7 @@ import pytest
 from harness.errors import ModelError
 from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
-from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
+from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Param, fluid_flux, pressure
 from harness.paths import DOCS, REPOSITORY
@@ -20,12 +20,12 @@ from harness.preflight.finding import Severity
 PREFLIGHT = REPOSITORY / "scripts" / "harness" / "preflight"
 
 
-def diffusion(join=Join.MIXTURE, settings=None, **more):
-    return Diffusion(join, settings, elements=5, **more).model()
+def diffusion(interface=InterfaceType.MIXTURE, settings=None, **more):
+    return Diffusion(interface, settings, elements=5, **more).model()
 
 
-def with_params(*params, join=Join.MIXTURE):
-    return diffusion(join, ContactSettings(extra=params))
+def with_params(*params, interface=InterfaceType.MIXTURE):
+    return diffusion(interface, ContactSettings(extra=params))
 
 
 def with_surfaces(model, **surfaces):
@@ -157,7 +157,11 @@ FAULTS = {
         "no facets",
     ),
     "overlap": (lambda: moved(diffusion(), 1, (0, 0, -0.1)), "initial-overlap", "node_reloc"),
-    "gap beyond FEBio's radius": (lambda: moved(diffusion(Join.SOLUTE), 1, (0, 0, 2.0)), "search-radius", "apart"),
+    "gap beyond FEBio's radius": (
+        lambda: moved(diffusion(InterfaceType.SOLUTE), 1, (0, 0, 2.0)),
+        "search-radius",
+        "apart",
+    ),
     "gap beyond a radius": (
         lambda: moved(with_params(Param("search_radius", 0.01)), 1, (0, 0, 0.1)),
         "search-radius",
@@ -168,23 +172,23 @@ FAULTS = {
         "search-radius",
         "pass through",
     ),
-    "leak of the paper's penalty": (lambda: diffusion(Join.MIXTURE, PAPER), "leak", "jump by about 33 %"),
+    "leak of the paper's penalty": (lambda: diffusion(InterfaceType.MIXTURE, PAPER), "leak", "jump by about 33 %"),
     "leak of FEBio's default": (
-        lambda: with_params(Param("concentration_penalty", 1e-3), join=Join.SOLUTE),
+        lambda: with_params(Param("concentration_penalty", 1e-3), interface=InterfaceType.SOLUTE),
         "leak",
         "concentration of solute 1",
     ),
     "leak of the solvent": (lambda: with_params(Param("pressure_penalty", 1e-4)), "leak", "fluid pressure will jump"),
-    "overlap of FEBio's default": (lambda: with_params(join=Join.SOLUTE), "leak", "overlap by about"),
-    "leak of automatic penalties": (lambda: diffusion(Join.SOLUTE, automatic(1.0)), "leak", "9.1 %"),
+    "overlap of FEBio's default": (lambda: with_params(interface=InterfaceType.SOLUTE), "leak", "overlap by about"),
+    "leak of automatic penalties": (lambda: diffusion(InterfaceType.SOLUTE, automatic(1.0)), "leak", "9.1 %"),
     "leak with few augmentations": (
-        lambda: diffusion(Join.SOLUTE, replace(augmented(automatic(0.1), 0.0), maxaug=1)),
+        lambda: diffusion(InterfaceType.SOLUTE, replace(augmented(automatic(0.1), 0.0), maxaug=1)),
         "leak",
         "even after",
     ),
     "stiff penalty": (lambda: with_params(Param("penalty", 1e9)), "stiff-penalty", "open and close"),
     "Peclet number": (with_peclet, "peclet", "element Peclet number"),
-    "short step": (lambda: diffusion(Join.SOLUTE, control=Control(100, 1.0)), "time-step", "often stalls"),
+    "short step": (lambda: diffusion(InterfaceType.SOLUTE, control=Control(100, 1.0)), "time-step", "often stalls"),
     "bath without pressure": (lambda: with_params(*BATH), "bath-pressure", "-0.0024776"),
     "bath of the wrong sign": (
         lambda: with_params(*BATH, Param("ambient_pressure", 2.4776e-3)),
@@ -198,7 +202,7 @@ FAULTS = {
         "prescribed",
     ),
     "nodes held against the bath": (
-        lambda: Apart(Join.SOLUTE, held=(pressure("lower-top", 1.0),)).model(),
+        lambda: Apart(InterfaceType.SOLUTE, held=(pressure("lower-top", 1.0),)).model(),
         "held-nodes",
         "of 4 nodes",
     ),
@@ -216,7 +220,7 @@ FAULTS = {
     "negative tolerance": (lambda: with_params(Param("tolerance", -1.0)), "bad-value", "not negative"),
     "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "positive number"),
     "FEBio's enforcement": (
-        lambda: with_params(Param("laugon", "LAGMULT"), join=Join.SOLUTE),
+        lambda: with_params(Param("laugon", "LAGMULT"), interface=InterfaceType.SOLUTE),
         "bad-value",
         "must be PENALTY or AUGLAG",
     ),
@@ -231,7 +235,7 @@ FAULTS = {
         "does not exist",
     ),
     "load curve that FEBio does not take": (
-        lambda: Apart(Join.MULTIPHASIC).model(),
+        lambda: Apart(InterfaceType.MULTIPHASIC).model(),
         "load-curve",
         "takes no load curve",
     ),
@@ -331,7 +335,7 @@ def test_febios_contact_on_shells_alone_is_looked_at(findings):
 
 
 def test_an_element_without_stiffness_is_looked_at(findings):
-    model = with_params(Param("penalty", 2.0), join=Join.SOLUTE)
+    model = with_params(Param("penalty", 2.0), interface=InterfaceType.SOLUTE)
     assert "stiff-penalty" not in {finding.rule for finding in findings(model, ("<E>10<", "<E>0<"))}
 
 
@@ -392,7 +396,7 @@ def test_conditions_name_solutes_by_number_or_name(findings, named):
     """A zero concentration on nodes of the contact is found, whatever the solute is called."""
     tag = '<bc name="held" type="zero concentration" node_set="@surface:lower-top">'
     condition = f"{tag}<c_dof>{named}</c_dof></bc></Boundary>"
-    model = with_params(*BATH, join=Join.SOLUTE)
+    model = with_params(*BATH, interface=InterfaceType.SOLUTE)
     found = findings(model, ("</Boundary>", condition))
     assert any(finding.rule == "held-nodes" and "solute 1" in finding.message for finding in found)
 

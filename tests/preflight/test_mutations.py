@@ -11,7 +11,7 @@ from harness.conversion.convert import convert
 from harness.errors import ModelError
 from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
-from harness.models.interface import PAPER, Join
+from harness.models.interface import PAPER, InterfaceType
 from harness.preflight.check import check
 
 FILES = 200
@@ -20,9 +20,9 @@ WORDS = ("", "nan", "inf", "-1", "0", "1e300", "much", "1:99999999999", "é", "<
 
 
 def bases():
-    joins = (Join.MIXTURE, Join.SOLUTE)
-    models = [Diffusion(join, PAPER, elements=2).model() for join in joins]
-    return [*(model.text() for model in models), Apart(Join.MULTIPHASIC).model().text()]
+    joins = (InterfaceType.MIXTURE, InterfaceType.SOLUTE)
+    models = [Diffusion(interface, PAPER, elements=2).model() for interface in joins]
+    return [*(model.text() for model in models), Apart(InterfaceType.MULTIPHASIC).model().text()]
 
 
 def drop_element(text, dice):

@@ -23,7 +23,7 @@ from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.indentation import Variant
-from harness.models.interface import PAPER, ContactSettings, Join
+from harness.models.interface import PAPER, ContactSettings, InterfaceType
 from harness.models.layers import Layers
 from harness.models.mesh import Section
 from harness.models.parts import Param
@@ -36,7 +36,7 @@ from harness.preflight.penalty import leak, penalty
 from harness.preflight.sides import TRACTION, Joint, solute
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
-SOUND = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
+SOUND = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 
 
 @pytest.mark.parametrize("path", COLLECTION, ids=lambda path: path.stem)
@@ -45,10 +45,10 @@ def test_the_collection_raises_no_alarm(path):
 
 
 def generated():
-    models = [Diffusion(join, elements=n).model() for join in SOUND for n in (5, 10)]
-    models += [Convection(join, peclet=peclet).model() for join in SOUND for peclet in PRESSURES]
-    models += [cls(join).model() for join in SOUND for cls in (Composite, Layers)]
-    models += [Confined(join).model() for join in (Join.MIXTURE, Join.BIPHASIC)]
+    models = [Diffusion(interface, elements=n).model() for interface in SOUND for n in (5, 10)]
+    models += [Convection(interface, peclet=peclet).model() for interface in SOUND for peclet in PRESSURES]
+    models += [cls(interface).model() for interface in SOUND for cls in (Composite, Layers)]
+    models += [Confined(interface).model() for interface in (InterfaceType.MIXTURE, InterfaceType.BIPHASIC)]
     return models + [variant.problem.model() for variant in (Variant.COARSE, Variant.HEX20, Variant.SLAB_PRIMARY)]
 
 
@@ -126,7 +126,7 @@ def leaks(found):
 
 @pytest.mark.parametrize(("kind", "cells"), [("penta6", PRISMS), ("tet4", TETS), ("TET4G4", TETS)])
 def test_prisms_and_tetrahedra_leak_as_hexahedra_do(findings, kind, cells):
-    model = Diffusion(Join.MIXTURE, PAPER, elements=4).model()
+    model = Diffusion(InterfaceType.MIXTURE, PAPER, elements=4).model()
     found = findings(triangles(split(model.text(), kind, cells)))
     assert leaks(found) == leaks(findings(model)) != []
     assert not any(finding.severity is Severity.ERROR for finding in found)
@@ -138,14 +138,14 @@ LAYERS = (composite.FIRST, composite.SECOND)
 def test_the_leak_of_unlike_layers_is_that_of_resistances_in_series(tmp_path):
     resistances = [layer.thickness / (layer.porosity * layer.solubility * layer.diffusivity) for layer in LAYERS]
     expected = relative_jump(resistances, 4e-4)
-    made = read(Composite(Join.MIXTURE, PAPER, elements=3).model().write(tmp_path))
+    made = read(Composite(InterfaceType.MIXTURE, PAPER, elements=3).model().write(tmp_path))
     joint = Joint(made, made.contacts[0])
     assert leak(joint, solute(1), penalty(joint, solute(1)).value) == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_body_of_two_materials_leaks_as_its_layers_in_series(tmp_path):
     """Two materials in the upper body: its two lower elements keep theirs, the two upper ones get that of the other."""
-    model = Composite(Join.MIXTURE, PAPER, elements=4).model()
+    model = Composite(InterfaceType.MIXTURE, PAPER, elements=4).model()
     lower, upper = model.mesh.parts
     cut = (replace(upper, elements=upper.elements[:2]), replace(upper, name="lid", material=lower.material))
     parts = (lower, cut[0], replace(cut[1], elements=upper.elements[2:]))
@@ -157,7 +157,7 @@ def test_a_body_of_two_materials_leaks_as_its_layers_in_series(tmp_path):
 
 
 def test_quadratic_elements_leak_as_linear_ones_do(findings):
-    model = Diffusion(Join.MIXTURE, PAPER, elements=4).model()
+    model = Diffusion(InterfaceType.MIXTURE, PAPER, elements=4).model()
     nodes, parts = model.mesh.nodes, []
     first = 0
     places = []
@@ -238,7 +238,7 @@ def test_a_joint_with_a_rigid_bone(findings):
 
 def test_a_tip_that_touches_is_in_contact(findings):
     """A body under a load alone whose lowest corner overlaps, while the middles of its facets are apart."""
-    model = Confined(Join.MIXTURE, elements=2, section=Section((1.0, 1.0), (2, 2))).model()
+    model = Confined(InterfaceType.MIXTURE, elements=2, section=Section((1.0, 1.0), (2, 2))).model()
     points = model.mesh.nodes.copy()
     upper = np.unique(model.mesh.parts[1].elements) - 1
     points[upper, 2] += 0.05 * np.hypot(points[upper, 0] - 0.5, points[upper, 1] - 0.5)
@@ -259,7 +259,7 @@ def test_the_depth_is_that_of_the_cartilage_and_not_of_the_bone(tmp_path):
 
 
 def test_files_in_pieces(tmp_path):
-    whole = Diffusion(Join.MIXTURE, PAPER, elements=2).model().text()
+    whole = Diffusion(InterfaceType.MIXTURE, PAPER, elements=2).model().text()
     head = '<?xml version="1.0" encoding="ISO-8859-1"?>\n<febio_spec version="4.0">'
     for name in ("Mesh", "Material"):
         section = re.search(rf"<{name}>.*?</{name}>", whole, re.DOTALL).group(0)
@@ -283,7 +283,7 @@ def test_a_file_that_includes_itself(tmp_path):
 
 
 def test_lines_beyond_65535(findings):
-    model = Diffusion(Join.MIXTURE, PAPER, elements=2).model()
+    model = Diffusion(InterfaceType.MIXTURE, PAPER, elements=2).model()
     far = model.text().replace("<Contact>", "\n" * 70000 + "<Contact>")
     assert all(finding.place.line > 70000 for finding in findings(far) if finding.rule == "leak")
 
@@ -322,7 +322,7 @@ def test_files_that_are_no_models(findings, name):
 )
 def test_what_does_not_exist_is_named(findings, old, new, message):
     with pytest.raises(ModelError, match=message):
-        findings(Diffusion(Join.MIXTURE, elements=2).model(), (old, new))
+        findings(Diffusion(InterfaceType.MIXTURE, elements=2).model(), (old, new))
 
 
 # ---- the command ----
@@ -334,7 +334,7 @@ def command(*arguments):
 
 def test_exit_codes_and_json(tmp_path):
     assert command("check", MODELS / "diffusion.feb").exit_code == 0
-    path = Diffusion(Join.SOLUTE, PAPER, elements=2, name="leaky").model().write(tmp_path)
+    path = Diffusion(InterfaceType.SOLUTE, PAPER, elements=2, name="leaky").model().write(tmp_path)
     finished = command("check", path, "--json")
     assert finished.exit_code == 1
     found = json.loads(finished.stdout)
@@ -374,7 +374,7 @@ def test_a_fault_of_ours_is_one_sentence_and_a_file(tmp_path, monkeypatch, capsy
 
 
 def test_converting_from_the_command_line(tmp_path):
-    path = Diffusion(Join.SOLUTE, elements=2, name="old").model().write(tmp_path)
+    path = Diffusion(InterfaceType.SOLUTE, elements=2, name="old").model().write(tmp_path)
     before = path.read_bytes()
     finished = command("convert", path)
     assert finished.exit_code == 0
@@ -399,5 +399,5 @@ def test_converting_from_the_command_line(tmp_path):
 )
 def test_what_a_contact_exchanges(effects, names, tmp_path):
     settings = ContactSettings(extra=(Param("effects", effects),))
-    model = read(Diffusion(Join.MIXTURE, settings, elements=1).model().write(tmp_path))
+    model = read(Diffusion(InterfaceType.MIXTURE, settings, elements=1).model().write(tmp_path))
     assert [field.name for field in Joint(model, model.contacts[0]).fields] == names

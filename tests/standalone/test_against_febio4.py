@@ -13,7 +13,7 @@ from harness.models.confined import Confined
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, Join
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Param
 from harness.run import engine
 from harness.run.hosts import FEBIO4, STANDALONE
@@ -78,7 +78,9 @@ def test_an_effect_left_out_agrees(runs, effects):
 
 
 def test_a_body_without_contact_agrees(runs):
-    found = differences(*runs(strict(Diffusion(Join.UNSPLIT, control=Control(20, 50.0)).model(), FLOORS[10.0])))
+    found = differences(
+        *runs(strict(Diffusion(InterfaceType.UNSPLIT, control=Control(20, 50.0)).model(), FLOORS[10.0]))
+    )
     assert max(found.values()) <= BAR, found
 
 

@@ -10,7 +10,7 @@ import os
 import pytest
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.run import engine
 from harness.run.runner import Runner
 from harness.validate.checks import Context
@@ -21,23 +21,26 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.fixture(scope="session")
-def join() -> Join:
+def interface() -> InterfaceType:
     """What joins the bodies in this session."""
-    return Join(os.environ.get("MIXCONTACT_INTERFACE", Join.MIXTURE.value))
+    return InterfaceType(os.environ.get("MIXCONTACT_INTERFACE", InterfaceType.MIXTURE.value))
 
 
 @pytest.fixture(autouse=True)
 def _can_be_tested(request: pytest.FixtureRequest) -> None:
-    if request.node.get_closest_marker("mixture_only") and request.getfixturevalue("join") is not Join.MIXTURE:
+    if (
+        request.node.get_closest_marker("mixture_only")
+        and request.getfixturevalue("interface") is not InterfaceType.MIXTURE
+    ):
         pytest.skip("only sliding-mixture can do this")
 
 
 @pytest.fixture(scope="session")
-def runner(join: Join, tmp_path_factory: pytest.TempPathFactory) -> Runner:
+def runner(interface: InterfaceType, tmp_path_factory: pytest.TempPathFactory) -> Runner:
     """Runs models, each once a session, also where several processes share the session."""
     try:
         engine.find_engine()
-        if join is Join.MIXTURE:
+        if interface is InterfaceType.MIXTURE:
             engine.required_plugin()
     except (EngineNotFoundError, PluginNotFoundError) as error:
         pytest.skip(str(error))
@@ -46,6 +49,6 @@ def runner(join: Join, tmp_path_factory: pytest.TempPathFactory) -> Runner:
 
 
 @pytest.fixture(scope="session")
-def context(runner: Runner, join: Join) -> Context:
+def context(runner: Runner, interface: InterfaceType) -> Context:
     """What the checks need."""
-    return Context(runner, join)
+    return Context(runner, interface)

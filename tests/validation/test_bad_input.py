@@ -8,7 +8,7 @@ import pytest
 
 from harness.models.bath import Apart
 from harness.models.diffusion import Diffusion
-from harness.models.interface import ContactSettings, Join
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Param
 from harness.run import engine
 
@@ -34,7 +34,7 @@ def complaint(runner, tmp_path):
 
 def _model(*params):
     settings = ContactSettings(extra=params)
-    return Diffusion(Join.MIXTURE, settings, elements=2, control=Control(2, 200.0), name="bad").model()
+    return Diffusion(InterfaceType.MIXTURE, settings, elements=2, control=Control(2, 200.0), name="bad").model()
 
 
 @pytest.mark.parametrize("tag", ["penalty", "pressure_penalty", "concentration_penalty"])
@@ -124,7 +124,7 @@ def test_inverted_facets(complaint):
 
 
 def test_facets_that_belong_to_no_element(complaint):
-    model = Apart(Join.MIXTURE, control=Control(2, 200.0), name="bad").model()
+    model = Apart(InterfaceType.MIXTURE, control=Control(2, 200.0), name="bad").model()
     mesh = model.mesh
     mixed = mesh.surfaces["lower-top"].copy()
     mixed[0, 0] = mesh.node_sets["upper-bottom"][0]

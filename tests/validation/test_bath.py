@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from harness.models.bath import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.parts import concentration, pressure
 from harness.models.patches import Patches
 from harness.post import compare
@@ -25,9 +25,9 @@ def at(run, column, node_set):
 
 @pytest.mark.parametrize("module", ["solute", "multiphasic"])
 def test_ambient_values_follow_their_load_curves(context, module):
-    if module == "multiphasic" and context.join is not Join.MIXTURE:
+    if module == "multiphasic" and context.interface is not InterfaceType.MIXTURE:
         pytest.skip("FEBio takes no load curve for the ambient concentration of 'sliding-multiphasic'")
-    run = context.runner(Apart(context.join, module=module).model())
+    run = context.runner(Apart(context.interface, module=module).model())
     p, c = ambient(run.nodes.times)
     for surface in ("lower-top", "upper-bottom"):
         np.testing.assert_allclose(at(run, "p", surface), np.broadcast_to(p[:, None], (len(p), 4)), rtol=1e-11)
@@ -37,7 +37,7 @@ def test_ambient_values_follow_their_load_curves(context, module):
 @pytest.mark.mixture_only
 def test_prescribed_values_on_contact_nodes_are_left_alone(context):
     held = (concentration("lower-top", 0.7), pressure("upper-bottom", 2e-3))
-    run = context.runner(Apart(context.join, held=held, name="held").model())
+    run = context.runner(Apart(context.interface, held=held, name="held").model())
     p, c = ambient(run.nodes.times)
     np.testing.assert_allclose(at(run, "c1", "lower-top")[1:], 0.7, rtol=1e-12)
     np.testing.assert_allclose(at(run, "p", "upper-bottom")[1:], 2e-3, rtol=1e-12)
@@ -47,7 +47,7 @@ def test_prescribed_values_on_contact_nodes_are_left_alone(context):
 
 @pytest.mark.mixture_only
 def test_a_node_is_at_ambient_only_where_no_interface_has_it_in_contact(context):
-    run = context.runner(HalfWet(context.join).model())
+    run = context.runner(HalfWet(context.interface).model())
     slab, left = at(run, "c1", "slab-top")[-1], at(run, "c1", "left-bottom")[-1]
     x = run.model.mesh.nodes[run.model.mesh.node_sets["slab-top"] - 1, 0]
     np.testing.assert_allclose(slab[x == 2.0], CONCENTRATION, rtol=1e-11)
@@ -58,7 +58,7 @@ def test_a_node_is_at_ambient_only_where_no_interface_has_it_in_contact(context)
 
 def test_two_interfaces_that_share_nodes_act_as_one(context):
     two, one = (
-        context.runner(Patches(context.join, divided=divided, name=f"patches-{divided}").model())
+        context.runner(Patches(context.interface, divided=divided, name=f"patches-{divided}").model())
         for divided in (True, False)
     )
     # A node on the seam has a law in either interface, averaged over its part of the area around it: the same but for
@@ -69,6 +69,6 @@ def test_two_interfaces_that_share_nodes_act_as_one(context):
 
 @pytest.mark.mixture_only
 def test_two_interfaces_that_share_nodes_do_not_show(context):
-    two = context.runner(Patches(context.join, name="patches-True").model())
-    whole = context.runner(Patches(Join.UNSPLIT, name="patches-whole").model())
+    two = context.runner(Patches(context.interface, name="patches-True").model())
+    whole = context.runner(Patches(InterfaceType.UNSPLIT, name="patches-whole").model())
     assert compare.largest_difference(two, whole, "c1") <= 1e-6

@@ -11,7 +11,7 @@ import pytest
 
 from harness.cli import app
 from harness.models.diffusion import Diffusion
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.paths import REPOSITORY
 
@@ -67,21 +67,29 @@ def test_bad_input_is_explained(arguments, message):
 
 def test_a_bar_that_is_missed_is_a_failure(runner, tmp_path):
     finished = harness(
-        "validate", "--interface", Join.SOLUTE.value, "--only", "orders", "--only", "layers", "--folder", tmp_path
+        "validate",
+        "--interface",
+        InterfaceType.SOLUTE.value,
+        "--only",
+        "orders",
+        "--only",
+        "layers",
+        "--folder",
+        tmp_path,
     )
     assert finished.returncode == 1
     assert "missed" in finished.stdout
 
 
-def test_run_reports_what_a_run_took(runner, join, tmp_path):
-    path = Diffusion(join, elements=4, control=Control(5, 200.0)).model().write(tmp_path)
+def test_run_reports_what_a_run_took(runner, interface, tmp_path):
+    path = Diffusion(interface, elements=4, control=Control(5, 200.0)).model().write(tmp_path)
     finished = harness("run", path)
     assert finished.returncode == 0
     assert "normal termination, 5 steps" in finished.stdout
 
 
 def test_run_quotes_febio_where_it_fails(runner, tmp_path):
-    path = Diffusion(Join.UNSPLIT, elements=1, control=Control(5, 200.0)).model().write(tmp_path)
+    path = Diffusion(InterfaceType.UNSPLIT, elements=1, control=Control(5, 200.0)).model().write(tmp_path)
     path.write_text(path.read_text().replace("<E>10</E>", "<modulus>10</modulus>"))
     finished = harness("run", path)
     assert finished.returncode == 2

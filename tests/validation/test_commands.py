@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from harness.models.diffusion import Diffusion
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.paths import DOCS, REPOSITORY, plugin_library
 from harness.run import engine
@@ -97,8 +97,8 @@ def scratch(runner, tmp_path) -> Path:
         pytest.skip("needs what `scripts/mixcontact` sets up")
     for name in ("scripts", "models"):
         (tmp_path / name).symlink_to(REPOSITORY / name)
-    for name, join in (("model", Join.MIXTURE), ("old", Join.SOLUTE)):
-        Diffusion(join, elements=3, control=Control(3, 200.0), plot=True, name=name).model().write(tmp_path)
+    for name, interface in (("model", InterfaceType.MIXTURE), ("old", InterfaceType.SOLUTE)):
+        Diffusion(interface, elements=3, control=Control(3, 200.0), plot=True, name=name).model().write(tmp_path)
     return tmp_path
 
 

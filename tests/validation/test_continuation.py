@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from harness.models.diffusion import CLOSING, Diffusion
-from harness.models.interface import PAPER, ContactSettings, Join, augmented
+from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented
 from harness.models.parts import Control, Curve, Param, TimeStepper, displace
 from harness.run import engine, logdata
 from harness.run.runner import Runner
@@ -25,26 +25,28 @@ SETTINGS = {
 
 
 @pytest.fixture(params=SETTINGS)
-def settings(request, join):
-    if request.param in ("two passes", "multipliers") and join is not Join.MIXTURE:
+def settings(request, interface):
+    if request.param in ("two passes", "multipliers") and interface is not InterfaceType.MIXTURE:
         pytest.skip("FEBio's own interfaces do not run with two passes and no penalties, nor with multipliers")
     return SETTINGS[request.param]
 
 
 def test_restart(context, settings, tmp_path):
     """From the archive that was written after 12 of 20 steps; FEBio needs a plot file to continue."""
-    model = Diffusion(context.join, settings, elements=5, control=Control(20, 50.0), name="restart", plot=True).model()
+    model = Diffusion(
+        context.interface, settings, elements=5, control=Control(20, 50.0), name="restart", plot=True
+    ).model()
     run = context.runner(model, options=("-dump=1", "-dump_stride=12"))
     folder = shutil.copytree(run.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
-    plugin = engine.required_plugin() if context.join is Join.MIXTURE else None
+    plugin = engine.required_plugin() if context.interface is InterfaceType.MIXTURE else None
     engine.restart(folder / "restart.dmp", plugin=plugin)
     whole, part = run.nodes, logdata.read_history(folder / model.node_file, model.node_columns)
     np.testing.assert_allclose(part.times, whole.times[13:])
     np.testing.assert_allclose(part.values, whole.values[13:], atol=EQUAL, rtol=0.0)
 
 
-def _spiked(join, settings, stepper, times=None):
+def _spiked(interface, settings, stepper, times=None):
     """Problem 3.1 with a displacement that no step can reach at t = 100 s, and is harmless before and after.
 
     With `times` the steps end there, and the spike is passed over.
@@ -55,7 +57,7 @@ def _spiked(join, settings, stepper, times=None):
     # FEBio takes a residual of 1e-20 for zero, is to be below EQUAL.
     solver = (Param("min_residual", 1e-28),)
     control = Control(10, 20.0, concentration_tolerance=1e-6, stepper=stepper, solver=solver)
-    model = Diffusion(join, settings, elements=5, control=control, name="cutback").model()
+    model = Diffusion(interface, settings, elements=5, control=control, name="cutback").model()
     conditions = tuple(
         displace("top", "z", -CLOSING, 1) if condition.kind == "prescribed displacement" else condition
         for condition in model.conditions
@@ -66,12 +68,14 @@ def _spiked(join, settings, stepper, times=None):
 def test_cutback(context, settings):
     """The failed attempt moves the bodies far into each other; nothing of that may stay."""
     cut_back = context.runner(
-        _spiked(context.join, settings, TimeStepper(20.0, optimal_iterations=10**6, aggressive=True))
+        _spiked(context.interface, settings, TimeStepper(20.0, optimal_iterations=10**6, aggressive=True))
     )
     assert cut_back.report.retries >= 1
     times = cut_back.nodes.times
     straight = context.runner(
-        _spiked(context.join, settings, TimeStepper(0.0, optimal_iterations=10**6, must_points=2, force=True), times)
+        _spiked(
+            context.interface, settings, TimeStepper(0.0, optimal_iterations=10**6, must_points=2, force=True), times
+        )
     )
     assert straight.report.retries == 0
     np.testing.assert_allclose(straight.nodes.times, times, rtol=1e-8)
@@ -80,9 +84,9 @@ def test_cutback(context, settings):
 
 def test_a_second_run_is_the_same_run(context, settings, tmp_path):
     """Bit for bit, as far as FEBio writes: nothing depends on what memory held before."""
-    model = Diffusion(context.join, settings, elements=5, control=Control(10, 50.0), name="again").model()
+    model = Diffusion(context.interface, settings, elements=5, control=Control(10, 50.0), name="again").model()
     first = context.runner(model)
-    plugin = engine.required_plugin() if context.join is Join.MIXTURE else None
+    plugin = engine.required_plugin() if context.interface is InterfaceType.MIXTURE else None
     engine.run(model.write(tmp_path), plugin=plugin)
     again = logdata.read_history(tmp_path / model.node_file, model.node_columns)
     np.testing.assert_array_equal(again.values, first.nodes.values)
@@ -90,7 +94,7 @@ def test_a_second_run_is_the_same_run(context, settings, tmp_path):
 
 def test_two_threads_make_the_same_run(context, settings, tmp_path, monkeypatch):
     """The contact adds in a fixed order; FEBio's own assembly does not, so the whole run agrees to rounding alone."""
-    model = Diffusion(context.join, settings, elements=5, control=Control(10, 50.0), name="again").model()
+    model = Diffusion(context.interface, settings, elements=5, control=Control(10, 50.0), name="again").model()
     runs = []
     for threads in ("1", "2"):
         monkeypatch.setenv("OMP_NUM_THREADS", threads)

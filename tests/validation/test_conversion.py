@@ -19,7 +19,7 @@ from harness.models.confined import Confined
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
-from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic, contacts
+from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic, contacts
 from harness.models.layers import Layers
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix
@@ -33,14 +33,14 @@ BIPHASIC = replace(STIFF, concentration_penalty=None)
 ELASTIC = replace(BIPHASIC, pressure_penalty=None)
 
 
-def diffusion(join, settings, **more):
-    return Diffusion(join, settings, elements=4, control=Control(10, 400.0), **more).model()
+def diffusion(interface, settings, **more):
+    return Diffusion(interface, settings, elements=4, control=Control(10, 400.0), **more).model()
 
 
 def confined(settings):
     # Loads are so small that FEBio takes the residual for zero after one iteration, which leaves 1.5e-6 of p.
     control = Control(10, 200.0, solver=(Param("min_residual", 1e-26),))
-    return Confined(Join.BIPHASIC, settings, elements=5, control=control).model()
+    return Confined(InterfaceType.BIPHASIC, settings, elements=5, control=control).model()
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def punch(settings):
     conditions = (fix("lower-bottom", "xyz"), fix("upper-top", "xy"), displace("upper-top", "z", -0.02, 1))
     materials = {"gel": Mixture(Solid(1.0), 1e-3)}
     ramp = (Curve(((0.0, 0.0), (1000.0, 1.0))),)
-    joined = contacts(Join.BIPHASIC, mesh, settings)
+    joined = contacts(InterfaceType.BIPHASIC, mesh, settings)
     return Model("punch", "punch", "biphasic", mesh, materials, conditions, Control(5, 200.0), joined, ramp)
 
 
@@ -106,17 +106,17 @@ CASES = {
     "biphasic, automatic": case(confined(BIPHASIC)),
     "biphasic, default": case(confined(ContactSettings())),
     "biphasic, value": case(confined(ContactSettings(penalty=100.0, pressure_penalty=0.1))),
-    "solute, automatic": case(diffusion(Join.SOLUTE, STIFF)),
-    "solute, default": case(diffusion(Join.SOLUTE, ContactSettings())),
-    "solute, the paper's penalties": case(diffusion(Join.SOLUTE, PAPER)),
-    "solute, AUGLAG": case(diffusion(Join.SOLUTE, augmented(PAPER, 1e-4)), 2e-3),
-    "solute, two materials": case(Composite(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
-    "solute, convection": case(Convection(Join.SOLUTE, STIFF, elements=4, control=Control(5, 400.0)).model()),
-    "solute, two layers": case(Layers(Join.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
-    "solute, along the contact": case(Patches(Join.SOLUTE, STIFF, divided=False).model(), 1e-4),
-    "multiphasic, automatic": case(diffusion(Join.MULTIPHASIC, STIFF)),
-    "multiphasic, default": case(diffusion(Join.MULTIPHASIC, ContactSettings())),
-    "multiphasic, AUGLAG": case(diffusion(Join.MULTIPHASIC, augmented(PAPER, 1e-4)), 2e-3),
+    "solute, automatic": case(diffusion(InterfaceType.SOLUTE, STIFF)),
+    "solute, default": case(diffusion(InterfaceType.SOLUTE, ContactSettings())),
+    "solute, the paper's penalties": case(diffusion(InterfaceType.SOLUTE, PAPER)),
+    "solute, AUGLAG": case(diffusion(InterfaceType.SOLUTE, augmented(PAPER, 1e-4)), 2e-3),
+    "solute, two materials": case(Composite(InterfaceType.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
+    "solute, convection": case(Convection(InterfaceType.SOLUTE, STIFF, elements=4, control=Control(5, 400.0)).model()),
+    "solute, two layers": case(Layers(InterfaceType.SOLUTE, elements=4, control=Control(5, 400.0)).model(), 1e-3),
+    "solute, along the contact": case(Patches(InterfaceType.SOLUTE, STIFF, divided=False).model(), 1e-4),
+    "multiphasic, automatic": case(diffusion(InterfaceType.MULTIPHASIC, STIFF)),
+    "multiphasic, default": case(diffusion(InterfaceType.MULTIPHASIC, ContactSettings())),
+    "multiphasic, AUGLAG": case(diffusion(InterfaceType.MULTIPHASIC, augmented(PAPER, 1e-4)), 2e-3),
 }
 
 

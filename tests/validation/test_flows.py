@@ -9,7 +9,7 @@ from harness.closed_forms import steady_convection
 from harness.models import convection
 from harness.models.convection import Convection
 from harness.models.diffusion import BATH, CLOSING, DIFFUSIVITY, Diffusion
-from harness.models.interface import PAPER, ContactSettings, Join, augmented
+from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented
 from harness.models.mesh import Section
 from harness.models.parts import Control
 from harness.run import engine, logdata
@@ -41,7 +41,11 @@ def run(runner, tmp_path):
 @pytest.mark.parametrize("option", OPTIONS)
 def test_both_sides_receive_the_same_with_opposite_sign(run, option):
     model = Diffusion(
-        Join.MIXTURE, OPTIONS[option], elements=6, control=Control(10, 100.0), section=Section((1.0, 1.0), (2, 2))
+        InterfaceType.MIXTURE,
+        OPTIONS[option],
+        elements=6,
+        control=Control(10, 100.0),
+        section=Section((1.0, 1.0), (2, 2)),
     ).model()
     _, below, above = run(model)
     size = np.abs(below).max(axis=0)
@@ -52,7 +56,7 @@ def test_both_sides_receive_the_same_with_opposite_sign(run, option):
 
 def test_what_passes_is_what_the_closed_form_says(run):
     """3.2 at Pe = 1: w0 = k (p_u - p_d)/h, and j = c_u w0/(1 - e^{-Pe}), over 1 mm^2."""
-    model = Convection(Join.MIXTURE, control=Control(10, 2000.0)).model()
+    model = Convection(InterfaceType.MIXTURE, control=Control(10, 2000.0)).model()
     _, below, above = run(model)
     solvent = convection.PERMEABILITY * convection.PRESSURES[1] / 2.0
     solute = solvent * convection.UPSTREAM / -np.expm1(-1.0)
@@ -69,7 +73,7 @@ def test_what_passes_is_what_the_closed_form_says(run):
 def test_the_upper_cube_gains_what_passes(run):
     """Content of the upper cube, INT phi_w c dV, against the flow summed over the steps (backward Euler)."""
     step = 100.0
-    model = Diffusion(Join.MIXTURE, elements=10, control=Control(20, step)).model()
+    model = Diffusion(InterfaceType.MIXTURE, elements=10, control=Control(20, step)).model()
     history, below, _ = run(model)
     upper = model.mesh.parts[1].elements - 1
     z, c = history["z"][:, upper], history["c1"][:, upper]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from harness.models import platens
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.pages.gallery import entries, figures, page
 from harness.paths import DOCS, MODELS
 
@@ -15,9 +15,9 @@ PNG = b"\x89PNG"
 
 
 @pytest.fixture(scope="module")
-def shown(runner, join):
+def shown(runner, interface):
     """Small version of a model: entry, outcome and curves."""
-    if join is not Join.MIXTURE:
+    if interface is not InterfaceType.MIXTURE:
         pytest.skip("the gallery shows sliding-mixture")
 
     def show(name):

@@ -11,7 +11,7 @@ from harness.models import pairs
 from harness.models.confined import Confined
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
-from harness.models.interface import ContactSettings, Join
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
 from harness.models.pairs import Kind
 from harness.models.parts import Control
@@ -42,23 +42,23 @@ def _agree(cut, whole, columns):
 @pytest.mark.parametrize("module", ["solute", "multiphasic"])
 def test_diffusion_is_that_of_the_whole_body(context, module):
     data = {"elements": 10, "control": STRICT, "section": Section((1.0, 1.0), (2, 2)), "module": module}
-    cut = context.runner(Diffusion(context.join, LAGMULT, name="multipliers-diffusion", **data).model())
-    whole = context.runner(Diffusion(Join.UNSPLIT, name="multipliers-diffusion-whole", **data).model())
+    cut = context.runner(Diffusion(context.interface, LAGMULT, name="multipliers-diffusion", **data).model())
+    whole = context.runner(Diffusion(InterfaceType.UNSPLIT, name="multipliers-diffusion-whole", **data).model())
     _agree(cut, whole, ("uz", "p", "c1"))
 
 
 @pytest.mark.parametrize("peclet", [0, 10])
 def test_convection_is_that_of_the_whole_body(context, peclet):
     data = {"elements": 10, "control": STRICT, "peclet": peclet}
-    cut = context.runner(Convection(context.join, LAGMULT, name="multipliers-convection", **data).model())
-    whole = context.runner(Convection(Join.UNSPLIT, name="multipliers-convection-whole", **data).model())
+    cut = context.runner(Convection(context.interface, LAGMULT, name="multipliers-convection", **data).model())
+    whole = context.runner(Convection(InterfaceType.UNSPLIT, name="multipliers-convection-whole", **data).model())
     _agree(cut, whole, ("uz", "p", "c1"))
 
 
 def test_creep_in_the_biphasic_module_is_that_of_the_whole_body(context):
     data = {"elements": 10, "control": STRICT}
-    cut = context.runner(Confined(context.join, LAGMULT, name="multipliers-creep", **data).model())
-    whole = context.runner(Confined(Join.UNSPLIT, name="multipliers-creep-whole", **data).model())
+    cut = context.runner(Confined(context.interface, LAGMULT, name="multipliers-creep", **data).model())
+    whole = context.runner(Confined(InterfaceType.UNSPLIT, name="multipliers-creep-whole", **data).model())
     assert compare.largest_difference(cut, whole, "p") <= BAR * np.abs(whole.nodes["p"]).max()
     assert cut.report.iterations <= 1.05 * whole.report.iterations
 

@@ -6,7 +6,7 @@ import pytest
 
 from harness.errors import EngineFailedError
 from harness.models.diffusion import Diffusion
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.run import engine, logdata
 
@@ -15,7 +15,7 @@ SHORT = Control(5, 200.0)
 
 
 def _model():
-    return Diffusion(Join.MIXTURE, elements=4, control=SHORT, name="loaded").model()
+    return Diffusion(InterfaceType.MIXTURE, elements=4, control=SHORT, name="loaded").model()
 
 
 @pytest.fixture

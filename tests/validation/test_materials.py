@@ -10,7 +10,7 @@ import pytest
 from harness.closed_forms import transient_diffusion
 from harness.models import composite, layers
 from harness.models.diffusion import MATERIAL, Diffusion
-from harness.models.interface import ContactSettings, Join
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Solute
 from harness.post import compare
 from harness.validate import checks
@@ -34,7 +34,7 @@ def test_confined_creep_across_a_cut(context):
 
 def test_the_actual_concentration_jumps_by_the_ratio_of_solubilities(context):
     """Steady flux through two layers: c~ is continuous, c = kappa~ c~ is not, and the solute flux is one."""
-    run = context.runner(layers.Layers(context.join).model())
+    run = context.runner(layers.Layers(context.interface).model())
     assert compare.jump(run, "c1", checks.PAIR) < 1e-4
     state, n = run.elements, layers.Layers().elements
     actual, flux = state.values[-1, :, 1], state.values[-1, :, 2]
@@ -49,7 +49,7 @@ def test_a_finite_penalty_between_unlike_layers_leaves_the_jump_it_should(contex
     settings = ContactSettings(
         laugon="PENALTY", auto_penalty=False, penalty=1e6, pressure_penalty=1.0, concentration_penalty=conductance
     )
-    run = context.runner(layers.Layers(context.join, settings, name="layers-leak").model())
+    run = context.runner(layers.Layers(context.interface, settings, name="layers-leak").model())
     given = replace(layers.GIVEN, conductance=conductance)
     jump = layers.two_layer_convection.solute_flux(layers.FIRST, layers.SECOND, given) / conductance
     assert compare.jump(run, "c1", checks.PAIR) == pytest.approx(jump, rel=0.01)
@@ -63,7 +63,7 @@ def test_a_partition_jump_in_a_transient_with_a_finite_conductance(context):
     settings = ContactSettings(
         laugon="PENALTY", auto_penalty=False, penalty=1e6, pressure_penalty=1.0, concentration_penalty=5e-4
     )
-    model = composite.Composite(context.join, settings, control=Control(100, 10.0), name="composite-leak").model()
+    model = composite.Composite(context.interface, settings, control=Control(100, 10.0), name="composite-leak").model()
     run = context.runner(model)
     z = model.mesh.nodes[:, 2]
     upper = np.isin(np.arange(1, len(z) + 1), model.mesh.parts[1].elements)
@@ -84,8 +84,8 @@ def test_two_solutes_in_any_order_on_either_side(context, order):
         "bath": (1.0, 0.5),
         "module": "multiphasic",
     }
-    cut = context.runner(Diffusion(context.join, name="two-solutes", **data).model())
-    whole = context.runner(Diffusion(Join.UNSPLIT, name="two-solutes-whole", **data).model())
+    cut = context.runner(Diffusion(context.interface, name="two-solutes", **data).model())
+    whole = context.runner(Diffusion(InterfaceType.UNSPLIT, name="two-solutes-whole", **data).model())
     for column in ("c1", "c2"):
         assert compare.largest_difference(cut, whole, column) <= 1e-6
 
@@ -95,7 +95,7 @@ def test_a_solute_that_the_other_body_lacks_stays_on_its_side(context):
     """The upper cube has no second solute: for that one the lower cube is sealed at the contact."""
     lower, upper = replace(MATERIAL, solutes=(SLOW, FAST)), replace(MATERIAL, solutes=(SLOW,))
     model = Diffusion(
-        context.join,
+        context.interface,
         control=SHORT,
         elements=8,
         lower=lower,
@@ -112,7 +112,7 @@ def test_a_solute_that_the_other_body_lacks_stays_on_its_side(context):
 @pytest.mark.mixture_only
 def test_a_biphasic_body_is_sealed_for_the_solute(context):
     upper = replace(MATERIAL, solutes=())
-    model = Diffusion(context.join, control=SHORT, elements=8, upper=upper, name="biphasic-upper").model()
+    model = Diffusion(context.interface, control=SHORT, elements=8, upper=upper, name="biphasic-upper").model()
     run = context.runner(model)
     assert _error_of_a_sealed_cube(run, "c1", SLOW.diffusivity, bath=1.0) < 5e-3
     assert compare.jump(run, "p", checks.PAIR) < 1e-8

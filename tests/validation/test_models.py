@@ -11,7 +11,7 @@ from lxml import etree
 from harness.errors import ModelError
 from harness.models.bath import Apart, HalfWet
 from harness.models.diffusion import Diffusion
-from harness.models.interface import PAPER, Join, automatic
+from harness.models.interface import PAPER, InterfaceType, automatic
 from harness.models.mesh import Layer, Section, cut_column, glued_column
 from harness.models.parts import Control, Param, fix
 from harness.models.patches import Patches
@@ -83,20 +83,20 @@ def test_model_files_say_what_a_reader_needs(model):
     assert max(map(len, head.splitlines())) <= 121
 
 
-@pytest.mark.parametrize("join", list(Join))
-def test_the_interface_is_a_parameter(join):
-    root = etree.fromstring(Diffusion(join, PAPER, elements=2).model().text().encode())
+@pytest.mark.parametrize("interface", list(InterfaceType))
+def test_the_interface_is_a_parameter(interface):
+    root = etree.fromstring(Diffusion(interface, PAPER, elements=2).model().text().encode())
     types = [contact.get("type") for contact in root.iter("contact")]
-    assert types == ([join.value] if join.is_contact else [])
+    assert types == ([interface.value] if interface.is_contact else [])
     module = root.find("Module")
     assert module is not None
-    assert module.get("type") == join.module
+    assert module.get("type") == interface.module
 
 
 def test_only_the_settings_that_are_given_are_written():
-    contact = Diffusion(Join.MIXTURE, elements=1).model().contacts[0]
+    contact = Diffusion(InterfaceType.MIXTURE, elements=1).model().contacts[0]
     assert contact.params == ()
-    contact = Diffusion(Join.MIXTURE, automatic(10.0), elements=1).model().contacts[0]
+    contact = Diffusion(InterfaceType.MIXTURE, automatic(10.0), elements=1).model().contacts[0]
     assert {p.tag: p.value for p in contact.params} == {
         "laugon": "PENALTY",
         "auto_penalty": True,
@@ -108,13 +108,13 @@ def test_only_the_settings_that_are_given_are_written():
 
 @pytest.mark.parametrize("module", ["solute", "multiphasic"])
 def test_the_scenes_are_complete(module):
-    join = Join.MULTIPHASIC if module == "multiphasic" else Join.SOLUTE
-    for scene in (Apart(join), HalfWet(join), Patches(join), Patches(join, divided=False)):
+    interface = InterfaceType.MULTIPHASIC if module == "multiphasic" else InterfaceType.SOLUTE
+    for scene in (Apart(interface), HalfWet(interface), Patches(interface), Patches(interface, divided=False)):
         assert "<SurfacePair" in scene.model().text()
 
 
 def test_names_that_lead_nowhere_are_refused():
-    model = Diffusion(Join.MIXTURE, elements=1).model()
+    model = Diffusion(InterfaceType.MIXTURE, elements=1).model()
     with pytest.raises(ModelError, match=r"refers to 'roof'; there is .*bottom"):
         replace(model, conditions=(fix("roof", "z"),)).text()
     with pytest.raises(ModelError, match="module 'salt' is not one of solid, biphasic, solute, multiphasic"):
@@ -125,7 +125,7 @@ def test_names_that_lead_nowhere_are_refused():
 
 
 def test_a_model_file_is_read_back(tmp_path):
-    path = Diffusion(Join.MIXTURE, elements=1, control=Control(7, 2.5)).model().write(tmp_path)
+    path = Diffusion(InterfaceType.MIXTURE, elements=1, control=Control(7, 2.5)).model().write(tmp_path)
     file = febfile.inspect(path)
     assert (file.module, file.contacts, file.end) == ("solute", ("sliding-mixture",), 17.5)
 

@@ -10,7 +10,7 @@ import pytest
 from harness.models import harmonic, ironing
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
-from harness.models.interface import ContactSettings, Join
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
 from harness.models.nonmatching import Block, NonMatching
 from harness.models.parts import Control
@@ -93,7 +93,7 @@ def test_gauss_points_are_not(runner):
 def test_problems_of_the_article_are_those_of_the_whole_body(runner, problem, divisions, settings):
     one, two = divisions
     common = {"elements": 4, "control": STRICT, "module": "multiphasic"}
-    whole = runner(problem(join=Join.UNSPLIT, name=f"whole-{problem.__name__}", **common).model())
+    whole = runner(problem(interface=InterfaceType.UNSPLIT, name=f"whole-{problem.__name__}", **common).model())
     cut = runner(
         problem(
             settings=settings,

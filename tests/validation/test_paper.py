@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from harness.models.diffusion import Diffusion
-from harness.models.interface import PAPER, ContactSettings, Join
+from harness.models.interface import PAPER, ContactSettings, InterfaceType
 from harness.models.mesh import Section
 from harness.models.parts import Control, Param
 from harness.post import compare
@@ -77,7 +77,7 @@ def test_the_leak_follows_the_penalty(context, penalty):
         laugon="PENALTY", auto_penalty=False, penalty=1400.0, pressure_penalty=1e-3, concentration_penalty=penalty
     )
     model = checks.convection.Convection(
-        context.join, settings, elements=4, control=Control(20, 2000.0), name="leak", peclet=0
+        context.interface, settings, elements=4, control=Control(20, 2000.0), name="leak", peclet=0
     ).model()
     jump = compare.jump(context.runner(model), "c1", checks.PAIR)
     assert jump == pytest.approx(checks.expected_leak(settings), rel=0.01)
@@ -103,8 +103,8 @@ def test_the_cut_is_not_seen_whatever_the_options(context, module, option):
     """
     stiffness, conductance = (1e2, 1e3) if option.startswith("two passes") else (1e3, 1e5)
     data = {"elements": 10, "control": SHORT, "section": Section((1.0, 1.0), (2, 2)), "module": module}
-    cut = context.runner(Diffusion(context.join, OPTIONS[option], name="diffusion-short", **data).model())
-    whole = context.runner(Diffusion(Join.UNSPLIT, name="diffusion-short-whole", **data).model())
+    cut = context.runner(Diffusion(context.interface, OPTIONS[option], name="diffusion-short", **data).model())
+    whole = context.runner(Diffusion(InterfaceType.UNSPLIT, name="diffusion-short-whole", **data).model())
     assert compare.largest_difference(cut, whole, "c1") <= 0.1 / conductance
     assert compare.largest_difference(cut, whole, "p") <= np.abs(whole.nodes["p"]).max() / stiffness
     allowed = {"augmented": 1.25, "two passes, augmented": 1.25, "symmetric": 2.0}.get(option, 1.05)
@@ -114,7 +114,7 @@ def test_the_cut_is_not_seen_whatever_the_options(context, module, option):
 @pytest.mark.mixture_only
 def test_the_papers_penalties_leave_the_transient_open_without_augmentation(context):
     """So that the test of augmentation above has something to close."""
-    run = context.runner(Diffusion(context.join, PAPER, elements=10, control=SHORT, name="diffusion-open").model())
+    run = context.runner(Diffusion(context.interface, PAPER, elements=10, control=SHORT, name="diffusion-open").model())
     below, above = compare.facing(run.model.mesh, checks.PAIR)
     history = run.nodes["c1"]
     assert abs(history[:, below - 1] - history[:, above - 1]).max() > 0.1

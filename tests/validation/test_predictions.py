@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from harness.models.convection import UPSTREAM, Convection
-from harness.models.interface import PAPER, ContactSettings, Join, automatic
+from harness.models.interface import PAPER, ContactSettings, InterfaceType, automatic
 from harness.models.parts import Control
 from harness.post import compare
 from harness.preflight.model import read
@@ -15,7 +15,7 @@ from harness.preflight.sides import Joint, solute
 SETTINGS = {"the paper's": PAPER, "factor 1": automatic(1.0), "default": ContactSettings()}
 
 
-@pytest.mark.parametrize("kind", [Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC])
+@pytest.mark.parametrize("kind", [InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC])
 @pytest.mark.parametrize("name", SETTINGS)
 def test_the_leak_is_the_jump(runner, tmp_path, kind, name):
     model = Convection(kind, SETTINGS[name], elements=5, control=Control(20, 2000.0), name="leak", peclet=0).model()

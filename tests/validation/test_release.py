@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from harness.models.diffusion import Diffusion
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.paths import PLUGIN_NAME, plugin_library
 from harness.run import engine, provenance
@@ -51,7 +51,7 @@ def archive(build, tmp_path_factory) -> Path:
 
 
 def small_model(folder: Path) -> Path:
-    return Diffusion(Join.MIXTURE, elements=3, control=Control(3, 200.0)).model().write(folder)
+    return Diffusion(InterfaceType.MIXTURE, elements=3, control=Control(3, 200.0)).model().write(folder)
 
 
 def test_a_model_runs_with_the_installed_febio_xml(prefix, tmp_path):

@@ -314,8 +314,8 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;
-  settings_of_noticed_ = beside(settings_);
-  for (const Pass& pass : passes_) pass.integral->update_penalties();
+  settings_of_check_ = settings_of_check(settings_);
+  for (const SidedPass& pass : passes_) pass.integral->laws().update_penalties();
 }
 
 }  // namespace mixture_contact

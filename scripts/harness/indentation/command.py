@@ -15,7 +15,7 @@ from harness.indentation.configurations import Case, Configuration, Row
 from harness.indentation.convergence import Arrangement, Solved
 from harness.indentation.histories import Curves
 from harness.models.indentation import END, TIMES, Variant
-from harness.models.interface import ContactSettings, Join
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.paths import RESULTS
 from harness.run.runner import Runner, RunResult
 
@@ -54,7 +54,7 @@ MOST_AUGMENTATIONS = 25
 
 def indentation(
     variant: Annotated[Variant, typer.Option(help="Which member of the family.")] = Variant.PLAIN,
-    interface: Annotated[Join, typer.Option(help="What joins the bodies.")] = Join.MIXTURE,
+    interface: Annotated[InterfaceType, typer.Option(help="What joins the bodies.")] = InterfaceType.MIXTURE,
     solver: Annotated[Solver, typer.Option(help="FEBio's solver.")] = Solver.UNCLAMPED,
     configuration: Annotated[
         Configuration | None, typer.Option(help="A configuration of the study; the interface's defaults without it.")
@@ -71,7 +71,7 @@ def indentation(
 
     A run that ends early is drawn as far as it came; the exit code is then 1.
     """
-    problem = replace(variant.problem, join=interface, module=solver.module, clamp=solver.clamp)
+    problem = replace(variant.problem, interface=interface, module=solver.module, clamp=solver.clamp)
     if configuration is not None:
         problem = replace(problem, settings=configuration.settings(), primary=configuration.primary)
     settings = problem.settings or ContactSettings()
@@ -113,7 +113,7 @@ def _summary(result: RunResult, curves: Curves) -> str:
 
 
 def indentation_study(
-    interface: Annotated[Join, typer.Option(help="What joins the bodies.")] = Join.MIXTURE,
+    interface: Annotated[InterfaceType, typer.Option(help="What joins the bodies.")] = InterfaceType.MIXTURE,
     solver: Annotated[Solver, typer.Option(help="FEBio's solver.")] = Solver.UNCLAMPED,
     default_penalties: Annotated[bool, typer.Option(help="The interface's own penalties, not FEBio's scaled.")] = False,
     timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = configurations.TIMEOUT,

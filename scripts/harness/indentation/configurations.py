@@ -8,7 +8,7 @@ from enum import Enum
 
 from harness.models.indentation import END, Indentation
 from harness.models.indentation_mesh import Primary
-from harness.models.interface import ContactSettings, Join, automatic
+from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.run import diagnosis, febio_log
 from harness.run.runner import Runner, RunResult
 
@@ -52,7 +52,7 @@ class Case:
     Attributes
     ----------
     configuration : Configuration
-    join : Join
+    interface : InterfaceType
     module : str
     clamp : bool
         Whether negative concentrations are set to zero (always so in the module ``solute``).
@@ -61,7 +61,7 @@ class Case:
     """
 
     configuration: Configuration
-    join: Join
+    interface: InterfaceType
     module: str
     clamp: bool = True
     scaled: bool = True
@@ -69,7 +69,7 @@ class Case:
     @property
     def name(self) -> str:
         """Stem of the files."""
-        parts = [self.join.slug, self.module, self.configuration.value]
+        parts = [self.interface.slug, self.module, self.configuration.value]
         parts += [] if self.clamp else ["unclamped"]
         return "-".join([*parts, *([] if self.scaled else ["default"])])
 
@@ -77,7 +77,7 @@ class Case:
         """The problem of this case; all else as in `base`."""
         return replace(
             base,
-            join=self.join,
+            interface=self.interface,
             settings=self.configuration.settings(self.scaled),
             primary=self.configuration.primary,
             clamp=self.clamp,
@@ -101,7 +101,7 @@ class Row:
         how = "done" if report.normal else f"fails at {self.reached:.3g} s"
         clamp = "yes" if case.clamp or case.module != "multiphasic" else "no"
         cells = (
-            case.join.value,
+            case.interface.value,
             case.module,
             clamp,
             case.configuration.value + ("" if case.scaled else ", default penalties"),
@@ -124,19 +124,19 @@ HEADING = (
 
 def febio_cases(clamp: bool = True) -> list[Case]:
     """FEBio's two interfaces, each in its own module, in every configuration."""
-    pairs = ((Join.MULTIPHASIC, "multiphasic"), (Join.SOLUTE, "solute"))
+    pairs = ((InterfaceType.MULTIPHASIC, "multiphasic"), (InterfaceType.SOLUTE, "solute"))
     return [
-        Case(c, join, module, clamp)
-        for join, module in pairs
+        Case(c, interface, module, clamp)
+        for interface, module in pairs
         for c in Configuration
-        if clamp or join is Join.MULTIPHASIC
+        if clamp or interface is InterfaceType.MULTIPHASIC
     ]
 
 
 def mixture_cases(module: str, *, clamp: bool = True, scaled: bool = True) -> list[Case]:
     """The plugin's interface in every configuration; its default penalties know no penalty 10."""
     chosen = [c for c in Configuration if scaled or c is not Configuration.PENALTY_10]
-    return [Case(c, Join.MIXTURE, module, clamp, scaled) for c in chosen]
+    return [Case(c, InterfaceType.MIXTURE, module, clamp, scaled) for c in chosen]
 
 
 def study(

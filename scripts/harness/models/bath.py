@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from harness.models.diffusion import MATERIAL
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import Join, default_settings
+from harness.models.interface import InterfaceType, default_settings
 from harness.models.mesh import Box, Ids, Mesh, assemble
 from harness.models.parts import Condition, Contact, Control, Curve, Param, concentration, displace, fix, pressure
 
@@ -34,7 +34,7 @@ class Apart:
 
     Attributes
     ----------
-    join : Join
+    interface : InterfaceType
     gap : float
         mm.
     held : tuple of Condition
@@ -42,10 +42,10 @@ class Apart:
     control : Control
     name : str
     module : str, optional
-        The module that `join` asks for without it.
+        The module that `interface` asks for without it.
     """
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     gap: float = 0.5
     held: tuple[Condition, ...] = ()
     control: Control = Control(10, 100.0)
@@ -57,11 +57,11 @@ class Apart:
         boxes = [Box("lower", "gel", (0.0, 0.0, -1.0), (1.0, 1.0, 1.0), (1, 1, 5))]
         boxes.append(Box("upper", "gel", (0.0, 0.0, self.gap), (1.0, 1.0, 1.0), (1, 1, 5)))
         mesh = replace(assemble(boxes), pairs={"lower/upper": ("lower-top", "upper-bottom")})
-        module = self.module or self.join.module
+        module = self.module or self.interface.module
         conditions = (fix("all", "xy"), fix("lower-bottom", "z"), fix("upper-top", "z"), *self.held)
         about = "Two cubes apart in a bath whose pressure and concentration follow load curves."
-        contact = Contact(self.join.value, "lower/upper", (*_settings(self.join), *ambient(module)))
-        text = header(self.name, about, self.join)
+        contact = Contact(self.interface.value, "lower/upper", (*_settings(self.interface), *ambient(module)))
+        text = header(self.name, about, self.interface)
         materials = {"gel": MATERIAL}
         return Model(self.name, text, module, mesh, materials, conditions, self.control, (contact,), CURVES)
 
@@ -70,7 +70,7 @@ class Apart:
 class HalfWet:
     """A slab with two interfaces that share the nodes of its middle: the left one closed, the right one open."""
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     control: Control = Control(10, 100.0)
     name: str = "half-wet"
 
@@ -88,12 +88,12 @@ class HalfWet:
             concentration("slab-bottom", 1.0),
             pressure("slab-bottom", 0.0),
         )
-        settings = (*_settings(self.join), *ambient(self.join.module))
-        joined = tuple(Contact(self.join.value, pair, settings) for pair in mesh.pairs)
+        settings = (*_settings(self.interface), *ambient(self.interface.module))
+        joined = tuple(Contact(self.interface.value, pair, settings) for pair in mesh.pairs)
         about = "A slab in contact on its left half and wet by a bath on its right half."
-        text = header(self.name, about, self.join)
+        text = header(self.name, about, self.interface)
         materials = {"gel": MATERIAL}
-        return Model(self.name, text, self.join.module, mesh, materials, conditions, self.control, joined, CURVES)
+        return Model(self.name, text, self.interface.module, mesh, materials, conditions, self.control, joined, CURVES)
 
 
 def two_patches(mesh: Mesh, primary: str, secondaries: tuple[str, str]) -> Mesh:
@@ -104,7 +104,7 @@ def two_patches(mesh: Mesh, primary: str, secondaries: tuple[str, str]) -> Mesh:
     return replace(mesh, surfaces=mesh.surfaces | patches, pairs=pairs)
 
 
-def _settings(join: Join) -> tuple[Param, ...]:
+def _settings(interface: InterfaceType) -> tuple[Param, ...]:
     """The default settings; a search radius keeps FEBio's own types from joining what is apart."""
-    given = default_settings(join)
-    return given.params() if join is Join.MIXTURE else replace(given, search_radius=0.1).params()
+    given = default_settings(interface)
+    return given.params() if interface is InterfaceType.MIXTURE else replace(given, search_radius=0.1).params()

@@ -12,7 +12,7 @@ from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.indentation_mesh import disk
-from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -66,7 +66,7 @@ class Graft:
 
     Attributes
     ----------
-    join : Join
+    interface : InterfaceType
     settings : ContactSettings, optional
         Default settings without it.
     around : int
@@ -76,7 +76,7 @@ class Graft:
     control : Control
     """
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings = ContactSettings()
     around: int = 4
     outward: int = 7
@@ -101,13 +101,13 @@ class Graft:
         )
         return Model(
             self.name,
-            header(self.name, ABOUT, self.join),
+            header(self.name, ABOUT, self.interface),
             UNCLAMPED.module,
             mesh,
             {"host": HOST, "graft": GRAFT},
             conditions,
             replace(self.control, solver=UNCLAMPED.solver),
-            contacts(self.join, mesh, settings),
+            contacts(self.interface, mesh, settings),
             plot=self.plot,
         )
 

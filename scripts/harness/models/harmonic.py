@@ -16,7 +16,7 @@ from harness.models import blocks
 from harness.models.diffusion import MATERIAL
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Mesh, Part
 from harness.models.nonmatching import STEADY
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Param, fix
@@ -59,7 +59,7 @@ class Harmonic:
     level: int
     nodes: int = 8
     settings: ContactSettings | None = None
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     name: str = "harmonic"
 
     def model(self) -> Model:
@@ -67,13 +67,13 @@ class Harmonic:
         mesh = self._mesh()
         return Model(
             self.name,
-            header(self.name, ABOUT, self.join),
+            header(self.name, ABOUT, self.interface),
             "multiphasic",
             mesh,
             {"gel": MATERIAL},
             _conditions(),
             STEADY,
-            contacts(self.join, mesh, self.settings),
+            contacts(self.interface, mesh, self.settings),
         )
 
     def _mesh(self) -> Mesh:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 
 UNITS = """\
 Units: mm, N, s, nmol, K. Hence stress and pressure in MPa, concentration in mM = nmol/mm^3, permeability in
 mm^4/(N s), diffusivity in mm^2/s; R = 8.314e-6 mJ/(nmol K)."""
 
 
-def header(name: str, about: str, join: Join) -> str:
+def header(name: str, about: str, interface: InterfaceType) -> str:
     """What the model shows, its units, and the command that runs it.
 
     Parameters
@@ -18,9 +18,9 @@ def header(name: str, about: str, join: Join) -> str:
         Stem of the file.
     about : str
         What it shows, one or more paragraphs.
-    join : Join
+    interface : InterfaceType
         Decides whether the command loads the plugin.
     """
-    load = " -import build/lib/libFEBioMixtureContact.so" if join is Join.MIXTURE else ""
+    load = " -import build/lib/libFEBioMixtureContact.so" if interface is InterfaceType.MIXTURE else ""
     run = f"Run it: scripts/mixcontact run models/{name}.feb\nor:     febio4 -i models/{name}.feb{load}"
     return f"{about}\n\n{UNITS}\n\n{run}"

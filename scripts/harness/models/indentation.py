@@ -8,7 +8,7 @@ from enum import Enum
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.indentation_mesh import BALL, LEVELS, MATCHING, Grid, Primary, mesh
-from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
@@ -64,7 +64,7 @@ class Indentation:
 
     Attributes
     ----------
-    join : Join
+    interface : InterfaceType
     settings : ContactSettings, optional
         Default settings without it.
     grid : Grid
@@ -81,11 +81,11 @@ class Indentation:
     gel : Mixture
         Material of both bodies.
     module : str, optional
-        The module that `join` asks for without it.
+        The module that `interface` asks for without it.
     name : str
     """
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
     grid: Grid = Grid()
     primary: Primary = Primary.CYLINDER
@@ -101,16 +101,16 @@ class Indentation:
     def model(self) -> Model:
         """The model of these choices."""
         made = mesh(self.grid, self.primary)
-        module = self.module or self.join.module
+        module = self.module or self.interface.module
         return Model(
             self.name,
-            header(self.name, self._about(), self.join),
+            header(self.name, self._about(), self.interface),
             module,
             made,
             {"slab": self.gel, "cylinder": self.gel},
             self._conditions(),
             self._control(module),
-            contacts(self.join, made, self.settings),
+            contacts(self.interface, made, self.settings),
             (Curve(((0.0, 0.0), (RAMP, 1.0))), STEPS),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),

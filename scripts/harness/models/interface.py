@@ -10,7 +10,7 @@ from harness.models.mesh import Layer, Mesh, Section, cut_column, glued_column
 from harness.models.parts import Contact, Param
 
 
-class Join(str, Enum):
+class InterfaceType(str, Enum):
     """What stands between two neighbouring bodies."""
 
     MIXTURE = "sliding-mixture"
@@ -27,12 +27,12 @@ class Join(str, Enum):
     @property
     def is_contact(self) -> bool:
         """Whether there is an interface at all."""
-        return self is not Join.UNSPLIT
+        return self is not InterfaceType.UNSPLIT
 
     @property
     def module(self) -> str:
         """The FEBio module in which a model with solutes can use it."""
-        return "multiphasic" if self is Join.MULTIPHASIC else "solute"
+        return "multiphasic" if self is InterfaceType.MULTIPHASIC else "solute"
 
     @property
     def slug(self) -> str:
@@ -102,26 +102,31 @@ def augmented(settings: ContactSettings, ctol: float) -> ContactSettings:
     return replace(settings, laugon="AUGLAG", ctol=ctol)
 
 
-def default_settings(join: Join) -> ContactSettings:
+def default_settings(interface: InterfaceType) -> ContactSettings:
     """What a user gets without setting a penalty; FEBio's own types need `auto_penalty` and a factor to be accurate."""
-    if join is Join.MIXTURE:
+    if interface is InterfaceType.MIXTURE:
         return ContactSettings()
     settings = automatic(1000.0)
-    return replace(settings, concentration_penalty=None) if join is Join.BIPHASIC else settings
+    return replace(settings, concentration_penalty=None) if interface is InterfaceType.BIPHASIC else settings
 
 
 def column(
-    join: Join, layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0
+    interface: InterfaceType,
+    layers: Sequence[Layer],
+    *,
+    bottom: float,
+    section: Section | None = None,
+    gap: float = 0.0,
 ) -> Mesh:
-    """The column of layers, cut where `join` is a contact and glued where it is not."""
-    if join.is_contact:
+    """The column of layers, cut where `interface` is a contact and glued where it is not."""
+    if interface.is_contact:
         return cut_column(layers, bottom=bottom, section=section, gap=gap)
     return glued_column(layers, bottom=bottom, section=section)
 
 
-def contacts(join: Join, mesh: Mesh, settings: ContactSettings | None) -> tuple[Contact, ...]:
+def contacts(interface: InterfaceType, mesh: Mesh, settings: ContactSettings | None) -> tuple[Contact, ...]:
     """One interface for each pair of `mesh`; none where the bodies are one."""
-    if not join.is_contact:
+    if not interface.is_contact:
         return ()
-    chosen = settings if settings is not None else default_settings(join)
-    return tuple(Contact(join.value, pair, chosen.params()) for pair in mesh.pairs)
+    chosen = settings if settings is not None else default_settings(interface)
+    return tuple(Contact(interface.value, pair, chosen.params()) for pair in mesh.pairs)

@@ -14,7 +14,7 @@ from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Mesh, Part
 from harness.models.parts import Control, Curve, Mixture, Solid, displace, fix, pressure
 
@@ -66,7 +66,7 @@ class Ironing:
     facet: float = 0.2
     across: int = 12
     indenter_is_primary: bool = True
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     name: str = "ironing"
 
     def model(self) -> Model:
@@ -77,7 +77,7 @@ class Ironing:
         slide = Curve(((0.0, 0.0), (float(PRESSING), 0.0), (end, 1.0)))
         return Model(
             self.name,
-            header(self.name, ABOUT, self.join),
+            header(self.name, ABOUT, self.interface),
             "biphasic",
             mesh,
             {"soft": SOFT, "stiff": STIFF},
@@ -89,7 +89,7 @@ class Ironing:
                 pressure("all", 0.0),
             ),
             CONTROL,
-            contacts(self.join, mesh, self.settings),
+            contacts(self.interface, mesh, self.settings),
             (press, slide),
             further_columns=("Rx", "Ry"),
         )

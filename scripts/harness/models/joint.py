@@ -12,7 +12,7 @@ from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere,
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -65,7 +65,7 @@ class Joint:
 
     Attributes
     ----------
-    join : Join
+    interface : InterfaceType
     settings : ContactSettings, optional
         Default settings without it.
     cycles : int
@@ -75,7 +75,7 @@ class Joint:
         Elements along the half-width and through the thickness of each layer.
     """
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings = ContactSettings()
     cycles: int = 10
     steps: int = 20
@@ -98,13 +98,13 @@ class Joint:
         settings = replace(self.settings, extra=(*self.settings.extra, *bath))
         return Model(
             self.name,
-            header(self.name, ABOUT, self.join),
+            header(self.name, ABOUT, self.interface),
             UNCLAMPED.module,
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE},
             conditions,
             Control(self.cycles * self.steps, PERIOD / self.steps, reformations=25, solver=UNCLAMPED.solver),
-            contacts(self.join, mesh, settings),
+            contacts(self.interface, mesh, settings),
             (self._loading(), Curve(((0.0, 0.0), (PERIOD, 1.0)))),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),

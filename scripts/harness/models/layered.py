@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts
 from harness.models.mesh import Layer, Section
 from harness.models.parts import Condition, Control, Material
 
@@ -18,7 +18,7 @@ class Layered:
 
     Attributes
     ----------
-    join : Join
+    interface : InterfaceType
     settings : ContactSettings, optional
         Default settings without it.
     elements : int
@@ -26,12 +26,12 @@ class Layered:
     control : Control
     section : Section
     module : str, optional
-        The module that `join` asks for without it.
+        The module that `interface` asks for without it.
     name : str
     plot : bool
     """
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
     elements: int = 20
     control: Control = Control(100, 20.0)
@@ -78,20 +78,20 @@ class Layered:
     @property
     def module_used(self) -> str:
         """The chosen module, or the one of the interface."""
-        return self.module or self.join.module
+        return self.module or self.interface.module
 
     def model(self) -> Model:
         """The model of these choices."""
-        mesh = column(self.join, self.layers, bottom=self.BOTTOM, section=self.section, gap=self.GAP)
+        mesh = column(self.interface, self.layers, bottom=self.BOTTOM, section=self.section, gap=self.GAP)
         return Model(
             name=self.title,
-            header=header(self.title, self.about, self.join),
+            header=header(self.title, self.about, self.interface),
             module=self.module_used,
             mesh=mesh,
             materials=self.materials,
             conditions=self.conditions,
             control=self.control,
-            contacts=contacts(self.join, mesh, self.settings),
+            contacts=contacts(self.interface, mesh, self.settings),
             element_columns=self.element_columns,
             plot=self.plot,
         )

@@ -13,7 +13,7 @@ import numpy as np
 from harness.models.diffusion import DIFFUSIVITY, MATERIAL
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Box, Ids, Mesh, Nodes, Part, assemble
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Control, concentration, displace, fix, pressure
 from harness.models.quadratic import quadratic
@@ -83,7 +83,7 @@ class NonMatching:
     held: bool = False
     lower_is_primary: bool = True
     nodes: int = 8
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     name: str = "non-matching"
 
     def model(self) -> Model:
@@ -101,13 +101,13 @@ class NonMatching:
         )
         return Model(
             self.name,
-            header(self.name, ABOUT, self.join),
+            header(self.name, ABOUT, self.interface),
             "multiphasic",
             mesh,
             {"gel": MATERIAL},
             conditions,
             STEADY,
-            contacts(self.join, mesh, self.settings),
+            contacts(self.interface, mesh, self.settings),
         )
 
     def exact(self, z: Nodes) -> dict[str, Nodes]:

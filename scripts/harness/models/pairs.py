@@ -10,7 +10,7 @@ import numpy as np
 
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts
 from harness.models.mesh import Layer, Mesh
 from harness.models.parts import (
     Condition,
@@ -138,20 +138,22 @@ class Pair:
         """The model of these choices."""
         bodies = {"lower": self.lower, "upper": self.upper}
         layers = [Layer(body, body, HEIGHT, 2) for body in bodies]
-        mesh = _prepared(column(Join.MIXTURE, layers, bottom=-HEIGHT), self.primary)
+        mesh = _prepared(column(InterfaceType.MIXTURE, layers, bottom=-HEIGHT), self.primary)
         sols = sorted({solute.sol for body in bodies.values() for solute in body.solutes})
         bath = tuple(Param("ambient_concentration", ABOVE, attributes={"sol": str(sol)}) for sol in sols)
         settings = replace(self.settings, extra=(*self.settings.extra, *bath))
         flows = tuple(f"contact solute flow {sol}" for sol in sols)
         return Model(
             name=self.name,
-            header=header(self.name, ABOUT.format(lower=_called(self.lower), upper=_called(self.upper)), Join.MIXTURE),
+            header=header(
+                self.name, ABOUT.format(lower=_called(self.lower), upper=_called(self.upper)), InterfaceType.MIXTURE
+            ),
             module=self.module,
             mesh=mesh,
             materials=bodies,
             conditions=(*_held("lower", self.lower), *self._moved()),
             control=Control(STEPS, STEP),
-            contacts=contacts(Join.MIXTURE, mesh, settings),
+            contacts=contacts(InterfaceType.MIXTURE, mesh, settings),
             curves=(Curve(((0.0, 0.0), (STEP, 1.0))),),
             further_columns=("Rz",),
             charges=self.charges[: max(sols, default=0)],

@@ -8,7 +8,7 @@ from harness.models.bath import two_patches
 from harness.models.diffusion import CLOSING, MATERIAL
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts
 from harness.models.mesh import Layer, Section
 from harness.models.parts import Control, concentration, displace, fix, pressure
 
@@ -19,7 +19,7 @@ class Patches:
 
     Attributes
     ----------
-    join : Join
+    interface : InterfaceType
     settings : ContactSettings, optional
     divided : bool
         Whether each half of the contact is an interface of its own.
@@ -27,7 +27,7 @@ class Patches:
     name : str
     """
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
     divided: bool = True
     control: Control = Control(4, 2000.0)
@@ -36,8 +36,8 @@ class Patches:
     def model(self) -> Model:
         """The model of these choices."""
         layers = [Layer("lower", "gel", 1.0, 5), Layer("upper", "gel", 1.0, 5)]
-        mesh = column(self.join, layers, bottom=-1.0, section=Section((2.0, 1.0), (2, 1)))
-        if self.join.is_contact and self.divided:
+        mesh = column(self.interface, layers, bottom=-1.0, section=Section((2.0, 1.0), (2, 1)))
+        if self.interface.is_contact and self.divided:
             faces = mesh.surfaces["upper-bottom"]
             halves = {"half-1": faces[:1], "half-2": faces[1:]}
             mesh = two_patches(replace(mesh, surfaces=mesh.surfaces | halves), "lower-top", ("half-1", "half-2"))
@@ -51,6 +51,6 @@ class Patches:
             concentration("left", 1.0),
         )
         about = "Two cubes in contact over two interfaces that share the nodes of the middle."
-        text = header(self.name, about, self.join)
-        joined = contacts(self.join, mesh, self.settings)
-        return Model(self.name, text, self.join.module, mesh, {"gel": MATERIAL}, conditions, self.control, joined)
+        text = header(self.name, about, self.interface)
+        joined = contacts(self.interface, mesh, self.settings)
+        return Model(self.name, text, self.interface.module, mesh, {"gel": MATERIAL}, conditions, self.control, joined)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts
 from harness.models.mesh import Layer, Section
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -54,7 +54,7 @@ class Platens:
 
     Attributes
     ----------
-    join : Join
+    interface : InterfaceType
     settings : ContactSettings, optional
         Default settings without it.
     elements : int
@@ -63,7 +63,7 @@ class Platens:
     section : Section
     """
 
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
     elements: int = 20
     control: Control = Control(120, 25.0)
@@ -79,7 +79,7 @@ class Platens:
             Layer("sample", "tissue", SAMPLE, self.elements),
             Layer("permeable", "porous", PLATEN, few),
         ]
-        mesh = column(self.join, layers, bottom=-PLATEN, section=self.section, gap=-OVERLAP)
+        mesh = column(self.interface, layers, bottom=-PLATEN, section=self.section, gap=-OVERLAP)
         conditions = (
             fix("all", "xy"),
             fix("bottom", "z"),
@@ -89,13 +89,13 @@ class Platens:
         )
         return Model(
             self.name,
-            header(self.name, ABOUT, self.join),
-            self.join.module,
+            header(self.name, ABOUT, self.interface),
+            self.interface.module,
             mesh,
             {"steel": STEEL, "tissue": TISSUE, "porous": POROUS},
             conditions,
             self.control,
-            contacts(self.join, mesh, self.settings),
+            contacts(self.interface, mesh, self.settings),
             (Curve(((0.0, 0.0), (RAMP, 1.0))),),
             plot=self.plot,
             further_columns=("Rz",),

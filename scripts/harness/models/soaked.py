@@ -9,7 +9,7 @@ import numpy as np
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.indentation import CONCENTRATION, Indentation
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, concentration, fix, initial_concentration, initial_pressure
 from harness.models.parts import pressure as prescribed_pressure
 
@@ -36,5 +36,10 @@ def soaked(base: Indentation) -> Model:
     name = f"{base.name}-soaked"
     bare = replace(mesh, node_sets={**mesh.node_sets, **faces}, surfaces={}, pairs={})
     return replace(
-        made, name=name, header=header(name, ABOUT, Join.UNSPLIT), mesh=bare, conditions=conditions, contacts=()
+        made,
+        name=name,
+        header=header(name, ABOUT, InterfaceType.UNSPLIT),
+        mesh=bare,
+        conditions=conditions,
+        contacts=(),
     )

@@ -9,7 +9,7 @@ from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.layers import Layers
 from harness.models.parts import Control
 from harness.pages.gallery import entries
@@ -17,7 +17,7 @@ from harness.pages.gallery import entries
 
 def before_migration() -> Model:
     """A small model with one of FEBio's own interfaces, for `convert` to change."""
-    return Diffusion(Join.SOLUTE, elements=5, control=Control(50, 160.0), name="before-migration").model()
+    return Diffusion(InterfaceType.SOLUTE, elements=5, control=Control(50, 160.0), name="before-migration").model()
 
 
 def models() -> list[Model]:

@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.run import engine, febfile, hosts
 
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
@@ -25,9 +25,9 @@ def run(
 ) -> None:
     """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture'."""
     file = febfile.inspect(model)
-    contact = Join.MIXTURE if Join.MIXTURE.value in file.contacts else Join.UNSPLIT
+    contact = InterfaceType.MIXTURE if InterfaceType.MIXTURE.value in file.contacts else InterfaceType.UNSPLIT
     for host in hosts.engines(chosen, contact):
-        _run_one(model, file, host, contact is Join.MIXTURE)
+        _run_one(model, file, host, contact is InterfaceType.MIXTURE)
 
 
 def _run_one(model: Path, file: febfile.FebFile, host: engine.Host, needs_plugin: bool) -> None:

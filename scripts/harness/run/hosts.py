@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.run import engine
 from harness.run.standalone import Standalone
 
@@ -21,7 +21,7 @@ class Engine(str, Enum):
     BOTH = "both"
 
 
-def engines(chosen: Engine | None, interface: Join) -> tuple[engine.Host, ...]:
+def engines(chosen: Engine | None, interface: InterfaceType) -> tuple[engine.Host, ...]:
     """The engines that run models with this interface; without a choice febio4, or the embedded one if it cannot."""
     if chosen is Engine.BOTH:
         return (FEBIO4, STANDALONE)
@@ -29,15 +29,19 @@ def engines(chosen: Engine | None, interface: Join) -> tuple[engine.Host, ...]:
         return (FEBIO4,)
     if chosen is Engine.STANDALONE:
         return (STANDALONE,)
-    if interface in (Join.MIXTURE, Join.UNSPLIT) and why_not_febio(interface) and _is_there(STANDALONE):
+    if (
+        interface in (InterfaceType.MIXTURE, InterfaceType.UNSPLIT)
+        and why_not_febio(interface)
+        and _is_there(STANDALONE)
+    ):
         return (STANDALONE,)
     return (FEBIO4,)
 
 
-def why_not_febio(interface: Join) -> str:
+def why_not_febio(interface: InterfaceType) -> str:
     """Why febio4 cannot run models with this interface; empty if it can."""
     try:
-        FEBIO4.binaries(plugin=interface is Join.MIXTURE)
+        FEBIO4.binaries(plugin=interface is InterfaceType.MIXTURE)
     except (EngineNotFoundError, PluginNotFoundError) as error:
         return str(error)
     return ""

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from harness.errors import EngineFailedError
 from harness.models.document import Model
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.run import engine, febio_log, logdata
 
 Announce = Callable[[str, float], None]
@@ -149,7 +149,7 @@ class Runner:
 
 def needs_plugin(model: Model) -> bool:
     """Whether a contact of the model is the plugin's."""
-    return any(contact.kind == Join.MIXTURE.value for contact in model.contacts)
+    return any(contact.kind == InterfaceType.MIXTURE.value for contact in model.contacts)
 
 
 def _key(model: Model, binaries: Sequence[Path], options: Sequence[str]) -> str:

@@ -24,7 +24,7 @@ from harness.indentation import histories, measures
 from harness.models import composite, confined, convection, diffusion, layers
 from harness.models.indentation import Variant
 from harness.models.indentation_mesh import Primary
-from harness.models.interface import PAPER, ContactSettings, Join, augmented, automatic
+from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic
 from harness.models.parts import Control
 from harness.post import compare
 from harness.post.compare import Measure
@@ -40,18 +40,18 @@ class Context:
     """Who runs the models, and what joins the bodies."""
 
     runner: Runner
-    join: Join = Join.MIXTURE
+    interface: InterfaceType = InterfaceType.MIXTURE
 
     @property
-    def biphasic(self) -> Join:
+    def biphasic(self) -> InterfaceType:
         """The interface for bodies without solutes."""
-        return self.join if self.join is Join.MIXTURE else Join.BIPHASIC
+        return self.interface if self.interface is InterfaceType.MIXTURE else InterfaceType.BIPHASIC
 
 
 def diffusion_pair(context: Context, settings: ContactSettings | None = None) -> tuple[RunResult, RunResult]:
     """Problem 3.1 cut and whole."""
-    cut = diffusion.Diffusion(context.join, settings).model()
-    whole = diffusion.Diffusion(Join.UNSPLIT, module=cut.module, name="diffusion-whole").model()
+    cut = diffusion.Diffusion(context.interface, settings).model()
+    whole = diffusion.Diffusion(InterfaceType.UNSPLIT, module=cut.module, name="diffusion-whole").model()
     return context.runner(cut), context.runner(whole)
 
 
@@ -59,8 +59,10 @@ def convection_pair(
     context: Context, peclet: int, settings: ContactSettings | None = None
 ) -> tuple[RunResult, RunResult]:
     """Problem 3.2 cut and whole."""
-    cut = convection.Convection(context.join, settings, peclet=peclet).model()
-    whole = convection.Convection(Join.UNSPLIT, module=cut.module, name="convection-whole", peclet=peclet).model()
+    cut = convection.Convection(context.interface, settings, peclet=peclet).model()
+    whole = convection.Convection(
+        InterfaceType.UNSPLIT, module=cut.module, name="convection-whole", peclet=peclet
+    ).model()
     return context.runner(cut), context.runner(whole)
 
 
@@ -115,8 +117,12 @@ def exact_convection(run: RunResult, peclet: float) -> NDArray[np.float64]:
 
 def indentation_pair(context: Context) -> tuple[RunResult, RunResult]:
     """Problem 3.3 with the primary surface on the cylinder and on the slab; FEBio's own penalties for its interface."""
-    join, settings = (context.join, None) if context.join is Join.MIXTURE else (Join.MULTIPHASIC, automatic(1.0))
-    problem = replace(Variant.PLAIN.problem, join=join, settings=settings, module="multiphasic", clamp=False)
+    interface, settings = (
+        (context.interface, None)
+        if context.interface is InterfaceType.MIXTURE
+        else (InterfaceType.MULTIPHASIC, automatic(1.0))
+    )
+    problem = replace(Variant.PLAIN.problem, interface=interface, settings=settings, module="multiphasic", clamp=False)
     other = replace(problem, primary=Primary.SLAB, name=Variant.SLAB_PRIMARY.problem.name)
     return context.runner(problem.model()), context.runner(other.model())
 
@@ -130,7 +136,7 @@ def indentation_balances(context: Context) -> list[Measure]:
 
 def leak_of_a_penalty(context: Context) -> list[Measure]:
     """The paper's penalties without augmentation must leave the jump that follows from them, not a smaller one."""
-    steady = convection.Convection(context.join, PAPER, control=Control(20, 1000.0), name="leak", peclet=0).model()
+    steady = convection.Convection(context.interface, PAPER, control=Control(20, 1000.0), name="leak", peclet=0).model()
     jump = compare.jump(context.runner(steady), "c1", PAIR)
     expected = expected_leak(PAPER)
     name = "Steady jump with the paper's penalties, relative to the leak formula, less 1"
@@ -162,8 +168,8 @@ def augmentation(context: Context) -> list[Measure]:
 
 def composite_layers(context: Context) -> list[Measure]:
     """A composite slab, whose actual concentration jumps: against the whole body and the closed form."""
-    cut = composite.Composite(context.join).model()
-    whole = composite.Composite(Join.UNSPLIT, module=cut.module, name="composite-slab-whole").model()
+    cut = composite.Composite(context.interface).model()
+    whole = composite.Composite(InterfaceType.UNSPLIT, module=cut.module, name="composite-slab-whole").model()
     runs = context.runner(cut), context.runner(whole)
     time = 2000.0
     exact = composite_slab.concentration(cut.mesh.nodes[:, 2], time, composite.FIRST, composite.SECOND)
@@ -176,8 +182,8 @@ def composite_layers(context: Context) -> list[Measure]:
 
 def convection_layers(context: Context) -> list[Measure]:
     """Steady convection through two layers with a partition jump: against the whole body and the closed form."""
-    cut = layers.Layers(context.join).model()
-    whole = layers.Layers(Join.UNSPLIT, module=cut.module, name="two-layer-convection-whole").model()
+    cut = layers.Layers(context.interface).model()
+    whole = layers.Layers(InterfaceType.UNSPLIT, module=cut.module, name="two-layer-convection-whole").model()
     runs = context.runner(cut), context.runner(whole)
     error = compare.error_at(runs[0], "c1", exact_layers(runs[0]))
     return [
@@ -194,7 +200,7 @@ def exact_layers(run: RunResult) -> NDArray[np.float64]:
 def confined_creep(context: Context) -> list[Measure]:
     """Confined creep across a cut: against the whole body and the closed form."""
     cut = confined.Confined(context.biphasic).model()
-    whole = confined.Confined(Join.UNSPLIT, name="confined-creep-whole").model()
+    whole = confined.Confined(InterfaceType.UNSPLIT, name="confined-creep-whole").model()
     runs = context.runner(cut), context.runner(whole)
     scale = confined.LOAD / confined.MODULUS * confined.HEIGHT
     pressures = compare.largest_difference(*runs, "p") / confined.LOAD
@@ -234,7 +240,9 @@ def _coarse_diffusion(context: Context, elements: int, steps: int) -> RunResult:
     """Problem 3.1 to 2000 s."""
     name = f"diffusion-{elements}x{steps}"
     return context.runner(
-        diffusion.Diffusion(context.join, elements=elements, control=Control(steps, 2000.0 / steps), name=name).model()
+        diffusion.Diffusion(
+            context.interface, elements=elements, control=Control(steps, 2000.0 / steps), name=name
+        ).model()
     )
 
 

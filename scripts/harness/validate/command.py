@@ -15,7 +15,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.paths import RESULTS
 from harness.post.compare import Measure
 from harness.run import engine, hosts
@@ -37,7 +37,7 @@ def _selected(names: list[str] | None) -> list[Check]:
 
 
 def validate(
-    interface: Annotated[Join, typer.Option(help="What joins the bodies.")] = Join.MIXTURE,
+    interface: Annotated[InterfaceType, typer.Option(help="What joins the bodies.")] = InterfaceType.MIXTURE,
     only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
@@ -50,7 +50,7 @@ def validate(
     Without febio4 the embedded engine runs the models. Exit code 0: every tolerance is met; 1: one is missed; 3: none
     is missed, but checks were left out.
     """
-    if interface is Join.UNSPLIT:
+    if interface is InterfaceType.UNSPLIT:
         raise typer.BadParameter("'unsplit' is what the others are compared with", param_hint="--interface")
     checks = _selected(only)
     engines = hosts.engines(chosen, interface)

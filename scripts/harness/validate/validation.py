@@ -37,7 +37,7 @@ def validate(context: Context, checks: Sequence[Check], *, jobs: int = 1, finish
         A check whose engine or plugin is missing is left out with the reason; one whose run fails has a measure that
         misses its tolerance and quotes FEBio.
     """
-    results = Results(context.join.value)
+    results = Results(context.interface.value)
 
     def make(check: Check) -> None:
         try:

@@ -12,7 +12,7 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.paths import REPOSITORY, RESULTS
 from harness.run import workflow
 from harness.run.runner import Runner
@@ -121,7 +121,7 @@ def _finish(written: list[Path], complete: bool) -> None:
 
 def cost_sweep(
     problem: Problem,
-    interface: Join,
+    interface: InterfaceType,
     parameter: Parameter,
     out: Annotated[Path, typer.Option(help="Where the data go, as JSON.")] = Path("sweep.json"),
 ) -> None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from statistics import quantiles
 
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.post import compare
 from harness.run import engine
 from harness.run.runner import Runner
@@ -90,9 +90,9 @@ def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
     """
     own = comparable(data, problem)
     best = (_fewest([d for d in own if d.interface == i.value], e) for i in INTERFACES for e in LEVELS)
-    chosen = [(Join.UNSPLIT, Parameter.DEFAULT, 0.0)]
-    chosen += [(Join.MIXTURE, parameter, value) for parameter, value in OTHERWISE]
-    chosen += [(Join(d.interface), Parameter(d.parameter), d.value) for d in best if d]
+    chosen = [(InterfaceType.UNSPLIT, Parameter.DEFAULT, 0.0)]
+    chosen += [(InterfaceType.MIXTURE, parameter, value) for parameter, value in OTHERWISE]
+    chosen += [(InterfaceType(d.interface), Parameter(d.parameter), d.value) for d in best if d]
     return [Point(problem, *one) for one in dict.fromkeys(chosen)]
 
 
@@ -126,7 +126,7 @@ def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
 
 
 def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runner) -> Timing:
-    kept, whole = runner(point.model(), check=False), runner(point.model(Join.UNSPLIT))
+    kept, whole = runner(point.model(), check=False), runner(point.model(InterfaceType.UNSPLIT))
     error = compare.largest_difference(kept, whole, "c1") if kept.report.normal else math.nan
     counted = _COUNT.search(run.output)
     return Timing(
@@ -155,7 +155,9 @@ def ratio_table(timings: Sequence[Timing]) -> str:
         "|---|---|---|---|---|---|---|---|",
     ]
     for problem, size in dict.fromkeys((t.problem, t.size) for t in timings):
-        own = [t for t in timings if (t.problem, t.size) == (problem, size) and t.interface != Join.UNSPLIT.value]
+        own = [
+            t for t in timings if (t.problem, t.size) == (problem, size) and t.interface != InterfaceType.UNSPLIT.value
+        ]
         reached: dict[str, list[float]] = {}  # the errors at which a row holds
         for error in LEVELS:
             for row in _rows([t for t in own if t.contact_error <= error]):
@@ -170,8 +172,8 @@ def _range(errors: Sequence[float]) -> str:
 
 def _rows(good: Sequence[Timing]) -> Iterator[str]:
     """For each setting of ours: the best of FEBio's, ours, iterations, ratio; none where FEBio's has none."""
-    ours = dict.fromkeys(t.setting for t in good if t.interface == Join.MIXTURE.value)
-    theirs = dict.fromkeys(t.setting for t in good if t.interface != Join.MIXTURE.value)
+    ours = dict.fromkeys(t.setting for t in good if t.interface == InterfaceType.MIXTURE.value)
+    theirs = dict.fromkeys(t.setting for t in good if t.interface != InterfaceType.MIXTURE.value)
     if not theirs:
         return
     least = {setting: min(costs(good, setting).values()) for setting in (*ours, *theirs)}

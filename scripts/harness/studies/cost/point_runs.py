@@ -11,7 +11,7 @@ import numpy as np
 
 from harness.indentation.histories import curves
 from harness.models.document import Model
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.models.parts import Param
 from harness.post import compare
 from harness.run.runner import Runner, RunResult
@@ -77,7 +77,7 @@ def measure(point: Point, runner: Runner) -> Datum:
     if ended and point.problem is Problem.INDENTATION:
         error = _error_33(run, replace(runner, timeout=FINEST_TIMEOUT)(finest()))
     elif ended:
-        whole = runner(point.model(Join.UNSPLIT))
+        whole = runner(point.model(InterfaceType.UNSPLIT))
         contact_error = compare.largest_difference(run, whole, "c1")
         error = _error_closed(point, run)
         wall, cpu, ratio = _pairs(run.model, whole.model, runner.timeout)
@@ -127,5 +127,5 @@ def _pairs(model: Model, whole: Model, timeout: float | None) -> tuple[float, fl
 def settings_of(datum: Datum) -> tuple[Param, ...]:
     """The parameters of the contact that a datum was measured with."""
     return Point(
-        Problem(datum.problem), Join(datum.interface), Parameter(datum.parameter), datum.value
+        Problem(datum.problem), InterfaceType(datum.interface), Parameter(datum.parameter), datum.value
     ).settings.params()

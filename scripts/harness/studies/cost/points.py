@@ -12,11 +12,11 @@ from harness.models.diffusion import Diffusion
 from harness.models.document import Model
 from harness.models.indentation import Indentation
 from harness.models.indentation_mesh import LEVELS
-from harness.models.interface import ContactSettings, Join, automatic, default_settings
+from harness.models.interface import ContactSettings, InterfaceType, automatic, default_settings
 from harness.models.mesh import Section
 from harness.models.parts import Control, Curve, Param
 
-INTERFACES = (Join.MIXTURE, Join.SOLUTE, Join.MULTIPHASIC)
+INTERFACES = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 END_33 = 100.0
 """s up to which problem 3.3 is run: first touch, the moving edge of contact, and the first diffusion."""
 TIMES_33 = (1.0, END_33)
@@ -101,7 +101,7 @@ class Point:
     Attributes
     ----------
     problem : Problem
-    interface : Join
+    interface : InterfaceType
     parameter : Parameter
     value : float
     size : Size
@@ -109,7 +109,7 @@ class Point:
     """
 
     problem: Problem
-    interface: Join
+    interface: InterfaceType
     parameter: Parameter
     value: float
     size: Size = Size()
@@ -140,7 +140,7 @@ class Point:
             )
         return base
 
-    def model(self, interface: Join | None = None) -> Model:
+    def model(self, interface: InterfaceType | None = None) -> Model:
         """The model; with `interface` joined otherwise, all else being the same."""
         return _BUILDERS[self.problem](self, interface or self.interface)
 
@@ -164,29 +164,29 @@ class Point:
         return int(self.value) if self.parameter is Parameter.MESH else self.size.elements
 
 
-def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Join], Model]:
+def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, InterfaceType], Model]:
     """Builds two cubes of a scene up to `end` (s)."""
 
-    def build(point: Point, join: Join) -> Model:
+    def build(point: Point, interface: InterfaceType) -> Model:
         return replace(
             scene,
-            join=join,
-            settings=point.settings if join.is_contact else None,
+            interface=interface,
+            settings=point.settings if interface.is_contact else None,
             elements=point._elements,
             section=Section(elements=(point.size.width, point.size.width)),
             control=point._steps(end),
             module=point.interface.module,
-            name=f"cost-{point.name}-{join.slug}",
+            name=f"cost-{point.name}-{interface.slug}",
         ).model()
 
     return build
 
 
-def _indentation(point: Point, join: Join) -> Model:
+def _indentation(point: Point, interface: InterfaceType) -> Model:
     coarse, medium, _ = LEVELS
     control = replace(indentation.CONTROL, steps=round(END_33 / indentation.CONTROL.step))
     model = Indentation(
-        join,
+        interface,
         point.settings,
         grid=medium if point.parameter is Parameter.MESH else coarse,
         control=point._control(control),
@@ -205,7 +205,7 @@ def in_more_steps(model: Model, factor: float) -> Model:
 
 def finest() -> Model:
     """Problem 3.3 on the medium mesh in steps half as long, with Newton's tolerances a hundredth."""
-    point = Point(Problem.INDENTATION, Join.MIXTURE, Parameter.MESH, LEVELS[1].across)
+    point = Point(Problem.INDENTATION, InterfaceType.MIXTURE, Parameter.MESH, LEVELS[1].across)
     control = replace(
         indentation.CONTROL,
         steps=round(END_33 / indentation.CONTROL.step),
@@ -217,7 +217,7 @@ def finest() -> Model:
     return replace(in_more_steps(model, 2.0), control=control, name="cost-3.3-finest")
 
 
-_BUILDERS: dict[Problem, Callable[[Point, Join], Model]] = {
+_BUILDERS: dict[Problem, Callable[[Point, InterfaceType], Model]] = {
     Problem.DIFFUSION: _cubes(Diffusion(), 2000.0),
     Problem.CONVECTION: _cubes(Convection(), 20000.0),
     Problem.INDENTATION: _indentation,
@@ -232,5 +232,5 @@ def points(problems: Sequence[Problem]) -> list[Point]:
         for interface in INTERFACES
         for parameter, values in (VALUES_33 if problem is Problem.INDENTATION else VALUES).items()
         for value in values
-        if parameter not in OWN or interface is Join.MIXTURE
+        if parameter not in OWN or interface is InterfaceType.MIXTURE
     ]

@@ -16,7 +16,7 @@ from harness.paths import RESULTS
 from harness.run import workflow
 from harness.run.runner import Runner
 from harness.studies.fuzz.draws import Kind
-from harness.studies.fuzz.trial import Trial, attempt
+from harness.studies.fuzz.seed_trial import Trial, attempt
 
 console = Console(highlight=False, soft_wrap=True)
 CHUNK = 20

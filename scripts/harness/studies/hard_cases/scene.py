@@ -8,7 +8,7 @@ from enum import Enum
 from typing import Protocol
 
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, Join, automatic
+from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
@@ -41,11 +41,15 @@ class Interface(str, Enum):
     FEBIO_1 = "febio-1"
     FEBIO_1000 = "febio-1000"
 
-    def contact_type(self, module: str) -> Join:
+    def contact_type(self, module: str) -> InterfaceType:
         """The type of contact in a module."""
         if self is Interface.MIXTURE:
-            return Join.MIXTURE
-        return {"biphasic": Join.BIPHASIC, "solute": Join.SOLUTE, "multiphasic": Join.MULTIPHASIC}[module]
+            return InterfaceType.MIXTURE
+        return {
+            "biphasic": InterfaceType.BIPHASIC,
+            "solute": InterfaceType.SOLUTE,
+            "multiphasic": InterfaceType.MULTIPHASIC,
+        }[module]
 
     def settings(self, module: str, scale: float = 1.0) -> ContactSettings:
         """Parameters of the interface, with all penalties times `scale`.

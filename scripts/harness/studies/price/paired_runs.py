@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from statistics import median
 
-from harness.models.interface import Join
+from harness.models.interface import InterfaceType
 from harness.studies import timing
 from harness.studies.price.scenes import Kind, Scene, penalties
 
@@ -117,7 +117,10 @@ class Price:
 
 def compared(scene: Scene) -> dict[tuple[str, float], Scene]:
     """The scene with each contact that is compared, by its type and penalty factor; the uncut body first."""
-    found = {(Join.UNSPLIT.value, 0.0): replace(scene, contact=Join.UNSPLIT.value), (Join.MIXTURE.value, 0.0): scene}
+    found = {
+        (InterfaceType.UNSPLIT.value, 0.0): replace(scene, contact=InterfaceType.UNSPLIT.value),
+        (InterfaceType.MIXTURE.value, 0.0): scene,
+    }
     for factor in FACTORS:
         rival = scene.kind.rival
         found[rival, factor] = replace(scene, contact=rival, settings=penalties(scene.kind, factor))
@@ -132,7 +135,7 @@ def prices(scene: Scene, repetitions: int, announce: Announce) -> list[Price]:
         repetitions,
         lambda key, number: announce(f"{scenes[key].name} ({number} of {repetitions})"),
     )
-    whole = runs.pop((Join.UNSPLIT.value, 0.0))
+    whole = runs.pop((InterfaceType.UNSPLIT.value, 0.0))
     return [_price(scene.kind, key, found, whole) for key, found in runs.items()]
 
 

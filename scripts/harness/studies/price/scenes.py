@@ -7,7 +7,7 @@ from enum import Enum
 
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.interface import ContactSettings, Join, automatic
+from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.mesh import Layer, Mesh, Section, cut_column, glued_column
 from harness.models.parts import (
     Condition,
@@ -84,7 +84,7 @@ class Scene:
     """
 
     kind: Kind
-    contact: str = Join.MIXTURE.value
+    contact: str = InterfaceType.MIXTURE.value
     solutes: int = 0
     frozen: bool = False
     section: int = 16
@@ -108,11 +108,11 @@ class Scene:
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()
-        join = Join.MIXTURE if self.contact == Join.MIXTURE.value else Join.UNSPLIT
+        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.UNSPLIT
         end = self.control.steps * self.control.step
         return Model(
             name=self.name,
-            header=header(self.name, ABOUT.format(what=self._what()), join),
+            header=header(self.name, ABOUT.format(what=self._what()), interface),
             module=self.kind.module,
             mesh=mesh,
             materials={"tissue": self._material()},
@@ -124,7 +124,7 @@ class Scene:
 
     def _mesh(self) -> Mesh:
         layers = [Layer(name, "tissue", HEIGHT, self.through) for name in ("lower", "upper")]
-        make = glued_column if self.contact == Join.UNSPLIT.value else cut_column
+        make = glued_column if self.contact == InterfaceType.UNSPLIT.value else cut_column
         return make(layers, bottom=-HEIGHT, section=Section(elements=(self.section, self.section)))
 
     def _material(self) -> Material:
@@ -147,7 +147,7 @@ class Scene:
         """Ours with its defaults; FEBio's with automatic penalties times `PENALTY_FACTOR`, of what it exchanges."""
         if self.settings is not None:
             return self.settings
-        if self.contact == Join.MIXTURE.value:
+        if self.contact == InterfaceType.MIXTURE.value:
             return ContactSettings()
         return penalties(self.kind, PENALTY_FACTOR)
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from lxml import etree
 
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, Join, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from harness.studies.robustness import feb as xml
@@ -41,7 +41,7 @@ def elastic() -> Feb:
         {"elastic": Elastic(Solid(1.0, 0.3))},
         conditions,
         Control(12, 1.0, displacement_tolerance=1e-6, energy_tolerance=1e-9),
-        contacts(Join.MIXTURE, mesh, ContactSettings()),
+        contacts(InterfaceType.MIXTURE, mesh, ContactSettings()),
         (Curve(((0.0, 0.0), (4.0, 1.0))), Curve(((4.0, 0.0), (12.0, 1.0)))),
     )
     return Feb("elastic", etree.fromstring(model.text().encode("iso-8859-1")))

@@ -170,5 +170,5 @@ def _difference(run: Ended, reference: Ended) -> float:
     return differences.largest(run.nodes, reference.nodes)
 
 
-def _beyond(gap: float | None, bar: float) -> list[str]:
-    return [f"difference above {bar:.0e}"] if gap is not None and gap > bar else []
+def _beyond(gap: float | None, tolerance: float) -> list[str]:
+    return [f"difference above {tolerance:.0e}"] if gap is not None and gap > tolerance else []
