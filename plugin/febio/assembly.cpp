@@ -15,13 +15,13 @@ namespace {
 
 /// Where the entries of a layout stand in another over the same nodes and fields that has displacements, too.
 std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
-  std::vector<Index> places(std::size_t(layout.size()));
+  std::vector<Index> places(newton::entries(layout.size()));
   for (Index block = 0; block < layout.blocks(); ++block) {
     for (Index i = 0; layout.has_displacements() && i < 3; ++i) {
-      at(places, layout.displacement(block, i)) = all.displacement(block, i);
+      newton::at(places, layout.displacement(block, i)) = all.displacement(block, i);
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      at(places, layout.scalar(block, k)) = all.scalar(block, k);
+      newton::at(places, layout.scalar(block, k)) = all.scalar(block, k);
     }
   }
   return places;
@@ -30,8 +30,8 @@ std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
 /// Equations at their places in a larger layout, and none elsewhere.
 std::vector<int> scattered(const std::vector<int>& equations, const std::vector<Index>& places,
                            const LocalLayout& all) {
-  std::vector<int> result(std::size_t(all.size()), -1);
-  for (std::size_t i = 0; i < equations.size(); ++i) at(result, places[i]) = equations[i];
+  std::vector<int> result(newton::entries(all.size()), -1);
+  for (std::size_t i = 0; i < equations.size(); ++i) newton::at(result, places[i]) = equations[i];
   return result;
 }
 
@@ -45,13 +45,13 @@ FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const st
   const LocalLayout layout = all.layout();
   const std::vector<Index> row_places = dof_map(rows.layout(), layout);
   const std::vector<Index> column_places = dof_map(columns.layout(), layout);
-  const int size = int(layout.size());
+  const int size = newton::as_int(layout.size());
   FEElementMatrix stiffness;
   stiffness.resize(size, size);
   stiffness.zero();
   for (Index i = 0; i < values.rows(); ++i) {
-    double* row = stiffness[int(at(row_places, i))];
-    for (Index j = 0; j < values.cols(); ++j) row[at(column_places, j)] = -values(i, j);
+    double* row = stiffness[newton::as_int(newton::at(row_places, i))];
+    for (Index j = 0; j < values.cols(); ++j) row[newton::at(column_places, j)] = -values(i, j);
   }
   stiffness.SetNodes(nodes);
   stiffness.SetIndices(scattered(row_ids, row_places, layout), scattered(column_ids, column_places, layout));

@@ -176,7 +176,7 @@ std::optional<FacetMaterials> ContactSetup::materials() const {
 
 std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& materials) const {
   std::vector<std::string> names = solute_names(fem_);
-  names.resize(std::size_t(dofs_.concentrations()));
+  names.resize(newton::entries(dofs_.concentrations()));
   std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
   if (dofs_.pressure() < 0) fields.front().obstacles = {"the module has no fluid pressure"};
   return fields;

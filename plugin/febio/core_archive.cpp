@@ -21,10 +21,11 @@ void archive_facet(DumpStream& ar, Facet& facet) {
 /// Dump streams know no 64-bit integers.
 void archive_mask(DumpStream& ar, FieldMask& mask) {
   constexpr FieldMask lower = 0xffffffffU;
-  int low = int(std::uint32_t(mask & lower));
-  int high = int(std::uint32_t(mask >> 32U));
+  int low = newton::as_int(mask & lower);
+  int high = newton::as_int(mask >> 32U);
   ar & low & high;
-  mask = FieldMask(std::uint32_t(low)) | FieldMask(std::uint32_t(high)) << 32U;
+  const auto half = [](int bits) { return FieldMask{static_cast<std::uint32_t>(bits)}; };
+  mask = half(low) | half(high) << 32U;
 }
 
 void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
@@ -39,8 +40,8 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
 void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
   int facets = mixture_contact::number_of(mesh.facets);
   ar & mesh.nodes & facets;
-  mesh.facets.resize(std::size_t(facets));
-  mesh.permeable.resize(std::size_t(facets));
+  mesh.facets.resize(newton::entries(facets));
+  mesh.permeable.resize(newton::entries(facets));
   for (Facet& facet : mesh.facets) archive_facet(ar, facet);
   for (FieldMask& mask : mesh.permeable) archive_mask(ar, mask);
   archive(ar, mesh.stiffness);
@@ -56,6 +57,6 @@ void archive_state(DumpStream& ar, ContactInterface::State& state) {
   int passes = mixture_contact::number_of(state.multipliers);
   archive(ar, state.noticed);
   ar & passes;
-  state.multipliers.resize(std::size_t(passes));
+  state.multipliers.resize(newton::entries(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
 }

@@ -73,7 +73,7 @@ bool FEMixtureContact::Init() {
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction(bound_);
   dofs_.number_multipliers(first);
-  return int(core().multiplier_layout().size());
+  return newton::as_int(core().multiplier_layout().size());
 }
 
 void FEMixtureContact::Activate() {

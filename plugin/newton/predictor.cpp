@@ -31,9 +31,9 @@ constexpr double part_left = 1e-4;
 /// A free nodal value: its equation, and where it stands among the values of its variable.
 struct FreeValue {
   Place place;
-  int equation;
-  std::size_t variable;
-  Index row;
+  int equation = -1;
+  std::size_t variable = 0;
+  Index row = 0;
 };
 
 /// Calls `use` with every free nodal value.
@@ -69,7 +69,7 @@ std::vector<MatrixXd> changes_of_step(const Solver& solver) {
 void archive_steps(Archive& archive, std::vector<PastSteps>& quantities) {
   int size = count(quantities);
   archive.part(size);
-  quantities.resize(std::size_t(size));
+  quantities.resize(entries(size));
   for (PastSteps& steps : quantities) steps.for_each_part([&](auto& part) { archive.part(part); });
 }
 

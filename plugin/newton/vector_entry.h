@@ -18,4 +18,16 @@ int count(const Vector& vector) {
   return static_cast<int>(vector.size());
 }
 
+/// A number of entries, as vectors take it.
+template <class Number>
+std::size_t entries(Number number) {
+  return static_cast<std::size_t>(number);
+}
+
+/// A number that an int can hold.
+template <class Number>
+int as_int(Number number) {
+  return static_cast<int>(number);
+}
+
 }  // namespace newton
