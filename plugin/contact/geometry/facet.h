@@ -68,7 +68,7 @@ int sub_facet_at(FacetType type, const Vector2d& xi);
 /// beyond it.
 ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
 
-/// Functions psi_a shared out among the nodes of their facet that count, at least one: each of the others gives its
+/// Functions psi_a redistributed among the nodes of their facet that count, at least one: each of the others gives its
 /// own, in equal parts, to those beside it that count, or where there are none to all that do. They add up to 1 as
 /// before and are nowhere negative where those given are not. `counts`: 1 for nodes that count, 0 for the others, shape
 /// (n).

@@ -45,49 +45,49 @@ GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVecto
       points_.push_back({f, q.xi, q.weight, sub_facet_at(type, q.xi)});
     }
   }
-  sights_.resize(points_.size());
+  histories_.resize(points_.size());
   neighbours_.resize(points_.size());
 }
 
 bool GaussPoints::begin_iteration() {
   bool finds_more = false;
-  for (Sight& sight : sights_) {
-    const bool lost = sight.at_iteration != nothing_seen && sight.facet == nothing_seen;
-    if (lost && ++sight.losses == most_losses) finds_more = true;
-    if (sight.facet != nothing_seen) sight.last = sight.facet;
-    sight.at_iteration = sight.facet;
+  for (ProjectionHistory& history : histories_) {
+    const bool lost = history.at_iteration != unpaired && history.facet == unpaired;
+    if (lost && ++history.losses == most_losses) finds_more = true;
+    if (history.facet != unpaired) history.last = history.facet;
+    history.at_iteration = history.facet;
   }
   return finds_more;
 }
 
 void GaussPoints::end_iterations() {
-  for (Sight& sight : sights_) sight = {sight.facet};
+  for (ProjectionHistory& history : histories_) history = {history.facet};
 }
 
 IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   IndexedVector<FacetPair> pairs;
-  for (Sight& sight : sights_) sight.facet = nothing_seen;
+  for (ProjectionHistory& history : histories_) history.facet = unpaired;
   if (!surfaces_within_reach(x1, x2, radius)) return pairs;
   moving_.move_to(x2);
   const auto hit_of = [&](Index q) {
     const Point& point = points_[q];
     Ray ray = normal_ray(primary_[point.facet], x1, point.xi, radius, tolerance_);
     std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q]);
-    if (hit || !sights_[q].is_kept()) return hit;
+    if (hit || !histories_[q].is_kept()) return hit;
     ray.tolerance = widest_miss;
-    return facing_hit(sights_[q].last, secondary_, x2, ray);
+    return facing_hit(histories_[q].last, secondary_, x2, ray);
   };
   in_order(points_.count(), hit_of, [&](Index q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];
     if (!hit) return;
-    sights_[q].facet = hit->facet;
+    histories_[q].facet = hit->facet;
     add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
   return pairs;
 }
 
 std::size_t GaussPoints::memory() const {
-  std::size_t sum = points_.size() * (sizeof(Point) + sizeof(Sight) + sizeof(RayNeighbours));
+  std::size_t sum = points_.size() * (sizeof(Point) + sizeof(ProjectionHistory) + sizeof(RayNeighbours));
   for (const RayNeighbours& ray : neighbours_) sum += ray.facets.capacity() * sizeof(int);
   return sum;
 }
@@ -101,17 +101,17 @@ std::vector<PointMotion> GaussPoints::motions(const FacetPair& pair, const Matri
 IndexedVector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   IndexedVector<FacetPair> pairs;
   const auto hit_of = [&](Index q) -> std::optional<RayHit> {
-    const Sight& sight = sights_[q];
-    if (sight.facet == nothing_seen) return std::nullopt;
+    const ProjectionHistory& history = histories_[q];
+    if (history.facet == unpaired) return std::nullopt;
     const Point& point = points_[q];
-    const Facet& facet = secondary_[sight.facet];
-    const double tolerance = sight.is_kept() ? widest_miss : tolerance_;
+    const Facet& facet = secondary_[history.facet];
+    const double tolerance = history.is_kept() ? widest_miss : tolerance_;
     const Ray ray = normal_ray(primary_[point.facet], x1, point.xi, 0, tolerance);
     return intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
   };
   in_order(points_.count(), hit_of, [&](Index q, const std::optional<RayHit>& hit) {
     const Point& point = points_[q];
-    if (hit) add_point(pairs, point.facet, sights_[q].facet, {point.xi, hit->eta, point.weight, point.sub_facet});
+    if (hit) add_point(pairs, point.facet, histories_[q].facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
   return pairs;
 }

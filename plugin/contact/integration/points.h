@@ -10,7 +10,8 @@
 
 namespace mixture_contact {
 
-/// An integration point of a pair of facets: x1(xi) on the primary facet sees x2(eta) on the secondary one along n1.
+/// An integration point of a pair of facets: x1(xi) on the primary facet is paired with x2(eta) on the secondary one
+/// along n1.
 struct IntegrationPoint {
   Vector2d xi{0, 0};
   Vector2d eta{0, 0};
@@ -18,7 +19,7 @@ struct IntegrationPoint {
   int sub_facet = 0;  ///< of the primary facet, that it lies on
 };
 
-/// A facet of the primary surface and one of the secondary surface that it sees, with the points in between.
+/// A facet of the primary surface and one of the secondary surface that faces it, with the points in between.
 struct FacetPair {
   int primary = 0;
   int secondary = 0;
@@ -28,7 +29,7 @@ struct FacetPair {
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.
 Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
 
-/// Finds the integration points of a primary surface and what they see of a secondary one.
+/// Finds the integration points of a primary surface and what they are paired with on a secondary one.
 class PointFinder {
  public:
   PointFinder() = default;
@@ -64,12 +65,12 @@ class PointFinder {
 std::unique_ptr<PointFinder> point_finder(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary,
                                           const Settings& settings);
 
-/// Gauss points at fixed places of the primary facets: each sees the nearest facet that faces it.
+/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it.
 ///
-/// What a point bears ends where it passes the edge of the other surface: it is a jump, and where a whole contact hangs
-/// on one point there may be no equilibrium on either side of it. A point that loses sight of the surface for the
-/// second time between iterations is at its edge: until they end it is kept on the facet that it saw last,
-/// continued beyond its edge.
+/// What a point carries ends where it passes the edge of the other surface: it is a jump, and where a whole contact
+/// hangs on one point there may be no equilibrium on either side of it. A point that loses its projection on the
+/// surface for the second time between iterations is at its edge: until they end it is kept on the facet that it was
+/// paired with last, continued beyond its edge.
 class GaussPoints : public PointFinder {
  public:
   /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
@@ -90,14 +91,14 @@ class GaussPoints : public PointFinder {
     double weight = 0;
     int sub_facet = 0;
   };
-  static constexpr int nothing_seen = -1;
+  static constexpr int unpaired = -1;
   static constexpr int most_losses = 2;
-  /// Secondary facets, or nothing_seen.
-  struct Sight {
-    int facet = nothing_seen;         ///< what the last search() found
-    int at_iteration = nothing_seen;  ///< what was seen as the iteration began
-    int last = nothing_seen;          ///< the last one seen as an iteration of the step began
-    int losses = 0;                   ///< how often nothing was seen where the iteration before had seen something
+  /// The secondary facets that a point was paired with, or unpaired.
+  struct ProjectionHistory {
+    int facet = unpaired;         ///< what the last search() found
+    int at_iteration = unpaired;  ///< its pair as the iteration began
+    int last = unpaired;          ///< the last pair as an iteration of the step began
+    int losses = 0;               ///< how often the projection was lost since the iteration before
 
     /// Whether the point is at the edge of the other surface.
     bool is_kept() const { return losses >= most_losses; }
@@ -107,9 +108,9 @@ class GaussPoints : public PointFinder {
   const IndexedVector<Facet>& secondary_;
   double tolerance_;
   IndexedVector<Point> points_;
-  IndexedVector<Sight> sights_;              ///< per point
-  MovingSurface moving_;                     ///< the secondary surface
-  IndexedVector<RayNeighbours> neighbours_;  ///< per point
+  IndexedVector<ProjectionHistory> histories_;  ///< per point
+  MovingSurface moving_;                        ///< the secondary surface
+  IndexedVector<RayNeighbours> neighbours_;     ///< per point
 };
 
 }  // namespace mixture_contact

@@ -85,7 +85,7 @@ double carried_weight(const VaryingFacet& facet, const Sample& sample, const Vec
 }
 
 /// How that place and weight move with the nodes.
-PointMotion carried_motion(const VaryingFacet& facet, const Sample& sample, const Vector2d& xi) {
+PointMotion projection_motion(const VaryingFacet& facet, const Sample& sample, const Vector2d& xi) {
   const VaryingVector& y = sample.point.place;
   const VaryingVector& n = sample.n;
   const ShapeFunctions shape = shape_functions(facet.type, xi);
@@ -190,24 +190,24 @@ bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Ma
   return (facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin).norm() <= radius;
 }
 
-bool Segments::hidden(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
-                      const Matrix3Xd& x2) const {
+bool Segments::occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
+                        const Matrix3Xd& x2) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const IntegrationPoint& point = heaviest(pair);
   const Ray ray = normal_ray(one, x1, point.xi, 0, 0);
-  const Vector3d seen = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value;
+  const Vector3d paired = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value;
   return std::any_of(all.begin(), all.end(), [&](const FacetPair& rival) {
     const Facet& facet = secondary_[rival.secondary];
     if (share_a_node(facet, two)) return false;
     const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
-    return hit && std::abs(hit->gap) < (seen - ray.origin).norm();
+    return hit && std::abs(hit->gap) < (paired - ray.origin).norm();
   });
 }
 
 IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   IndexedVector<FacetPair> found;
-  seen_.clear();
+  paired_.clear();
   if (!surfaces_within_reach(x1, x2, radius)) return found;
   const FacetTree tree(secondary_, x2, box_margin);
   const auto pairs_of = [&](Index index) {
@@ -221,13 +221,13 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
     }
     IndexedVector<FacetPair> visible;
     for (const FacetPair& pair : pairs) {
-      if (!hidden(pair, pairs, x1, x2)) visible.push_back(pair);
+      if (!occluded(pair, pairs, x1, x2)) visible.push_back(pair);
     }
     return visible;
   };
   in_order(primary_.count(), pairs_of, [&](Index /*facet*/, IndexedVector<FacetPair>& pairs) {
     for (FacetPair& pair : pairs) {
-      seen_.push_back({pair.primary, pair.secondary});
+      paired_.push_back({pair.primary, pair.secondary});
       found.push_back(std::move(pair));
     }
   });
@@ -236,7 +236,7 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
 
 IndexedVector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   IndexedVector<FacetPair> found;
-  for (const Facing& facing : seen_) {
+  for (const Facing& facing : paired_) {
     FacetPair pair = pair_of(facing, x1, x2);
     if (!pair.points.empty()) found.push_back(std::move(pair));
   }
@@ -253,7 +253,7 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   std::vector<PointMotion> motions;
   motions.reserve(pair.points.size());
   sample_overlap(primary, secondary, order({pair.primary, pair.secondary}), [&](const Sample& sample) {
-    motions.push_back(carried_motion(primary, sample, pair.points[motions.size()].xi));
+    motions.push_back(projection_motion(primary, sample, pair.points[motions.size()].xi));
   });
   return motions;
 }

@@ -29,7 +29,7 @@ class Segments : public PointFinder {
   IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
-  std::size_t memory() const override { return seen_.capacity() * sizeof(Facing); }
+  std::size_t memory() const override { return paired_.capacity() * sizeof(Facing); }
 
  private:
   struct Facing {
@@ -38,14 +38,14 @@ class Segments : public PointFinder {
   };
   FacetPair pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;
-  bool hidden(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
-              const Matrix3Xd& x2) const;
+  bool occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
+                const Matrix3Xd& x2) const;
   int order(const Facing& facing) const;
 
   const IndexedVector<Facet>& primary_;
   const IndexedVector<Facet>& secondary_;
   int order_;
-  std::vector<Facing> seen_;  ///< what the last search() found
+  std::vector<Facing> paired_;  ///< what the last search() found
 };
 
 }  // namespace mixture_contact

@@ -77,7 +77,7 @@ class ContactInterface {
   /// One augmentation: multipliers take the current loads, and slow fields a larger penalty.
   void augment(const PerSide<SurfaceFields>& fields);
 
-  /// Which nodes of each surface are in contact and flux-coupled by it; the others see the ambient.
+  /// Which nodes of each surface are in contact and flux-coupled by it; the others have the ambient values.
   PerSide<NodeFlags> nodes_in_contact() const;
 
   /// The same for an iteration that has begun: once in each, and only where there is an ambient. Nodes that face

@@ -76,7 +76,7 @@ class ContactPass {
   /// The patches that tangent() would fill: what a matrix profile has to hold.
   void for_each_coupling(const FacingPositions& x, const UsePatch& use) const;
 
-  /// Which primary nodes are in contact and flux-coupled by it; the others see the ambient.
+  /// Which primary nodes are in contact and flux-coupled by it; the others have the ambient values.
   NodeFlags flux_coupled(const FacingPositions& x) const { return geometry_->flux_coupled(x); }
 
   /// How the conditions are enforced. Unknown multipliers have an equation each in residual() and tangent().

@@ -17,7 +17,8 @@ PairRows weight_variation(const PointKinematics& point, const KinematicVariation
 }
 
 /// Derivative of a jump h.phi with the nodal positions, phi1,alpha dxi_alpha - phi2,beta deta_beta.
-PairVariation<1> jump_drift(const PointKinematics& point, const KinematicVariations& vary, const PairVector& values) {
+PairVariation<1> jump_projection_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                           const PairVector& values) {
   const Eigen::RowVector2d one = values.head(point.primary_nodes()).transpose() * point.primary_gradient;
   const Eigen::RowVector2d two = values.tail(point.secondary_shape.size()).transpose() * point.secondary_gradient;
   return one * vary.xi - two * vary.eta;
@@ -61,13 +62,13 @@ MatrixXd flux_tangent(const PointKinematics& point, const KinematicVariations& v
   const PairVector h = point.jump_weights();
   const LawValue& flux = loads.flux[k];
   const double weight = loads.weight * loads.time_increment;
-  PairVariation<1> dq = flux.derivative * jump_drift(point, vary, values) + flux.value * vary.weight;
+  PairVariation<1> dq = flux.derivative * jump_projection_variation(point, vary, values) + flux.value * vary.weight;
   if (loads.flux_slope.rows() > 0) dq += loads.flux_slope.row(k) * vary.xi;
   const PairVariation<1> dflux = weight * (flux.value * vary.area + point.area * dq);
-  const PairRows drift = h * dflux + weight * point.area * flux.value * weight_variation(point, vary);
+  const PairRows with_motion = h * dflux + weight * point.area * flux.value * weight_variation(point, vary);
   MatrixXd tangent(layout.nodes(), layout.size());
   for (Index column = 0; column < layout.nodes(); ++column) {
-    tangent.middleCols<3>(layout.displacement(column, 0)) = drift.middleCols<3>(3 * column);
+    tangent.middleCols<3>(layout.displacement(column, 0)) = with_motion.middleCols<3>(3 * column);
     tangent.col(layout.scalar(column, 0)) = weight * point.area * flux.derivative * h[column] * h;
   }
   return tangent;
@@ -83,7 +84,7 @@ WeightedVariation jump_variation(const PointKinematics& point, const KinematicVa
                                  const PairVector& values) {
   const PairVariation<1> area = share.value * vary.area + point.area * share.variation;
   const double jump = point.jump_weights().dot(values);
-  return {share.value * point.area * jump_drift(point, vary, values) + jump * area, area};
+  return {share.value * point.area * jump_projection_variation(point, vary, values) + jump * area, area};
 }
 
 }  // namespace mixture_contact
