@@ -18,10 +18,10 @@ std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
   std::vector<Index> places(newton::entries(layout.size()));
   for (Index block = 0; block < layout.blocks(); ++block) {
     for (Index i = 0; layout.has_displacements() && i < 3; ++i) {
-      newton::at(places, layout.displacement(block, i)) = all.displacement(block, i);
+      mixture_contact::at(places, layout.displacement(block, i)) = all.displacement(block, i);
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      newton::at(places, layout.scalar(block, k)) = all.scalar(block, k);
+      mixture_contact::at(places, layout.scalar(block, k)) = all.scalar(block, k);
     }
   }
   return places;
@@ -31,7 +31,7 @@ std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
 std::vector<int> scattered(const std::vector<int>& equations, const std::vector<Index>& places,
                            const LocalLayout& all) {
   std::vector<int> result(newton::entries(all.size()), -1);
-  for (std::size_t i = 0; i < equations.size(); ++i) newton::at(result, places[i]) = equations[i];
+  for (std::size_t i = 0; i < equations.size(); ++i) mixture_contact::at(result, places[i]) = equations[i];
   return result;
 }
 
@@ -50,8 +50,8 @@ FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const st
   stiffness.resize(size, size);
   stiffness.zero();
   for (Index i = 0; i < values.rows(); ++i) {
-    double* row = stiffness[newton::as_int(newton::at(row_places, i))];
-    for (Index j = 0; j < values.cols(); ++j) row[newton::at(column_places, j)] = -values(i, j);
+    double* row = stiffness[newton::as_int(mixture_contact::at(row_places, i))];
+    for (Index j = 0; j < values.cols(); ++j) row[mixture_contact::at(column_places, j)] = -values(i, j);
   }
   stiffness.SetNodes(nodes);
   stiffness.SetIndices(scattered(row_ids, row_places, layout), scattered(column_ids, column_places, layout));

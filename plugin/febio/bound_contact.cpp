@@ -36,7 +36,7 @@ bool BoundContact::begin_iteration() {
 }
 
 bool BoundContact::finds_overlap() {
-  const UnnoticedOverlap noticed = core_->notice_overlap(fields());
+  const UndetectedPenetration noticed = core_->check_penetration(fields());
   if (noticed.nodes == 0) return false;
   const PerSide<std::string> names = surfaces_.names();
   if (!std::exchange(said_overlap_, true))

@@ -18,7 +18,7 @@ void ContactOutput::store() {
 }
 
 void ContactOutput::warn_of_overlap() {
-  const UnnoticedOverlap& overlap = contact_.core().unnoticed_overlap();
+  const UndetectedPenetration& overlap = contact_.core().undetected_penetration();
   if (has_warned_ || overlap.nodes == 0) return;
   has_warned_ = true;
   const PerSide<std::string> names = surfaces_.names();

@@ -31,8 +31,8 @@ void archive_mask(DumpStream& ar, FieldMask& mask) {
 void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.traction);
   archive(ar, multipliers.flux);
-  archive(ar, multipliers.traction_growth);
-  archive(ar, multipliers.flux_growth);
+  archive(ar, multipliers.traction_penalty_scale);
+  archive(ar, multipliers.flux_penalty_scale);
 }
 
 }  // namespace

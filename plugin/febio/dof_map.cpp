@@ -66,10 +66,11 @@ void DofMap::add_multipliers(const ContactInterface& core, const Location& place
   const int node = *place.patch.multiplier_node;
   const int first = first_multiplier_;
   if (layout.has_displacements())
-    newton::at(ids, layout.traction_multiplier()) = first + newton::as_int(own.traction(node));
+    mixture_contact::at(ids, layout.traction_multiplier()) = first + newton::as_int(own.traction(node));
   for (Index k = 0; k < layout.scalar_fields(); ++k)
-    newton::at(ids, layout.flux_multiplier(k)) = first +
-                                                 newton::as_int(own.flux(node, newton::at(place.patch.fields, k)));
+    mixture_contact::at(
+        ids, layout.flux_multiplier(k)) = first +
+                                          newton::as_int(own.flux(node, mixture_contact::at(place.patch.fields, k)));
 }
 
 std::vector<int> DofMap::equations(const ContactInterface& core, const Location& place) const {
@@ -78,12 +79,13 @@ std::vector<int> DofMap::equations(const ContactInterface& core, const Location&
   std::vector<int> ids(newton::entries(layout.size()), -1);
   add_multipliers(core, place, ids);
   for (Index node = 0; node < layout.nodes(); ++node) {
-    const std::vector<int>& own = node_equations(newton::at(mesh_nodes, node));
+    const std::vector<int>& own = node_equations(mixture_contact::at(mesh_nodes, node));
     for (Index i = 0; layout.has_displacements() && i < 3; ++i)
-      newton::at(ids, layout.displacement(node, i)) = newton::at(own, newton::at(displacements_, i));
+      mixture_contact::at(ids, layout.displacement(node, i)) = mixture_contact::at(
+          own, mixture_contact::at(displacements_, i));
     for (Index k = 0; k < layout.scalar_fields(); ++k)
-      newton::at(ids, layout.scalar(node, k)) = newton::at(own,
-                                                           field(core.effects(), newton::at(place.patch.fields, k)));
+      mixture_contact::at(ids, layout.scalar(node, k)) = mixture_contact::at(
+          own, field(core.effects(), mixture_contact::at(place.patch.fields, k)));
   }
   return ids;
 }
@@ -92,7 +94,7 @@ void DofMap::add_rotations(const std::vector<int>& nodes, std::vector<int>& ids)
   const std::array<int, 3> rotation{fem_.GetDOFIndex("Ru"), fem_.GetDOFIndex("Rv"), fem_.GetDOFIndex("Rw")};
   for (const int node : nodes) {
     for (const int dof : rotation) {
-      if (dof >= 0) ids.push_back(newton::at(node_equations(node), dof));
+      if (dof >= 0) ids.push_back(mixture_contact::at(node_equations(node), dof));
     }
   }
 }

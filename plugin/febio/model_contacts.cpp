@@ -142,7 +142,8 @@ void ModelContacts::keep_matrix_if_it_fits() {
   FENewtonSolver* const solver = solver_.febio();
   if (solver == nullptr) return;
   const std::vector<FEMixtureContact*> contacts = active();
-  const bool alone = newton::count(contacts) == fem_.SurfacePairConstraints() && fem_.NonlinearConstraints() == 0;
+  const bool alone = mixture_contact::number_of(contacts) == fem_.SurfacePairConstraints() &&
+                     fem_.NonlinearConstraints() == 0;
   const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
                     std::all_of(contacts.begin(), contacts.end(),
                                 [](const FEMixtureContact* contact) { return contact->fits_matrix(); });

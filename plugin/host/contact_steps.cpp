@@ -71,7 +71,7 @@ void ContactSteps::start_at_prediction() {
     if (helpers_.adapt_before_residual()) evaluate_again();
   };
   if (helpers_.predict(arrived)) {
-    for (SteppedContact* contact : model_.active_contacts()) contact->move_iteration();
+    for (SteppedContact* contact : model_.active_contacts()) contact->linearise_at();
     if (model_.apply_ambient()) evaluate_again();
   } else if (!has_begun()) {
     model_.evaluate();  // a predicted state was dropped: the plain start is evaluated anew

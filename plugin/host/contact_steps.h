@@ -26,7 +26,7 @@ class SteppedContact {
   virtual void end_iterations() = 0;
   /// Returns whether loads have changed.
   virtual bool begin_iteration() = 0;
-  virtual void move_iteration() = 0;
+  virtual void linearise_at() = 0;
   virtual bool is_solution() = 0;
   /// Whether what a converged state tells of overlaps changes the loads.
   virtual bool finds_overlap() = 0;

@@ -7,8 +7,8 @@
 
 using mixture_contact::all_tasks;
 using mixture_contact::Effects;
-using mixture_contact::Spent;
 using mixture_contact::Task;
+using mixture_contact::TimingBreakdown;
 
 namespace {
 
@@ -53,7 +53,7 @@ std::string scientific(double value) {
   return text.str();
 }
 
-std::string seconds(std::string_view title, const Spent& spent) {
+std::string seconds(std::string_view title, const TimingBreakdown& spent) {
   std::vector<double> values{spent.shared, spent.traction};
   values.insert(values.end(), spent.fields.begin(), spent.fields.end());
   values.push_back(spent.total());
@@ -67,7 +67,7 @@ std::string seconds(std::string_view title, const Spent& spent) {
 
 std::vector<std::string> timings_table(const std::string& name, const mixture_contact::ContactInterface& contact,
                                        double run) {
-  const Spent sum = contact.times().sum();
+  const TimingBreakdown sum = contact.times().sum();
   std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
                                  row("", headings(contact.effects()))};
   for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), contact.times()[task]));

@@ -3,13 +3,13 @@
 #include <iomanip>
 #include <sstream>
 
-using mixture_contact::UnnoticedOverlap;
+using mixture_contact::UndetectedPenetration;
 
 namespace {
 
 /// "contact: n nodes of the secondary surface ... inside the body of ...", and how deep.
 std::ostringstream nodes_inside(const std::string& contact, const std::string& primary, const std::string& secondary,
-                                const UnnoticedOverlap& overlap) {
+                                const UndetectedPenetration& overlap) {
   std::ostringstream text;
   text << std::setprecision(3) << "sliding-mixture \"" << contact << "\": " << overlap.nodes
        << (overlap.nodes == 1 ? " node" : " nodes") << " of the secondary surface \"" << secondary
@@ -21,7 +21,7 @@ std::ostringstream nodes_inside(const std::string& contact, const std::string& p
 }  // namespace
 
 std::string noticed_line(const std::string& contact, const std::string& primary, const std::string& secondary,
-                         const UnnoticedOverlap& overlap) {
+                         const UndetectedPenetration& overlap) {
   std::ostringstream text = nodes_inside(contact, primary, secondary, overlap);
   text << "away from contact: primary facets do not notice what is smaller than they are. From now on these nodes, and "
        << "others like them, have contact conditions of their own. This is said once in a run.";
@@ -29,7 +29,7 @@ std::string noticed_line(const std::string& contact, const std::string& primary,
 }
 
 std::string overlap_warning(const std::string& contact, const std::string& primary, const std::string& secondary,
-                            const UnnoticedOverlap& overlap) {
+                            const UndetectedPenetration& overlap) {
   std::ostringstream text = nodes_inside(contact, primary, secondary, overlap);
   text << "without any load there: means over the facets around nodes are open on both sides. Refine both surfaces "
        << "there, or take the finer or more pointed one as the primary one. This is said once in a run.";

@@ -8,9 +8,9 @@
 /// Says that secondary nodes which primary facets do not notice have conditions of their own from now on; a contact's
 /// name and those of its surfaces.
 std::string noticed_line(const std::string& contact, const std::string& primary, const std::string& secondary,
-                         const mixture_contact::UnnoticedOverlap& overlap);
+                         const mixture_contact::UndetectedPenetration& overlap);
 
 /// Says that a contact does not notice an overlap, and what a user can do about it; a contact's name and those of its
 /// surfaces.
 std::string overlap_warning(const std::string& contact, const std::string& primary, const std::string& secondary,
-                            const mixture_contact::UnnoticedOverlap& overlap);
+                            const mixture_contact::UndetectedPenetration& overlap);

@@ -89,7 +89,7 @@ class Steps {
   void warn_of_overlap() {
     for (const Contact& contact : problem_.contacts()) {
       if (warned_.count(&contact) > 0) continue;
-      const mixture_contact::UnnoticedOverlap& overlap = contact.core().unnoticed_overlap();
+      const mixture_contact::UndetectedPenetration& overlap = contact.core().undetected_penetration();
       if (overlap.nodes == 0) continue;
       warned_.insert(&contact);
       const auto& surfaces = contact.definition().surfaces;

@@ -27,10 +27,10 @@ class ContactAtState : public mixture_contact::SteppedContact {
   void prepare_step() override {}
   void end_iterations() override { contact_.core().end_iterations(); }
   bool begin_iteration() override { return contact_.core().begin_iteration(fields()); }
-  void move_iteration() override { contact_.core().move_iteration(fields()); }
+  void linearise_at() override { contact_.core().linearise_at(fields()); }
   bool is_solution() override { return contact_.core().is_solution(fields()); }
   bool finds_overlap() override {
-    const mixture_contact::UnnoticedOverlap noticed = contact_.core().notice_overlap(fields());
+    const mixture_contact::UndetectedPenetration noticed = contact_.core().check_penetration(fields());
     if (noticed.nodes == 0) return false;
     const ContactDefinition& definition = contact_.definition();
     const auto& surfaces = definition.surfaces;

@@ -22,18 +22,18 @@ inline constexpr std::array<Task, 5> all_tasks{Task::search, Task::residual, Tas
                                                Task::output};
 
 /// Seconds, by what they are spent on.
-struct Spent {
+struct TimingBreakdown {
   double shared = 0;    ///< what all effects need: search, geometry, status
   double traction = 0;  ///< the traction alone
   VectorXd fields;      ///< each exchanged scalar field alone, in the order of Effects
   double host = 0;      ///< of all these: the host's own work of taking over residuals, profile and matrices
 
-  explicit Spent(Index count = 0) : fields(VectorXd::Zero(count)) {}
+  explicit TimingBreakdown(Index count = 0) : fields(VectorXd::Zero(count)) {}
   double total() const { return shared + traction + fields.sum(); }
   /// What the equations of a patch are about: one field, or else the traction.
   double& of(const Patch& rows) { return rows.fields.empty() ? traction : fields[rows.fields.front()]; }
 
-  Spent& operator+=(const Spent& more) {
+  TimingBreakdown& operator+=(const TimingBreakdown& more) {
     shared += more.shared;
     traction += more.traction;
     fields += more.fields;
@@ -62,51 +62,51 @@ class Stopwatch {
 /// Seconds by task.
 class Times {
  public:
-  explicit Times(Index fields = 0) { spent_.fill(Spent(fields)); }
+  explicit Times(Index fields = 0) { spent_.fill(TimingBreakdown(fields)); }
 
-  Spent& operator[](Task task) { return spent_.at(static_cast<std::size_t>(task)); }
-  const Spent& operator[](Task task) const { return spent_.at(static_cast<std::size_t>(task)); }
+  TimingBreakdown& operator[](Task task) { return spent_.at(static_cast<std::size_t>(task)); }
+  const TimingBreakdown& operator[](Task task) const { return spent_.at(static_cast<std::size_t>(task)); }
 
   /// The sum over all tasks.
-  Spent sum() const {
-    Spent sum(spent_.front().fields.size());
-    for (const Spent& each : spent_) sum += each;
+  TimingBreakdown sum() const {
+    TimingBreakdown sum(spent_.front().fields.size());
+    for (const TimingBreakdown& each : spent_) sum += each;
     return sum;
   }
 
  private:
-  std::array<Spent, all_tasks.size()> spent_;
+  std::array<TimingBreakdown, all_tasks.size()> spent_;
 };
 
 /// Seconds that threads spend on single effects; a clock of the task takes them over.
-class EffectTimes {
+class EffectTimings {
  public:
-  explicit EffectTimes(Index fields) : spent_(fields) {}
+  explicit EffectTimings(Index fields) : spent_(fields) {}
 
-  void add(const Spent& spent) {
+  void add(const TimingBreakdown& spent) {
     const std::scoped_lock lock(mutex_);
     spent_ += spent;
   }
   /// What has been added since the last call.
-  Spent take() {
+  TimingBreakdown take() {
     const std::scoped_lock lock(mutex_);
-    return std::exchange(spent_, Spent(spent_.fields.size()));
+    return std::exchange(spent_, TimingBreakdown(spent_.fields.size()));
   }
 
  private:
   std::mutex mutex_;
-  Spent spent_;
+  TimingBreakdown spent_;
 };
 
 /// Charges the work on one pair of facets to effects, on any thread: each call charges what has passed since the last.
-class Laps {
+class ScopedTimer {
  public:
-  Laps(EffectTimes& times, Index fields) : times_(times), spent_(fields) {}
-  Laps(const Laps&) = delete;
-  Laps& operator=(const Laps&) = delete;
-  Laps(Laps&&) = delete;
-  Laps& operator=(Laps&&) = delete;
-  ~Laps() { times_.add(spent_); }
+  ScopedTimer(EffectTimings& times, Index fields) : times_(times), spent_(fields) {}
+  ScopedTimer(const ScopedTimer&) = delete;
+  ScopedTimer& operator=(const ScopedTimer&) = delete;
+  ScopedTimer(ScopedTimer&&) = delete;
+  ScopedTimer& operator=(ScopedTimer&&) = delete;
+  ~ScopedTimer() { times_.add(spent_); }
 
   /// Work for all effects: left to the clock of the task.
   void shared() { watch_.lap(); }
@@ -114,8 +114,8 @@ class Laps {
   void field(int k) { spent_.fields[k] += watch_.lap(); }
 
  private:
-  EffectTimes& times_;
-  Spent spent_;
+  EffectTimings& times_;
+  TimingBreakdown spent_;
   Stopwatch watch_;
 };
 
@@ -123,7 +123,7 @@ class Laps {
 /// of the same task, is shared.
 class TaskClock {
  public:
-  explicit TaskClock(Spent& spent) : spent_(spent), before_(spent.total()) {}
+  explicit TaskClock(TimingBreakdown& spent) : spent_(spent), before_(spent.total()) {}
   TaskClock(const TaskClock&) = delete;
   TaskClock& operator=(const TaskClock&) = delete;
   TaskClock(TaskClock&&) = delete;
@@ -147,14 +147,14 @@ class TaskClock {
     spent_.host += watch.lap();
   }
   /// Takes over what threads have charged to effects, `threads` at a time.
-  void take(EffectTimes& times, int threads) {
-    const Spent spent = times.take();
+  void take(EffectTimings& times, int threads) {
+    const TimingBreakdown spent = times.take();
     spent_.traction += spent.traction / threads;
     spent_.fields += spent.fields / threads;
   }
 
  private:
-  Spent& spent_;
+  TimingBreakdown& spent_;
   double before_;
   Stopwatch watch_;
 };

@@ -84,12 +84,13 @@ void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   const Penalties& penalty = laws.penalties();
   Multipliers& state = laws.multipliers;
   if (!within(report.traction, tolerances.traction)) {
-    state.traction_growth = grown(state.traction_growth, penalty.traction, penalty.stiffness, default_traction_factor);
+    state.traction_penalty_scale = grown(state.traction_penalty_scale, penalty.traction, penalty.stiffness,
+                                         default_traction_factor);
   }
   for (Index k = 0; k < report.flux.count(); ++k) {
     if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;
-    state.flux_growth[k] = grown(state.flux_growth[k], penalty.flux.row(k).transpose(),
-                                 penalty.conductance.row(k).transpose(), default_flux_factor);
+    state.flux_penalty_scale[k] = grown(state.flux_penalty_scale[k], penalty.flux.row(k).transpose(),
+                                        penalty.conductance.row(k).transpose(), default_flux_factor);
   }
 }
 

@@ -104,7 +104,7 @@ bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, doub
   const double size = space_.facing().surface_size();
   VectorXd flux_rounding = laws_.field_rounding(fields, size);
   for (Index field = 0; field < flux_rounding.size(); ++field) {
-    flux_rounding[field] *= laws_.multipliers.flux_growth[field] * laws_.penalties().flux.row(field).maxCoeff();
+    flux_rounding[field] *= laws_.multipliers.flux_penalty_scale[field] * laws_.penalties().flux.row(field).maxCoeff();
   }
   return differs(one.traction.transpose(), other.traction.transpose(), part,
                  VectorXd::Constant(1, laws_.traction_rounding(size))) ||

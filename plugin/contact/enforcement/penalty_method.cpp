@@ -12,7 +12,7 @@ std::vector<TangentBlock> PenaltyMethod::node_tangent(Index node, const NodeLine
                                                       const NodalLoads& loads, const VectorXd& /*weights*/,
                                                       double dt) const {
   std::vector<TangentBlock> blocks;
-  Laps laps(space().effect_times(), effects().scalar_fields());
+  ScopedTimer laps(space().effect_times(), effects().scalar_fields());
   if (effects().traction) {
     const double penalty = laws().traction_penalty(node);
     blocks.push_back(

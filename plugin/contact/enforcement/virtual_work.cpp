@@ -28,7 +28,7 @@ std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const Face
   const LocalLayout displacements = patch.of_displacements().layout();
   MatrixXd traction = MatrixXd::Zero(displacements.size(), displacements.size());
   std::vector<TangentBlock> blocks = flux_blocks(space, patch);
-  Laps laps(space.effect_times(), space.effects().scalar_fields());
+  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   const std::vector<VaryingPoint> points = varying_points(space, pair, loads, fields, dt);
   laps.shared();
   for (const auto& [point, vary] : points) {

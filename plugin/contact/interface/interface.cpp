@@ -11,7 +11,7 @@ namespace {
 
 bool fits(const Multipliers& multipliers, Index nodes, Index fields) {
   return multipliers.traction.size() == nodes && multipliers.flux.rows() == fields &&
-         multipliers.flux.cols() == nodes && multipliers.flux_growth.size() == fields;
+         multipliers.flux.cols() == nodes && multipliers.flux_penalty_scale.size() == fields;
 }
 
 GapReport measure_gaps(const ContactPass& pass, const FacingFields& fields) {
@@ -112,7 +112,7 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   return changed;
 }
 
-void ContactInterface::move_iteration(const PerSide<SurfaceFields>& fields) {
+void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
   for (const SidedPass& pass : passes_) pass.integral->linearise_at(seen_from(pass.side, fields));
 }
 
@@ -224,7 +224,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
   return nodes_in_contact();
 }
 
-UnnoticedOverlap ContactInterface::notice_overlap(const PerSide<SurfaceFields>& fields) {
+UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
   unnoticed_ = {};
   if (settings_.two_pass || !effects_.traction) return {};
   const TaskClock timed = clock(Task::augmentation);
@@ -234,7 +234,7 @@ UnnoticedOverlap ContactInterface::notice_overlap(const PerSide<SurfaceFields>& 
   const VectorXd shares = overlap_shares(nodes, in_contact, facets, position_[Side::primary]);
   const bool joins = passes_.size() == 1;
   unnoticed_ = overlap_among(nodes, shares, joins ? check_nodes_ : flux_coupled(passes_.back()));
-  const UnnoticedOverlap found = overlap_among(nodes, shares, check_nodes_);
+  const UndetectedPenetration found = overlap_among(nodes, shares, check_nodes_);
   if (found.nodes == 0) return found;
   check_nodes_ = with_entered(std::move(check_nodes_), nodes, shares, facets.count());
   restrict_second_pass();

@@ -15,7 +15,7 @@ struct Memory {
 };
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers,
-/// notice_overlap() the nodes that a second pass is limited to.
+/// check_penetration() the nodes that a second pass is limited to.
 class ContactInterface {
  public:
   /// Where a local residual or tangent belongs.
@@ -49,7 +49,7 @@ class ContactInterface {
   /// evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
   /// Moves what an iteration holds to another state (see ContactPass::linearise_at), after project().
-  void move_iteration(const PerSide<SurfaceFields>& fields);
+  void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations();
   /// Whether a state found in iterations is a solution of the true laws.
@@ -91,10 +91,10 @@ class ContactInterface {
   /// Nothing with two passes, where secondary nodes have laws of their own already, and without traction: surfaces that
   /// cannot move stay as the user placed them. Beside unknown multipliers noticed nodes have the default penalties:
   /// there is no room for unknowns on both surfaces.
-  UnnoticedOverlap notice_overlap(const PerSide<SurfaceFields>& fields);
+  UndetectedPenetration check_penetration(const PerSide<SurfaceFields>& fields);
 
-  /// What the last notice_overlap() left without load.
-  const UnnoticedOverlap& unnoticed_overlap() const { return unnoticed_; }
+  /// What the last check_penetration() left without load.
+  const UndetectedPenetration& undetected_penetration() const { return unnoticed_; }
 
   Balance balance(const PerSide<SurfaceFields>& fields) const;
   NodalOutput nodal_output(Side side, const PerSide<SurfaceFields>& fields) const;
@@ -143,7 +143,7 @@ class ContactInterface {
   Settings settings_;
   Settings settings_of_check_;  ///< of a second pass that is restricted to penetration-check nodes
   NodeFlags check_nodes_;       ///< secondary nodes that it is restricted to
-  UnnoticedOverlap unnoticed_;
+  UndetectedPenetration unnoticed_;
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
   bool searched_ = false;  ///< whether the last projection was a search everywhere

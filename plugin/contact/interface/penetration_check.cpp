@@ -40,8 +40,9 @@ VectorXd overlap_shares(const IndexedVector<FacingNode>& nodes, const NodeFlags&
   return shares;
 }
 
-UnnoticedOverlap overlap_among(const IndexedVector<FacingNode>& nodes, const VectorXd& shares, const NodeFlags& but) {
-  UnnoticedOverlap found;
+UndetectedPenetration overlap_among(const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
+                                    const NodeFlags& but) {
+  UndetectedPenetration found;
   for (Index node = 0; node < nodes.count(); ++node) {
     if (shares[node] <= penetration_tolerance || but[node]) continue;
     ++found.nodes;

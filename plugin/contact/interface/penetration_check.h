@@ -9,7 +9,7 @@ namespace mixture_contact {
 /// contact. The laws hold as averages around primary nodes: what is smaller than a primary facet may overlap it without
 /// any load, unless a second pass notices it. Beside facets in contact the average reaches that far: an overlap there
 /// is the error of the edge of contact, which no second law mends.
-struct UnnoticedOverlap {
+struct UndetectedPenetration {
   int nodes = 0;     ///< how many lie deeper than penetration_tolerance
   double depth = 0;  ///< of the deepest [mm]
   double share = 0;  ///< largest depth over the longest edge of the facet that the node faces [-]
@@ -24,7 +24,8 @@ VectorXd overlap_shares(const IndexedVector<FacingNode>& nodes, const NodeFlags&
                         const IndexedVector<Facet>& primary, const Matrix3Xd& x1);
 
 /// Of nodes deeper than the tolerance, all but some.
-UnnoticedOverlap overlap_among(const IndexedVector<FacingNode>& nodes, const VectorXd& shares, const NodeFlags& but);
+UndetectedPenetration overlap_among(const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
+                                    const NodeFlags& but);
 
 /// The penetration-check nodes with those added that face the same primary facets as a node deeper than the tolerance.
 NodeFlags with_entered(NodeFlags check_nodes, const IndexedVector<FacingNode>& nodes, const VectorXd& shares,

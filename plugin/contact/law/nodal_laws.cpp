@@ -15,7 +15,7 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
       penalties_(at_nodes(mixture_contact::penalties(primary, secondary, effects, settings), primary)) {
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
-  multipliers.flux_growth.setOnes(effects.scalar_fields());
+  multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
 }
 
 void NodalLaws::update_penalties() {
@@ -38,7 +38,7 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
 }
 
 double NodalLaws::traction_rounding(double surface_size) const {
-  return multipliers.traction_growth * penalties_.traction.maxCoeff() * rounding_fraction * surface_size;
+  return multipliers.traction_penalty_scale * penalties_.traction.maxCoeff() * rounding_fraction * surface_size;
 }
 
 VectorXd NodalLaws::field_rounding(const FacingFields& fields, double surface_size) const {

@@ -9,10 +9,10 @@ namespace mixture_contact {
 /// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
 /// are unknowns, the host with every trial state.
 struct Multipliers {
-  VectorXd traction;           ///< lambda_n per node [MPa]
-  MatrixXd flux;               ///< lambda per (field, node)
-  double traction_growth = 1;  ///< factor on eps_n that slow augmentations have built up
-  VectorXd flux_growth;        ///< the same per field
+  VectorXd traction;                  ///< lambda_n per node [MPa]
+  MatrixXd flux;                      ///< lambda per (field, node)
+  double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
+  VectorXd flux_penalty_scale;        ///< the same per field
 };
 
 /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
@@ -30,9 +30,9 @@ class NodalLaws {
   Index nodes() const { return primary_.nodes; }
   /// Penalties of the nodes.
   const Penalties& penalties() const { return penalties_; }
-  double traction_penalty(Index node) const { return multipliers.traction_growth * penalties_.traction[node]; }
+  double traction_penalty(Index node) const { return multipliers.traction_penalty_scale * penalties_.traction[node]; }
   double flux_penalty(Index field, Index node) const {
-    return multipliers.flux_growth[field] * penalties_.flux(field, node);
+    return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
   }
 
   /// Sets traction and fluxes of the nodes in contact to lambda + eps times gap or jump; without penalty, to lambda.

@@ -95,7 +95,7 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
   if (!space.facing().has_node_among(pair, loads.in_contact)) return {};
   const Patch patch = space.facing().patch(pair);
   IndexedVector<NodeLinearisation> corners(patch.primary.count(), zero_linearisation(patch));
-  Laps laps(space.effect_times(), space.effects().scalar_fields());
+  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   const std::vector<VaryingPoint> points = varying_points(space, pair, loads, fields, 1.0);
   const auto for_each_corner_of_points = [&](const auto& use) {
     for (const VaryingPoint& point : points) {

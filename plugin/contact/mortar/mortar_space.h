@@ -42,7 +42,7 @@ class MortarSpace {
   bool symmetric() const { return symmetric_; }
 
   /// What linearising and tangents spend on single effects; whoever times them takes it.
-  EffectTimes& effect_times() const { return effect_times_; }
+  EffectTimings& effect_times() const { return effect_times_; }
   std::size_t memory() const { return facing_.memory() + weights_.memory(); }
 
  private:
@@ -54,7 +54,7 @@ class MortarSpace {
   bool redistributes_;  ///< on segments alone
   bool unknown_multipliers_;
   bool symmetric_;
-  mutable EffectTimes effect_times_;  ///< a measurement, which no result depends on
+  mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
 };
 
 }  // namespace mixture_contact

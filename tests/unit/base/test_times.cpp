@@ -15,7 +15,7 @@ void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_clock_within_another_of_the_same_task_counts_once) {
-  Spent spent;
+  TimingBreakdown spent;
   const Stopwatch watch;
   {
     const TaskClock outer(spent);
@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(a_clock_within_another_of_the_same_task_counts_once) {
 }
 
 BOOST_AUTO_TEST_CASE(what_the_host_does_for_an_effect_is_charged_to_it) {
-  Spent spent(2);
+  TimingBreakdown spent(2);
   const Stopwatch watch;
   {
     TaskClock clock(spent);
@@ -45,14 +45,14 @@ BOOST_AUTO_TEST_CASE(what_the_host_does_for_an_effect_is_charged_to_it) {
 }
 
 BOOST_AUTO_TEST_CASE(what_threads_charge_is_taken_over_once) {
-  EffectTimes times(1);
+  EffectTimings times(1);
   {
-    Laps laps(times, 1);
+    ScopedTimer laps(times, 1);
     laps.shared();
     wait();
     laps.field(0);
   }
-  Spent spent(1);
+  TimingBreakdown spent(1);
   TaskClock(spent).take(times, 2);
   BOOST_TEST(spent.fields[0] >= 1e-3);
   BOOST_TEST(spent.traction == 0);
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(every_task_of_a_contact_is_timed) {
   contact->balance(scene.fields);
   for (const Task task : all_tasks) BOOST_TEST(contact->times()[task].total() > 0);
   BOOST_TEST(contact->times()[Task::residual].host >= 2e-3);
-  const Spent& stiffness = contact->times()[Task::stiffness];
+  const TimingBreakdown& stiffness = contact->times()[Task::stiffness];
   for (const double seconds : {stiffness.shared, stiffness.traction, stiffness.fields[0], stiffness.fields[1]})
     BOOST_TEST(seconds > 0);
   BOOST_TEST(contact->times().sum().total() >= contact->times()[Task::residual].total());

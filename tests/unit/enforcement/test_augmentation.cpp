@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(without_growth_the_same_penalty_would_need_a_hundred_thousa
   for (int augmentation = 0; augmentation < 5; ++augmentation) {
     const double before = conductors.jump();
     conductors.contact->augment(conductors.scene.fields);
-    conductors.contact->multipliers(0).flux_growth.setOnes();
+    conductors.contact->multipliers(0).flux_penalty_scale.setOnes();
     conductors.solve();
     // The solution loses digits to 1 + slope/k, slope 1e-4 k being itself a difference of flows of size 1.
     check_close(conductors.jump() / before, 1 / (1 + 1e-4), 1e-10);
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(without_growth_the_same_penalty_would_need_a_hundred_thousa
 
 BOOST_AUTO_TEST_CASE(growth_stops_at_the_accurate_penalty_and_never_shrinks) {
   Conductors conductors(1e-4);
-  double& growth = conductors.contact->multipliers(0).flux_growth[0];
+  double& growth = conductors.contact->multipliers(0).flux_penalty_scale[0];
   double last = 1;
   for (int augmentation = 0; augmentation < 30; ++augmentation) {
     conductors.scene.set_field(0, 1, 0);  // a jump that never closes
@@ -205,9 +205,9 @@ BOOST_AUTO_TEST_CASE(fields_that_meet_their_tolerance_keep_their_penalty) {
   scene.settings.tolerances = {{0, 1e-3}, {0, 1}, {0, 1e-3}};  // gap and solute miss theirs, the solvent does not
   const auto contact = scene.contact();
   contact->augment(scene.fields);
-  BOOST_TEST(contact->multipliers(0).traction_growth == 10.0);
-  BOOST_TEST(contact->multipliers(0).flux_growth[0] == 1.0);
-  BOOST_TEST(contact->multipliers(0).flux_growth[1] == 10.0);
+  BOOST_TEST(contact->multipliers(0).traction_penalty_scale == 10.0);
+  BOOST_TEST(contact->multipliers(0).flux_penalty_scale[0] == 1.0);
+  BOOST_TEST(contact->multipliers(0).flux_penalty_scale[1] == 10.0);
 }
 
 BOOST_AUTO_TEST_CASE(sealed_facets_do_not_keep_the_others_from_growing) {
@@ -218,14 +218,14 @@ BOOST_AUTO_TEST_CASE(sealed_facets_do_not_keep_the_others_from_growing) {
   scene.mesh[Side::primary].conductance(1, 0) = 0;
   const auto contact = scene.contact();
   contact->augment(scene.fields);
-  BOOST_TEST(contact->multipliers(0).flux_growth[1] == 10.0);
+  BOOST_TEST(contact->multipliers(0).flux_penalty_scale[1] == 10.0);
   for (int augmentation = 0; augmentation < 30; ++augmentation) contact->augment(scene.fields);
   // What grows is the factor on all penalties of the field, until the smallest is accurate.
   const Penalties& penalty = contact->pass(0).penalty();
   const Eigen::ArrayXd flux = penalty.flux.row(1);
   const double smallest = (flux > 0).select(flux, flux.maxCoeff()).minCoeff();
   const double accurate = default_flux_factor * penalty.conductance.row(1).maxCoeff();
-  check_close(contact->multipliers(0).flux_growth[1] * smallest, accurate, rounding);
+  check_close(contact->multipliers(0).flux_penalty_scale[1] * smallest, accurate, rounding);
 }
 
 BOOST_AUTO_TEST_CASE(gaps_are_measured_against_the_drop_across_the_adjoining_elements) {
@@ -367,6 +367,6 @@ BOOST_AUTO_TEST_CASE(gaps_between_rigid_bodies_are_measured_against_the_penalty)
   const auto contact = scene.contact();
   check_close(contact->gaps(scene.fields).traction.relative, 1, rounding);
   contact->augment(scene.fields);
-  contact->multipliers(0).traction_growth = 1;
+  contact->multipliers(0).traction_penalty_scale = 1;
   check_close(contact->gaps(scene.fields).traction.relative, 0.5, rounding);  // the load has doubled
 }

@@ -27,7 +27,7 @@ class FakeContact : public SteppedContact {
     note("begin");
     return loads_change;
   }
-  void move_iteration() override { note("move"); }
+  void linearise_at() override { note("move"); }
   bool is_solution() override { return solution; }
   bool finds_overlap() override { return overlap; }
 

@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_bits_and_changes_no_state) 
     BOOST_TEST((answers(contact, scene) == first));
     BOOST_TEST((contact.multipliers(0).traction == before.traction));
     BOOST_TEST((contact.multipliers(0).flux == before.flux));
-    BOOST_TEST((contact.multipliers(0).flux_growth == before.flux_growth));
-    BOOST_TEST(contact.multipliers(0).traction_growth == before.traction_growth);
+    BOOST_TEST((contact.multipliers(0).flux_penalty_scale == before.flux_penalty_scale));
+    BOOST_TEST(contact.multipliers(0).traction_penalty_scale == before.traction_penalty_scale);
   });
 }
 
@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(a_state_that_does_not_fit_is_refused_and_changes_nothing) {
     refused([](auto& state) { state.noticed.push_back(-1); });
     refused([](auto& state) { state.multipliers.front().traction.conservativeResize(1); });
     refused([](auto& state) { state.multipliers.front().flux.conservativeResize(Eigen::NoChange, 1); });
-    refused([](auto& state) { state.multipliers.front().flux_growth.conservativeResize(7); });
+    refused([](auto& state) { state.multipliers.front().flux_penalty_scale.conservativeResize(7); });
   });
 }
 

@@ -320,8 +320,8 @@ BOOST_AUTO_TEST_CASE(the_symmetric_option_gives_symmetric_tangents) {
 BOOST_AUTO_TEST_CASE(growth_multiplies_the_penalties) {
   const Scene scene = overlapping_squares();
   ProjectedPass pass(scene);
-  pass.laws().multipliers.traction_growth = 2;
-  pass.laws().multipliers.flux_growth << 4, 8, 16;
+  pass.laws().multipliers.traction_penalty_scale = 2;
+  pass.laws().multipliers.flux_penalty_scale << 4, 8, 16;
   VectorXd sum = VectorXd::Zero(6);
   residual_of(pass, scene, [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
   VectorXd expected(6);

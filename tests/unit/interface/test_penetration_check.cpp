@@ -52,7 +52,7 @@ struct Spike {
     go_on();
   }
 
-  UnnoticedOverlap notice() { return contact->notice_overlap(scene.fields); }
+  UndetectedPenetration notice() { return contact->check_penetration(scene.fields); }
 
   /// Lets the iterations go on where they are, as a host does after a dispute.
   void go_on() { contact->begin_iteration(scene.fields); }
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_noticed_once) {
   Spike spike(deep);
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
   BOOST_TEST(spike.contact->passes() == 1u);
-  const UnnoticedOverlap found = spike.notice();
+  const UndetectedPenetration found = spike.notice();
   BOOST_TEST(found.nodes == 1);
   BOOST_TEST(std::abs(found.depth - deep) <= rounding);
   BOOST_TEST(std::abs(found.share - deep) <= rounding);
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_noticed_once) {
   spike.go_on();
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
   BOOST_TEST(spike.notice().nodes == 0);
-  BOOST_TEST(spike.contact->unnoticed_overlap().nodes == 0);
+  BOOST_TEST(spike.contact->undetected_penetration().nodes == 0);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_noticed_where_nothing_is_missed) {
@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(a_mean_that_is_open_leaves_a_noticed_node_without_load) {
   Spike spike(deep, 2 * deep);
   BOOST_TEST(spike.notice().nodes == 1);
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
-  BOOST_TEST(spike.contact->unnoticed_overlap().nodes == 1);
-  BOOST_TEST(std::abs(spike.contact->unnoticed_overlap().depth - deep) <= rounding);
+  BOOST_TEST(spike.contact->undetected_penetration().nodes == 1);
+  BOOST_TEST(std::abs(spike.contact->undetected_penetration().depth - deep) <= rounding);
 }
 
 BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {

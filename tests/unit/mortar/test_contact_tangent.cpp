@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   scene.disturb(0.02, random);
   const GlobalLayout layout(scene);
   moved->project(scene.position());
-  moved->move_iteration(scene.fields);
+  moved->linearise_at(scene.fields);
 
   const auto started = scene.contact();
   started->begin_iteration(scene.fields);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   for (Index node = 0; node < scene.fields[Side::secondary].position.cols(); ++node)
     scene.fields[Side::secondary].position(2, node) += 0.3;
   moved->project(scene.position());
-  moved->move_iteration(scene.fields);
+  moved->linearise_at(scene.fields);
   const PerSide<NodeFlags> status = moved->nodes_in_contact();
   BOOST_TEST(std::count(status[Side::primary].begin(), status[Side::primary].end(), false) == 0);
   const double force = moved->balance(scene.fields).force[2];
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_overlap_where_an_iteration_is_moved_to_close) {
   BOOST_TEST(moved->balance(scene.fields).force[2] == 0.0);
   scene.fields[Side::secondary].position.row(2).array() -= 0.1;
   moved->project(scene.position());
-  moved->move_iteration(scene.fields);
+  moved->linearise_at(scene.fields);
   for (const Side side : both_sides) {
     const std::vector<bool> closed = moved->hold_nodes_in_contact()[side];
     BOOST_TEST(std::count(closed.begin(), closed.end(), false) == 0);
