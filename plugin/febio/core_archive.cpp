@@ -1,7 +1,7 @@
 #include "core_archive.h"
 
 #include "archive.h"
-#include "contact/base/indexed_vector.h"
+#include "newton/vector_entry.h"
 
 #include <FECore/DumpStream.h>
 
