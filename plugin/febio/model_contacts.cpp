@@ -12,11 +12,13 @@
 #include <FECore/FEModel.h>
 #include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
+#include <FECore/JFNKStrategy.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 
+using mixture_contact::MatrixUse;
 using mixture_contact::SteppedContact;
 
 namespace {
@@ -195,12 +197,14 @@ void ModelContacts::evaluate_residual() {
   solver.m_R0 += solver.m_Fd;  // what prescribed increments add, at the start of a step
 }
 
-/// All but full Newton may go on with the matrix of an earlier iteration.
-bool ModelContacts::keeps_matrices() {
+MatrixUse ModelContacts::matrix_use() {
   const FENewtonSolver* const solver = solver_.febio();
-  if (solver == nullptr) return false;
+  if (solver == nullptr) return MatrixUse::none;
   const FENewtonStrategy* strategy = solver->m_qnstrategy;
-  return strategy->m_maxups > 0 || dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
+  const auto* without_jacobian = dynamic_cast<const JFNKStrategy*>(strategy);
+  if (without_jacobian != nullptr && !without_jacobian->m_bprecondition) return MatrixUse::none;
+  const bool kept = strategy->m_maxups > 0 || dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
+  return kept ? MatrixUse::kept : MatrixUse::each_iteration;
 }
 
 void ModelContacts::limit_rejections(int n) {

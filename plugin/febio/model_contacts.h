@@ -40,7 +40,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void evaluate() override;
   void evaluate_bodies_after_contacts() override;
   void evaluate_residual() override;
-  bool keeps_matrices() override;
+  mixture_contact::MatrixUse matrix_use() override;
   void request_matrix() override;
   void limit_rejections(int n) override;
 

@@ -38,7 +38,7 @@ void ContactSteps::evaluate(const void* told) {
   switch (stepper_.evaluate()) {
     case Stepper::Evaluation::keep_active_set:
       // The active set changes where a matrix is formed: where it must change, quasi-Newton methods have to form one.
-      if (model_.keeps_matrices() && !is_solution()) model_.request_matrix();
+      if (model_.matrix_use() == MatrixUse::kept && !is_solution()) model_.request_matrix();
       return;
     case Stepper::Evaluation::begin_anew:
       for (SteppedContact* contact : contacts) contact->end_iterations();
@@ -55,7 +55,8 @@ void ContactSteps::evaluate(const void* told) {
 
 void ContactSteps::try_increment(const void* told, const std::vector<double>& increment) {
   if (!trials_.opens(told)) return;
-  stepper_.try_state();
+  // Where no matrix is ever formed no iteration would begin at an accepted state: each evaluation is of the true laws.
+  if (model_.matrix_use() != MatrixUse::none) stepper_.try_state();
   for (SteppedContact* contact : model_.active_contacts()) contact->project();
   helpers_.try_increment(increment);
 }

@@ -32,6 +32,13 @@ class SteppedContact {
   virtual bool finds_overlap() = 0;
 };
 
+/// How a host's method uses matrices.
+enum class MatrixUse {
+  each_iteration,  ///< full Newton: a new one for each
+  kept,            ///< quasi-Newton, modified Newton: one serves several iterations
+  none             ///< products with the tangent are differences of residuals
+};
+
 /// The model that the contacts are in.
 class SteppedModel {
  public:
@@ -50,8 +57,7 @@ class SteppedModel {
   /// Within an evaluation: has the bodies evaluated after the contacts.
   virtual void evaluate_bodies_after_contacts() = 0;
   virtual void evaluate_residual() = 0;
-  /// Whether iterations may go on with the matrix of an earlier one.
-  virtual bool keeps_matrices() = 0;
+  virtual MatrixUse matrix_use() = 0;
   virtual void request_matrix() = 0;
   /// A converged state has been rejected for the n-th time in a step.
   virtual void limit_rejections(int n) = 0;

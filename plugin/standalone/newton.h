@@ -58,7 +58,7 @@ class Newton : private mixture_contact::SteppedModel {
   void evaluate() override { steps_.evaluate(this); }
   void evaluate_bodies_after_contacts() override {}  // they are evaluated with the residual
   void evaluate_residual() override;
-  bool keeps_matrices() override { return false; }
+  mixture_contact::MatrixUse matrix_use() override { return mixture_contact::MatrixUse::each_iteration; }
   void request_matrix() override {}
   void limit_rejections(int /*n*/) override {}  // the limit on reformations holds
 

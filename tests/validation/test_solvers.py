@@ -60,6 +60,14 @@ def test_explicit_dynamics_come_near_equilibrium(blocks):
     assert np.min(found[18:27]) < -0.01
 
 
+def test_newton_without_a_jacobian_finds_what_newton_finds(blocks):
+    solver = '<solver type="CG-solid"></solver>'
+    jfnk = '<solver type="solid"><qn_method type="JFNK"/><linear_solver type="fgmres"/></solver>'
+    expected = blocks("newton", FACTOR, NEWTON)
+    # FEBio's tolerance on the change of a step is 1e-3.
+    np.testing.assert_allclose(blocks("jfnk", FACTOR, (solver, jfnk)), expected, atol=1e-3 * 0.05)
+
+
 def test_multipliers_need_a_matrix(runner, tmp_path):
     path = tmp_path / "model.feb"
     text = (MODELS / "two-blocks.feb").read_text()

@@ -10,6 +10,7 @@
 #include <string>
 
 using mixture_contact::ContactSteps;
+using mixture_contact::MatrixUse;
 using mixture_contact::SteppedContact;
 using mixture_contact::SteppedModel;
 
@@ -134,7 +135,7 @@ class FakeHost : public SteppedModel {
   }
   void evaluate_bodies_after_contacts() override { notes.emplace_back("bodies"); }
   void evaluate_residual() override { notes.emplace_back("residual"); }
-  bool keeps_matrices() override { return quasi_newton; }
+  MatrixUse matrix_use() override { return matrices; }
   void request_matrix() override { notes.emplace_back("matrix please"); }
   void limit_rejections(int n) override {
     if (n > 2) throw TooManyRejections("too many");
@@ -147,7 +148,7 @@ class FakeHost : public SteppedModel {
   std::vector<bool> is_active;
   FakeHelper* helper = nullptr;
   bool ambient_changes = false;
-  bool quasi_newton = false;
+  MatrixUse matrices = MatrixUse::each_iteration;
 
  private:
   FakeSolver solver_;
@@ -210,7 +211,7 @@ BOOST_AUTO_TEST_CASE(what_changes_at_a_matrix_is_evaluated_with_what_is_held_and
 
 BOOST_AUTO_TEST_CASE(quasi_newton_methods_get_a_matrix_where_the_active_set_must_change) {
   FakeHost host(2);
-  host.quasi_newton = true;
+  host.matrices = MatrixUse::kept;
   host.start_step();
   host.said();
   host.update(1.0);
@@ -220,6 +221,15 @@ BOOST_AUTO_TEST_CASE(quasi_newton_methods_get_a_matrix_where_the_active_set_must
   check(host.said(), {"helper trial", "matrix please"});
   host.update(1.0);  // an update without a matrix: nothing begins
   check(host.said(), {"helper trial", "matrix please"});
+}
+
+BOOST_AUTO_TEST_CASE(without_any_matrix_each_trial_is_of_the_true_laws) {
+  FakeHost host(1);
+  host.matrices = MatrixUse::none;
+  host.start_step();
+  host.said();
+  host.update(1.0);
+  check(host.said(), {"helper trial", "A end", "helper iterations", "A begin", "ambient"});
 }
 
 BOOST_AUTO_TEST_CASE(full_newton_asks_for_no_matrix) {
