@@ -12,7 +12,7 @@ using mixture_contact::Side;
 using newton::Place;
 
 std::map<int, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
-    const std::vector<FEMixtureContact*>& contacts) const {
+    const std::vector<FEMixtureContact*>& contacts) {
   std::map<int, NodeStatus> nodes;
   for (const FEMixtureContact* contact : contacts) {
     const auto in_contact = contact->core().hold_nodes_in_contact();

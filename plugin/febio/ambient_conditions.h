@@ -31,7 +31,7 @@ class AmbientConditions {
     bool in_contact;
     const FEMixtureContact* ambient;  ///< the first contact that the node belongs to says what its ambient values are
   };
-  std::map<int, NodeStatus> status_of_nodes(const std::vector<FEMixtureContact*>& contacts) const;
+  static std::map<int, NodeStatus> status_of_nodes(const std::vector<FEMixtureContact*>& contacts);
   bool apply(newton::Place place, const NodeStatus& status);
   bool is_free(newton::Place place) const;
   bool release(newton::Place place);
