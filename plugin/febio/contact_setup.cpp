@@ -50,14 +50,14 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
   return nullptr;
 }
 
-/// Facets of known types.
+/// Facets whose types check_surfaces() has seen to be known.
 SurfaceMesh surface_mesh(FESurface& surface, const std::vector<FacetMaterial>& materials, const Effects& effects) {
   SurfaceMesh mesh;
   mesh.nodes = surface.Nodes();
   for (int i = 0; i < surface.Elements(); ++i) {
     const FESurfaceElement& element = surface.Element(i);
     Facet facet;
-    facet.type = type_of(element).value();
+    facet.type = type_of(element).value_or(FacetType::quad4);
     std::copy_n(element.m_lnode.begin(), element.Nodes(), facet.nodes.begin());
     mesh.facets.push_back(facet);
   }

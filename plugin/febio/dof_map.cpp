@@ -9,7 +9,6 @@
 
 #include <algorithm>
 
-using mixture_contact::at;
 using mixture_contact::both_sides;
 using mixture_contact::ContactInterface;
 using mixture_contact::Index;
@@ -49,35 +48,34 @@ int DofMap::deformable_node() const {
   return -1;
 }
 
-std::vector<int> DofMap::nodes(const Location& place) const {
+std::vector<int> DofMap::nodes(const Location& at) const {
   std::vector<int> nodes;
-  for (const int node : place.patch.primary) nodes.push_back(surfaces_[place.first].NodeIndex(node));
-  for (const int node : place.patch.secondary) nodes.push_back(surfaces_[other(place.first)].NodeIndex(node));
-  if (place.patch.multiplier_node) nodes.push_back(multiplier_node_);
+  for (const int node : at.patch.primary) nodes.push_back(surfaces_[at.first].NodeIndex(node));
+  for (const int node : at.patch.secondary) nodes.push_back(surfaces_[other(at.first)].NodeIndex(node));
+  if (at.patch.multiplier_node) nodes.push_back(multiplier_node_);
   return nodes;
 }
 
 const std::vector<int>& DofMap::node_equations(int node) const { return fem_.GetMesh().Node(node).m_ID; }
 
-void DofMap::add_multipliers(const ContactInterface& core, const Location& place, std::vector<int>& ids) const {
-  if (!place.patch.multiplier_node) return;
-  const LocalLayout layout = place.patch.layout();
+void DofMap::add_multipliers(const ContactInterface& core, const Location& at, std::vector<int>& ids) const {
+  if (!at.patch.multiplier_node) return;
+  const LocalLayout layout = at.patch.layout();
   const MultiplierLayout own = core.multiplier_layout();
-  const int node = *place.patch.multiplier_node;
+  const int node = *at.patch.multiplier_node;
   const int first = first_multiplier_;
   if (layout.has_displacements())
     mixture_contact::at(ids, layout.traction_multiplier()) = first + newton::as_int(own.traction(node));
   for (Index k = 0; k < layout.scalar_fields(); ++k)
-    mixture_contact::at(
-        ids, layout.flux_multiplier(k)) = first +
-                                          newton::as_int(own.flux(node, mixture_contact::at(place.patch.fields, k)));
+    mixture_contact::at(ids, layout.flux_multiplier(k)) = first + newton::as_int(own.flux(
+                                                                      node, mixture_contact::at(at.patch.fields, k)));
 }
 
-std::vector<int> DofMap::equations(const ContactInterface& core, const Location& place) const {
-  const LocalLayout layout = place.patch.layout();
-  const std::vector<int> mesh_nodes = nodes(place);
+std::vector<int> DofMap::equations(const ContactInterface& core, const Location& at) const {
+  const LocalLayout layout = at.patch.layout();
+  const std::vector<int> mesh_nodes = nodes(at);
   std::vector<int> ids(newton::entries(layout.size()), -1);
-  add_multipliers(core, place, ids);
+  add_multipliers(core, at, ids);
   for (Index node = 0; node < layout.nodes(); ++node) {
     const std::vector<int>& own = node_equations(mixture_contact::at(mesh_nodes, node));
     for (Index i = 0; layout.has_displacements() && i < 3; ++i)
@@ -85,7 +83,7 @@ std::vector<int> DofMap::equations(const ContactInterface& core, const Location&
           own, mixture_contact::at(displacements_, i));
     for (Index k = 0; k < layout.scalar_fields(); ++k)
       mixture_contact::at(ids, layout.scalar(node, k)) = mixture_contact::at(
-          own, field(core.effects(), mixture_contact::at(place.patch.fields, k)));
+          own, field(core.effects(), mixture_contact::at(at.patch.fields, k)));
   }
   return ids;
 }

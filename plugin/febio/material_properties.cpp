@@ -102,9 +102,9 @@ double solute_conductance(FEMaterial& material, const FESolute& solute, FEMateri
 
 /// A facet and the element behind it, in the reference configuration.
 struct FacetGeometry {
-  FEElement* element;
-  double volume;
-  double thickness;  ///< the element's volume over the area of the facet
+  FEElement* element = nullptr;
+  double volume = 0;
+  double thickness = 0;  ///< the element's volume over the area of the facet
   vec3d normal;
 };
 
@@ -168,7 +168,7 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   problem = problem_of(fem, facet, geometry);
   if (!problem.empty()) return std::nullopt;
   FEMaterial& material = *fem.GetMaterial(element->GetMatID());
-  const FacetMaterial result = properties_of(material, geometry);
+  FacetMaterial result = properties_of(material, geometry);
   if (result.stiffness > 0) return result;
   problem = "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +
             ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";

@@ -199,8 +199,8 @@ void ModelContacts::evaluate_residual() {
 
 MatrixUse ModelContacts::matrix_use() {
   const FENewtonSolver* const solver = solver_.febio();
-  if (solver == nullptr) return MatrixUse::none;
-  const FENewtonStrategy* strategy = solver->m_qnstrategy;
+  const FENewtonStrategy* const strategy = solver == nullptr ? nullptr : solver->m_qnstrategy;
+  if (strategy == nullptr) return MatrixUse::none;
   const auto* without_jacobian = dynamic_cast<const JFNKStrategy*>(strategy);
   if (without_jacobian != nullptr && !without_jacobian->m_bprecondition) return MatrixUse::none;
   const bool kept = strategy->m_maxups > 0 || dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
