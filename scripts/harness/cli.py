@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import tempfile
 import traceback
+from collections.abc import Callable
 from pathlib import Path
 
 import typer
@@ -16,6 +17,7 @@ from harness.errors import HarnessError
 from harness.indentation import command as indentation
 from harness.pages import command as pages
 from harness.pages.gallery import command as gallery
+from harness.paths import is_checkout
 from harness.preflight import command as preflight
 from harness.run import command as run
 from harness.studies.cost import command as cost
@@ -30,14 +32,8 @@ BAD_INPUT, OUR_FAULT = 2, 4
 """Exit codes: the input cannot be used; a fault in here."""
 
 _ABOUT = "Make, run and check models of contact between mixtures."
-app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
-for _command in (
-    validate.validate,
-    run.run,
-    preflight.check,
-    conversion.convert,
-    validate.plot,
-    pages.models,
+_FOR_EVERYBODY = (validate.validate, run.run, preflight.check, conversion.convert, validate.plot, pages.models)
+_OF_THE_REPOSITORY = (
     engines_command.engines,
     indentation.indentation,
     indentation.indentation_study,
@@ -55,8 +51,17 @@ for _command in (
     gallery.gallery,
     pages.pages,
     pages.report,
-):
-    app.command()(_command)
+)
+
+
+def _commands(*functions: Callable[..., None]) -> typer.Typer:
+    commands = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
+    for function in functions:
+        commands.command()(function)
+    return commands
+
+
+app = _commands(*_FOR_EVERYBODY, *(_OF_THE_REPOSITORY if is_checkout() else ()))
 
 
 def main() -> None:

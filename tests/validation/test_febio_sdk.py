@@ -113,7 +113,9 @@ def test_one_without_a_hook_is_refused_and_the_hook_named(hook, tmp_path):
 
 
 def test_one_with_the_arguments_of_older_releases_is_refused(tmp_path):
-    older = PAIR.replace("Update(const std::vector<double>&, const std::vector<double>&)", "Update(std::vector<double>&)")
+    older = PAIR.replace(
+        "Update(const std::vector<double>&, const std::vector<double>&)", "Update(std::vector<double>&)"
+    )
     done = configure(tmp_path, fake_sdk(tmp_path / "sdk", pair=older, release="4.10"))
     assert done.returncode != 0
     assert "void Update(const std::vector<double>&, const std::vector<double>&)" in said(done)
