@@ -12,12 +12,12 @@ Gives:
   FEBio_VERSION      the release the headers belong to, from FEBioLib/version.h (empty where that is not installed)
   FEBio::FECore, FEBio::FEBioMech, FEBio::FEBioMix  imported targets
   FEBio::FEBioPlot, FEBio::FEBioXML, FEBio::FEBioLib  imported targets where the SDK has them
-A version other than the supported one is an error.
+What counts is not a number but what the headers offer: an FEBio without the hooks of FEBioHooks.cmake is an error that
+names them, and one that has them is taken, with a notice where it is not the tested release.
 ]]
 
-set(FEBio_SUPPORTED_VERSION 4.11)
-# FEBio raises the SDK version only where plugins have to be compiled anew: release 4.11 carries SDK 4.10.
-set(FEBio_SUPPORTED_SDK_VERSION 4.10.0)
+set(FEBio_TESTED_VERSION 4.11)
+include(FEBioHooks)
 
 set(FEBIO_ROOT "" CACHE PATH "FEBio installation prefix or SDK (empty: environment, then usual places)")
 
@@ -109,7 +109,7 @@ if(_febio_missing)
     CONCAT _febio_notice
            "FEBio was not found: ${_febio_what}. The plugin library is left out, and so is everything that runs a model "
            "in febio4; the contact core and its unit tests are built all the same. To get the plugin, install FEBio "
-           "${FEBio_SUPPORTED_VERSION} with its SDK (headers and libraries) from its own download page, or build it "
+           "${FEBio_TESTED_VERSION} with its SDK (headers and libraries) from its own download page, or build it "
            "after its own guide, and set FEBIO_ROOT to the directory that holds bin, include and lib.")
   message(NOTICE "${_febio_notice}")
   file(WRITE "${_febio_notice_file}" "${_febio_notice}\n")
@@ -130,14 +130,19 @@ if(NOT _febio_release)
 endif()
 message(STATUS "FEBio ${_febio_release}, plugin SDK ${FEBio_SDK_VERSION}: ${FEBio_ROOT_DIR}")
 
-if(NOT FEBio_SDK_VERSION VERSION_EQUAL FEBio_SUPPORTED_SDK_VERSION
-   OR (FEBio_VERSION AND NOT FEBio_VERSION MATCHES "^${FEBio_SUPPORTED_VERSION}(\\.|$)"))
+febio_missing_hooks("${FEBio_INCLUDE_DIR}" _febio_missing_hooks)
+if(_febio_missing_hooks)
+  list(JOIN _febio_missing_hooks "\n  " _febio_what)
   message(
     FATAL_ERROR
-      "This FEBio is not supported. Found at ${FEBio_ROOT_DIR}: FEBio ${_febio_release} with plugin SDK "
-      "'${FEBio_SDK_VERSION}'. Supported: FEBio ${FEBio_SUPPORTED_VERSION}, whose plugin SDK is "
-      "${FEBio_SUPPORTED_SDK_VERSION}. febio4 loads only plugins that were built with its own SDK version. Set FEBIO_ROOT "
-      "to an FEBio ${FEBio_SUPPORTED_VERSION}, or leave the plugin out with -DMIXCONTACT_BUILD_PLUGIN=OFF.")
+      "This FEBio is not supported: FEBio ${_febio_release}, plugin SDK ${FEBio_SDK_VERSION}, at ${FEBio_ROOT_DIR}. Its "
+      "classes lack what this contact needs of them:\n  ${_febio_what}\nRelease 4.11 is the first that has it all. Set "
+      "FEBIO_ROOT to FEBio ${FEBio_TESTED_VERSION} or newer, or leave the plugin out with -DMIXCONTACT_BUILD_PLUGIN=OFF.")
+endif()
+if(NOT FEBio_VERSION MATCHES "^${FEBio_TESTED_VERSION}(\\.|$)" OR NOT FEBio_SDK_VERSION VERSION_EQUAL 4.10)
+  message(NOTICE "FEBio ${_febio_release} with plugin SDK ${FEBio_SDK_VERSION} has what this contact needs, but the plugin "
+                 "was not tested with it: it was with release ${FEBio_TESTED_VERSION}, whose plugin SDK is 4.10.0. "
+                 "`scripts/mixcontact test --all` tests it.")
 endif()
 
 foreach(_name IN ITEMS FECore FEBioMech FEBioMix FEBioPlot FEBioXML FEBioLib)

@@ -1,7 +1,7 @@
 #[[
 What `cmake --install` puts into a prefix and CPack into an archive, beside the plugin's target FEBioMixtureContact:
   lib/     the plugin
-  share/FEBioMixtureContact/  models, licence, citation, and a febio.xml that imports the plugin
+  share/FEBioMixtureContact/  models, documentation, licence, citation, and a febio.xml that imports the plugin
 
 The archive is named by the plugin's version and by that of FEBio's SDK, since febio4 loads no other.
 ]]
@@ -9,15 +9,16 @@ The archive is named by the plugin's version and by that of FEBio's SDK, since f
 include(GNUInstallDirs)
 set(share "${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME}")
 
-install(TARGETS FEBioMixtureContact LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS FEBioMixtureContact LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/models" DESTINATION ${share})
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION ${share})
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/LICENSE"
               "${PROJECT_SOURCE_DIR}/CITATION.cff" DESTINATION ${share})
 
 set(package "${PROJECT_NAME}-${PROJECT_VERSION}-febio-sdk-${FEBio_SDK_VERSION}-${CMAKE_SYSTEM_NAME}")
 string(APPEND package "-${CMAKE_SYSTEM_PROCESSOR}")
 
-# febio.xml names the plugin by its full path. Where an archive will be unpacked is not known: its user fills that in.
+# febio.xml names the plugin by its full path; that of an archive, whose place is not known, from the archive's directory.
 set(plugin_file "${CMAKE_INSTALL_LIBDIR}/${CMAKE_SHARED_LIBRARY_PREFIX}FEBioMixtureContact${CMAKE_SHARED_LIBRARY_SUFFIX}")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/install_febio_xml.cmake.in" install_febio_xml.cmake @ONLY)
 install(SCRIPT "${CMAKE_CURRENT_BINARY_DIR}/install_febio_xml.cmake")

@@ -17,8 +17,17 @@ using namespace mixture_contact;
 namespace {
 
 const char* unit_of(Unit unit) {
-  if (unit == Unit::length) return UNIT_LENGTH;
-  return unit == Unit::pressure ? UNIT_PRESSURE : UNIT_CONCENTRATION;
+  switch (unit) {
+    case Unit::length:
+      return UNIT_LENGTH;
+    case Unit::pressure:
+      return UNIT_PRESSURE;
+    case Unit::concentration:
+      return UNIT_CONCENTRATION;
+    case Unit::none:
+      break;
+  }
+  return UNIT_NONE;
 }
 
 }  // namespace
@@ -26,13 +35,16 @@ const char* unit_of(Unit unit) {
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) {
     FEParam* parameter = AddParameter(value, tag.name);
+    parameter->setLongName(tag.long_name)->setUnits(unit_of(tag.unit));
     parameter->SetWatchVariable(tag.given);
     if (tag.choices != nullptr) parameter->setEnums(tag.choices);
-    if (tag.unit != Unit::none) parameter->setUnits(unit_of(tag.unit));
   });
-  ADD_PARAMETER(parameters_.ambient_pressure, "ambient_pressure")->setUnits(UNIT_PRESSURE);
+  ADD_PARAMETER(parameters_.ambient_pressure, "ambient_pressure")
+      ->setUnits(UNIT_PRESSURE)
+      ->setLongName("ambient pressure");
   ADD_PROPERTY(ambient_concentrations_, "ambient_concentration", FEProperty::Optional)
-      ->SetDefaultType("mixture_ambient_concentration");
+      ->SetDefaultType("mixture_ambient_concentration")
+      .SetLongName("ambient concentration");
 END_FECORE_CLASS()
 
 FEMixtureContact::FEMixtureContact(FEModel* fem)

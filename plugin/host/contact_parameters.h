@@ -99,7 +99,8 @@ enum class Unit { none, length, pressure, concentration };
 /// How a parameter stands in a model file.
 struct ParameterTag {
   const char* name = "";
-  bool* given = nullptr;  ///< to be set where the model has the tag
+  const char* long_name = "";  ///< what a user reads in FEBio Studio
+  bool* given = nullptr;       ///< to be set where the model has the tag
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
 };
@@ -108,45 +109,46 @@ struct ParameterTag {
 /// which hosts read with its load curve.
 template <class Take>
 void for_each_parameter(ContactParameters& p, const Take& take) {
-  take({"effects"}, p.effects);
-  take({"laugon", nullptr, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"}, p.laugon);
-  take({"tolerance"}, p.tolerance);
-  take({"traction_tolerance", &p.traction_tolerance_given}, p.traction_tolerance);
-  take({"solvent_tolerance", &p.solvent_tolerance_given}, p.solvent_tolerance);
-  take({"solute_tolerance", &p.solute_tolerance_given}, p.solute_tolerance);
-  take({"gaptol", nullptr, Unit::length}, p.gaptol);
-  take({"ptol", nullptr, Unit::pressure}, p.ptol);
-  take({"ctol", nullptr, Unit::concentration}, p.ctol);
-  take({"penalty", &p.penalty_given}, p.penalty);
-  take({"pressure_penalty", &p.pressure_penalty_given}, p.pressure_penalty);
-  take({"concentration_penalty", &p.concentration_penalty_given}, p.concentration_penalty);
-  take({"auto_penalty"}, p.auto_penalty);
-  take({"update_penalty"}, p.update_penalty);
-  take({"two_pass"}, p.two_pass);
-  take({"symmetric_stiffness"}, p.symmetric_stiffness);
-  take({"integration", &p.integration_given, Unit::none, "gauss\0segments\0"}, p.integration);
-  take({"integration_order"}, p.integration_order);
-  take({"search_tol", &p.search_tol_given}, p.search_tol);
-  take({"search_radius", &p.search_radius_given, Unit::length}, p.search_radius);
-  take({"seg_up"}, p.seg_up);
-  take({"predictor", &p.predictor_given}, p.predictor);
-  take({"non_negative_concentrations", &p.non_negative_concentrations_given}, p.non_negative_concentrations);
-  take({"line_search_guard", &p.line_search_guard_given}, p.line_search_guard);
-  take({"node_reloc"}, p.node_reloc);
-  take({"minaug"}, p.minaug);
-  take({"maxaug"}, p.maxaug);
-  take({"flip_primary"}, p.flip_primary);
-  take({"flip_secondary"}, p.flip_secondary);
-  take({"fric_coeff"}, p.fric_coeff);
-  take({"contact_frac", &p.contact_frac_given}, p.contact_frac);
-  take({"offset"}, p.offset);
-  take({"tension"}, p.tension);
-  take({"shell_bottom_primary"}, p.shell_bottom_primary);
-  take({"shell_bottom_secondary"}, p.shell_bottom_secondary);
-  take({"knmult", &p.knmult_given}, p.knmult);
-  take({"smooth_aug", &p.smooth_aug_given}, p.smooth_aug);
-  take({"smooth_fls", &p.smooth_fls_given}, p.smooth_fls);
-  take({"extrapolation", &p.extrapolation_given}, p.extrapolation);
+  take({"effects", "effects exchanged"}, p.effects);
+  take({"laugon", "enforcement method", nullptr, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"}, p.laugon);
+  take({"tolerance", "tolerance of all fields"}, p.tolerance);
+  take({"traction_tolerance", "tolerance of the gap", &p.traction_tolerance_given}, p.traction_tolerance);
+  take({"solvent_tolerance", "tolerance of the pressure jump", &p.solvent_tolerance_given}, p.solvent_tolerance);
+  take({"solute_tolerance", "tolerance of the concentration jumps", &p.solute_tolerance_given}, p.solute_tolerance);
+  take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol);
+  take({"ptol", "pressure jump tolerance", nullptr, Unit::pressure}, p.ptol);
+  take({"ctol", "concentration jump tolerance", nullptr, Unit::concentration}, p.ctol);
+  take({"penalty", "normal penalty", &p.penalty_given}, p.penalty);
+  take({"pressure_penalty", "solvent penalty", &p.pressure_penalty_given}, p.pressure_penalty);
+  take({"concentration_penalty", "solute penalty", &p.concentration_penalty_given}, p.concentration_penalty);
+  take({"auto_penalty", "automatic penalty"}, p.auto_penalty);
+  take({"update_penalty", "update penalty each step"}, p.update_penalty);
+  take({"two_pass", "two passes"}, p.two_pass);
+  take({"symmetric_stiffness", "symmetric stiffness"}, p.symmetric_stiffness);
+  take({"integration", "integration rule", &p.integration_given, Unit::none, "gauss\0segments\0"}, p.integration);
+  take({"integration_order", "integration order"}, p.integration_order);
+  take({"search_tol", "projection tolerance", &p.search_tol_given}, p.search_tol);
+  take({"search_radius", "search radius", &p.search_radius_given, Unit::length}, p.search_radius);
+  take({"seg_up", "iterations with a new search"}, p.seg_up);
+  take({"predictor", "predict the start of a step", &p.predictor_given}, p.predictor);
+  take({"non_negative_concentrations", "non-negative concentrations", &p.non_negative_concentrations_given},
+       p.non_negative_concentrations);
+  take({"line_search_guard", "guard the line search", &p.line_search_guard_given}, p.line_search_guard);
+  take({"node_reloc", "relocate primary nodes"}, p.node_reloc);
+  take({"minaug", "minimum augmentations"}, p.minaug);
+  take({"maxaug", "maximum augmentations"}, p.maxaug);
+  take({"flip_primary", "flip primary surface"}, p.flip_primary);
+  take({"flip_secondary", "flip secondary surface"}, p.flip_secondary);
+  take({"fric_coeff", "friction coefficient"}, p.fric_coeff);
+  take({"contact_frac", "solid contact fraction", &p.contact_frac_given}, p.contact_frac);
+  take({"offset", "gap offset", nullptr, Unit::length}, p.offset);
+  take({"tension", "allow tension"}, p.tension);
+  take({"shell_bottom_primary", "shell bottom of primary surface"}, p.shell_bottom_primary);
+  take({"shell_bottom_secondary", "shell bottom of secondary surface"}, p.shell_bottom_secondary);
+  take({"knmult", "stiffness factor", &p.knmult_given}, p.knmult);
+  take({"smooth_aug", "smoothed augmentation", &p.smooth_aug_given}, p.smooth_aug);
+  take({"smooth_fls", "smoothed fluid load support", &p.smooth_fls_given}, p.smooth_fls);
+  take({"extrapolation", "predictor (former name)", &p.extrapolation_given}, p.extrapolation);
 }
 
 /// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing

@@ -1,43 +1,19 @@
-"""The command line of the harness: which command is which function, and what is said where one fails."""
+"""The command line of the harness in the repository: which command is which function."""
 
 from __future__ import annotations
 
-import sys
-import tempfile
-import traceback
-from pathlib import Path
-
-import typer
-from rich.console import Console
-from rich.markup import escape
-
-from harness.conversion import command as conversion
-from harness.errors import HarnessError
 from harness.indentation import command as indentation
 from harness.pages import command as pages
 from harness.pages.gallery import command as gallery
-from harness.preflight import command as preflight
-from harness.run import command as run
 from harness.studies.cost import command as cost
 from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
 from harness.studies.price import command as price
 from harness.studies.robustness import command as robustness
-from harness.validate import command as validate
+from harness.user_commands import FOR_EVERYBODY, commands, start
 from harness.validate import engines_command
 
-BAD_INPUT, OUR_FAULT = 2, 4
-"""Exit codes: the input cannot be used; a fault in here."""
-
-_ABOUT = "Make, run and check models of contact between mixtures."
-app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
-for _command in (
-    validate.validate,
-    run.run,
-    preflight.check,
-    conversion.convert,
-    validate.plot,
-    pages.models,
+_OF_THE_REPOSITORY = (
     engines_command.engines,
     indentation.indentation,
     indentation.indentation_study,
@@ -55,32 +31,12 @@ for _command in (
     gallery.gallery,
     pages.pages,
     pages.report,
-):
-    app.command()(_command)
+)
+
+
+app = commands(*FOR_EVERYBODY, *_OF_THE_REPOSITORY)
 
 
 def main() -> None:
-    """Run the command line; an error that concerns the user is one paragraph, not a traceback."""
-    try:
-        app()
-    except HarnessError as error:
-        _complain(str(error))
-        sys.exit(BAD_INPUT)
-    except Exception as fault:  # the last resort: whatever it is, a user gets a sentence
-        _complain(
-            f"this is a fault of mixcontact ({type(fault).__name__}: {str(fault)[:200]}); please report it with "
-            f"{_written_down(fault)} and the input."
-        )
-        sys.exit(OUR_FAULT)
-
-
-def _complain(message: str) -> None:
-    Console(stderr=True, highlight=False).print(f"[bold red]error:[/] {escape(message)}", soft_wrap=True)
-
-
-def _written_down(fault: Exception) -> Path:
-    """The file with the traceback and the command."""
-    handle, name = tempfile.mkstemp(prefix="mixcontact-fault-", suffix=".txt")
-    with open(handle, "w", encoding="utf-8") as out:  # noqa: PTH123 - of a handle
-        out.write(f"{sys.argv}\n\n{''.join(traceback.format_exception(fault))}")
-    return Path(name)
+    """Run the command line."""
+    start(app)

@@ -1,20 +1,31 @@
-"""Where things stand in the repository."""
+"""Where things stand: in the repository, or where the harness is installed without it."""
 
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[2]
-MODELS = REPOSITORY / "models"
 DOCS = REPOSITORY / "docs"
-RESULTS = REPOSITORY / "results"
-PLUGIN_NAME = "libFEBioMixtureContact.so"
-PLUGIN_VARIABLE = "FEBIO_MIXTURE_PLUGIN"
+PLUGIN_VARIABLE = "MIXCONTACT_PLUGIN"
+PLUGIN_NAME = {"win32": "FEBioMixtureContact.dll", "darwin": "libFEBioMixtureContact.dylib"}.get(
+    sys.platform, "libFEBioMixtureContact.so"
+)
+
+
+def is_checkout() -> bool:
+    """Whether this is the repository, not an installation by pip."""
+    return (REPOSITORY / "CMakeLists.txt").is_file()
+
+
+_OUTPUT = REPOSITORY if is_checkout() else Path()
+MODELS = _OUTPUT / "models"
+RESULTS = _OUTPUT / "results"
 
 
 def plugin_library() -> Path:
-    """Path of the plugin library: ``$FEBIO_MIXTURE_PLUGIN`` if set, else the one a build leaves in build/lib.
+    """Path of the plugin library: ``$MIXCONTACT_PLUGIN`` if set, else the one a build leaves in build/lib.
 
     Returns
     -------

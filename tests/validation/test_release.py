@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+from harness.errors import PluginNotFoundError
 from harness.models.diffusion import Diffusion
 from harness.models.interface import InterfaceType
 from harness.models.parts import Control
-from harness.paths import PLUGIN_NAME, plugin_library
+from harness.paths import PLUGIN_NAME, PLUGIN_VARIABLE, REPOSITORY, plugin_library
 from harness.run import engine, provenance
 
 pytestmark = pytest.mark.mixture_only
@@ -70,7 +73,14 @@ def test_the_installed_library_does_not_depend_on_the_checkout(prefix, build):
 
 def test_models_and_licence_are_installed(prefix):
     installed = {str(path.relative_to(prefix / SHARE)) for path in (prefix / SHARE).rglob("*")}
-    assert {"models/diffusion.feb", "LICENSE", "CITATION.cff", "README.md", "febio.xml"} <= installed
+    assert {
+        "models/diffusion.feb",
+        "docs/user-guide.md",
+        "LICENSE",
+        "CITATION.cff",
+        "README.md",
+        "febio.xml",
+    } <= installed
 
 
 def test_the_archive_is_named_by_plugin_and_sdk(archive):
@@ -82,5 +92,63 @@ def test_a_model_runs_with_the_plugin_of_the_archive(archive, tmp_path):
     shutil.unpack_archive(archive, tmp_path)
     (library,) = tmp_path.rglob(PLUGIN_NAME)
     assert engine.run(small_model(tmp_path), plugin=library).report.steps == 3
-    (configuration,) = tmp_path.rglob("febio.xml")
-    assert "<import>/path/to/" in configuration.read_text()
+
+
+def test_a_model_of_the_archive_runs_in_a_fresh_directory_by_its_own_febio_xml(archive, tmp_path):
+    """Unpack, and call febio4 there."""
+    shutil.unpack_archive(archive, tmp_path)
+    (root,) = tmp_path.iterdir()
+    command = [engine.find_engine(), "-config", SHARE / "febio.xml", "-i", SHARE / "models" / "platens.feb"]
+    run = engine.execute([str(part) for part in command], root)
+    assert f"Success loading plugin {PLUGIN_NAME}" in run.output
+    assert run.report.normal
+
+
+def test_febio4_refuses_a_plugin_that_was_built_for_another_release(build, tmp_path):
+    """One sentence, and febio4 goes on without the plugin: no crash."""
+    library = build / "tests" / "febio" / "misfit_plugin.so"
+    if not library.exists():
+        pytest.skip("the tests of the build were left out")
+    command = engine.command(small_model(tmp_path), library)
+    run = engine.execute(command, tmp_path, check=False)
+    assert run.output.count("FEBioMixtureContact was built for FEBio 4.0.0 and does not fit") == 1
+    assert f"it is release {provenance.engine_version(run.output).removeprefix('FEBio ')}." in run.output
+    assert "Reason: Invalid SDK version" in run.output
+    assert 'invalid value for attribute "type"' in run.output
+
+
+def test_an_installed_harness_finds_the_plugin_beside_febio4(tmp_path, monkeypatch):
+    monkeypatch.setattr(engine, "is_checkout", lambda: False)
+    monkeypatch.delenv(PLUGIN_VARIABLE, raising=False)
+    monkeypatch.setattr(engine, "find_engine", lambda: tmp_path / "bin" / "febio4")
+    with pytest.raises(PluginNotFoundError, match=PLUGIN_VARIABLE):
+        engine.required_plugin()
+    library = tmp_path / "lib" / PLUGIN_NAME
+    library.parent.mkdir()
+    library.touch()
+    assert engine.required_plugin() == library
+
+
+@pytest.mark.slow
+def test_pip_installs_the_command_without_a_compiler(build, tmp_path):
+    """The libraries are those of the test; the harness and its entry are installed."""
+    place = tmp_path / "installed"
+    install = [sys.executable, "-m", "pip", "install", "--no-deps", "--quiet", "--target", str(place), str(REPOSITORY)]
+    subprocess.run(install, env={**os.environ, "CXX": "false", "CC": "false"}, check=True)
+    model = small_model(tmp_path / "model")
+    others = os.environ.get("PYTHONPATH", "")
+    environment = {**os.environ, "PYTHONPATH": f"{place}{os.pathsep}{others}", PLUGIN_VARIABLE: str(plugin_library())}
+
+    def installed(*arguments: object) -> str:
+        command = [sys.executable, *map(str, arguments)]
+        done = subprocess.run(command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    installed(place / "bin" / "mixcontact", "check", model)
+    assert "normal termination, 3 steps" in installed(place / "bin" / "mixcontact", "run", model)
+    version = "from harness.run import provenance; print(provenance.__file__, provenance.plugin_version())"
+    assert installed("-c", version).split() == [
+        str(place / "harness" / "run" / "provenance.py"),
+        provenance.plugin_version(),
+    ]

@@ -19,10 +19,10 @@ REGISTRATION = REPOSITORY / "plugin" / "febio" / "mixture_contact.cpp"
 DECLARATION = REPOSITORY / "plugin" / "host" / "contact_parameters.h"
 PAGE = "parameters.md"
 
-_TABLE = re.compile(r'take\(\{"(?P<name>\w+)"(?P<rest>.*)\}, p\.(?P<member>\w+)\);')
+_TABLE = re.compile(r'take\(\{"(?P<name>\w+)",\s+"[^"]+"(?P<rest>[^}]*)\},\s+p\.(?P<member>\w+)\);')
 _REGISTERED = re.compile(r'ADD_(?P<what>PARAMETER|PROPERTY)\(\w+(?:\.(?P<member>\w+))?, "(?P<name>\w+)"(?P<rest>[^;]*)')
 _DECLARED = re.compile(r"^  (?P<kind>bool|int|double|std::string) (?P<member>\w+) = (?P<value>[^;]+);", re.MULTILINE)
-_CHOICES = re.compile(r'"([^"]+)"')
+_CHOICES = re.compile(r'"([^"]+\\0)"')
 
 
 @dataclass(frozen=True)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import shutil
 import subprocess
+import sys
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -14,12 +16,13 @@ from pathlib import Path
 from typing import Protocol
 
 from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoundError
-from harness.paths import plugin_library
+from harness.paths import PLUGIN_NAME, PLUGIN_VARIABLE, is_checkout, plugin_library
 from harness.run import febio_log
 
 Progress = Callable[[float], None]
 """Called with the time (s) that a run has reached."""
 _THREADS = "OMP_NUM_THREADS"
+_FEBIO = "febio4.exe" if sys.platform == "win32" else "febio4"
 
 
 @dataclass(frozen=True)
@@ -70,8 +73,8 @@ def find_engine() -> Path:
     candidates: list[Path] = []
     root = os.environ.get("FEBIO_ROOT")
     if root:
-        candidates += [Path(root) / "bin" / "febio4", Path(root) / "febio4"]
-    candidates.append(Path.home() / "febio4" / "bin" / "febio4")
+        candidates += [Path(root) / "bin" / _FEBIO, Path(root) / _FEBIO]
+    candidates.append(Path.home() / "febio4" / "bin" / _FEBIO)
     on_path = shutil.which("febio4")
     if on_path:
         candidates.append(Path(on_path))
@@ -86,17 +89,30 @@ def find_engine() -> Path:
 
 
 def required_plugin() -> Path:
-    """The plugin library.
+    """The plugin library: that of `plugin_library`; outside a checkout else one beside febio4 or in ../lib from it.
 
     Raises
     ------
     PluginNotFoundError
-        Where it has not been built.
+        Where it has not been built, or where an installed command finds none.
     """
     library = plugin_library()
-    if not library.is_file():
-        raise PluginNotFoundError(f"the plugin library {library} does not exist; build it first.")
-    return library.resolve()
+    if is_checkout() or os.environ.get(PLUGIN_VARIABLE):
+        if not library.is_file():
+            raise PluginNotFoundError(f"the plugin library {library} does not exist; build it first.")
+        return library.resolve()
+    return _plugin_beside(find_engine())
+
+
+def _plugin_beside(febio: Path) -> Path:
+    folders = (febio.parent, febio.parent.parent / "lib")
+    for folder in folders:
+        if (folder / PLUGIN_NAME).is_file():
+            return folder / PLUGIN_NAME
+    raise PluginNotFoundError(
+        f"{PLUGIN_NAME} is in none of {', '.join(map(str, folders))}. "
+        f"Put it there from a release of the plugin, or set {PLUGIN_VARIABLE} to its path."
+    )
 
 
 def run(
@@ -193,15 +209,28 @@ def execute(
         if watch:
             watch.start()
         output = _follow(process, progress)
-        _, status, usage = os.wait4(process.pid, 0)  # as process.wait(), but with the processor time of this run alone
-        process.returncode = code = os.waitstatus_to_exitcode(status)
+        code, cpu = _wait(process)
         if watch:
             watch.cancel()
-    cpu = usage.ru_utime + usage.ru_stime
     finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu)
     if check and (code != 0 or not finished.report.normal):
         raise EngineFailedError(_complaint(command, finished, code))
     return finished
+
+
+if sys.platform == "win32":
+
+    def _wait(process: subprocess.Popen[str]) -> tuple[int, float]:
+        """The exit code of a process; Python does not tell its processor time here."""
+        return process.wait(), math.nan
+
+else:
+
+    def _wait(process: subprocess.Popen[str]) -> tuple[int, float]:
+        """The exit code of a process and its processor time, s."""
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        return process.returncode, usage.ru_utime + usage.ru_stime
 
 
 def _follow(process: subprocess.Popen[str], progress: Progress | None) -> str:

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import re
 
 from harness.errors import DataFileError
-from harness.paths import REPOSITORY
+from harness.paths import REPOSITORY, is_checkout
 
 _PROJECT = re.compile(r"^  VERSION (\d+\.\d+\.\d+)$", re.MULTILINE)
 _FEBIO = re.compile(r"^\s*version (\d+\.\d+\.\d+)\s*$", re.MULTILINE)
 
 
 def plugin_version() -> str:
-    """Version of the plugin, from CMakeLists.txt.
+    """Version of the plugin, from CMakeLists.txt; of an installed harness its own, which was read there.
 
     Raises
     ------
     DataFileError
         Where it does not stand there.
     """
+    if not is_checkout():
+        return importlib.metadata.version("febio-mixture-contact")
     path = REPOSITORY / "CMakeLists.txt"
     found = _PROJECT.search(path.read_text(encoding="utf-8"))
     if found is None:

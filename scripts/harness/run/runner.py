@@ -6,7 +6,6 @@ the folder that an engine wrote into; and a second process that wants the same r
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import json
 import shutil
@@ -14,6 +13,8 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+
+from filelock import FileLock
 
 from harness.errors import EngineFailedError
 from harness.models.document import Model
@@ -123,8 +124,7 @@ class Runner:
     def _locked(self, model: Model, options: tuple[str, ...], key: str) -> RunResult:
         folder = self.root / f"{model.name}-{key}"
         self.root.mkdir(parents=True, exist_ok=True)
-        with (self.root / f"{key}.lock").open("w") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
+        with FileLock(self.root / f"{key}.lock"):
             return _read_back(model, folder) or self._run(model, options, folder)
 
     def _run(self, model: Model, options: tuple[str, ...], folder: Path) -> RunResult:

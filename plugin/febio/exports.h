@@ -1,0 +1,8 @@
+/// What makes a function one that febio4 can look up by name.
+#pragma once
+
+#ifdef _WIN32
+#define MIXCONTACT_EXPORT __declspec(dllexport)
+#else
+#define MIXCONTACT_EXPORT __attribute__((visibility("default")))
+#endif

@@ -1,0 +1,65 @@
+"""What everybody can do who has the harness, with or without the repository; and what is said where a command fails."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+
+from harness.conversion import command as conversion
+from harness.errors import HarnessError
+from harness.pages import command as pages
+from harness.preflight import command as preflight
+from harness.run import command as run
+from harness.validate import command as validate
+
+BAD_INPUT, OUR_FAULT = 2, 4
+"""Exit codes: the input cannot be used; a fault in here."""
+
+_ABOUT = "Make, run and check models of contact between mixtures."
+FOR_EVERYBODY = (validate.validate, run.run, preflight.check, conversion.convert, validate.plot, pages.models)
+
+
+def commands(*functions: Callable[..., None]) -> typer.Typer:
+    app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
+    for function in functions:
+        app.command()(function)
+    return app
+
+
+def start(app: typer.Typer) -> None:
+    """Run the command line; an error that concerns the user is one paragraph, not a traceback."""
+    try:
+        app()
+    except HarnessError as error:
+        _complain(str(error))
+        sys.exit(BAD_INPUT)
+    except Exception as fault:  # the last resort: whatever it is, a user gets a sentence
+        _complain(
+            f"this is a fault of mixcontact ({type(fault).__name__}: {str(fault)[:200]}); please report it with "
+            f"{_written_down(fault)} and the input."
+        )
+        sys.exit(OUR_FAULT)
+
+
+def _complain(message: str) -> None:
+    Console(stderr=True, highlight=False).print(f"[bold red]error:[/] {escape(message)}", soft_wrap=True)
+
+
+def _written_down(fault: Exception) -> Path:
+    """The file with the traceback and the command."""
+    handle, name = tempfile.mkstemp(prefix="mixcontact-fault-", suffix=".txt")
+    with open(handle, "w", encoding="utf-8") as out:  # noqa: PTH123 - of a handle
+        out.write(f"{sys.argv}\n\n{''.join(traceback.format_exception(fault))}")
+    return Path(name)
+
+
+def main() -> None:
+    """Run the command line of an installed harness."""
+    start(commands(*FOR_EVERYBODY))
