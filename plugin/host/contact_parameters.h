@@ -29,6 +29,10 @@ struct ContactParameters {
   bool penalty_given = false;
   bool pressure_penalty_given = false;
   bool concentration_penalty_given = false;
+  // Whether a load curve changes them.
+  bool penalty_varies = false;
+  bool pressure_penalty_varies = false;
+  bool concentration_penalty_varies = false;
   bool auto_penalty = false;
   bool update_penalty = false;
 
@@ -45,6 +49,7 @@ struct ContactParameters {
   bool node_reloc = false;
   int minaug = 0;
   int maxaug = 10;
+  bool free_draining = true;  ///< whether open nodes have the ambient values
   double ambient_pressure = 0;
 
   bool flip_primary = false;
@@ -135,6 +140,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"node_reloc"}, p.node_reloc);
   take({"minaug"}, p.minaug);
   take({"maxaug"}, p.maxaug);
+  take({"free_draining"}, p.free_draining);
   take({"flip_primary"}, p.flip_primary);
   take({"flip_secondary"}, p.flip_secondary);
   take({"fric_coeff"}, p.fric_coeff);
@@ -155,6 +161,14 @@ std::vector<std::string> complaints(const ContactParameters& parameters);
 
 /// What a user should know of parameters that have no effect here, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
+
+/// What penalties of 0 leave out of the contact; one that a load curve changes leaves out nothing.
+struct LeftOut {
+  bool contact = false;  ///< without a penalty of the traction surfaces never touch
+  bool solvent = false;
+  bool solutes = false;
+};
+LeftOut left_out(const ContactParameters& parameters);
 
 /// Whether stiffness and conductance are read again at each time step: where asked for, and where the penalty of
 /// solutes is not given, so that it follows the convection.
