@@ -15,12 +15,20 @@ std::map<int, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
     const std::vector<FEMixtureContact*>& contacts) {
   std::map<int, NodeStatus> nodes;
   for (const FEMixtureContact* contact : contacts) {
+    if (!contact->parameters().free_draining) continue;
+    for (const Side side : both_sides) {
+      const FEMixtureSurface& surface = contact->surfaces()[side];
+      for (int i = 0; i < surface.Nodes(); ++i) nodes.insert({surface.NodeIndex(i), {false, contact}});
+    }
+  }
+  if (nodes.empty()) return nodes;
+  for (const FEMixtureContact* contact : contacts) {
     const auto in_contact = contact->core().hold_nodes_in_contact();
     for (const Side side : both_sides) {
       const FEMixtureSurface& surface = contact->surfaces()[side];
       for (int i = 0; i < surface.Nodes(); ++i) {
-        NodeStatus& status = nodes.insert({surface.NodeIndex(i), {false, contact}}).first->second;
-        status.in_contact = status.in_contact || mixture_contact::at(in_contact[side], i);
+        const auto found = nodes.find(surface.NodeIndex(i));
+        if (found != nodes.end() && mixture_contact::at(in_contact[side], i)) found->second.in_contact = true;
       }
     }
   }

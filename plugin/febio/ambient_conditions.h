@@ -29,8 +29,9 @@ class AmbientConditions {
  private:
   struct NodeStatus {
     bool in_contact;
-    const FEMixtureContact* ambient;  ///< the first contact that the node belongs to says what its ambient values are
+    const FEMixtureContact* ambient;  ///< the first free-draining contact of the node says what its ambient values are
   };
+  /// Of the nodes of free-draining contacts; any contact may have them in contact.
   static std::map<int, NodeStatus> status_of_nodes(const std::vector<FEMixtureContact*>& contacts);
   bool apply(newton::Place place, const NodeStatus& status);
   bool is_free(newton::Place place) const;

@@ -78,6 +78,8 @@ bool ContactSetup::has_sound_values() const {
 bool ContactSetup::check_parameters() const {
   const bool sound = has_sound_values();
   for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
+  if (!parameters_.free_draining && (parameters_.ambient_pressure != 0 || !ambient_.empty()))
+    log_.say("ambient values have no effect: <free_draining> is 0.");
   return sound;
 }
 
@@ -179,6 +181,7 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
   names.resize(newton::entries(dofs_.concentrations()));
   std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
   if (dofs_.pressure() < 0) fields.front().obstacles = {"the module has no fluid pressure"};
+  leave_out(left_out(parameters_), fields);
   return fields;
 }
 
@@ -228,6 +231,7 @@ bool ContactSetup::follow_load_curves(const BoundContact& contact) const {
 // ------------------------------------------------------------ traction
 
 Motion ContactSetup::motion() const {
+  if (left_out(parameters_).contact) return Motion::untouched;
   const auto is_fixed = [&](const FENode& node) {
     const std::array<int, 3>& dofs = dofs_.displacements();
     return node.m_rid < 0 &&

@@ -69,6 +69,7 @@ FEMixtureContact::~FEMixtureContact() { model_->remove(*this); }
 
 bool FEMixtureContact::Init() {
   dofs_.init();
+  find_load_curves();
   const std::vector<std::string> wrong = model_->complaints(*this);
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
@@ -80,6 +81,15 @@ bool FEMixtureContact::Init() {
   if (parameters_.flip_primary) surfaces_[Side::primary].turn_round();
   if (parameters_.flip_secondary) surfaces_[Side::secondary].turn_round();
   return setup_.check_surfaces() && setup_.build(bound_) && setup_.check_ambient();
+}
+
+void FEMixtureContact::find_load_curves() {
+  const auto varies = [this](double& value) {
+    return GetFEModel()->GetLoadController(FindParameterFromData(&value)) != nullptr;
+  };
+  parameters_.penalty_varies = varies(parameters_.penalty);
+  parameters_.pressure_penalty_varies = varies(parameters_.pressure_penalty);
+  parameters_.concentration_penalty_varies = varies(parameters_.concentration_penalty);
 }
 
 int FEMixtureContact::InitEquations(int first) {
@@ -196,6 +206,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       bool& given = *tag.given;
       ar & given;
     });
+    ar & parameters_.penalty_varies & parameters_.pressure_penalty_varies & parameters_.concentration_penalty_varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

@@ -54,6 +54,7 @@ class FEMixtureContact : public FEContactInterface {
   void on_callback(unsigned int when);
 
  private:
+  void find_load_curves();
   void ask_for_nonsymmetric_matrix();
 
   std::shared_ptr<ModelContacts> model_;

@@ -122,6 +122,13 @@ std::vector<std::string> notices(const ContactParameters& p) {
   return list;
 }
 
+LeftOut left_out(const ContactParameters& p) {
+  const auto is_zero = [](bool given, double value, bool varies) { return given && value == 0 && !varies; };
+  return {is_zero(p.penalty_given, p.penalty, p.penalty_varies),
+          is_zero(p.pressure_penalty_given, p.pressure_penalty, p.pressure_penalty_varies),
+          is_zero(p.concentration_penalty_given, p.concentration_penalty, p.concentration_penalty_varies)};
+}
+
 bool reads_properties_again(const ContactParameters& parameters) {
   return parameters.update_penalty || !parameters.concentration_penalty_given;
 }
@@ -145,6 +152,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.symmetric = p.symmetric_stiffness;
   settings.integration = integration(p);
   settings.integration_order = p.integration_order;
+  settings.may_touch = !left_out(p).contact;
   settings.search_radius = p.search_radius_given ? p.search_radius : 0;
   settings.search_tolerance = p.search_tol;
   return settings;

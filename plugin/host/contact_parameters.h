@@ -29,6 +29,10 @@ struct ContactParameters {
   bool penalty_given = false;
   bool pressure_penalty_given = false;
   bool concentration_penalty_given = false;
+  // Whether a load curve changes them.
+  bool penalty_varies = false;
+  bool pressure_penalty_varies = false;
+  bool concentration_penalty_varies = false;
   bool auto_penalty = false;
   bool update_penalty = false;
 
@@ -45,6 +49,7 @@ struct ContactParameters {
   bool node_reloc = false;
   int minaug = 0;
   int maxaug = 10;
+  bool free_draining = true;  ///< whether open nodes have the ambient values
   double ambient_pressure = 0;
 
   bool flip_primary = false;
@@ -137,6 +142,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"node_reloc", "relocate primary nodes"}, p.node_reloc);
   take({"minaug", "minimum augmentations"}, p.minaug);
   take({"maxaug", "maximum augmentations"}, p.maxaug);
+  take({"free_draining", "drain outside contact"}, p.free_draining);
   take({"flip_primary", "flip primary surface"}, p.flip_primary);
   take({"flip_secondary", "flip secondary surface"}, p.flip_secondary);
   take({"fric_coeff", "friction coefficient"}, p.fric_coeff);
@@ -157,6 +163,14 @@ std::vector<std::string> complaints(const ContactParameters& parameters);
 
 /// What a user should know of parameters that have no effect here, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
+
+/// What penalties of 0 leave out of the contact; one that a load curve changes leaves out nothing.
+struct LeftOut {
+  bool contact = false;  ///< without a penalty of the traction surfaces never touch
+  bool solvent = false;
+  bool solutes = false;
+};
+LeftOut left_out(const ContactParameters& parameters);
 
 /// Whether stiffness and conductance are read again at each time step: where asked for, and where the penalty of
 /// solutes is not given, so that it follows the convection.

@@ -61,7 +61,22 @@ void exchange(const FieldAtContact& field, mixture_contact::Effects& effects) {
   }
 }
 
+/// Why there is no traction.
+std::string without_traction(Motion motion) {
+  return motion == Motion::untouched ? " No traction: <penalty> is 0."
+                                     : " No traction: the displacements of both surfaces are fixed.";
+}
+
 }  // namespace
+
+void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
+  for (FieldAtContact& field : fields) {
+    const bool is_solvent = field.solute < 0;
+    if (left_out.contact) field.obstacles.emplace_back("<penalty> is 0, so that the surfaces never touch");
+    if (is_solvent && left_out.solvent) field.obstacles.emplace_back("<pressure_penalty> is 0");
+    if (!is_solvent && left_out.solutes) field.obstacles.emplace_back("<concentration_penalty> is 0");
+  }
+}
 
 Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion) {
   Exchange result;
@@ -77,13 +92,13 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
         "<effects> leaves traction out, but not all displacements of the two surfaces are fixed: what can move would "
         "pass through the other side. Name traction, or fix x, y and z of every node of both surfaces.");
   }
-  result.effects.traction = motion != Motion::impossible;
+  result.effects.traction = motion == Motion::possible || motion == Motion::undecided;
   std::vector<std::string> present;
   std::string absent;
   if (result.effects.traction) {
     present.emplace_back("traction");
   } else {
-    absent = " No traction: the displacements of both surfaces are fixed.";
+    absent = without_traction(motion);
   }
   for (const FieldAtContact& field : fields) {
     const auto means_it = [&](const std::string& name) { return is_called(field, name); };

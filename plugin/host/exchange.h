@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/base/effects.h"
+#include "contact_parameters.h"
 
 #include <string>
 #include <vector>
@@ -22,12 +23,16 @@ struct Exchange {
 
 /// What is known of the nodes of both surfaces.
 enum class Motion {
-  undecided,  ///< nothing yet
-  possible,   ///< at least one can move
-  impossible  ///< every displacement is fixed
+  undecided,   ///< nothing yet
+  possible,    ///< at least one can move
+  impossible,  ///< every displacement is fixed
+  untouched    ///< the surfaces never touch: their traction has no penalty
 };
+
+/// Adds what penalties of 0 leave out to the obstacles of the fields.
+void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
 /// Decides which of the fields, ordered solvent first and solutes ascending, a contact exchanges. `asked` is the
 /// parameter <effects>: "all", or names with commas between them; "solutes" stands for every solute that both sides
-/// have. Traction is exchanged unless no node can move; leaving it out elsewhere is a complaint.
+/// have. Traction is exchanged unless no node can move or touch; leaving it out elsewhere is a complaint.
 Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion);

@@ -43,6 +43,11 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
   }
 }
 
+Motion Contact::motion() const {
+  if (left_out(definition_.parameters).contact) return Motion::untouched;
+  return can_move() ? Motion::possible : Motion::impossible;
+}
+
 bool Contact::can_move() const {
   std::set<int> fixed;
   for (const Condition& condition : model_.prescribed) {
@@ -90,9 +95,9 @@ FacetMaterials Contact::materials(const MatrixXd& values) const {
 }
 
 mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials) {
-  const Motion motion = can_move() ? Motion::possible : Motion::impossible;
-  const Exchange exchange = decide_exchange(definition_.parameters.effects,
-                                            fields_at_contact(materials, definition_.surfaces, model_.solutes), motion);
+  std::vector<FieldAtContact> fields = fields_at_contact(materials, definition_.surfaces, model_.solutes);
+  leave_out(left_out(definition_.parameters), fields);
+  const Exchange exchange = decide_exchange(definition_.parameters.effects, fields, motion());
   if (!exchange.complaints.empty())
     throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
   effects_line_ = "sliding-mixture \"" + definition_.name + "\" exchanges " + exchange.summary;

@@ -34,6 +34,7 @@ class Contact {
   std::vector<int> places(const mixture_contact::ContactInterface::Location& at) const;
 
  private:
+  Motion motion() const;
   bool can_move() const;
   FacetMaterial material(const SurfaceFacet& facet, const MatrixXd& values) const;
   FacetMaterials materials(const MatrixXd& values) const;

@@ -118,14 +118,16 @@ void Problem::start_step(double time, double dt) {
 // ------------------------------------------------------------ contact status
 
 bool Problem::switch_ambient() {
-  // A node is at ambient only where no contact has it; the first contact that it belongs to says what that is.
+  // A node is at ambient only where no contact has it; the first free-draining contact that it belongs to says what
+  // that is.
   std::map<int, const ContactDefinition*> definitions;
   std::set<int> in_contact;
   for (const Contact& contact : contacts_) {
     const auto status = contact.core().hold_nodes_in_contact();
     for (const auto side : mixture_contact::both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
-        definitions.emplace(contact.nodes(side)[i], &contact.definition());
+        if (contact.definition().parameters.free_draining)
+          definitions.emplace(contact.nodes(side)[i], &contact.definition());
         if (status[side][i]) in_contact.insert(contact.nodes(side)[i]);
       }
     }

@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import difflib
 import re
+from dataclasses import replace
 
 import pytest
 
 from harness.conversion.convert import convert
 from harness.conversion.fates import DROPPED, Action
 from harness.errors import ModelError
+from harness.models import pairs
 from harness.models.bath import Apart
 from harness.models.confined import Confined
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
+from harness.models.pairs import Kind
 from harness.models.parts import Param, concentration, pressure
 from harness.pages.plugin_parameters import registered
 from harness.paths import REPOSITORY
-from harness.preflight.contact_types import CONVERTIBLE, TYPES
+from harness.preflight.contact_types import CONVERTIBLE, TYPES, UNLIMITED_SEARCH
 from harness.preflight.rules.settings import CHOICES
 
 
@@ -121,6 +124,34 @@ def test_load_curves_of_penalties_and_tolerances_stay(converted, name):
     assert f'<{name} lc="1">2</{name}>' in new
 
 
+@pytest.mark.parametrize("kind", [kind for kind in CONVERTIBLE if not TYPES[kind].solvent])
+def test_fluid_stays_where_the_type_leaves_it(converted, kind):
+    porous = fates(converted(in_module(Confined(InterfaceType.BIPHASIC, ContactSettings(), elements=2).model(), kind)))
+    assert {porous["effects"], porous["free_draining"]} == {Action.MAPPED}
+    assert not {"effects", "free_draining"} & set(fates(converted(in_module(solid(), kind))))
+
+
+@pytest.mark.parametrize("kind", UNLIMITED_SEARCH)
+def test_types_without_normals_are_taken(converted, kind):
+    """A radius that FEBio does not limit stays out of the file, and hidden parameters go."""
+    hidden = {"sliding-facet-on-facet": ("dxtol", "fric_penalty", "fric_coeff"), "sliding-node-on-facet": ("ktmult",)}
+    made = converted(in_module(solid(*(Param(name, 1.0) for name in hidden[kind])), kind))
+    new = made.data.decode("iso-8859-1")
+    assert "<penalty>1</penalty>" in new
+    assert "search_radius" not in new
+    assert {name for name, action in fates(made).items() if action is Action.DROPPED} == set(hidden[kind])
+
+
+@pytest.mark.parametrize("kind", [InterfaceType.SOLUTE, InterfaceType.BIPHASIC])
+@pytest.mark.parametrize("name", ["penalty", "pressure_penalty", "search_radius"])
+def test_zeros_stay_and_are_spoken_of(converted, kind, name):
+    model = Diffusion if kind is InterfaceType.SOLUTE else Confined
+    made = converted(model(kind, ContactSettings(extra=(Param(name, 0.0),)), elements=2).model().text())
+    assert f"<{name}>0</{name}>".encode() in made.data
+    reason = next(c.reason for changes in made.changes.values() for c in changes if c.name == name)
+    assert reason.startswith(("0:", "FEBio sees nothing"))
+
+
 def test_contacts_in_steps(converted):
     old = re.sub(
         r"<Contact>.*?</Contact>", r'<Step><step id="1" name="one">\g<0></step></Step>', text(), flags=re.DOTALL
@@ -134,14 +165,37 @@ def test_nodes_held_at_the_value_of_the_bath_are_spoken_of(converted):
     assert "4 nodes" in made.changes["boundary conditions"][0].reason
 
 
+def test_nodes_held_at_another_value_stay_and_are_spoken_of(converted):
+    old = Apart(InterfaceType.SOLUTE, held=(pressure("lower-top", 1.0), concentration("upper-bottom", 0.7))).model()
+    made = converted(old.text())
+    assert [change.name for change in made.changes["boundary conditions"]] == [
+        "fluid pressure",
+        "concentration of solute 1",
+    ]
+    for change in made.changes["boundary conditions"]:
+        assert change.action is Action.KEPT
+        assert "sets the bath's value where they are open" in change.reason
+
+
 def test_the_plot_file_is_spoken_of(converted):
     old = text().replace("</Output>", '<plotfile type="febio"><var type="concentration gap"/></plotfile></Output>')
     made = converted(old)
     assert "contact solute jump" in made.changes["output"][0].reason
 
 
+def solid(*params):
+    """Two elastic blocks."""
+    pair = replace(pairs.of_kinds(Kind.ELASTIC, Kind.ELASTIC), settings=ContactSettings(extra=params))
+    return pair.model()
+
+
 def in_module(model, kind, module=None):
-    made = model.text().replace("sliding-biphasic-solute", kind).replace('type="sliding-biphasic"', f'type="{kind}"')
+    made = (
+        model.text()
+        .replace("sliding-biphasic-solute", kind)
+        .replace("sliding-mixture", kind)
+        .replace('type="sliding-biphasic"', f'type="{kind}"')
+    )
     return made.replace('<Module type="solute"', f'<Module type="{module}"') if module else made
 
 
@@ -153,22 +207,11 @@ REFUSED = {
         Confined(InterfaceType.BIPHASIC, ContactSettings(extra=(Param("fric_coeff", 0.1),)), elements=2).model().text(),
         "friction is not part of sliding-mixture",
     ),
-    "fluid behind sliding-elastic": (in_module(BIPHASIC, "sliding-elastic"), "leaves its fluid sealed"),
     "solutes behind sliding-biphasic": (in_module(SOLUTE, "sliding-biphasic"), "leaves its solutes sealed"),
     "a material that the type takes for a solid": (
         in_module(SOLUTE, "sliding-biphasic-solute").replace(' type="biphasic-solute">', ' type="multiphasic">'),
         "takes it for a solid without fluid",
     ),
-    "nodes held at another pressure": (
-        Apart(InterfaceType.SOLUTE, held=(pressure("lower-top", 1.0),)).model().text(),
-        "prescribes the fluid pressure of 4 nodes",
-    ),
-    "nodes held at another concentration": (
-        Apart(InterfaceType.SOLUTE, held=(concentration("upper-bottom", 0.7),)).model().text(),
-        "prescribes the concentration of solute 1 of 4 nodes",
-    ),
-    "a penalty of zero": (text(Param("pressure_penalty", 0.0)), "<pressure_penalty> is '0'"),
-    "a radius of zero": (text(Param("search_radius", 0.0)), "<search_radius> is '0'"),
     "nothing to convert": (text(interface=InterfaceType.MIXTURE), "has nothing to convert"),
     "tied contact": (in_module(BIPHASIC, "tied-biphasic"), "no sliding contact"),
     "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
@@ -199,7 +242,7 @@ def test_the_parameters_are_those_of_the_code():
     of_code = {parameter.name for parameter in registered()}
     assert TYPES["sliding-mixture"].parameters == of_code | {"penalty_sf", "max_penalty_sf"}
     for name in CONVERTIBLE:
-        assert TYPES[name].parameters <= TYPES["sliding-mixture"].parameters
+        assert TYPES[name].parameters - DROPPED.keys() <= TYPES["sliding-mixture"].parameters
 
 
 def test_the_choices_are_those_of_the_code():
@@ -208,7 +251,7 @@ def test_the_choices_are_those_of_the_code():
 
 def test_the_migration_page_tells_the_same():
     page = (REPOSITORY / "docs" / "migration.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| (`.+?) \|(.*?)\|(.*?)\|(.*?)\|(.*?)\|", page, re.MULTILINE)
+    rows = re.findall(r"^\| (`.+?) \|(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|", page, re.MULTILINE)
     assert len(rows) > 20
     for cell, *marks in rows:
         for name in re.findall(r"`([^`]+)`", cell):

@@ -218,7 +218,7 @@ FAULTS = {
         "pressure_penalty",
     ),
     "negative tolerance": (lambda: with_params(Param("tolerance", -1.0)), "bad-value", "not negative"),
-    "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "positive number"),
+    "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "not negative"),
     "FEBio's enforcement": (
         lambda: with_params(Param("laugon", "LAGMULT"), interface=InterfaceType.SOLUTE),
         "bad-value",
@@ -411,6 +411,11 @@ def coarse_primary():
 
 NOTES = {
     "coarse primary": (coarse_primary, "finer-primary"),
+    "a penalty of zero": (lambda: with_params(Param("penalty", 0.0)), "left-out"),
+    "a bath that wets nothing": (
+        lambda: with_params(Param("free_draining", 0.0), Param("ambient_pressure", 0.0)),
+        "not-drained",
+    ),
     "few reformations": (lambda: text_of(diffusion(), ("<max_refs>15<", "<max_refs>5<")), "max-refs"),
     "sealed solutes": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-biphasic")), "sealed"),
     "sealed fluid": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-elastic")), "sealed"),

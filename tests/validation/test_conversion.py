@@ -22,7 +22,7 @@ from harness.models.document import Model
 from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic, contacts
 from harness.models.layers import Layers
 from harness.models.mesh import Box, assemble
-from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix
+from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
 from harness.models.patches import Patches
 from harness.run import engine, logdata
 
@@ -74,8 +74,8 @@ def punch(settings):
     return Model("punch", "punch", "biphasic", mesh, materials, conditions, Control(5, 200.0), joined, ramp)
 
 
-def elastic(model, tolerance=1e-6):
-    """A biphasic model with its fluid taken away, in the module solid with sliding-elastic."""
+def elastic(model, tolerance=1e-6, kind="sliding-elastic"):
+    """A biphasic model with its fluid taken away, in the module solid with a type that knows traction alone."""
     root = etree.fromstring(model.text().encode("iso-8859-1"))
     fluid = "Boundary/bc[@type='prescribed fluid pressure']"
     for path in ("Control//ptol", "Control//symmetric_stiffness", "Control//min_residual", fluid):
@@ -89,14 +89,33 @@ def elastic(model, tolerance=1e-6):
         material.set("type", solid.get("type"))
         material[:] = list(solid)
     for contact in root.iterfind("Contact/contact"):
-        contact.set("type", "sliding-elastic")
+        contact.set("type", kind)
+        for tag in contact.findall("search_radius") if kind != "sliding-elastic" else ():
+            contact.remove(tag)
     columns = model.node_columns[:6]
     root.find("Output/logfile/node_data").set("data", ";".join(columns))
     text = etree.tostring(root, encoding="iso-8859-1", xml_declaration=True).decode("iso-8859-1")
     return Case(text, columns, model.node_file, tolerance)
 
 
+def sealed(model, kind, tolerance):
+    """A biphasic model with a type that leaves its fluid alone: sealed in contact and outside."""
+    made = case(model, tolerance)
+    return replace(made, text=made.text.replace('"sliding-biphasic"', f'"{kind}"'), gauss=True)
+
+
+def held(model):
+    """Pressure prescribed at nodes that are in contact throughout, where FEBio's type keeps it, too."""
+    return replace(model, conditions=(*model.conditions, pressure("lower-top", 2e-3)))
+
+
 CASES = {
+    "pressure held in contact": case(held(confined(BIPHASIC))),
+    "facet on facet": elastic(confined(ELASTIC), kind="sliding-facet-on-facet"),
+    "facet on facet, value": elastic(confined(ContactSettings(penalty=50.0)), kind="sliding-facet-on-facet"),
+    "node on facet": elastic(confined(ELASTIC), kind="sliding-node-on-facet"),
+    "biphasic bodies, sealed": sealed(punch(ELASTIC), "sliding-elastic", 5e-3),
+    "biphasic bodies, facet on facet": sealed(confined(ELASTIC), "sliding-facet-on-facet", 1e-6),
     "elastic, automatic": elastic(confined(ELASTIC)),
     "elastic, value": elastic(confined(ContactSettings(penalty=50.0))),
     "elastic, two passes": elastic(confined(replace(ELASTIC, two_pass=True))),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -16,6 +17,11 @@ from harness.run import engine, logdata
 pytestmark = pytest.mark.mixture_only
 
 STEPS = 4
+
+
+def nonzeroes(run):
+    """The largest number of entries of the matrix, as FEBio's log has it."""
+    return max(int(found) for found in re.findall(r"Nr of nonzeroes in stiffness matrix \.+ : (\d+)", run.log))
 
 
 def force(run):
@@ -61,6 +67,25 @@ def test_a_penalty_of_zero_transmits_nothing_and_says_so(runner):
     run = _pressed(runner, "no-penalty", Param("penalty", 0.0))
     assert np.all(force(run) == 0.0)
     assert "<penalty> is 0: no traction is transmitted" in run.log
+
+
+def test_a_penalty_of_zero_has_no_effect_in_the_log_and_no_entries(runner):
+    run = _pressed(runner, "no-penalty-log", Param("penalty", 0.0))
+    assert "exchanges nothing. No traction: <penalty> is 0." in run.log
+    sound = _pressed(runner, "penalty-log")
+    assert nonzeroes(run) < nonzeroes(sound)
+
+
+def test_without_a_pressure_penalty_the_solvent_is_sealed_in(runner):
+    """As with <effects> that leave it out."""
+    pair = pairs.of_kinds(Kind.BIPHASIC, Kind.BIPHASIC)
+    runs = [
+        runner(replace(pair, name=name, settings=ContactSettings(extra=(given,))).model())
+        for name, given in (("sealed", Param("effects", "traction")), ("zero", Param("pressure_penalty", 0.0)))
+    ]
+    assert "exchanges traction. No solvent: <pressure_penalty> is 0." in runs[1].log
+    np.testing.assert_array_equal(runs[0].nodes["p"], runs[1].nodes["p"])
+    assert nonzeroes(runs[0]) == nonzeroes(runs[1])
 
 
 def test_a_load_curve_that_leads_below_zero_ends_the_run(runner):

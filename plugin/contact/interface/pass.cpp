@@ -14,7 +14,9 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       laws_(primary, secondary, effects, settings),
       active_set_(laws_),
       method_(enforcement_method(settings.enforcement, space_, laws_)),
-      geometry_(geometry()) {}
+      geometry_(geometry()) {
+  if (!settings.may_touch) restrict_active_set(NodeFlags(primary.nodes, false));
+}
 
 std::unique_ptr<ContactGeometry> ContactPass::geometry() {
   if (effects_.traction) return std::make_unique<MovingGeometry>(space_, laws_, active_set_, *method_);

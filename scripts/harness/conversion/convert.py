@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from harness.conversion import spans
-from harness.conversion.fates import DEFAULT, WRITTEN, Action, Change, fate, missing
+from harness.conversion.fates import DEFAULT, SEALED, SEALING, WRITTEN, Action, Change, fate, missing
 from harness.conversion.refusals import refusals
 from harness.conversion.spans import Edit, Span
 from harness.errors import ModelError
@@ -45,7 +45,7 @@ class Converted:
 
 
 def convert(path: Path) -> Converted:
-    """Switch every contact of FEBio's four sliding types to `sliding-mixture`.
+    """Switch every contact of FEBio's sliding types to `sliding-mixture`.
 
     Raises
     ------
@@ -84,7 +84,7 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
         name = contact.attributes.get("name") or f"number {number}"
         edits.append(spans.attribute(data, contact, "type", MIXTURE))
         own = [Change(Action.MAPPED, "type", contact.line, f"{kind} becomes {MIXTURE}")]
-        for edit, change in _parameters(data, contact):
+        for edit, change in _parameters(data, contact, _sealed(model, contact)):
             own.append(change)
             edits += edit
         changes[f'contact "{name}"'] = own
@@ -95,26 +95,38 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
     return edits, changes
 
 
-def _parameters(data: bytes, contact: Span) -> Iterator[tuple[list[Edit], Change]]:
+def _sealed(model: Model, contact: Span) -> bool:
+    """Whether a contact of FEBio's that knows traction alone stands between bodies one of which has fluid."""
+    joints = (Joint(model, known) for known in model.contacts if documents.place(known.tag).line == contact.line)
+    return any(not joint.contact.kind.solvent and any(side.porous for side in joint.sides) for joint in joints)
+
+
+def _parameters(data: bytes, contact: Span, sealed: bool) -> Iterator[tuple[list[Edit], Change]]:
     kind = TYPES[contact.attributes["type"]]
     for child in contact.children:
         value = data[slice(*child.inner)].decode("latin-1").strip()
-        change = fate(child.tag, value)(child.line)
+        change = fate(kind, child.tag, value)(child.line)
         yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
-    names = list(missing(kind, {child.tag for child in contact.children}))
-    lines = [f"<{name}>{DEFAULT}</{name}>" for name in names]
-    for place, name in enumerate(names):
-        change = Change(Action.MAPPED, name, contact.line, f"{DEFAULT}: {WRITTEN[name]}")
+    names = missing(kind, {child.tag for child in contact.children})
+    written = [(name, DEFAULT, WRITTEN[name]) for name in names]
+    written += [(name, value, SEALED) for name, value in SEALING.items() if sealed]
+    lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
+    for place, (name, value, reason) in enumerate(written):
+        change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
         yield spans.insertion(data, contact, lines) if place == 0 else [], change
 
 
 def _held(model: Model) -> Iterator[Change]:
-    """Nodes that a boundary condition holds at the bath's value: they stay so in contact as well."""
+    """Nodes that a boundary condition holds: they stay so in contact and outside."""
     for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
         for held in held_nodes(Joint(model, contact)):
-            where = f"{held.nodes} nodes of the contact are held at the bath's value by this condition"
-            why = f"{where}; {contact.kind.name} frees them where they touch, sliding-mixture keeps them"
-            yield Change(Action.KEPT, held.field, documents.place(held.tag).line, why)
+            where = (
+                f"{held.nodes} nodes of the contact are held by this condition, which sliding-mixture keeps everywhere"
+            )
+            why = f"{contact.kind.name} does so in contact, and sets the bath's value where they are open"
+            if held.as_the_bath:
+                why = "its value is the bath's"
+            yield Change(Action.KEPT, held.field, documents.place(held.tag).line, f"{where}: {why}")
 
 
 def _output(root: Span) -> Iterator[Change]:

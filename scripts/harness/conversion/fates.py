@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import Enum
 
-from harness.preflight.contact_types import ContactType
+from harness.preflight.contact_types import UNLIMITED_SEARCH, ContactType
 
 
 class Action(str, Enum):
@@ -34,6 +34,9 @@ DROPPED = {
     "contact_frac": "acts with friction alone",
     "penalty_sf": "acts between augmentations alone; penalties grow by themselves",
     "max_penalty_sf": "acts between augmentations alone; penalties grow by themselves",
+    "dxtol": "a hidden parameter: the width within which FEBio softens the tangent at first touch",
+    "fric_penalty": "acts with friction alone",
+    "ktmult": "acts with friction alone",
 }
 """Parameters without a meaning in `sliding-mixture` that do not change the converged answer."""
 
@@ -50,6 +53,14 @@ KEPT = {
 """What differs in parameters that stay."""
 NO_DIFFERENCE = "same meaning"
 
+ZERO = {
+    "penalty": "0: the contact does nothing, in FEBio and here",
+    "pressure_penalty": "0: no solvent passes, in FEBio and here",
+    "concentration_penalty": "0: no solute passes, in FEBio and here",
+    "search_radius": "FEBio sees nothing within a radius of 0, so its contact does nothing; here the radius follows the "
+    "size of the surfaces and the contact works",
+}
+"""What 0 means, of parameters that may be 0."""
 DEFAULT = "1"
 """FEBio's default of each of these, where `sliding-mixture` chooses by itself: written, so the answer stays."""
 _PENALTY = "FEBio's default, written out; without it the penalty is automatic and accurate, and the answer another"
@@ -59,22 +70,44 @@ WRITTEN = {
     "concentration_penalty": _PENALTY,
     "search_radius": "FEBio's default, written out; without it the radius follows the size of the surfaces",
 }
+SEALING = {"effects": "traction", "free_draining": "0"}
+SEALED = "written out: FEBio's type knows traction alone and leaves the surfaces of porous bodies to the model"
+"""What keeps fluid and solutes of the bodies where FEBio's type does, and why."""
 
 
-def fate(name: str, value: str) -> Callable[[int], Change]:
-    """What becomes of a parameter with a value, as a function of its line."""
-    action, reason = _fate(name, value)
+def fate(kind: ContactType, name: str, value: str) -> Callable[[int], Change]:
+    """What becomes of a parameter with a value, for a contact of a type, as a function of its line."""
+    action, reason = _fate(kind, name, value)
     return lambda line: Change(action, name, line, reason)
 
 
-def _fate(name: str, value: str) -> tuple[Action, str]:
+def _fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
     if name in DROPPED:
         return Action.DROPPED, DROPPED[name]
+    if name == "fric_coeff" and kind.name == "sliding-facet-on-facet":
+        return Action.DROPPED, "FEBio sets it to 0: sliding-facet-on-facet has no friction"
+    if name in ZERO and is_zero(value):
+        return Action.KEPT, _zero(kind, name)
     if name == "symmetric_stiffness" and value.lower() in ("1", "true"):
         return Action.DROPPED, "a symmetric tangent costs iterations and changes nothing else; the default is complete"
     return Action.KEPT, KEPT.get(name, NO_DIFFERENCE)
 
 
+def _zero(kind: ContactType, name: str) -> str:
+    if name == "search_radius" and kind.name in UNLIMITED_SEARCH:
+        return "0 has no limit in FEBio; here the radius follows the size of the surfaces"
+    return ZERO[name]
+
+
 def missing(kind: ContactType, given: set[str]) -> Iterator[str]:
     """Defaults of FEBio's that have to be written out for a contact of a type."""
-    return (name for name in WRITTEN if name in kind.parameters and name not in given)
+    known = (name for name in WRITTEN if name in kind.parameters and name not in given)
+    return (name for name in known if not (name == "search_radius" and kind.name in UNLIMITED_SEARCH))
+
+
+def is_zero(value: str) -> bool:
+    """Whether the text of a parameter is the number 0."""
+    try:
+        return float(value) == 0.0
+    except ValueError:
+        return False

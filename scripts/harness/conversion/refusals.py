@@ -7,7 +7,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.preflight.contact_types import CONVERTIBLE, MIXTURE
-from harness.preflight.held_nodes import held_nodes
 from harness.preflight.model import Model
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import place
@@ -18,7 +17,6 @@ def refusals(model: Model) -> Iterator[str]:
     for contact in model.contacts:
         if contact.kind.name in CONVERTIBLE:
             yield from _of_materials(Joint(model, contact))
-            yield from _of_held_nodes(Joint(model, contact))
     yield from _of_neighbours(model)
     for contact in model.contacts:
         if contact.kind.name in CONVERTIBLE and place(contact.tag).file != model.path:
@@ -32,12 +30,7 @@ def _of_materials(joint: Joint) -> Iterator[str]:
         name = side.surface.name
         for material in side.kinds:
             seen = f"surface '{name}' has material '{material.name}' ({material.kind})"
-            if material.porous and not kind.solvent:
-                yield (
-                    f"{where}: {seen}: {kind.name} leaves its fluid sealed everywhere, sliding-mixture would exchange "
-                    "it and hold it at the bath's pressure where the surface is open"
-                )
-            elif material.solutes and not kind.solutes:
+            if material.solutes and kind.solvent and not kind.solutes:
                 yield (
                     f"{where}: {seen}: {kind.name} leaves its solutes sealed everywhere, sliding-mixture would "
                     "exchange them and hold them at the bath's concentration where the surface is open"
@@ -50,21 +43,10 @@ def _unknown_to_solute(kind: str) -> bool:
     return kind not in ("biphasic", "biphasic-solute")
 
 
-def _of_held_nodes(joint: Joint) -> Iterator[str]:
-    """Prescribed values which FEBio's interfaces replace by the bath's."""
-    for held in held_nodes(joint):
-        if not held.as_the_bath:
-            yield (
-                f"{place(held.tag)}: prescribes the {held.field} of {held.nodes} nodes of the contact; "
-                f"{joint.contact.kind.name} replaces it by the bath's value, or frees it in contact, and "
-                "sliding-mixture keeps it. Leave these nodes out of the condition, or give the bath that value"
-            )
-
-
 def _of_neighbours(model: Model) -> Iterator[str]:
     """Two kinds of contact that set the bath's values on the same nodes."""
     stay = [c for c in model.contacts if c.kind.name not in (*CONVERTIBLE, MIXTURE) and c.kind.solvent]
-    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
+    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE and c.kind.solvent):
         own = np.union1d(contact.pair.primary.corners, contact.pair.secondary.corners)
         for other in stay:
             nodes = np.union1d(other.pair.primary.corners, other.pair.secondary.corners)

@@ -74,7 +74,7 @@ GROUPS = (
     Group(
         "Bath",
         "What wets the nodes that are not in contact; see [ambient conditions](user-guide.md#ambient-conditions).",
-        ("ambient_pressure", "ambient_concentration"),
+        ("free_draining", "ambient_pressure", "ambient_concentration"),
     ),
     Group(
         "Surfaces and integration",
@@ -164,19 +164,21 @@ NOTES = {
         "mM",
     ),
     "penalty": Note(
-        "Penalty of the traction. The overlap is traction/penalty.",
+        "Penalty of the traction. The overlap is traction/penalty. 0 leaves the whole contact out.",
         "very stiff: more iterations where the edge of contact moves; soft: overlap",
         "default: the value 1",
         "N/mm³, or -",
     ),
     "pressure_penalty": Note(
-        "Penalty of the solvent flux, a conductance. The jump of effective pressure is flux/penalty.",
+        "Penalty of the solvent flux, a conductance. The jump of effective pressure is flux/penalty. 0 leaves "
+        "the solvent out.",
         "only rounding limits it; small: the contact is a membrane",
         "default: the value 1",
         "mm³/(N s), or -",
     ),
     "concentration_penalty": Note(
-        "Penalty of all solute fluxes, a conductance. The jump of effective concentration is flux/penalty.",
+        "Penalty of all solute fluxes, a conductance. The jump of effective concentration is flux/penalty. "
+        "0 leaves solutes out.",
         "only rounding limits it; small: the contact is a membrane",
         "default: the value 1",
         "mm/s, or -",
@@ -254,6 +256,11 @@ NOTES = {
     "maxaug": Note(
         "Largest number of augmentations; then the step is accepted with a warning.",
         febio="same; there without a warning",
+    ),
+    "free_draining": Note(
+        "Whether nodes that are not in contact have the values of the bath. 0: they are left to the model, and sealed "
+        "where it says nothing of them.",
+        febio="not there: 1 in effect in the types that exchange fluid, 0 in the others",
     ),
     "ambient_pressure": Note("Effective pressure of the bath; may have a load curve.", unit="MPa"),
     "ambient_concentration": Note(

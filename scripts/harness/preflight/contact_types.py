@@ -73,6 +73,7 @@ MODULES = {
 
 _OWN = (
     "effects",
+    "free_draining",
     "traction_tolerance",
     "solvent_tolerance",
     "solute_tolerance",
@@ -92,6 +93,8 @@ def _febio(name: str, home: str, *more: str, solvent: bool = False, solutes: boo
     return ContactType(name, home, frozenset((*_BASE, "symmetric_stiffness", *more)), solvent, solutes)
 
 
+UNLIMITED_SEARCH = ("sliding-facet-on-facet", "sliding-node-on-facet")
+"""The types whose search has no limit where the radius is 0, which is their default."""
 _NODE_ON_FACET = (set(_BASE) - {"smooth_aug"}) | {"fric_coeff", "fric_penalty", "ktmult"}
 _FACET_ON_FACET = set(_BASE) | {"dxtol", "fric_coeff", "fric_penalty"}
 
@@ -111,5 +114,12 @@ TYPES = {
 }
 """Every sliding type, by its name in a model file."""
 
-CONVERTIBLE = ("sliding-elastic", "sliding-biphasic", "sliding-biphasic-solute", "sliding-multiphasic")
+CONVERTIBLE = (
+    "sliding-elastic",
+    "sliding-biphasic",
+    "sliding-biphasic-solute",
+    "sliding-multiphasic",
+    "sliding-facet-on-facet",
+    "sliding-node-on-facet",
+)
 """The types of FEBio's that `sliding-mixture` takes the place of."""

@@ -1,7 +1,7 @@
 """Nodes of a contact surface with a pressure or concentration prescribed by a boundary condition.
 
-FEBio's interfaces write the bath's values over them, and free them where they are in contact; `sliding-mixture` leaves
-them as they are.
+FEBio's interfaces write the bath's values over them where they are not in contact; `sliding-mixture`
+leaves them as they are.
 """
 
 from __future__ import annotations

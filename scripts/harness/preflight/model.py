@@ -51,6 +51,16 @@ class Contact:
         """Whether a switch is on."""
         return documents.flag(self.tag, name)
 
+    @property
+    def drains(self) -> bool:
+        """Whether open nodes have the values of the bath."""
+        return self.given("free_draining") is None or self.on("free_draining")
+
+    def lacks(self, penalty: str) -> bool:
+        """Whether a penalty is 0 at all times."""
+        found = self.given(penalty)
+        return found is not None and found.get("lc") is None and optional_number(self.tag, penalty) == 0.0
+
     def asks_for(self, *names: str) -> bool:
         """Whether <effects> names one of these, or leaves the choice to the materials."""
         asked = self.given("effects")

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.preflight import elements, rays
+from harness.preflight.contact_types import UNLIMITED_SEARCH
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Surface
 from harness.preflight.model import Contact, Model
@@ -248,7 +249,9 @@ class Joint:
         if kind.solutes:
             shared = sorted(self.primary.solutes & self.secondary.solutes)
             found += [solute(number) for number in shared if self._asks_for_solute(number)]
-        return tuple(found)
+        if kind.is_mixture and self.contact.lacks("penalty"):
+            return ()
+        return tuple(field for field in found if not (kind.is_mixture and self.contact.lacks(field.penalty)))
 
     def _asks_for_solute(self, number: int) -> bool:
         own = [name for name, known in self.model.solutes.items() if known == number and not name.isdigit()]
@@ -277,15 +280,13 @@ class Joint:
 
     @cached_property
     def search_radius(self) -> float:
-        """In effect: given, or half the diagonal of the box around the smaller surface, or FEBio's 1 or no limit."""
+        """In effect: given, or half the diagonal of the box around the smaller surface, or FEBio's 1, 0 or no limit."""
         kind = self.contact.kind
-        if self.contact.given("search_radius") is not None:
-            given = self.contact.value("search_radius", 0.0)
-            return given if given > 0.0 or kind.is_mixture else math.inf
-        if kind.is_mixture:
+        unlimited = kind.name in UNLIMITED_SEARCH
+        given = self.contact.value("search_radius", 0.0 if unlimited or kind.is_mixture else DEFAULT_RADIUS)
+        if kind.is_mixture and given == 0.0:
             return min(_diagonal(side) for side in self.sides) / 2.0
-        unlimited = kind.name in ("sliding-facet-on-facet", "sliding-node-on-facet")
-        return math.inf if unlimited else DEFAULT_RADIUS
+        return math.inf if unlimited and given == 0.0 else given
 
     @cached_property
     def thickness(self) -> float:

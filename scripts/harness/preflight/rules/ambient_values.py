@@ -11,7 +11,7 @@ from harness.preflight import levels
 from harness.preflight.finding import Finding
 from harness.preflight.held_nodes import held_nodes
 from harness.preflight.levels import Level
-from harness.preflight.rules.tools import short, warning
+from harness.preflight.rules.tools import note, short, warning
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element
 
@@ -22,9 +22,24 @@ FAR = 1e4
 """Pressure over R T Phi c from which the units are in doubt."""
 
 
+def without_effect(joint: Joint) -> Iterator[Finding]:
+    """Ambient values where open nodes are left to the model."""
+    for name in ("ambient_pressure", "ambient_concentration"):
+        tag = joint.contact.given(name)
+        if tag is not None and not joint.contact.drains:
+            yield note(
+                "not-drained",
+                tag,
+                f"<{name}> has no effect: <free_draining> is 0",
+                f"Delete <{name}>, or set <free_draining> to 1.",
+            )
+
+
 def ambient(joint: Joint) -> Iterator[Finding]:
     """Bath of a contact whose effective pressure does not go with its concentrations."""
     model, contact = joint.model, joint.contact
+    if not contact.drains:
+        return
     concentrations = levels.ambient_concentrations(model, contact)
     if not concentrations or not contact.kind.solutes:
         return
@@ -120,9 +135,9 @@ def overwritten(joint: Joint) -> Iterator[Finding]:
                 "held-nodes",
                 held.tag,
                 f"this condition holds the {held.field} of {held.nodes} nodes of the contact, but "
-                f"{joint.contact.kind.name} writes the bath's value over it, and frees it where they touch",
+                f"{joint.contact.kind.name} writes the bath's value over it where they do not touch",
                 "Leave these nodes out of the condition, or use sliding-mixture, which keeps it.",
             )
 
 
-RULES = (ambient, prescribed, initial, overwritten)
+RULES = (without_effect, ambient, prescribed, initial, overwritten)

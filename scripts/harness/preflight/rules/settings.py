@@ -12,7 +12,7 @@ from harness.preflight.rules.tools import error, note, short, warning
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element, children, place, text
 
-NOT_NEGATIVE, POSITIVE = "a number that is not negative", "a positive number"
+NOT_NEGATIVE = "a number that is not negative"
 COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
 CHOICES = {"laugon": ("PENALTY", "AUGLAG", "LAGMULT"), "integration": ("gauss", "segments")}
 OWN_CHOICES = ("LAGMULT",)
@@ -20,10 +20,10 @@ OWN_CHOICES = ("LAGMULT",)
 ALLOWED = {
     **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance"), NOT_NEGATIVE),
     **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
-    **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), POSITIVE),
+    **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), NOT_NEGATIVE),
     **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
     **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
-    **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard"), SWITCH),
+    **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
     "ambient_pressure": NUMBER,
     "ambient_concentration": NOT_NEGATIVE,
@@ -36,6 +36,12 @@ UNSUPPORTED = {
     "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
     "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
 }
+LEFT_OUT = {
+    "penalty": "the whole contact",
+    "pressure_penalty": "the exchange of solvent",
+    "concentration_penalty": "the exchange of solutes",
+}
+"""What goes with a penalty."""
 RENAMED = {"extrapolation": "predictor"}
 FOLLOWED = (
     *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
@@ -74,11 +80,10 @@ def bad_value(joint: Joint) -> Iterator[Finding]:
 
 
 def _allowed(name: str, strict: bool) -> str:
-    """What a parameter may be; empty where anything goes. FEBio's types take a penalty or a radius of zero."""
+    """What a parameter may be; empty where anything goes."""
     if name in CHOICES:
         return " or ".join(word for word in CHOICES[name] if strict or word not in OWN_CHOICES)
-    allowed = ALLOWED.get(name, "")
-    return NOT_NEGATIVE if allowed == POSITIVE and not strict else allowed
+    return ALLOWED.get(name, "")
 
 
 def _fits(tag: Element, name: str, allowed: str) -> bool:
@@ -90,7 +95,7 @@ def _fits(tag: Element, name: str, allowed: str) -> bool:
         return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
     if not math.isfinite(value) or (allowed == COUNT and value != int(value)):
         return False
-    return allowed == NUMBER or value > 0.0 or (value == 0.0 and allowed != POSITIVE)
+    return allowed == NUMBER or value >= 0.0
 
 
 def _number(tag: Element) -> float:
@@ -112,6 +117,21 @@ def unsupported(joint: Joint) -> Iterator[Finding]:
                 tag,
                 f"<{name}> is set, but {why}; the run stops",
                 "Set it to 0, or keep FEBio's contact type.",
+            )
+
+
+def left_out(joint: Joint) -> Iterator[Finding]:
+    """Effects that a penalty of 0 leaves out."""
+    if not joint.contact.kind.is_mixture:
+        return
+    for name, what in LEFT_OUT.items():
+        tag = joint.contact.given(name)
+        if tag is not None and joint.contact.lacks(name):
+            yield note(
+                "left-out",
+                tag,
+                f"<{name}> is 0, which leaves {what} out",
+                f"Delete <{name}> to have it chosen automatically.",
             )
 
 
@@ -309,6 +329,7 @@ RULES = (
     unknown_parameter,
     bad_value,
     unsupported,
+    left_out,
     load_curve,
     module,
     material,
