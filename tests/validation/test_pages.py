@@ -26,8 +26,8 @@ def altered(tmp_path, monkeypatch, old: str, new: str) -> None:
 
 
 def test_a_parameter_without_a_note_is_named(tmp_path, monkeypatch):
-    line = '  take({"gaptol", nullptr, Unit::length}, p.gaptol);'
-    altered(tmp_path, monkeypatch, line, f'  take({{"gap_limit"}}, p.gaptol);\n{line}')
+    line = '  take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol);'
+    altered(tmp_path, monkeypatch, line, f'  take({{"gap_limit", "gap limit"}}, p.gaptol);\n{line}')
     with pytest.raises(DataFileError, match="do not agree on gap_limit"):
         plugin_parameters.page()
 
@@ -39,7 +39,7 @@ def test_a_note_without_a_parameter_is_named(tmp_path, monkeypatch):
 
 
 def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
-    altered(tmp_path, monkeypatch, 'take({"gaptol", nullptr, Unit::length}, p.gaptol)', "take(tag, p.gaptol)")
+    altered(tmp_path, monkeypatch, 'take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol)', "take(tag, p.gaptol)")
     with pytest.raises(DataFileError, match="is not of the form"):
         plugin_parameters.page()
 
