@@ -67,7 +67,7 @@ Fingerprint Assembly::couplings() const {
 }
 
 void Assembly::add_to_profile(FEGlobalMatrix& matrix) {
-  const TaskClock timed = contact_.core().clock(Task::stiffness);
+  const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
   couplings_of_matrix_ = Fingerprint();
   dofs_.for_each_coupling(contact_.core(), [&](std::vector<int>& ids) {
     couplings_of_matrix_.add(ids);
@@ -77,7 +77,7 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix) {
 
 void Assembly::residual(FEGlobalVector& residual, double dt) const {
   const ContactInterface& core = contact_.core();
-  const TaskClock timed = core.clock(Task::residual);
+  const TaskClock timed = core.measurements().clock(Task::residual);
   core.residual(contact_.fields(), dt, [&](const ContactInterface::Location& place, const VectorXd& values) {
     std::vector<int> nodes = dofs_.nodes(place);
     std::vector<int> ids = dofs_.equations(core, place);
@@ -89,7 +89,7 @@ void Assembly::residual(FEGlobalVector& residual, double dt) const {
 void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& global, bool is_constrained, double dt) const {
   using Location = ContactInterface::Location;
   const ContactInterface& core = contact_.core();
-  const TaskClock timed = core.clock(Task::stiffness);
+  const TaskClock timed = core.measurements().clock(Task::stiffness);
   const MatrixRows matrix(global);
   core.tangent(contact_.fields(), dt, [&](const Location& rows, const Location& columns, const MatrixXd& values) {
     const std::vector<int> nodes = dofs_.nodes(columns);

@@ -1,6 +1,7 @@
 #include "bound_contact.h"
 
 #include "archive.h"
+#include "contact/interface/multipliers.h"
 #include "core_archive.h"
 #include "host/warnings.h"
 
@@ -19,7 +20,7 @@ void BoundContact::build(PerSide<SurfaceMesh> meshes, const Effects& effects) {
 PerSide<SurfaceFields> BoundContact::fields() const { return surfaces_.fields(dofs_, core_->effects()); }
 
 void BoundContact::project() {
-  const TaskClock timed = core_->clock(Task::search);
+  const TaskClock timed = core_->measurements().clock(Task::search);
   const FESolver* solver = surfaces_[Side::primary].GetFEModel()->GetCurrentStep()->GetFESolver();
   const bool keep_facets = parameters_.seg_up > 0 && solver->m_niter > parameters_.seg_up;
   core_->project(surfaces_.positions(),
@@ -27,11 +28,11 @@ void BoundContact::project() {
 }
 
 void BoundContact::prepare_step() {
-  if (core_->multiplier_layout().size() > 0) step_start_ = core_->unknown_multipliers();
+  if (multiplier_layout(*core_).size() > 0) step_start_ = unknown_multipliers(*core_);
 }
 
 bool BoundContact::begin_iteration() {
-  const TaskClock timed = core_->clock(Task::stiffness);
+  const TaskClock timed = core_->measurements().clock(Task::stiffness);
   return core_->begin_iteration(fields());
 }
 
@@ -45,12 +46,12 @@ bool BoundContact::finds_overlap() {
 }
 
 void BoundContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {
-  const Index count = core_->multiplier_layout().size();
+  const Index count = multiplier_layout(*core_).size();
   if (count == 0) return;
   const auto of_contact = [&](const std::vector<double>& all) {
     return Eigen::Map<const VectorXd>(all.data() + dofs_.first_multiplier(), count);
   };
-  core_->set_unknown_multipliers(step_start_ + of_contact(total) + of_contact(increment));
+  set_unknown_multipliers(*core_, step_start_ + of_contact(total) + of_contact(increment));
 }
 
 void BoundContact::serialize(DumpStream& ar) {

@@ -1,19 +1,19 @@
 #include "contact_output.h"
 
-#include "host/timings.h"
+#include "host/timings_table.h"
 #include "host/warnings.h"
 
 using namespace mixture_contact;
 
 void ContactOutput::store() {
   const ContactInterface& core = contact_.core();
-  const TaskClock timed = core.clock(Task::output);
+  const TaskClock timed = core.measurements().clock(Task::output);
   const PerSide<SurfaceFields> current = contact_.fields();
-  Balance total = core.balance(current);
-  surfaces_[Side::primary].store_output(core.nodal_output(Side::primary, current), total);
+  Balance total = balance(core, current);
+  surfaces_[Side::primary].store_output(nodal_output(core, Side::primary, current), total);
   total.force = -total.force;
   total.flow = -total.flow;
-  surfaces_[Side::secondary].store_output(core.nodal_output(Side::secondary, current), total);
+  surfaces_[Side::secondary].store_output(nodal_output(core, Side::secondary, current), total);
   warn_of_overlap();
 }
 

@@ -1,6 +1,7 @@
 #include "contact_setup.h"
 
 #include "contact/base/indexed_vector.h"
+#include "contact/interface/multipliers.h"
 #include "material_properties.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
@@ -140,7 +141,7 @@ bool ContactSetup::has_penalty(const BoundContact& contact) const {
 }
 
 bool ContactSetup::can_have_multipliers(const BoundContact& contact) const {
-  if (contact.core().multiplier_layout().size() == 0) return true;
+  if (multiplier_layout(contact.core()).size() == 0) return true;
   for (int i = 0; i < fem_.Steps(); ++i) {
     FESolver* const solver = fem_.GetStep(i)->GetFESolver();
     if (solver == nullptr || dynamic_cast<const FENewtonSolver*>(solver) != nullptr) continue;

@@ -55,7 +55,7 @@ void archive_effects(DumpStream& ar, Effects& effects) {
 
 void archive_state(DumpStream& ar, ContactInterface::State& state) {
   int passes = mixture_contact::number_of(state.multipliers);
-  archive(ar, state.noticed);
+  archive(ar, state.check_nodes);
   ar & passes;
   state.multipliers.resize(newton::entries(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);

@@ -1,6 +1,7 @@
 #include "dof_map.h"
 
 #include "contact/base/indexed_vector.h"
+#include "contact/interface/multipliers.h"
 #include "host/facet_material.h"
 #include "newton/solver.h"
 
@@ -61,7 +62,7 @@ const std::vector<int>& DofMap::node_equations(int node) const { return fem_.Get
 void DofMap::add_multipliers(const ContactInterface& core, const Location& at, std::vector<int>& ids) const {
   if (!at.patch.multiplier_node) return;
   const LocalLayout layout = at.patch.layout();
-  const MultiplierLayout own = core.multiplier_layout();
+  const MultiplierLayout own = multiplier_layout(core);
   const int node = *at.patch.multiplier_node;
   const int first = first_multiplier_;
   if (layout.has_displacements())

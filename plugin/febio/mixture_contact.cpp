@@ -2,6 +2,8 @@
 
 #include "archive.h"
 #include "contact/base/indexed_vector.h"
+#include "contact/interface/multipliers.h"
+#include "contact/interface/relocation.h"
 #include "host/augmentation.h"
 
 #include <FECore/Callback.h>
@@ -95,13 +97,13 @@ void FEMixtureContact::find_load_curves() {
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction(bound_);
   dofs_.number_multipliers(first);
-  return newton::as_int(core().multiplier_layout().size());
+  return newton::as_int(multiplier_layout(core()).size());
 }
 
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
   if (parameters_.node_reloc && !relocated_) {
-    surfaces_.relocate_primary(core().without_overlap(surfaces_.positions()));
+    surfaces_.relocate_primary(without_overlap(core(), surfaces_.positions()));
     relocated_ = true;
   }
   setup_.update_laws(bound_);
@@ -150,12 +152,12 @@ void FEMixtureContact::Update(const std::vector<double>& total, const std::vecto
 void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
   // FEBio's solver for solids leaves equations that are not nodes' to their owners.
   const int first = dofs_.first_multiplier();
-  for (Index n = first; n < first + core().multiplier_layout().size(); ++n)
+  for (Index n = first; n < first + multiplier_layout(core()).size(); ++n)
     mixture_contact::at(total, n) += mixture_contact::at(increment, n);
 }
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
-  const TaskClock timed = core().clock(Task::augmentation);
+  const TaskClock timed = core().measurements().clock(Task::augmentation);
   if (!model_->steps().accepts(this)) return false;
   const Augmentation outcome = augment(GetName(), core(), bound_.fields(), augmentation);
   for (const std::string& line : outcome.lines) log_.line(line);

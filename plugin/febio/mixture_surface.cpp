@@ -134,7 +134,7 @@ void FEMixtureSurface::Serialize(DumpStream& ar) {
   archive(ar, nodal_.pressure);
   archive(ar, nodal_.flux);
   archive(ar, nodal_.jump);
-  archive(ar, nodal_.coverage);
+  archive(ar, nodal_.tributary_area);
   archive(ar, total_.force);
   archive(ar, total_.area);
   archive(ar, total_.flow);

@@ -1,7 +1,7 @@
 /// A surface of the contact as FEBio knows it: geometry, and the values that FEBio's own plot variables ask for.
 #pragma once
 
-#include "contact/interface/interface.h"
+#include "contact/interface/output.h"
 
 #include <FEBioMix/FEBiphasicContactSurface.h>
 

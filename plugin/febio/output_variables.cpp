@@ -98,8 +98,8 @@ class FEPlotCoverage : public FEPlotSurfaceData {
   bool Save(FESurface& surface, FEDataStream& stream) override {
     const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
     if (own == nullptr) return false;
-    const auto& coverage = own->nodal_output().coverage;
-    for (int node = 0; node < surface.Nodes(); ++node) stream << (node < coverage.size() ? coverage[node] : 0.0);
+    const auto& area = own->nodal_output().tributary_area;
+    for (int node = 0; node < surface.Nodes(); ++node) stream << (node < area.size() ? area[node] : 0.0);
     return true;
   }
 };

@@ -170,7 +170,7 @@ CHOICES = {
 
 
 @pytest.mark.parametrize("effects", CHOICES)
-def test_what_is_left_out_is_sealed(runner, effects):
+def test_what_is_left_out_is_not_exchanged(runner, effects):
     pair = three_on_two(effects, f"effects-{list(CHOICES).index(effects)}")
     run = runner(pair.model())
     check_forces(run)

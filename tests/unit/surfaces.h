@@ -2,7 +2,8 @@
 #pragma once
 
 #include "contact/geometry/quadrature.h"
-#include "contact/interface/interface.h"
+#include "contact/interface/multipliers.h"
+#include "contact/interface/output.h"
 #include "random_contact.h"
 
 #include <Eigen/Geometry>
@@ -134,6 +135,10 @@ struct Scene {
   }
 };
 
+inline bool is_converged(const ContactInterface& contact, const GapReport& report) {
+  return meets(report, contact.settings().tolerances, contact.effects());
+}
+
 /// Facing unit squares (or other rectangles), the secondary one `overlap` deep in the primary one.
 inline PerSide<Grid> facing_grids(FacetType one, FacetType two, double overlap, int cells_one = 2, int cells_two = 2) {
   Grid primary{one, cells_one, cells_one};
@@ -170,7 +175,7 @@ struct GlobalLayout {
   explicit GlobalLayout(const Scene& scene)
       : nodes{{scene.mesh[Side::primary].nodes, scene.mesh[Side::secondary].nodes}},
         fields(scene.effects.scalar_fields()),
-        multipliers(scene.contact()->multiplier_layout()) {}
+        multipliers(multiplier_layout(*scene.contact())) {}
 
   Index per_node() const { return 3 + fields; }
   Index nodal_size() const { return (nodes[Side::primary] + nodes[Side::secondary]) * per_node(); }

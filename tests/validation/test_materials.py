@@ -110,7 +110,7 @@ def test_a_solute_that_the_other_body_lacks_stays_on_its_side(context):
 
 
 @pytest.mark.mixture_only
-def test_a_biphasic_body_is_sealed_for_the_solute(context):
+def test_a_biphasic_body_is_impermeable_to_the_solute(context):
     upper = replace(MATERIAL, solutes=())
     model = Diffusion(context.interface, control=SHORT, elements=8, upper=upper, name="biphasic-upper").model()
     run = context.runner(model)

@@ -18,6 +18,19 @@ struct ActiveSetOptions {
   /// Where a node has changed more often than this within a time step, the active set cycles: from then on nodes change
   /// one at a time.
   int most_joint_changes = 2 * most_status_changes;
+  /// As most_status_changes, for nodes of the surface that faces the one integrated over, a change earlier. One that
+  /// went and came back is not at the edge: where a surface slides over a finer one many do, and they would empty it
+  /// into the ambient.
+  int most_facing_changes = 2;
+  /// A node of that surface is in contact where the contact of the nodes that it faces, interpolated, reaches this
+  /// share: a half, halfway between a node in contact and one that is not, less rounding.
+  double contact_share = 0.5 - 1e-9;
+  /// Loads that differ by less than this part of the largest one are the same: rounding, as the averages around nodes
+  /// sum it up. A larger difference has the residual evaluated again.
+  double same_load = 1e-9;
+  /// Loads of the linearised laws are those of a solution where they come this near to those of the true ones, as a
+  /// part of the largest one: as near as FEBio's default tolerance of energy demands.
+  double solution_load = 1e-2;
 };
 
 /// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays so while its load, as the last
@@ -32,6 +45,8 @@ class ActiveSet {
  public:
   /// Keeps a reference to the laws.
   explicit ActiveSet(const NodalLaws& laws, ActiveSetOptions options = {}) : laws_(laws), options_(options) {}
+
+  const ActiveSetOptions& options() const { return options_; }
 
   /// Lets only some nodes close.
   void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }

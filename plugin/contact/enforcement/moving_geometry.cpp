@@ -9,10 +9,6 @@
 namespace mixture_contact {
 namespace {
 
-/// Loads that differ by less than this part of the largest one are the same; and are near enough for a solution.
-constexpr double load_rounding = 1e-9;
-constexpr double load_tolerance = 1e-2;
-
 /// Whether two arrays of loads (fields, nodes) differ by more than a part of a field's largest entry, and by more than
 /// `rounding` of the field.
 bool differs(const MatrixXd& one, const MatrixXd& other, double part, const VectorXd& rounding) {
@@ -62,7 +58,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
                        before.flux_coupled != next.loads.flux_coupled ||
-                       differ(before, next.loads, load_rounding, fields);
+                       differ(before, next.loads, active_set_.options().same_load, fields);
   point_ = std::move(next);
   return changed;
 }
@@ -96,7 +92,7 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   NodalLoads now = space_.averages(fields, point_->loads.status());
   method_.load(now);
-  return !differ(method_.predicted_loads(*point_, fields), now, load_tolerance, fields);
+  return !differ(method_.predicted_loads(*point_, fields), now, active_set_.options().solution_load, fields);
 }
 
 bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, double part,

@@ -3,21 +3,18 @@
 #include "base/parallel.h"
 #include "integration/search.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace mixture_contact {
-namespace {
 
-/// As ActiveSetOptions::most_status_changes, for nodes of the surface that faces the primary one, a change earlier. One
-/// that went and came back is not at the edge: where a surface slides over a finer one many do, and they would empty it
-/// into the ambient.
-constexpr int most_facing_changes = 2;
+Reach reach_of(const Settings& settings, const PerSide<Matrix3Xd>& position) {
+  const double radius = settings.search_radius > 0 ? settings.search_radius
+                                                   : std::min(half_diagonal(position[Side::primary]),
+                                                              half_diagonal(position[Side::secondary]));
+  return {radius, settings.search_tolerance};
+}
 
-/// A node counts as in contact where the contact of the nodes facing it, by the pass over their surface and
-/// interpolated, reaches this share; with two passes also where its own pass has it in contact.
-constexpr double covered = 0.5 - 1e-9;
-
-/// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   Matrix3Xd normals = Matrix3Xd::Zero(3, mesh.nodes);
   for (const Facet& facet : mesh.facets) {
@@ -32,11 +29,10 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   return normals;
 }
 
-}  // namespace
-
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Reach& reach) {
+  const double least_share = pass.integral->active_set().options().contact_share;
   const Side side = other(pass.side);
   IndexedVector<FacingNode> nodes(mesh[side].nodes);
   if (!surfaces_within_reach(position[side], position[pass.side], reach.distance)) return nodes;
@@ -52,7 +48,7 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
     const Facet& facet = facets[hit->facet];
     const FacetVector
         psi = pass.integral->space().shape(hit->facet, sub_facet_at(facet.type, hit->eta), hit->eta).value;
-    nodes[node] = {hit->facet, hit->gap, psi.dot(facet_values(facet, share)) >= covered};
+    nodes[node] = {hit->facet, hit->gap, psi.dot(facet_values(facet, share)) >= least_share};
   });
   return nodes;
 }
@@ -64,27 +60,13 @@ NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes) {
 }
 
 void hold_facing(SidedPass& pass, NodeFlags facing) {
+  const int most_changes = pass.integral->active_set().options().most_facing_changes;
   if (!pass.faced) pass.faced_changes.assign(facing.size(), 0);
   for (Index node = 0; node < facing.count(); ++node) {
     if (pass.faced && facing[node] != (*pass.faced)[node]) ++pass.faced_changes[node];
-    if (pass.faced_changes[node] > most_facing_changes) facing[node] = false;
+    if (pass.faced_changes[node] > most_changes) facing[node] = false;
   }
   pass.faced = std::move(facing);
-}
-
-Matrix3Xd moved_out_of_overlap(const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
-                               const Reach& reach) {
-  const IndexedVector<Facet>& facets = mesh[Side::secondary].facets;
-  const Matrix3Xd& x2 = position[Side::secondary];
-  const FacetTree tree(facets, x2, box_margin);
-  Matrix3Xd moved = position[Side::primary];
-  const Matrix3Xd normals = nodal_normals(mesh[Side::primary], moved);
-  for (Index node = 0; node < moved.cols(); ++node) {
-    const Ray ray{moved.col(node), normals.col(node), reach.distance, reach.tolerance};
-    const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, x2, ray);
-    if (hit && hit->gap < 0) moved.col(node) += hit->gap * normals.col(node);
-  }
-  return moved;
 }
 
 }  // namespace mixture_contact

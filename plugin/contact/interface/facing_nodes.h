@@ -28,6 +28,9 @@ struct Reach {
   double tolerance;  ///< outside a facet, in parametric coordinates [-]
 };
 
+/// As the settings say; where they leave the distance open, as far as the smaller surface is large.
+Reach reach_of(const Settings& settings, const PerSide<Matrix3Xd>& position);
+
 /// What the nodes of the other surface face, given which nodes of the surface integrated over are in contact.
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
@@ -39,8 +42,7 @@ NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 /// contact, as ActiveSet has it; here no load tells whether they are.
 void hold_facing(SidedPass& pass, NodeFlags facing);
 
-/// Positions of the primary nodes with those that overlap the secondary surface moved onto it along their normals.
-Matrix3Xd moved_out_of_overlap(const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
-                               const Reach& reach);
+/// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.
+Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position);
 
 }  // namespace mixture_contact

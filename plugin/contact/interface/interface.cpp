@@ -27,17 +27,30 @@ SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& 
   return {side, std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings), {}, {}};
 }
 
+void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Settings& settings) {
+  pass.integral->project(seen_from(pass.side, position), reach_of(settings, position).distance);
+}
+
+Memory memory_of(const std::vector<SidedPass>& passes) {
+  Memory now;
+  for (const SidedPass& pass : passes) {
+    now.points += pass.integral->space().facing().points();
+    now.bytes += pass.integral->memory();
+  }
+  return now;
+}
+
 /// Throws std::invalid_argument unless a state has the nodes, fields and passes of a contact.
 void check(const ContactInterface::State& state, const ContactInterface& contact) {
   const auto require = [](bool sound, const std::string& what) {
     if (!sound) throw std::invalid_argument("a stored state of the contact does not fit it: " + what);
   };
-  for (const int node : state.noticed) {
+  for (const int node : state.check_nodes) {
     require(node >= 0 && node < contact.mesh(Side::secondary).nodes, "secondary node " + std::to_string(node));
   }
   const bool two_pass = contact.settings().two_pass;
-  require(!two_pass || state.noticed.empty(), "noticed nodes with two passes");
-  const std::size_t passes = two_pass || !state.noticed.empty() ? 2 : 1;
+  require(!two_pass || state.check_nodes.empty(), "penetration-check nodes with two passes");
+  const std::size_t passes = two_pass || !state.check_nodes.empty() ? 2 : 1;
   require(state.multipliers.size() == passes, "multipliers of " + std::to_string(state.multipliers.size()) + " passes");
   for (std::size_t pass = 0; pass < passes; ++pass) {
     require(fits(state.multipliers[pass], contact.mesh(both_sides.at(pass)).nodes, contact.effects().scalar_fields()),
@@ -51,9 +64,8 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
     : mesh_(std::move(mesh)),
       effects_(std::move(effects)),
       settings_(settings),
-      settings_of_check_(settings_of_check(settings)),
-      check_nodes_(mesh_[Side::secondary].nodes, false),
-      times_(effects_.scalar_fields()) {
+      check_{settings_of_check(settings), NodeFlags(mesh_[Side::secondary].nodes, false), {}},
+      measurements_(effects_.scalar_fields()) {
   if (settings_.two_pass && settings_.enforcement == Enforcement::lagrange_multipliers) {
     throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
   }
@@ -61,15 +73,8 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
   if (settings_.two_pass) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, settings_));
 }
 
-Reach ContactInterface::reach(const PerSide<Matrix3Xd>& position) const {
-  const double radius = settings_.search_radius > 0 ? settings_.search_radius
-                                                    : std::min(half_diagonal(position[Side::primary]),
-                                                               half_diagonal(position[Side::secondary]));
-  return {radius, settings_.search_tolerance};
-}
-
 void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search) {
-  const TaskClock timed = clock(Task::search);
+  const TaskClock timed = measurements_.clock(Task::search);
   const auto same = [&](Side side) {
     return position_[side].cols() == position[side].cols() && position_[side] == position[side];
   };
@@ -80,15 +85,11 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   for (SidedPass& pass : passes_) {
     if (!effects_.traction) pass.faced.reset();
     if (search_all) {
-      find_points(pass);
+      find_points(pass, position_, settings_);
     } else {
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
   }
-}
-
-void ContactInterface::find_points(SidedPass& pass) {
-  pass.integral->project(seen_from(pass.side, position_), reach(position_).distance);
 }
 
 void ContactInterface::exchange_traction(bool traction) {
@@ -101,14 +102,14 @@ void ContactInterface::exchange_traction(bool traction) {
 }
 
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
-  TaskClock timed = clock(Task::stiffness);
+  TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
   for (const SidedPass& pass : passes_) {
     const bool pass_changed = pass.integral->begin_iteration(seen_from(pass.side, fields));
     changed = changed || pass_changed;
     timed.take(pass.integral->space().effect_times(), thread_count());
   }
-  note_memory();
+  measurements_.note(memory_of(passes_));
   return changed;
 }
 
@@ -116,21 +117,12 @@ void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
   for (const SidedPass& pass : passes_) pass.integral->linearise_at(seen_from(pass.side, fields));
 }
 
-void ContactInterface::note_memory() {
-  Memory now;
-  for (const SidedPass& pass : passes_) {
-    now.points += pass.integral->space().facing().points();
-    now.bytes += pass.integral->memory();
-  }
-  if (now.bytes >= memory_.bytes) memory_ = now;
-}
-
 NodeFlags ContactInterface::flux_coupled(const SidedPass& pass) const {
   return pass.integral->flux_coupled(seen_from(pass.side, position_));
 }
 
 IndexedVector<FacingNode> ContactInterface::facing(const SidedPass& pass, const NodeFlags& in_contact) const {
-  return facing_nodes(pass, mesh_, position_, in_contact, reach(position_));
+  return facing_nodes(pass, mesh_, position_, in_contact, reach_of(settings_, position_));
 }
 
 void ContactInterface::end_iterations() {
@@ -141,19 +133,16 @@ void ContactInterface::end_iterations() {
 }
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
-  const TaskClock timed = clock(Task::augmentation);
+  const TaskClock timed = measurements_.clock(Task::augmentation);
   const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
     return pass.integral->is_solution(seen_from(pass.side, fields));
   });
-  return agrees && (settings_.enforcement != Enforcement::lagrange_multipliers || converged(gaps(fields)));
-}
-
-Matrix3Xd ContactInterface::without_overlap(const PerSide<Matrix3Xd>& position) const {
-  return moved_out_of_overlap(mesh_, position, reach(position));
+  return agrees && (settings_.enforcement != Enforcement::lagrange_multipliers ||
+                    meets(gaps(fields), settings_.tolerances, effects_));
 }
 
 void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
-  TaskClock timed = clock(Task::residual);
+  TaskClock timed = measurements_.clock(Task::residual);
   for (const SidedPass& pass : passes_) {
     pass.integral->residual(seen_from(pass.side, fields), dt, [&](const Patch& patch, const VectorXd& values) {
       timed.in_host([&] { add({pass.side, patch}, values); });
@@ -162,7 +151,7 @@ void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt,
 }
 
 void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
-  TaskClock timed = clock(Task::stiffness);
+  TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
     pass.integral->tangent(seen_from(pass.side, fields), dt, [&](const TangentBlock& block) {
       timed.in_host(block.rows, [&] { add({pass.side, block.rows}, {pass.side, block.columns}, block.values); });
@@ -172,7 +161,7 @@ void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, 
 }
 
 void ContactInterface::for_each_coupling(const std::function<void(const Location&)>& use) const {
-  TaskClock timed = clock(Task::stiffness);
+  TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
     pass.integral->for_each_coupling(seen_from(pass.side, position_), [&](const Patch& patch) {
       timed.in_host(patch, [&] { use({pass.side, patch}); });
@@ -181,7 +170,7 @@ void ContactInterface::for_each_coupling(const std::function<void(const Location
 }
 
 GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
-  const TaskClock timed = clock(Task::augmentation);
+  const TaskClock timed = measurements_.clock(Task::augmentation);
   GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields())};
   for (const SidedPass& pass : passes_) {
     // Beside unknown multipliers penalties leave gaps of their own, which no augmentation closes.
@@ -193,19 +182,8 @@ GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   return worst;
 }
 
-MultiplierLayout ContactInterface::multiplier_layout() const {
-  const ContactPass& pass = *passes_.front().integral;
-  return pass.has_unknown_multipliers() ? mixture_contact::multiplier_layout(pass.laws()) : MultiplierLayout(0, 0);
-}
-
-VectorXd ContactInterface::unknown_multipliers() const { return scaled_multipliers(passes_.front().integral->laws()); }
-
-void ContactInterface::set_unknown_multipliers(const VectorXd& mu) {
-  set_scaled_multipliers(passes_.front().integral->laws(), mu);
-}
-
 void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
-  const TaskClock timed = clock(Task::augmentation);
+  const TaskClock timed = measurements_.clock(Task::augmentation);
   for (const SidedPass& pass : passes_) {
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     pass.integral->augment(seen_from(pass.side, fields));
@@ -215,7 +193,7 @@ void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
 
 PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
   {
-    const TaskClock timed = clock(Task::stiffness);
+    const TaskClock timed = measurements_.clock(Task::stiffness);
     for (SidedPass& pass : passes_) {
       if (pass.faced && !effects_.traction) continue;
       hold_facing(pass, in_contact_of(facing(pass, flux_coupled(pass))));
@@ -225,33 +203,33 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
 }
 
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
-  unnoticed_ = {};
+  check_.undetected = {};
   if (settings_.two_pass || !effects_.traction) return {};
-  const TaskClock timed = clock(Task::augmentation);
+  const TaskClock timed = measurements_.clock(Task::augmentation);
   const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
   const NodeFlags in_contact = flux_coupled(passes_.front());
   const IndexedVector<FacingNode> nodes = facing(passes_.front(), in_contact);
   const VectorXd shares = overlap_shares(nodes, in_contact, facets, position_[Side::primary]);
   const bool joins = passes_.size() == 1;
-  unnoticed_ = overlap_among(nodes, shares, joins ? check_nodes_ : flux_coupled(passes_.back()));
-  const UndetectedPenetration found = overlap_among(nodes, shares, check_nodes_);
+  check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : flux_coupled(passes_.back()));
+  const UndetectedPenetration found = overlap_among(nodes, shares, check_.nodes);
   if (found.nodes == 0) return found;
-  check_nodes_ = with_entered(std::move(check_nodes_), nodes, shares, facets.count());
+  check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
   restrict_second_pass();
-  find_points(passes_.back());
+  find_points(passes_.back(), position_, settings_);
   if (joins) passes_.back().integral->start_inactive(seen_from(Side::secondary, fields));
   return found;
 }
 
 void ContactInterface::restrict_second_pass() {
-  if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, settings_of_check_));
-  passes_.back().integral->restrict_active_set(check_nodes_);
+  if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, check_.settings));
+  passes_.back().integral->restrict_active_set(check_.nodes);
 }
 
 ContactInterface::State ContactInterface::state() const {
   State state;
-  for (int node = 0; node < check_nodes_.count(); ++node) {
-    if (check_nodes_[node]) state.noticed.push_back(node);
+  for (int node = 0; node < check_.nodes.count(); ++node) {
+    if (check_.nodes[node]) state.check_nodes.push_back(node);
   }
   for (const SidedPass& pass : passes_) state.multipliers.push_back(pass.integral->laws().multipliers);
   return state;
@@ -259,12 +237,12 @@ ContactInterface::State ContactInterface::state() const {
 
 void ContactInterface::restore(State state) {
   check(state, *this);
-  NodeFlags check_nodes(check_nodes_.count(), false);
-  for (const int node : state.noticed) check_nodes[node] = true;
-  if (check_nodes != check_nodes_) {
-    check_nodes_ = std::move(check_nodes);
+  NodeFlags check_nodes(check_.nodes.count(), false);
+  for (const int node : state.check_nodes) check_nodes[node] = true;
+  if (check_nodes != check_.nodes) {
+    check_.nodes = std::move(check_nodes);
     passes_.erase(passes_.begin() + 1, passes_.end());
-    if (!state.noticed.empty()) restrict_second_pass();
+    if (!state.check_nodes.empty()) restrict_second_pass();
     for (Matrix3Xd& position : position_) position.resize(3, 0);
   }
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
@@ -274,7 +252,7 @@ void ContactInterface::restore(State state) {
 }
 
 PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {
-  const TaskClock timed = clock(Task::stiffness);
+  const TaskClock timed = measurements_.clock(Task::stiffness);
   PerSide<NodeFlags> in_contact;
   for (const Side side : both_sides) in_contact[side] = NodeFlags(mesh_[side].nodes, false);
   const auto add = [&](Side side, const NodeFlags& found) {
@@ -288,16 +266,6 @@ PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {
     add(other(pass.side), pass.faced ? *pass.faced : in_contact_of(facing(pass, own)));
   }
   return in_contact;
-}
-
-Balance ContactInterface::balance(const PerSide<SurfaceFields>& fields) const {
-  const TaskClock timed = clock(Task::output);
-  return balance_of(all_passes(), fields);
-}
-
-NodalOutput ContactInterface::nodal_output(Side side, const PerSide<SurfaceFields>& fields) const {
-  const TaskClock timed = clock(Task::output);
-  return nodal_output_of(all_passes(), side, fields);
 }
 
 void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance) {
@@ -314,7 +282,7 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;
-  settings_of_check_ = settings_of_check(settings_);
+  check_.settings = settings_of_check(settings_);
   for (const SidedPass& pass : passes_) pass.integral->laws().update_penalties();
 }
 

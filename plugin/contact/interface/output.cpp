@@ -1,5 +1,7 @@
 #include "interface/output.h"
 
+#include <numeric>
+
 namespace mixture_contact {
 namespace {
 
@@ -20,7 +22,7 @@ const Facet& facet_at(const PointContact& contact, const SurfaceMesh& mesh, bool
 
 /// Area in contact that belongs to each node of a side, given that of each pass: two full passes cover the same area,
 /// each with the errors of its own integration; a restricted pass covers what the first one leaves, and its edge.
-VectorXd tributary_area(const std::vector<VectorXd>& areas, bool two_pass) {
+VectorXd tributary_area_of(const std::vector<VectorXd>& areas, bool two_pass) {
   const VectorXd& first = areas.front();
   const VectorXd& second = areas.back();  // the same where there is one pass
   if (!two_pass) return first.cwiseMax(second);
@@ -46,59 +48,72 @@ void add_point(const PointContact& contact, const Facet& facet, const FacetVecto
 /// Calls use(point, facet of the side, shares of its nodes, sign) for each point of a pass, and returns the area of
 /// each node of the side.
 template <class Use>
-VectorXd for_each_point_of(const SidedPass& pass, Side side, const AllPasses& all, const PerSide<SurfaceFields>& fields,
-                           const Use& use) {
-  const bool integrated = pass.side == side;
-  VectorXd area = VectorXd::Zero(all.mesh[side].nodes);
-  pass.integral->for_each_contact(seen_from(pass.side, fields), 1.0, [&](const PointContact& contact) {
-    const Facet& facet = facet_at(contact, all.mesh[side], integrated);
-    const FacetVector shares = area_of_nodes(contact, integrated);
+VectorXd for_each_point_of(const ContactInterface& contact, std::size_t pass, Side side,
+                           const PerSide<SurfaceFields>& fields, const Use& use) {
+  const Side integrated = both_sides.at(pass);
+  const SurfaceMesh& mesh = contact.mesh(side);
+  VectorXd area = VectorXd::Zero(mesh.nodes);
+  contact.pass(pass).for_each_contact(seen_from(integrated, fields), 1.0, [&](const PointContact& point) {
+    const Facet& facet = facet_at(point, mesh, integrated == side);
+    const FacetVector shares = area_of_nodes(point, integrated == side);
     for (Index a = 0; a < shares.size(); ++a) area[facet.node(a)] += shares[a];
-    use(contact, facet, shares, integrated ? 1.0 : -1.0);
+    use(point, facet, shares, integrated == side ? 1.0 : -1.0);
   });
   return area;
 }
 
-}  // namespace
-
-Balance balance_of(const AllPasses& all, const PerSide<SurfaceFields>& fields) {
-  Balance balance;
-  balance.flow = VectorXd::Zero(all.fields);
+/// The same for all passes: the areas of each.
+template <class Use>
+std::vector<VectorXd> for_each_point(const ContactInterface& contact, Side side, const PerSide<SurfaceFields>& fields,
+                                     const Use& use) {
   std::vector<VectorXd> areas;
-  const auto add = [&](const PointContact& contact, const Facet& /*facet*/, const FacetVector& /*shares*/,
-                       double sign) {
-    const double weight = contact.loads.weight;
-    balance.force += sign * weight * contact.loads.traction.value * contact.kinematics.area_vector;
-    for (Index k = 0; k < contact.fields.count(); ++k) {
-      balance.flow[contact.fields[k]] += sign * weight * contact.kinematics.area * contact.loads.flux[k].value;
-    }
-  };
-  for (const SidedPass& pass : all.passes) areas.push_back(for_each_point_of(pass, Side::primary, all, fields, add));
-  balance.area = tributary_area(areas, all.two_pass).sum();
-  return balance;
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
+    areas.push_back(for_each_point_of(contact, pass, side, fields, use));
+  }
+  return areas;
 }
 
-NodalOutput nodal_output_of(const AllPasses& all, Side side, const PerSide<SurfaceFields>& fields) {
-  const Index nodes = all.mesh[side].nodes;
-  NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(all.fields, nodes),
-                  MatrixXd::Zero(all.fields, nodes), VectorXd::Zero(nodes)};
-  VectorXd weight = VectorXd::Zero(nodes);  // area of all passes
-  std::vector<VectorXd> areas;
-  const auto add = [&](const PointContact& contact, const Facet& facet, const FacetVector& shares, double sign) {
-    add_point(contact, facet, shares, sign, out);
-  };
-  for (const SidedPass& pass : all.passes) {
-    areas.push_back(for_each_point_of(pass, side, all, fields, add));
-    weight += areas.back();
-  }
-  out.coverage = tributary_area(areas, all.two_pass);
-  const VectorXd mean = inverse_or_zero(weight);
+/// Divides what has been summed up by the areas that it has been weighted with.
+void divide_by_areas(NodalOutput& out, const VectorXd& of_all_passes) {
+  const VectorXd mean = inverse_or_zero(of_all_passes);
   out.gap.array() *= mean.array();
   out.jump = out.jump * mean.asDiagonal();
   // Passes that cover the same area share its load: each integrates a part of it.
-  const VectorXd per_area = inverse_or_zero(out.coverage);
+  const VectorXd per_area = inverse_or_zero(out.tributary_area);
   out.pressure.array() *= per_area.array();
   out.flux = out.flux * per_area.asDiagonal();
+}
+
+}  // namespace
+
+Balance balance(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = contact.measurements().clock(Task::output);
+  Balance balance;
+  balance.flow = VectorXd::Zero(contact.effects().scalar_fields());
+  const auto add = [&](const PointContact& point, const Facet& /*facet*/, const FacetVector& /*shares*/, double sign) {
+    const double weight = point.loads.weight;
+    balance.force += sign * weight * point.loads.traction.value * point.kinematics.area_vector;
+    for (Index k = 0; k < point.fields.count(); ++k) {
+      balance.flow[point.fields[k]] += sign * weight * point.kinematics.area * point.loads.flux[k].value;
+    }
+  };
+  const std::vector<VectorXd> areas = for_each_point(contact, Side::primary, fields, add);
+  balance.area = tributary_area_of(areas, contact.settings().two_pass).sum();
+  return balance;
+}
+
+NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = contact.measurements().clock(Task::output);
+  const Index nodes = contact.mesh(side).nodes;
+  const Index scalars = contact.effects().scalar_fields();
+  NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
+                  MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes)};
+  const auto add = [&](const PointContact& point, const Facet& facet, const FacetVector& shares, double sign) {
+    add_point(point, facet, shares, sign, out);
+  };
+  const std::vector<VectorXd> areas = for_each_point(contact, side, fields, add);
+  out.tributary_area = tributary_area_of(areas, contact.settings().two_pass);
+  divide_by_areas(out, std::accumulate(areas.begin(), areas.end(), VectorXd::Zero(nodes).eval()));
   return out;
 }
 

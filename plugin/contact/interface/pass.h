@@ -86,6 +86,7 @@ class ContactPass {
   const MortarSpace& space() const { return space_; }
   /// The pairs of facets that face each other, with their integration points.
   const IndexedVector<FacetPair>& pairs() const { return space_.facing().pairs(); }
+  const ActiveSet& active_set() const { return active_set_; }
   NodalLaws& laws() { return laws_; }
   const NodalLaws& laws() const { return laws_; }
   const Penalties& penalty() const { return laws_.penalties(); }

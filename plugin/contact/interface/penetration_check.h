@@ -31,6 +31,13 @@ UndetectedPenetration overlap_among(const IndexedVector<FacingNode>& nodes, cons
 NodeFlags with_entered(NodeFlags check_nodes, const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
                        Index primary_facets);
 
+/// The pass that is restricted to penetration-check nodes, and what it leaves.
+struct PenetrationCheck {
+  Settings settings;                 ///< of the pass
+  NodeFlags nodes;                   ///< secondary nodes that it is restricted to
+  UndetectedPenetration undetected;  ///< what the last check left without load
+};
+
 /// Settings of the pass that is restricted to penetration-check nodes: those of the first one, but for unknown
 /// multipliers, for which there is no room on both surfaces.
 Settings settings_of_check(Settings settings);

@@ -1,7 +1,7 @@
 /// Nodal averages over the integration points around each node of the surface that a pass integrates over.
 #pragma once
 
-#include "base/times.h"
+#include "base/timings.h"
 #include "integration/facing_pairs.h"
 #include "law/nodal_loads.h"
 #include "mortar/boundary_weights.h"

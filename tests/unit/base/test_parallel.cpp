@@ -29,7 +29,7 @@ VectorXd answers(const Scene& scene, int threads) {
   contact->begin_iteration(scene.fields);
   PerSide<SurfaceFields> trial = scene.fields;
   trial[Side::primary].position.row(2).array() += 1e-3;
-  const NodalOutput output = contact->nodal_output(Side::primary, trial);
+  const NodalOutput output = nodal_output(*contact, Side::primary, trial);
   std::vector<VectorXd> parts{assembled_residual(*contact, layout, trial, 0.5), output.gap, output.pressure,
                               assembled_tangent(*contact, layout, scene.fields, 0.5).reshaped()};
   for (const std::vector<bool>& nodes : contact->nodes_in_contact()) {

@@ -1,4 +1,4 @@
-#include "contact/interface/interface.h"
+#include "contact/interface/relocation.h"
 
 #include "surfaces.h"
 
@@ -70,16 +70,16 @@ VectorXd answers(const ContactInterface& contact, const Scene& scene) {
   const GapReport report = contact.gaps(scene.fields);
   all.insert(all.end(), {report.traction.relative, report.traction.largest});
   for (const FieldGap& gap : report.flux) all.insert(all.end(), {gap.relative, gap.largest});
-  append(contact.balance(scene.fields).force);
-  append(contact.balance(scene.fields).flow);
+  append(balance(contact, scene.fields).force);
+  append(balance(contact, scene.fields).flow);
   const PerSide<NodeFlags> touched_nodes = contact.nodes_in_contact();
   for (const Side side : both_sides) {
-    const NodalOutput out = contact.nodal_output(side, scene.fields);
+    const NodalOutput out = nodal_output(contact, side, scene.fields);
     append(out.gap);
     append(out.pressure);
     append(out.flux);
     append(out.jump);
-    append(out.coverage);
+    append(out.tributary_area);
     for (const bool touched : touched_nodes[side]) all.push_back(touched ? 1 : 0);
   }
   return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
@@ -165,21 +165,21 @@ BOOST_AUTO_TEST_CASE(the_balance_is_the_sum_of_the_residual) {
   for_random_contacts(4, [](const Scene& scene, const ContactInterface& contact) {
     const GlobalLayout layout(scene);
     const VectorXd sum = side_sum(layout, assembled_residual(contact, layout, scene.fields, dt), Side::primary);
-    const Balance balance = contact.balance(scene.fields);
-    BOOST_TEST((sum.head<3>() - balance.force).norm() <= balance_tolerance * balance.force.norm());
-    BOOST_TEST((sum.tail(2) - dt * balance.flow).norm() <= balance_tolerance * balance.flow.norm());
+    const Balance total = balance(contact, scene.fields);
+    BOOST_TEST((sum.head<3>() - total.force).norm() <= balance_tolerance * total.force.norm());
+    BOOST_TEST((sum.tail(2) - dt * total.flow).norm() <= balance_tolerance * total.flow.norm());
   });
 }
 
 BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_bits_and_changes_no_state) {
   for_random_contacts(5, [](const Scene& scene, ContactInterface& contact) {
-    const Multipliers before = contact.multipliers(0);
+    const Multipliers before = contact.pass(0).laws().multipliers;
     const VectorXd first = answers(contact, scene);
     BOOST_TEST((answers(contact, scene) == first));
-    BOOST_TEST((contact.multipliers(0).traction == before.traction));
-    BOOST_TEST((contact.multipliers(0).flux == before.flux));
-    BOOST_TEST((contact.multipliers(0).flux_penalty_scale == before.flux_penalty_scale));
-    BOOST_TEST(contact.multipliers(0).traction_penalty_scale == before.traction_penalty_scale);
+    BOOST_TEST((contact.pass(0).laws().multipliers.traction == before.traction));
+    BOOST_TEST((contact.pass(0).laws().multipliers.flux == before.flux));
+    BOOST_TEST((contact.pass(0).laws().multipliers.flux_penalty_scale == before.flux_penalty_scale));
+    BOOST_TEST(contact.pass(0).laws().multipliers.traction_penalty_scale == before.traction_penalty_scale);
   });
 }
 
@@ -244,9 +244,9 @@ BOOST_AUTO_TEST_CASE(a_state_that_does_not_fit_is_refused_and_changes_nothing) {
     };
     refused([](auto& state) { state.multipliers.clear(); });
     refused([](auto& state) { state.multipliers.emplace_back(state.multipliers.front()); });
-    refused([](auto& state) { state.noticed.push_back(0); });  // a second pass without its multipliers
-    refused([&](auto& state) { state.noticed.push_back(scene.mesh[Side::secondary].nodes); });
-    refused([](auto& state) { state.noticed.push_back(-1); });
+    refused([](auto& state) { state.check_nodes.push_back(0); });  // a second pass without its multipliers
+    refused([&](auto& state) { state.check_nodes.push_back(scene.mesh[Side::secondary].nodes); });
+    refused([](auto& state) { state.check_nodes.push_back(-1); });
     refused([](auto& state) { state.multipliers.front().traction.conservativeResize(1); });
     refused([](auto& state) { state.multipliers.front().flux.conservativeResize(Eigen::NoChange, 1); });
     refused([](auto& state) { state.multipliers.front().flux_penalty_scale.conservativeResize(7); });
@@ -257,12 +257,12 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_balance) {
   for (const auto& [one, two] : mixed_pairs) {
     for (const bool two_pass : {false, true}) {
       const Scene scene = uniform_scene(one, two, two_pass);
-      const Balance balance = scene.contact()->balance(scene.fields);
+      const Balance total = balance(*scene.contact(), scene.fields);
       const double passes = two_pass ? 2 : 1;
-      BOOST_TEST(std::abs(balance.area - 1) <= rounding);
-      BOOST_TEST((balance.force - Vector3d(0, 0, -0.25 * passes)).norm() <= rounding);
-      BOOST_TEST(std::abs(balance.flow[0] - 0.5 * passes) <= rounding);
-      BOOST_TEST(std::abs(balance.flow[1] + 16 * passes) <= 16 * rounding);
+      BOOST_TEST(std::abs(total.area - 1) <= rounding);
+      BOOST_TEST((total.force - Vector3d(0, 0, -0.25 * passes)).norm() <= rounding);
+      BOOST_TEST(std::abs(total.flow[0] - 0.5 * passes) <= rounding);
+      BOOST_TEST(std::abs(total.flow[1] + 16 * passes) <= 16 * rounding);
     }
   }
 }
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_nodal_values) {
       const auto contact = scene.contact();
       const double passes = two_pass ? 2 : 1;
       for (const Side side : both_sides) {
-        const NodalOutput out = contact->nodal_output(side, scene.fields);
+        const NodalOutput out = nodal_output(*contact, side, scene.fields);
         const double sign = side == Side::primary ? 1 : -1;
         BOOST_TEST((out.gap.array() + 0.0625).abs().maxCoeff() <= rounding);
         BOOST_TEST((out.pressure.array() - 0.25 * passes).abs().maxCoeff() <= rounding);
@@ -282,8 +282,8 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_nodal_values) {
         BOOST_TEST((out.flux.row(1).array() + sign * 16 * passes).abs().maxCoeff() <= 32 * rounding);
         BOOST_TEST((out.jump.row(0).array() - sign * 0.25).abs().maxCoeff() <= rounding);
         BOOST_TEST((out.jump.row(1).array() + sign * 2).abs().maxCoeff() <= 2 * rounding);
-        BOOST_TEST(std::abs(out.coverage.sum() - 1) <= rounding);
-        BOOST_TEST(out.coverage.minCoeff() > 0.0);
+        BOOST_TEST(std::abs(out.tributary_area.sum() - 1) <= rounding);
+        BOOST_TEST(out.tributary_area.minCoeff() > 0.0);
       }
     }
   }
@@ -303,7 +303,7 @@ BOOST_AUTO_TEST_CASE(two_passes_share_the_load) {
   const VectorXd one = side_sum(layout, force[Side::primary], Side::primary);
   const VectorXd two = side_sum(layout, force[Side::secondary], Side::primary);
   BOOST_TEST((one - two).norm() <= rounding * one.norm());
-  BOOST_TEST((one.head<3>() + two.head<3>() - contact->balance(scene.fields).force).norm() <= rounding);
+  BOOST_TEST((one.head<3>() + two.head<3>() - balance(*contact, scene.fields).force).norm() <= rounding);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_in_contact_gives_nothing) {
@@ -316,10 +316,10 @@ BOOST_AUTO_TEST_CASE(nothing_in_contact_gives_nothing) {
       BOOST_TEST(all.norm() == 0.0);  // not a number would fail, too
       contact->residual(scene.fields, dt, [](const auto&, const VectorXd&) { BOOST_TEST(false); });
       contact->tangent(scene.fields, dt, [](const auto&, const auto&, const MatrixXd&) { BOOST_TEST(false); });
-      BOOST_TEST(contact->balance(scene.fields).area == 0.0);
+      BOOST_TEST(balance(*contact, scene.fields).area == 0.0);
       contact->augment(scene.fields);
-      BOOST_TEST(contact->multipliers(0).traction.norm() == 0.0);
-      BOOST_TEST(contact->converged(contact->gaps(scene.fields)));
+      BOOST_TEST(contact->pass(0).laws().multipliers.traction.norm() == 0.0);
+      BOOST_TEST(is_converged(*contact, contact->gaps(scene.fields)));
     }
   }
 }
@@ -430,12 +430,12 @@ BOOST_AUTO_TEST_CASE(overlapping_nodes_can_be_moved_onto_the_other_surface) {
   scene.fields[Side::primary].position.row(2).setConstant(0.0625);
   scene.fields[Side::primary].position(2, 4) = -0.25;
   const auto contact = scene.contact();
-  const Matrix3Xd moved_nodes = contact->without_overlap(scene.position());
+  const Matrix3Xd moved_nodes = without_overlap(*contact, scene.position());
   Matrix3Xd expected = scene.fields[Side::primary].position;
   BOOST_TEST(moved_nodes.row(2).maxCoeff() <= rounding);
   BOOST_TEST((moved_nodes.col(4) == expected.col(4)));  // apart as it was
   Scene apart(facing_grids(FacetType::quad4, FacetType::quad8, -0.1), effects_of(false, 0));
-  BOOST_TEST((apart.contact()->without_overlap(apart.position()) == apart.fields[Side::primary].position));
+  BOOST_TEST((without_overlap(*apart.contact(), apart.position()) == apart.fields[Side::primary].position));
 }
 
 BOOST_AUTO_TEST_CASE(overlapping_nodes_whose_normals_pass_an_edge_are_moved_onto_the_surface_beyond_it) {
@@ -443,7 +443,7 @@ BOOST_AUTO_TEST_CASE(overlapping_nodes_whose_normals_pass_an_edge_are_moved_onto
   for (const FacetType type : all_facets) {
     Scene scene(facing_grids(type, type, 0.1, 4, 6), effects_of(false, 0));
     for (SurfaceFields& side : scene.fields) side.position.row(2) += 0.1 * side.position.row(0);
-    const Matrix3Xd moved = scene.contact()->without_overlap(scene.position());
+    const Matrix3Xd moved = without_overlap(*scene.contact(), scene.position());
     const Eigen::RowVectorXd above = moved.row(2) - 0.1 * moved.row(0) +
                                      Eigen::RowVectorXd::Constant(moved.cols(), 0.1);
     BOOST_TEST(above.cwiseAbs().maxCoeff() <= rounding);

@@ -52,7 +52,7 @@ struct Spike {
     go_on();
   }
 
-  UndetectedPenetration notice() { return contact->check_penetration(scene.fields); }
+  UndetectedPenetration check() { return contact->check_penetration(scene.fields); }
 
   /// Lets the iterations go on where they are, as a host does after a dispute.
   void go_on() { contact->begin_iteration(scene.fields); }
@@ -60,11 +60,11 @@ struct Spike {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_noticed_once) {
+BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_detected_once) {
   Spike spike(deep);
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
   BOOST_TEST(spike.contact->passes() == 1u);
-  const UndetectedPenetration found = spike.notice();
+  const UndetectedPenetration found = spike.check();
   BOOST_TEST(found.nodes == 1);
   BOOST_TEST(std::abs(found.depth - deep) <= rounding);
   BOOST_TEST(std::abs(found.share - deep) <= rounding);
@@ -72,23 +72,23 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_noticed_once) {
   BOOST_TEST(!spike.contact->is_solution(spike.scene.fields));
   spike.go_on();
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
-  BOOST_TEST(spike.notice().nodes == 0);
+  BOOST_TEST(spike.check().nodes == 0);
   BOOST_TEST(spike.contact->undetected_penetration().nodes == 0);
 }
 
-BOOST_AUTO_TEST_CASE(nothing_is_noticed_where_nothing_is_missed) {
-  const auto noticed = [](Spike spike) { return spike.notice().nodes; };
-  BOOST_TEST(noticed(Spike(0.5 * penetration_tolerance)) == 0);
-  BOOST_TEST(noticed(Spike(-deep, 2 * deep)) == 0);    // a gap
-  BOOST_TEST(noticed(Spike(deep, -0.5 * deep)) == 0);  // the primary facet is in contact
+BOOST_AUTO_TEST_CASE(nothing_is_detected_where_nothing_is_missed) {
+  const auto detected = [](Spike spike) { return spike.check().nodes; };
+  BOOST_TEST(detected(Spike(0.5 * penetration_tolerance)) == 0);
+  BOOST_TEST(detected(Spike(-deep, 2 * deep)) == 0);    // a gap
+  BOOST_TEST(detected(Spike(deep, -0.5 * deep)) == 0);  // the primary facet is in contact
   Settings settings = explicit_settings(4, 2, 8);
   settings.two_pass = true;
-  BOOST_TEST(noticed(Spike(deep, around, settings)) == 0);
+  BOOST_TEST(detected(Spike(deep, around, settings)) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_noticed_node_has_the_law_of_its_mean_gap) {
+BOOST_AUTO_TEST_CASE(a_penetration_check_node_has_the_law_of_its_mean_gap) {
   Spike spike(deep);
-  spike.notice();
+  spike.check();
   spike.go_on();
   const NodalLoads loads = spike.contact->pass(1).nodal_loads(seen_from(Side::secondary, spike.scene.fields));
   for (Index node = 0; node < loads.traction.size(); ++node) {
@@ -98,9 +98,9 @@ BOOST_AUTO_TEST_CASE(a_noticed_node_has_the_law_of_its_mean_gap) {
   BOOST_TEST(spike.contact->nodes_in_contact()[Side::secondary][static_cast<std::size_t>(spike.tip)]);
 }
 
-BOOST_AUTO_TEST_CASE(a_mean_that_is_open_leaves_a_noticed_node_without_load) {
+BOOST_AUTO_TEST_CASE(a_mean_that_is_open_leaves_a_penetration_check_node_without_load) {
   Spike spike(deep, 2 * deep);
-  BOOST_TEST(spike.notice().nodes == 1);
+  BOOST_TEST(spike.check().nodes == 1);
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
   BOOST_TEST(spike.contact->undetected_penetration().nodes == 1);
   BOOST_TEST(std::abs(spike.contact->undetected_penetration().depth - deep) <= rounding);
@@ -113,37 +113,37 @@ BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {
   spike.over_row(2);
   const std::array<Index, 2> tips{spike.spike_at(0.25, deep), spike.spike_at(0.75, 0.9 * penetration_tolerance)};
   spike.begin();
-  BOOST_TEST(spike.notice().nodes == 1);
+  BOOST_TEST(spike.check().nodes == 1);
   spike.go_on();
-  const std::vector<int> noticed = spike.contact->state().noticed;
-  BOOST_TEST(std::binary_search(noticed.begin(), noticed.end(), static_cast<int>(tips[0])));
-  BOOST_TEST(!std::binary_search(noticed.begin(), noticed.end(), static_cast<int>(tips[1])));
+  const std::vector<int> detected = spike.contact->state().check_nodes;
+  BOOST_TEST(std::binary_search(detected.begin(), detected.end(), static_cast<int>(tips[0])));
+  BOOST_TEST(!std::binary_search(detected.begin(), detected.end(), static_cast<int>(tips[1])));
   const NodalLoads loads = spike.contact->pass(1).nodal_loads(seen_from(Side::secondary, scene.fields));
   BOOST_TEST(loads.traction[tips[0]] < 0.0);
   BOOST_TEST(loads.traction[tips[1]] == 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(nothing_is_noticed_beside_facets_in_contact) {
+BOOST_AUTO_TEST_CASE(nothing_is_detected_beside_facets_in_contact) {
   // A row of primary facets, the first of which is pressed; a spike over the second or the third.
-  const auto noticed = [](double x) {
+  const auto detected = [](double x) {
     Spike spike(deep);
     spike.over_row(3);
     Matrix3Xd& x1 = spike.scene.fields[Side::primary].position;
     for (Index node = 0; node < x1.cols(); ++node) x1(2, node) = x1(0, node) < 0.1 ? 2 * around : 0;
     spike.spike_at(x, deep);
     spike.begin();
-    return spike.notice().nodes;
+    return spike.check().nodes;
   };
-  BOOST_TEST(noticed(0.5) == 0);
-  BOOST_TEST(noticed(0.875) == 1);
+  BOOST_TEST(detected(0.5) == 0);
+  BOOST_TEST(detected(0.875) == 1);
 }
 
-BOOST_AUTO_TEST_CASE(residual_and_tangent_agree_with_noticed_nodes) {
+BOOST_AUTO_TEST_CASE(residual_and_tangent_agree_with_penetration_check_nodes) {
   std::mt19937 random(3);
   double worst = 0;
   for (const FacetType primary : all_facets) {
     Spike spike(deep, around, explicit_settings(2.5, 1.5, 0.8), primary);
-    spike.notice();
+    spike.check();
     spike.scene.disturb(0.002, random);
     spike.contact->project(spike.scene.position());
     spike.contact->end_iterations();  // the next tangent takes its geometric part at the loads of the state itself
@@ -167,9 +167,9 @@ BOOST_AUTO_TEST_CASE(residual_and_tangent_agree_with_noticed_nodes) {
 
 BOOST_AUTO_TEST_CASE(forces_flows_and_output_add_up_where_one_pass_alone_bears) {
   Spike spike(deep);
-  spike.notice();
+  spike.check();
   spike.go_on();
-  const Balance balance = spike.contact->balance(spike.scene.fields);
+  const Balance total = balance(*spike.contact, spike.scene.fields);
   const GlobalLayout layout(spike.scene);
   const VectorXd residual = assembled_residual(*spike.contact, layout, spike.scene.fields, dt);
   PerSide<VectorXd> sum{{VectorXd::Zero(5), VectorXd::Zero(5)}};
@@ -178,24 +178,24 @@ BOOST_AUTO_TEST_CASE(forces_flows_and_output_add_up_where_one_pass_alone_bears) 
       sum[side] += residual.segment(layout.entry(side, node, 0), 5);
   }
   BOOST_TEST((sum[Side::primary] + sum[Side::secondary]).norm() <= rounding);
-  BOOST_TEST((sum[Side::primary].head<3>() - balance.force).norm() <= rounding);
-  BOOST_TEST(balance.force[2] < 0.0);
+  BOOST_TEST((sum[Side::primary].head<3>() - total.force).norm() <= rounding);
+  BOOST_TEST(total.force[2] < 0.0);
   for (const Side side : both_sides) {
-    const NodalOutput out = spike.contact->nodal_output(side, spike.scene.fields);
+    const NodalOutput out = nodal_output(*spike.contact, side, spike.scene.fields);
     const double sign = side == Side::primary ? 1 : -1;
-    BOOST_TEST(std::abs(out.coverage.sum() - balance.area) <= rounding);
+    BOOST_TEST(std::abs(out.tributary_area.sum() - total.area) <= rounding);
     for (Index k = 0; k < 2; ++k) {
-      const double flow = sign * out.flux.row(k).dot(out.coverage);
-      BOOST_TEST(std::abs(flow - balance.flow[k]) <= rounding * std::abs(flow));
+      const double flow = sign * out.flux.row(k).dot(out.tributary_area);
+      BOOST_TEST(std::abs(flow - total.flow[k]) <= rounding * std::abs(flow));
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_state_holds_what_is_noticed_and_a_step_tried_again_forgets_it) {
+BOOST_AUTO_TEST_CASE(a_state_holds_the_penetration_check_nodes_and_a_step_tried_again_forgets_it) {
   Spike spike(deep);
   const ContactInterface::State before = spike.contact->state();
-  BOOST_TEST(before.noticed.empty());
-  spike.notice();
+  BOOST_TEST(before.check_nodes.empty());
+  spike.check();
   spike.go_on();
   spike.contact->augment(spike.scene.fields);
   const ContactInterface::State after = spike.contact->state();
@@ -215,14 +215,14 @@ BOOST_AUTO_TEST_CASE(a_state_holds_what_is_noticed_and_a_step_tried_again_forget
   BOOST_TEST(residual_of(*fresh).norm() == 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(beside_unknown_multipliers_noticed_nodes_have_penalties) {
+BOOST_AUTO_TEST_CASE(beside_unknown_multipliers_penetration_check_nodes_have_penalties) {
   Settings settings;
   settings.enforcement = Enforcement::lagrange_multipliers;
   Spike spike(deep, around, settings);
-  spike.notice();
+  spike.check();
   spike.go_on();
   BOOST_TEST(spike.contact->pass(0).has_unknown_multipliers());
   BOOST_TEST(!spike.contact->pass(1).has_unknown_multipliers());
-  BOOST_TEST(spike.contact->balance(spike.scene.fields).force[2] < 0.0);
+  BOOST_TEST(balance(*spike.contact, spike.scene.fields).force[2] < 0.0);
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
 }

@@ -1,4 +1,4 @@
-"""The command `price`: what the contact costs, by task and effect, and beside FEBio's own interfaces."""
+"""The command `price`: timings of the contact, by task and effect, and beside FEBio's own interfaces."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def price(
     repetitions: Annotated[int, typer.Option(min=1, help="How often runs that are compared are repeated.")] = 5,
     folder: Annotated[Path, typer.Option(help="Where tables and pictures go.")] = RESULTS / "price",
 ) -> None:
-    """Measure what the contact costs, or draw the times that it wrote into the logs of runs.
+    """Measure the timings of the contact, or draw the times that it wrote into the logs of runs.
 
     Runs that are compared alternate, and the medians of their ratios count. Nothing else should run meanwhile.
     """

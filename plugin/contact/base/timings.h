@@ -60,9 +60,9 @@ class Stopwatch {
 };
 
 /// Seconds by task.
-class Times {
+class Timings {
  public:
-  explicit Times(Index fields = 0) { spent_.fill(TimingBreakdown(fields)); }
+  explicit Timings(Index fields = 0) { spent_.fill(TimingBreakdown(fields)); }
 
   TimingBreakdown& operator[](Task task) { return spent_.at(static_cast<std::size_t>(task)); }
   const TimingBreakdown& operator[](Task task) const { return spent_.at(static_cast<std::size_t>(task)); }
@@ -119,8 +119,8 @@ class ScopedTimer {
   Stopwatch watch_;
 };
 
-/// Times a task from construction to destruction. What has not been charged meanwhile, to an effect or by another clock
-/// of the same task, is shared.
+/// Timings a task from construction to destruction. What has not been charged meanwhile, to an effect or by another
+/// clock of the same task, is shared.
 class TaskClock {
  public:
   explicit TaskClock(TimingBreakdown& spent) : spent_(spent), before_(spent.total()) {}

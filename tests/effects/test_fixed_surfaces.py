@@ -22,17 +22,17 @@ STEADY = 1e-6
 """Relative: what is left of a transient after 8 steps of more than twice the slowest time."""
 
 
-def blocks(name, effects="all", frozen=True):
+def blocks(name, effects="all", fixed=True):
     """Two multiphasic blocks that share three solutes and just touch; all nodes fixed, or pressed together."""
     settings = pairs.ContactSettings(extra=(Param("effects", effects),))
     pair = replace(pairs.of_kinds(Kind.MULTIPHASIC, Kind.MULTIPHASIC), name=name, settings=settings)
     model = pair.model()
-    if not frozen:
+    if not fixed:
         return model
     transport = tuple(c for c in model.conditions if "displacement" not in c.kind)
-    fixed = (*transport, fix("lower-all", "xyz"), fix("upper-all", "xyz"))
+    conditions = (*transport, fix("lower-all", "xyz"), fix("upper-all", "xyz"))
     # Later steps are steady to rounding, and FEBio's relative norms then compare rounding with rounding.
-    return replace(model, conditions=fixed, control=replace(model.control, steps=4))
+    return replace(model, conditions=conditions, control=replace(model.control, steps=4))
 
 
 def end_of(run, surface):
@@ -41,7 +41,7 @@ def end_of(run, surface):
 
 @pytest.fixture(scope="module")
 def run(runner):
-    return runner(blocks("frozen"))
+    return runner(blocks("fixed"))
 
 
 def test_the_log_says_why_there_is_no_traction(run):
@@ -56,20 +56,20 @@ def test_fluxes_pass_and_no_force_does(run):
 
 
 def test_traction_may_be_left_out_by_name(run, runner):
-    named = runner(blocks("frozen-named", "solvent, solutes"))
+    named = runner(blocks("fixed-named", "solvent, solutes"))
     assert np.allclose(end_of(named, "lower-top"), end_of(run, "lower-top"), rtol=SAME, atol=0)
 
 
 def test_traction_must_not_be_left_out_where_bodies_can_move(runner):
-    run = runner(blocks("frozen-refused", "solvent, solutes", frozen=False), check=False)
+    run = runner(blocks("fixed-refused", "solvent, solutes", fixed=False), check=False)
     assert not run.report.normal
     assert run.report.steps == 0
     assert "<effects> leaves traction out, but not all displacements" in " ".join(run.report.errors)
 
 
-def test_restart_of_frozen_blocks(runner, tmp_path):
+def test_restart_of_fixed_blocks(runner, tmp_path):
     """From the archive that was written after 3 of 4 steps; FEBio needs a plot file to continue."""
-    model = replace(blocks("frozen-restart"), plot=True)
+    model = replace(blocks("fixed-restart"), plot=True)
     whole = runner(model, options=("-dump=1", "-dump_stride=3"))
     folder = shutil.copytree(whole.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
@@ -108,8 +108,8 @@ def in_two_steps(model, path):
 
 def test_blocks_that_are_freed_in_a_second_step(runner, tmp_path):
     """The contact finds out at the start of each step, and ends in the steady state of blocks that were never fixed."""
-    free = runner(blocks("never-frozen", frozen=False))
-    model = blocks("freed", frozen=False)
+    free = runner(blocks("never-fixed", fixed=False))
+    model = blocks("freed", fixed=False)
     file = in_two_steps(model, tmp_path / "freed")
     report = engine.run(file, plugin=engine.required_plugin()).report
     log = file.with_suffix(".log").read_text()

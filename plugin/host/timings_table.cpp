@@ -1,4 +1,4 @@
-#include "timings.h"
+#include "timings_table.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -67,15 +67,15 @@ std::string seconds(std::string_view title, const TimingBreakdown& spent) {
 
 std::vector<std::string> timings_table(const std::string& name, const mixture_contact::ContactInterface& contact,
                                        double run) {
-  const TimingBreakdown sum = contact.times().sum();
+  const TimingBreakdown sum = contact.measurements().timings.sum();
   std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
                                  row("", headings(contact.effects()))};
-  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), contact.times()[task]));
+  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), contact.measurements().timings[task]));
   lines.push_back(seconds("all", sum));
   std::ostringstream share;
   share << std::setprecision(3) << "    share of the run: " << 100 * sum.total() / run << " percent of " << run << " s";
   lines.push_back(share.str());
-  const auto [points, bytes] = contact.memory();
+  const auto [points, bytes] = contact.measurements().memory;
   if (points > 0) {
     lines.push_back("    memory: " + std::to_string(bytes / points) + " bytes for each of " + std::to_string(points) +
                     " integration points");

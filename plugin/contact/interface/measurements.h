@@ -1,0 +1,27 @@
+/// What a contact measures of itself: where its time goes, and what it keeps in memory. No result depends on it.
+#pragma once
+
+#include "base/timings.h"
+
+namespace mixture_contact {
+
+/// What a contact keeps in memory.
+struct Memory {
+  std::size_t points = 0;  ///< integration points that see the other surface
+  std::size_t bytes = 0;   ///< for them, their facets and nodes, between calls
+};
+
+struct Measurements {
+  Timings timings;  ///< of all calls so far
+  Memory memory;    ///< largest number of bytes that an iteration kept, and the integration points that it had
+
+  explicit Measurements(Index fields) : timings(fields) {}
+
+  /// Times a task. A host does the same around its calls; what a contact times within is not counted twice.
+  TaskClock clock(Task task) { return TaskClock(timings[task]); }
+  void note(const Memory& now) {
+    if (now.bytes >= memory.bytes) memory = now;
+  }
+};
+
+}  // namespace mixture_contact

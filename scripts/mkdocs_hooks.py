@@ -1,0 +1,28 @@
+"""Pages that MkDocs makes as it builds the site (mkdocs.yml): the API reference of the core, CONTRIBUTING.md."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from harness.pages.api_reference import api_pages
+from harness.paths import REPOSITORY
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    for name, text in api_pages().items():
+        files.append(File.generated(config, name, content=text))
+    return files
+
+
+def on_page_markdown(markdown: str, page: Page, **_: object) -> str:
+    """CONTRIBUTING.md as a page of the site, which stands a folder deeper."""
+    if page.file.src_uri != "contributing.md":
+        return markdown
+    return (REPOSITORY / "CONTRIBUTING.md").read_text(encoding="utf-8").replace("](docs/", "](")
