@@ -23,11 +23,11 @@ bool ContactSteps::prepare_step(const void* told) {
   return true;
 }
 
-/// Decides what is in contact at this state, and what is at ambient values. Returns whether loads have changed.
-bool ContactSteps::begin_iteration() {
-  bool changed = false;
-  for (SteppedContact* contact : model_.active_contacts()) changed = contact->begin_iteration() || changed;
-  return model_.apply_ambient() || changed;
+/// Decides what is in contact at this state, and what is at ambient values.
+ContactSteps::Changes ContactSteps::begin_iteration() {
+  bool loads = false;
+  for (SteppedContact* contact : model_.active_contacts()) loads = contact->begin_iteration() || loads;
+  return {loads, model_.apply_ambient()};
 }
 
 void ContactSteps::evaluate(const void* told) {
@@ -43,10 +43,10 @@ void ContactSteps::evaluate(const void* told) {
     case Stepper::Evaluation::begin_anew:
       for (SteppedContact* contact : contacts) contact->end_iterations();
       helpers_.begin_iterations();
-      changed = begin_iteration();
+      changed = begin_iteration().any();
       break;
     case Stepper::Evaluation::go_on:
-      changed = begin_iteration();
+      changed = begin_iteration().any();
       changed = helpers_.adapt() || changed;
       break;
   }
@@ -82,8 +82,8 @@ void ContactSteps::start_at_prediction() {
 void ContactSteps::before_matrix() {
   // At the start of a step and after an augmentation an evaluation has begun the iteration already, and the host's
   // residual is the right one. Elsewhere the host accepts a state whose residual it has evaluated with loads that may
-  // change now; then the residual is evaluated again when the matrix is done.
-  bool changed = false;
+  // change now; then the residual is evaluated again when the matrix is done. Bodies depend on nodal values alone.
+  Changes changes{false, false};
   switch (stepper_.before_matrix()) {
     case Stepper::Matrix::predict:
       start_at_prediction();
@@ -91,14 +91,14 @@ void ContactSteps::before_matrix() {
     case Stepper::Matrix::nothing:
       break;
     case Stepper::Matrix::begin:
-      changed = begin_iteration();
-      changed = helpers_.adapt() || changed;
-      if (changed) evaluate_again();
+      changes = begin_iteration();
+      changes.values = helpers_.adapt() || changes.values;
+      if (changes.values) evaluate_again();
       break;
     case Stepper::Matrix::is_formed:
       return;
   }
-  stepper_.form_matrix(changed);
+  stepper_.form_matrix(changes.any());
 }
 
 void ContactSteps::matrix_formed() {

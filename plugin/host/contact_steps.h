@@ -93,7 +93,13 @@ class ContactSteps {
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 
  private:
-  bool begin_iteration();
+  /// What an iteration that begins has changed.
+  struct Changes {
+    bool loads;   ///< of contacts
+    bool values;  ///< at nodes, which the bodies depend on
+    bool any() const { return loads || values; }
+  };
+  Changes begin_iteration();
   void evaluate_again();
   void start_at_prediction();
   bool is_solution();

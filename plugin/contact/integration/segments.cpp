@@ -45,6 +45,13 @@ struct VaryingFacet {
   }
 };
 
+/// A corner of a linear piece; the middle of an 8-node quadrilateral is no node.
+Vector3d corner(const VaryingFacet& facet, const SubFacet& piece, int a) {
+  const int node = at(piece.nodes, a);
+  if (node < facet.x.cols()) return facet.x.col(node);
+  return facet.x * shape_functions(facet.type, parametric_node(facet.type, node)).value;
+}
+
 /// A linear piece of a facet as a polygon in space.
 Polygon in_space(const VaryingFacet& facet, const SubFacet& piece) {
   Polygon polygon;
@@ -111,6 +118,28 @@ PointMotion projection_motion(const VaryingFacet& facet, const Sample& sample, c
   return motion;
 }
 
+/// A circle around a linear piece of a facet: what does not meet it does not meet the piece.
+struct Circle {
+  Vector3d centre;
+  double radius;
+};
+
+Circle circle_around(const VaryingFacet& facet, const SubFacet& piece) {
+  const int corners = node_count(piece.type);
+  Circle circle{Vector3d::Zero(), 0};
+  for (int a = 0; a < corners; ++a) circle.centre += corner(facet, piece, a) / corners;
+  for (int a = 0; a < corners; ++a) {
+    circle.radius = std::max(circle.radius, (corner(facet, piece, a) - circle.centre).norm());
+  }
+  return circle;
+}
+
+/// Whether two circles are apart, seen along n, by more than rounding.
+bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
+  const double reach = (1 + 1e-6) * (one.radius + two.radius);
+  return (two.centre - one.centre).cross(n).squaredNorm() > reach * reach;
+}
+
 /// Calls use(sample) for the points on the overlap of two facets, in a fixed order.
 template <class Use>
 void sample_overlap(const VaryingFacet& primary, const VaryingFacet& secondary, int order, const Use& use) {
@@ -120,7 +149,9 @@ void sample_overlap(const VaryingFacet& primary, const VaryingFacet& secondary, 
     const VaryingVector n = normal_at(primary, middle(primary.type, part));
     const double area = twice_area(polygon, n.value);
     const Alignment aligned = alignment(polygon);
+    const Circle circle = circle_around(primary, part);
     for (const SubFacet& other : sub_facets(secondary.type)) {
+      if (are_apart(circle, circle_around(secondary, other), n.value)) continue;
       Polygon window = in_space(secondary, other);
       if (twice_area(window, n.value) >= 0) continue;  // it faces away
       std::reverse(window.begin(), window.end());
