@@ -52,6 +52,8 @@ struct ContactParameters {
   bool free_draining = true;  ///< whether open nodes have the ambient values
   double ambient_pressure = 0;
 
+  double offset = 0;  ///< gap at which the surfaces are in contact without load [length]
+  bool tension = false;
   bool flip_primary = false;
   bool flip_secondary = false;
 
@@ -66,8 +68,6 @@ struct ContactParameters {
   // Parameters of FEBio's interfaces that this one has no use for, or not yet.
   double fric_coeff = 0;
   double contact_frac = 0;
-  double offset = 0;
-  bool tension = false;
   bool shell_bottom_primary = false;
   bool shell_bottom_secondary = false;
   int knmult = 1;
@@ -145,7 +145,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"flip_secondary"}, p.flip_secondary);
   take({"fric_coeff"}, p.fric_coeff);
   take({"contact_frac", &p.contact_frac_given}, p.contact_frac);
-  take({"offset"}, p.offset);
+  take({"offset", nullptr, Unit::length}, p.offset);
   take({"tension"}, p.tension);
   take({"shell_bottom_primary"}, p.shell_bottom_primary);
   take({"shell_bottom_secondary"}, p.shell_bottom_secondary);

@@ -93,7 +93,8 @@ NodalOutput nodal_output_of(const AllPasses& all, Side side, const PerSide<Surfa
   }
   out.coverage = tributary_area(areas, all.two_pass);
   const VectorXd mean = inverse_or_zero(weight);
-  out.gap.array() *= mean.array();
+  const double offset = all.passes.front().integral->space().offset();
+  out.gap = (weight.array() > 0).select(out.gap.array() * mean.array() - offset, 0.0);
   out.jump = out.jump * mean.asDiagonal();
   // Passes that cover the same area share its load: each integrates a part of it.
   const VectorXd per_area = inverse_or_zero(out.coverage);
