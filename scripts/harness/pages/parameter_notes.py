@@ -273,8 +273,8 @@ NOTES = {
     "fric_coeff": Note("No friction yet: other values are an error.", febio="friction"),
     "contact_frac": Note("No effect, with a notice.", febio="used with friction"),
     "offset": Note(
-        "Distance of the surfaces, along the normal of the primary one, at which they touch: gaps are measured from it, "
-        "in all output, too. Negative: an overlap that is let pass.",
+        "Distance of the surfaces, along the normal of the primary one, at which they touch: gaps are measured from "
+        "it, in all output, too. Negative: an overlap that is let pass.",
         febio="`sliding-elastic` has it",
         unit="mm",
     ),
