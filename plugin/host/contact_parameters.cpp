@@ -53,8 +53,6 @@ double largest_traction_factor(SolverKind solver) {
 /// Parameters of other interfaces, and of former versions, that mean nothing here.
 void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
   require_unused(list, "fric_coeff", p.fric_coeff != 0, "friction is not part of sliding-mixture");
-  require_unused(list, "offset", p.offset != 0, "sliding-mixture brings the surfaces themselves into contact");
-  require_unused(list, "tension", p.tension, "sliding-mixture transmits compression only");
   require_unused(list, "shell_bottom_primary", p.shell_bottom_primary,
                  "sliding-mixture works on the faces of solid elements");
   require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary,
@@ -96,6 +94,7 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   if (p.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
   if (p.maxaug < p.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
   if (!std::isfinite(p.ambient_pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
+  if (!std::isfinite(p.offset)) list.emplace_back("<offset> is not a finite number.");
   complain_of_unknown(list, p);
   return list;
 }
@@ -152,6 +151,8 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.symmetric = p.symmetric_stiffness;
   settings.integration = integration(p);
   settings.integration_order = p.integration_order;
+  settings.tension = p.tension;
+  settings.offset = p.offset;
   settings.may_touch = !left_out(p).contact;
   settings.search_radius = p.search_radius_given ? p.search_radius : 0;
   settings.search_tolerance = p.search_tol;

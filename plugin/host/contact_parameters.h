@@ -52,6 +52,8 @@ struct ContactParameters {
   bool free_draining = true;  ///< whether open nodes have the ambient values
   double ambient_pressure = 0;
 
+  double offset = 0;  ///< gap at which the surfaces are in contact without load [length]
+  bool tension = false;
   bool flip_primary = false;
   bool flip_secondary = false;
 
@@ -66,8 +68,6 @@ struct ContactParameters {
   // Parameters of FEBio's interfaces that this one has no use for, or not yet.
   double fric_coeff = 0;
   double contact_frac = 0;
-  double offset = 0;
-  bool tension = false;
   bool shell_bottom_primary = false;
   bool shell_bottom_secondary = false;
   int knmult = 1;

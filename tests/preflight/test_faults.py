@@ -226,7 +226,8 @@ FAULTS = {
     ),
     "augmentations": (lambda: with_params(Param("minaug", 5), Param("maxaug", 2)), "bad-value", "minaug"),
     "friction": (lambda: with_params(Param("fric_coeff", 0.1)), "unsupported", "friction"),
-    "offset": (lambda: with_params(Param("offset", 0.1)), "unsupported", "offset"),
+    "offset": (lambda: with_params(Param("offset", "wide")), "bad-value", "offset"),
+    "shell bottoms": (lambda: with_params(Param("shell_bottom_primary", 1.0)), "unsupported", "shell_bottom_primary"),
     "load curve not there": (
         lambda: text_of(
             with_params(Param("ambient_pressure", 1.0)), ("<ambient_pressure>", '<ambient_pressure lc="7">')

@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 from harness.models import pairs
-from harness.models.interface import ContactSettings
+from harness.models.confined import LOAD, OVERLAP, Confined
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.pairs import Kind
-from harness.models.parts import Control, Curve, Param
+from harness.models.parts import Control, Curve, Param, normal_load
+from harness.post import compare
 from harness.run import engine, logdata
 
 pytestmark = pytest.mark.mixture_only
@@ -86,6 +88,46 @@ def test_without_a_pressure_penalty_the_solvent_is_sealed_in(runner):
     assert "exchanges traction. No solvent: <pressure_penalty> is 0." in runs[1].log
     np.testing.assert_array_equal(runs[0].nodes["p"], runs[1].nodes["p"])
     assert nonzeroes(runs[0]) == nonzeroes(runs[1])
+
+
+@pytest.mark.parametrize("settings", [ContactSettings(laugon="LAGMULT"), ContactSettings()])
+def test_under_tension_a_cut_layer_is_drawn_out_as_a_whole_one(runner, settings):
+    """With multipliers to rounding and the overlap that the cut scene begins with; with the default penalty to 1e-3."""
+    tension = replace(settings, extra=(Param("tension", True),))
+    runs = [
+        runner(_drawn_out(kind, chosen))
+        for kind, chosen in ((InterfaceType.MIXTURE, tension), (InterfaceType.UNSPLIT, None))
+    ]
+    bar = 1e-7 if settings.laugon == "LAGMULT" else 1e-3
+    for column in ("uz", "p"):
+        scale = np.abs(runs[1].nodes[column]).max()
+        begun = OVERLAP if column == "uz" else 0.0
+        assert compare.largest_difference(runs[0], runs[1], column) <= bar * scale + begun, column
+    assert runs[1].nodes["uz"].max() > 0.0
+
+
+def _drawn_out(interface, settings):
+    """A biphasic layer, cut in two, that a load pulls at."""
+    name = f"drawn-{interface.value}-{getattr(settings, 'laugon', '')}"
+    model = Confined(interface, settings, elements=5, control=Control(5, 200.0), name=name).model()
+    kept = tuple(condition for condition in model.conditions if condition != normal_load("top", LOAD))
+    assert len(kept) < len(model.conditions)
+    return replace(model, conditions=(*kept, normal_load("top", -LOAD)))
+
+
+def test_an_offset_keeps_the_surfaces_apart(runner):
+    """Blocks that begin an offset apart press like blocks that touch."""
+    touching = _pressed(runner, "touching")
+    pair = replace(
+        pairs.of_kinds(Kind.ELASTIC, Kind.ELASTIC),
+        name="offset",
+        settings=ContactSettings(extra=(Param("offset", 0.05),)),
+    )
+    model = replace(pair.model(), control=Control(STEPS, pairs.STEP))
+    nodes = model.mesh.nodes.copy()
+    nodes[model.mesh.node_sets["upper-all"] - 1, 2] += 0.05
+    apart = runner(replace(model, mesh=replace(model.mesh, nodes=nodes)))
+    np.testing.assert_allclose(force(apart), force(touching), rtol=1e-8)
 
 
 def test_a_load_curve_that_leads_below_zero_ends_the_run(runner):

@@ -23,7 +23,9 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   for (Index node = 0; node < laws_.nodes(); ++node) {
     // Surfaces that exchange no traction touch whatever the penalty.
     const double penalty = laws_.effects().traction ? laws_.traction_penalty(node) : laws_.penalties().stiffness[node];
-    const LawValue law = normal_traction(laws_.multipliers.traction[node], penalty, now.gap[node], touch);
+    const double lambda = laws_.multipliers.traction[node];
+    const LawValue law = laws_.bear_tension() ? two_sided_traction(lambda, penalty, now.gap[node])
+                                              : normal_traction(lambda, penalty, now.gap[node], touch);
     status.push_back(may_close(node) && now.faces(node) && law.derivative > 0);
   }
   return status;
@@ -33,7 +35,8 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now) 
   const double least = negligible(predicted, now);
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
-    const bool stays = may_close(node) && now.faces(node) && predicted.traction[node] <= least;
+    const bool holds = laws_.bear_tension() || predicted.traction[node] <= least;
+    const bool stays = may_close(node) && now.faces(node) && holds;
     status.push_back(predicted.in_contact[node] ? stays : closes(now, node, least));
   }
   return status;
@@ -70,7 +73,7 @@ double ActiveSet::negligible(const NodalLoads& loads, const NodalGaps& now) cons
 
 bool ActiveSet::closes(const NodalGaps& now, Index node, double negligible) const {
   const double overlap_load = laws_.multipliers.traction[node] + laws_.traction_penalty(node) * now.gap[node];
-  return may_close(node) && now.faces(node) && overlap_load < -negligible;
+  return may_close(node) && now.faces(node) && (laws_.bear_tension() || overlap_load < -negligible);
 }
 
 }  // namespace mixture_contact

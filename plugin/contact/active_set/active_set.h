@@ -36,6 +36,8 @@ struct ActiveSetOptions {
 /// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays so while its load, as the last
 /// iteration predicts it, is compressive; a node out of contact enters where it overlaps.
 ///
+/// Where the laws bear tension a node is in contact as long as it faces the other surface.
+///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
 /// then on. Where nodes keep changing together, closed pulled and open overlapping, the first of those that would

@@ -63,6 +63,8 @@ struct Settings {
   int max_augmentations = 10;
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
   bool symmetric = false;  ///< hand out the symmetric part of the tangent
+  bool tension = false;    ///< whether paired surfaces pull, too, and never part
+  double offset = 0;       ///< gap at which the surfaces are in contact without load [mm]
   bool may_touch = true;   ///< false: no node ever comes into contact, whatever the gaps
   Integration integration = Integration::segments;
   int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on

@@ -58,7 +58,7 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
   for (Index node = 0; node < loads.area.size(); ++node) {
     if (!loads.in_contact[node]) continue;
     // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
-    const double gap = loads.traction[node] < 0 ? loads.gap[node] : 0.0;
+    const double gap = laws.bear_tension() || loads.traction[node] < 0 ? loads.gap[node] : 0.0;
     traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
     if (!loads.flux_coupled[node]) continue;
     for (Index k = 0; k < flux.count(); ++k) {

@@ -112,7 +112,7 @@ NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
   const NodeFlags status = initial_status(positions(fields));
   NodalLoads loads = space_.averages(fields, {status, status});
   method_.load(loads);
-  loads.traction = loads.traction.cwiseMin(0.0);
+  loads.traction = laws_.admissible(loads.traction);
   return loads;
 }
 

@@ -73,10 +73,11 @@ std::vector<VectorXd> for_each_point(const ContactInterface& contact, Side side,
   return areas;
 }
 
-/// Divides what has been summed up by the areas that it has been weighted with.
-void divide_by_areas(NodalOutput& out, const VectorXd& of_all_passes) {
+/// Divides what has been summed up by the areas that it has been weighted with. Gaps are those of the surfaces,
+/// whatever the offset at which they touch.
+void divide_by_areas(NodalOutput& out, const VectorXd& of_all_passes, double offset) {
   const VectorXd mean = inverse_or_zero(of_all_passes);
-  out.gap.array() *= mean.array();
+  out.gap = (of_all_passes.array() > 0).select(out.gap.array() * mean.array() - offset, 0.0);
   out.jump = out.jump * mean.asDiagonal();
   // Passes that cover the same area share its load: each integrates a part of it.
   const VectorXd per_area = inverse_or_zero(out.tributary_area);
@@ -113,7 +114,8 @@ NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSi
   };
   const std::vector<VectorXd> areas = for_each_point(contact, side, fields, add);
   out.tributary_area = tributary_area_of(areas, contact.settings().two_pass);
-  divide_by_areas(out, std::accumulate(areas.begin(), areas.end(), VectorXd::Zero(nodes).eval()));
+  divide_by_areas(out, std::accumulate(areas.begin(), areas.end(), VectorXd::Zero(nodes).eval()),
+                  contact.pass(0).space().offset());
   return out;
 }
 

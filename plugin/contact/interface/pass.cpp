@@ -40,7 +40,7 @@ void ContactPass::restrict_active_set(const NodeFlags& nodes) {
 
 void ContactPass::augment(const FacingFields& fields) {
   const NodalLoads loads = nodal_loads(fields);
-  if (effects_.traction) laws_.multipliers.traction = loads.traction.cwiseMin(0.0);
+  if (effects_.traction) laws_.multipliers.traction = laws_.admissible(loads.traction);
   laws_.multipliers.flux = loads.flux;
   geometry_->take_multipliers();
 }

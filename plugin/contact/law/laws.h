@@ -21,6 +21,11 @@ inline LawValue normal_traction(double lambda, double penalty, double gap, doubl
   return {std::min(0.0, trial), penalty};
 }
 
+/// The same law two-sided: t_n = lambda_n + eps_n g, tension where t_n > 0. Sliding stays free.
+inline LawValue two_sided_traction(double lambda, double penalty, double gap) {
+  return {lambda + penalty * gap, penalty};
+}
+
 /// Normal flux w_n = lambda_p + eps_p (p1 - p2), eq (2.8), or j_n = lambda_k + eps_k (c1_k - c2_k), eq (2.9), positive
 /// from the primary to the secondary body.
 ///

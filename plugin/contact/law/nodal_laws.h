@@ -35,6 +35,11 @@ class NodalLaws {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
   }
 
+  /// Whether nodes in contact may pull.
+  bool bear_tension() const { return settings_.tension; }
+  /// Tractions as the laws admit them.
+  VectorXd admissible(const VectorXd& traction) const { return bear_tension() ? traction : traction.cwiseMin(0.0); }
+
   /// Sets traction and fluxes of the nodes in contact to lambda + eps times gap or jump; without penalty, to lambda.
   void load(NodalLoads& loads, bool with_penalty) const;
 

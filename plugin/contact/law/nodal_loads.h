@@ -7,9 +7,10 @@ namespace mixture_contact {
 
 /// Averages of the gap around nodes: g_a = INT psi_a g da / INT psi_a da.
 struct NodalGaps {
-  VectorXd area;    ///< tributary area INT psi_a da, over points that face the other surface [mm^2]
-  VectorXd gap;     ///< g_a [mm]
-  double size = 0;  ///< of the surface, by which rounding of its positions is measured [mm]
+  VectorXd area;      ///< tributary area INT psi_a da, over points that face the other surface [mm^2]
+  VectorXd gap;       ///< g_a [mm]
+  double size = 0;    ///< of the surface, by which rounding of its positions is measured [mm]
+  double offset = 0;  ///< what the gaps are measured from: distance of the surfaces - offset [mm]
 
   /// Whether any point around a node faces the other surface.
   bool faces(Index node) const { return area[node] > 0; }

@@ -70,7 +70,7 @@ void add_gap(NodeLinearisation& linear, const NodalLoads& loads, Index node, con
   const PointKinematics& kinematics = point.contact.kinematics;
   const LocalLayout layout = linear.patch.of_displacements().layout();
   const PairVector h = kinematics.jump_weights();
-  linear.gap_variation += mean_variation(gap_variation(kinematics, point.vary, share), loads.gap[node],
+  linear.gap_variation += mean_variation(gap_variation(kinematics, point.vary, share), loads.gap[node] + loads.offset,
                                          loads.area[node]);
   for (Index n = 0; n < layout.nodes(); ++n) {
     linear.traction_work.segment<3>(layout.displacement(n, 0)) += share.value * h[n] * kinematics.area_vector;

@@ -52,6 +52,7 @@ MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondar
       redistributes_(settings.integration == Integration::segments),
       unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
       symmetric_(settings.symmetric),
+      offset_(settings.offset),
       effect_times_(effects.scalar_fields()) {}
 
 FacetGapSums MortarSpace::gap_sums(const FacetPair& pair, const FacingPositions& x) const {
@@ -85,7 +86,7 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
 }
 
 NodalGaps MortarSpace::gaps(const FacingPositions& x) const {
-  NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size()};
+  NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size(), offset_};
   const IndexedVector<FacetPair>& pairs = facing_.pairs();
   const auto sums_of = [&](Index index) { return gap_sums(pairs[index], x); };
   in_order(pairs.count(), sums_of, [&](Index index, const FacetGapSums& sums) {
@@ -95,7 +96,7 @@ NodalGaps MortarSpace::gaps(const FacingPositions& x) const {
       gaps.gap[facet.node(a)] += sums(1, a);
     }
   });
-  gaps.gap = (gaps.area.array() > 0).select(gaps.gap.array() / gaps.area.array(), 0.0);
+  gaps.gap = (gaps.area.array() > 0).select(gaps.gap.array() / gaps.area.array() - offset_, 0.0);
   return gaps;
 }
 

@@ -40,6 +40,8 @@ class MortarSpace {
   Patch columns_of(const Patch& patch, int field) const;
   /// Whether the symmetric part of the tangent is wanted.
   bool symmetric() const { return symmetric_; }
+  /// Distance of the surfaces from which gaps are measured [mm].
+  double offset() const { return offset_; }
 
   /// What linearising and tangents spend on single effects; whoever times them takes it.
   EffectTimings& effect_times() const { return effect_times_; }
@@ -54,6 +56,7 @@ class MortarSpace {
   bool redistributes_;  ///< on segments alone
   bool unknown_multipliers_;
   bool symmetric_;
+  double offset_;
   mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
 };
 

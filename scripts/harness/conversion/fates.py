@@ -57,8 +57,8 @@ ZERO = {
     "penalty": "0: the contact does nothing, in FEBio and here",
     "pressure_penalty": "0: no solvent passes, in FEBio and here",
     "concentration_penalty": "0: no solute passes, in FEBio and here",
-    "search_radius": "FEBio sees nothing within a radius of 0, so its contact does nothing; here the radius follows the "
-    "size of the surfaces and the contact works",
+    "search_radius": "FEBio sees nothing within a radius of 0, so its contact does nothing; here the radius follows "
+    "the size of the surfaces and the contact works",
 }
 """What 0 means, of parameters that may be 0."""
 DEFAULT = "1"

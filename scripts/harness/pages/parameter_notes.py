@@ -84,6 +84,8 @@ GROUPS = (
             "integration",
             "integration_order",
             "search_radius",
+            "offset",
+            "tension",
             "search_tol",
             "seg_up",
             "node_reloc",
@@ -105,8 +107,6 @@ GROUPS = (
         (
             "fric_coeff",
             "contact_frac",
-            "offset",
-            "tension",
             "shell_bottom_primary",
             "shell_bottom_secondary",
             "knmult",
@@ -272,8 +272,17 @@ NOTES = {
     "flip_secondary": Note("Turn the secondary surface inside out."),
     "fric_coeff": Note("No friction yet: other values are an error.", febio="friction"),
     "contact_frac": Note("No effect, with a notice.", febio="used with friction"),
-    "offset": Note("Not supported: other values are an error.", febio="`sliding-elastic`", unit="mm"),
-    "tension": Note("Not supported: 1 is an error.", febio="`sliding-elastic`"),
+    "offset": Note(
+        "Distance of the surfaces, along the normal of the primary one, at which they touch: gaps are measured from "
+        "it, in all output, too. Negative: an overlap that is let pass.",
+        febio="`sliding-elastic` has it",
+        unit="mm",
+    ),
+    "tension": Note(
+        "Whether surfaces that face each other within `search_radius` pull as well as push: they never part, whatever "
+        "the gap, and slide freely. Fluxes cross there, too.",
+        febio="`sliding-elastic` has it",
+    ),
     "shell_bottom_primary": Note("Not supported: 1 is an error.", febio="shells"),
     "shell_bottom_secondary": Note("Not supported: 1 is an error.", febio="shells"),
     "knmult": Note("No effect, with a notice: the linearisation is complete.", febio="factor on a part of the tangent"),

@@ -114,22 +114,61 @@ double distance_from_inner(const Vector3d& x) {
 
 }  // namespace
 
+/// Relative difference of the tangent of a contact from central differences of its residual.
+double tangent_error(const Scene& scene, ContactInterface& contact) {
+  const GlobalLayout layout(scene);
+  const auto residual = [&](const VectorXd& q) {
+    const PerSide<SurfaceFields> fields = layout.unpack(q);
+    contact.project({{fields[Side::primary].position, fields[Side::secondary].position}});
+    return assembled_residual(contact, layout, fields, dt);
+  };
+  const MatrixXd approximate = differences(residual, layout.pack(scene.fields));
+  contact.project(scene.position());
+  return relative_error(approximate, assembled_tangent(contact, layout, scene.fields, dt));
+}
+
 BOOST_AUTO_TEST_CASE(the_tangent_of_a_whole_contact_matches_differences) {
   double worst = 0;
   for_random_contacts(1, [&](const Scene& scene, ContactInterface& contact) {
-    const GlobalLayout layout(scene);
-    const auto residual = [&](const VectorXd& q) {
-      const PerSide<SurfaceFields> fields = layout.unpack(q);
-      contact.project({{fields[Side::primary].position, fields[Side::secondary].position}});
-      return assembled_residual(contact, layout, fields, dt);
-    };
-    const MatrixXd approximate = differences(residual, layout.pack(scene.fields));
-    contact.project(scene.position());
-    const double error = relative_error(approximate, assembled_tangent(contact, layout, scene.fields, dt));
+    const double error = tangent_error(scene, contact);
     worst = std::max(worst, error);
     BOOST_TEST(error <= difference_tolerance);
   });
   BOOST_TEST_MESSAGE("tangent of a whole contact, largest relative difference " << worst);
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_where_surfaces_apart_pull_and_with_an_offset) {
+  for_random_contacts(2, [&](const Scene& scene, const ContactInterface&) {
+    for (const bool tension : {false, true}) {
+      Scene changed = scene;
+      changed.settings.tension = tension;
+      changed.settings.offset = tension ? 0.05 : 0.4;
+      changed.fields[Side::secondary].position.row(2).array() += 0.3;
+      const auto contact = changed.contact();
+      BOOST_TEST(tangent_error(changed, *contact) <= difference_tolerance);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(an_offset_is_the_distance_that_gaps_are_measured_from) {
+  Scene scene = uniform_scene(FacetType::quad4, FacetType::tri3, false);
+  const Balance touching = scene.contact()->balance(scene.fields);
+  scene.settings.offset = 0.25;
+  scene.fields[Side::secondary].position.row(2).array() += 0.25;
+  const Balance apart = scene.contact()->balance(scene.fields);
+  BOOST_TEST((touching.force - apart.force).norm() <= rounding);
+}
+
+BOOST_AUTO_TEST_CASE(under_tension_surfaces_apart_pull_and_others_do_not) {
+  Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, false);
+  scene.fields[Side::secondary].position.row(2).array() += 0.125;
+  BOOST_TEST(scene.contact()->balance(scene.fields).force.norm() == 0.0);
+  const double pressed = uniform_scene(FacetType::quad4, FacetType::quad4, false)
+                             .contact()
+                             ->balance(uniform_scene(FacetType::quad4, FacetType::quad4, false).fields)
+                             .force[2];
+  scene.settings.tension = true;
+  BOOST_TEST(std::abs(scene.contact()->balance(scene.fields).force[2] + pressed) <= rounding);
 }
 
 BOOST_AUTO_TEST_CASE(forces_and_flows_of_the_two_surfaces_cancel) {

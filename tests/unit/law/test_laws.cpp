@@ -22,6 +22,12 @@ BOOST_AUTO_TEST_CASE(traction_never_pulls) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(two_sided_traction_pulls) {
+  BOOST_TEST(two_sided_traction(-0.5, 4, 0.25).value == 0.5);
+  BOOST_TEST(two_sided_traction(-0.5, 4, -0.25).value == -1.5);
+  BOOST_TEST(two_sided_traction(-0.5, 4, 0.25).derivative == 4.0);
+}
+
 BOOST_AUTO_TEST_CASE(a_multiplier_moves_the_lift_off_to_its_own_gap) {
   BOOST_TEST(normal_traction(-1, 4, 0.1875, 0).value == -0.25);
   BOOST_TEST(normal_traction(-1, 4, 0.25, 0).value == 0.0);

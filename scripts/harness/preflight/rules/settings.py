@@ -26,13 +26,12 @@ ALLOWED = {
     **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
     "ambient_pressure": NUMBER,
+    "offset": NUMBER,
     "ambient_concentration": NOT_NEGATIVE,
 }
 """What each parameter may be, in words; the others may be anything."""
 UNSUPPORTED = {
     "fric_coeff": "friction is not part of sliding-mixture",
-    "offset": "sliding-mixture brings the surfaces themselves into contact",
-    "tension": "sliding-mixture transmits compression only",
     "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
     "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
 }
