@@ -39,7 +39,12 @@ def test_a_note_without_a_parameter_is_named(tmp_path, monkeypatch):
 
 
 def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
-    altered(tmp_path, monkeypatch, 'take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol)', "take(tag, p.gaptol)")
+    altered(
+        tmp_path,
+        monkeypatch,
+        'take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol)',
+        "take(tag, p.gaptol)",
+    )
     with pytest.raises(DataFileError, match="is not of the form"):
         plugin_parameters.page()
 

@@ -36,7 +36,8 @@ def declaration(node: tree_sitter.Node) -> str:
     for child in inner.children:
         if inner.type == "function_definition" and child.type in ("compound_statement", "field_initializer_list"):
             assert node.text is not None
-            return node.text[: child.start_byte - node.start_byte].decode().rstrip() + ";"
+            head: bytes = node.text[: child.start_byte - node.start_byte]
+            return head.decode().rstrip() + ";"
     return source(node)
 
 
