@@ -62,7 +62,7 @@ void exchange(const FieldAtContact& field, mixture_contact::Effects& effects) {
 }
 
 /// Why there is no traction.
-std::string without_traction(Motion motion) {
+const char* without_traction(Motion motion) {
   return motion == Motion::untouched ? " No traction: <penalty> is 0."
                                      : " No traction: the displacements of both surfaces are fixed.";
 }

@@ -31,7 +31,7 @@ class Contact {
   /// Positions and exchanged fields, as the core takes them.
   PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const;
   /// Places of nodal values (see Model::place) that a local vector of the core's belongs to.
-  std::vector<int> places(const mixture_contact::ContactInterface::Location& at) const;
+  std::vector<int> places(const mixture_contact::ContactInterface::Location& where) const;
 
  private:
   Motion motion() const;

@@ -129,7 +129,7 @@ void Newton::log_norms(const Norms& now, const Norms& required, double time) con
 }
 
 bool Newton::augment() {
-  std::vector<Contact>& contacts = problem_.contacts();
+  const std::vector<Contact>& contacts = problem_.contacts();
   // What converged with contact held is a solution only if it agrees with that; if not, iterations go on.
   if (!steps_.accepts(this)) {
     log_.print(" Contact has to change.\n");
