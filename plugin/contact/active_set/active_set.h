@@ -29,7 +29,7 @@ struct ActiveSetOptions {
   /// sum it up. A larger difference has the residual evaluated again.
   double same_load = 1e-9;
   /// Loads of the linearised laws are those of a solution where they come this near to those of the true ones, as a
-  /// part of the largest one: as near as FEBio's default tolerance of energy demands.
+  /// part of the largest one. The size is a choice: no derivation stands behind it.
   double solution_load = 1e-2;
 };
 
