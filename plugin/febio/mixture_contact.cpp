@@ -5,6 +5,7 @@
 #include "contact/interface/multipliers.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
+#include "host/linear_solvers.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
@@ -13,6 +14,7 @@
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FESolver.h>
+#include <FECore/LinearSolver.h>
 
 using namespace mixture_contact;
 
@@ -109,6 +111,7 @@ void FEMixtureContact::Activate() {
   setup_.update_laws(bound_);
   setup_.update_properties(bound_);
   ask_for_nonsymmetric_matrix();
+  judge_linear_solver();
   model_->activate(*this);
 }
 
@@ -127,6 +130,18 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
     log_.say("the matrix of step " + std::to_string(i + 1) +
              " is set to non-symmetric, as that of this contact is. To keep it symmetric set "
              "<symmetric_stiffness>1</symmetric_stiffness> in the contact; convergence is slower then.");
+  }
+}
+
+void FEMixtureContact::judge_linear_solver() const {
+  const FEModel& model = *GetFEModel();
+  for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
+    auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
+    LinearSolver* const linear = solver == nullptr ? nullptr : solver->GetLinearSolver();
+    if (linear == nullptr) continue;
+    const MatrixKind matrix{solver->m_msymm == REAL_SYMMETRIC, core().pass(0).has_unknown_multipliers()};
+    const std::string complaint = linear_solver_complaint(linear->GetTypeStr(), matrix);
+    if (!complaint.empty()) return log_.say(complaint);
   }
 }
 

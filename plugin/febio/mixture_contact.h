@@ -56,6 +56,7 @@ class FEMixtureContact : public FEContactInterface {
  private:
   void find_load_curves();
   void ask_for_nonsymmetric_matrix();
+  void judge_linear_solver() const;
 
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;

@@ -293,6 +293,19 @@ FAULTS = {
         "symmetric-tangent",
         "many more iterations",
     ),
+    "a linear solver for symmetric matrices": (
+        lambda: text_of(diffusion(), ("</qn_method>", '</qn_method><linear_solver type="skyline"/>')),
+        "linear-solver",
+        "symmetric matrices only",
+    ),
+    "multipliers and an iterative linear solver": (
+        lambda: text_of(
+            with_params(Param("laugon", "LAGMULT")),
+            ("</qn_method>", '</qn_method><linear_solver type="fgmres"/>'),
+        ),
+        "linear-solver",
+        "zeros on the diagonal",
+    ),
     "rigid bodies": (
         lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
         "rigid-penalty",

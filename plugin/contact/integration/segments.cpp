@@ -163,6 +163,11 @@ void sample_overlap(const VaryingFacet& primary, const VaryingFacet& secondary, 
   }
 }
 
+/// Whether the shape functions of a facet are polynomials of the second degree at most, in total.
+bool is_quadratic(FacetType type) {
+  return type == FacetType::tri3 || type == FacetType::tri6 || type == FacetType::quad4;
+}
+
 bool share_a_node(const Facet& one, const Facet& two) {
   return std::any_of(one.nodes.begin(), one.nodes.begin() + node_count(one.type), [&](int node) {
     const auto* end = two.nodes.begin() + node_count(two.type);
@@ -183,7 +188,7 @@ const IntegrationPoint& heaviest(const FacetPair& pair) {
 }  // namespace
 
 int default_segment_order(FacetType primary, FacetType secondary) {
-  return std::max(default_quadrature_order(primary), default_quadrature_order(secondary));
+  return is_quadratic(primary) && is_quadratic(secondary) ? 2 : 3;
 }
 
 Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order)

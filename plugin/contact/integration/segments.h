@@ -13,8 +13,9 @@
 
 namespace mixture_contact {
 
-/// Order of the rule on the pieces where the user gives none, that of the facets: 2 for linear ones, 3 for quadratic
-/// ones. With it a uniform load is exact on flat parallelograms; psi times an affine gap with 4.
+/// Order of the rule on the pieces where the user gives none: 2 where the shape functions of both facets have no term
+/// beyond the second degree (tri3, tri6, quad4), else 3. With it a uniform load is exact on flat triangles and
+/// parallelograms; psi times an affine gap with 4.
 int default_segment_order(FacetType primary, FacetType secondary);
 
 /// Integration points on the segments of facing facets.

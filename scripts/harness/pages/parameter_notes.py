@@ -209,8 +209,8 @@ NOTES = {
         default="`segments`; `gauss` with `two_pass`",
     ),
     "integration_order": Note(
-        "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the same "
-        "on each piece.",
+        "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the order "
+        "on each piece; 0: 3 where one of its facets is a tri7, quad8 or quad9, else 2.",
         "the contact's own work grows with its square",
         "not there",
     ),
