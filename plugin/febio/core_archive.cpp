@@ -35,6 +35,13 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux_penalty_scale);
 }
 
+void archive_carriers(DumpStream& ar, LoadCarriers& carriers) {
+  int facets = mixture_contact::number_of(carriers);
+  ar & facets;
+  carriers.resize(newton::entries(facets));
+  for (FacetVector& of_facet : carriers) archive(ar, of_facet);
+}
+
 }  // namespace
 
 void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
@@ -59,4 +66,6 @@ void archive_state(DumpStream& ar, ContactInterface::State& state) {
   ar & passes;
   state.multipliers.resize(newton::entries(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
+  state.carriers.resize(newton::entries(passes));
+  for (LoadCarriers& carriers : state.carriers) archive_carriers(ar, carriers);
 }

@@ -134,7 +134,7 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
 }
 
 void FEMixtureContact::judge_linear_solver() const {
-  const FEModel& model = *GetFEModel();
+  FEModel& model = *GetFEModel();
   for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
     auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
     LinearSolver* const linear = solver == nullptr ? nullptr : solver->GetLinearSolver();

@@ -40,6 +40,15 @@ Memory memory_of(const std::vector<SidedPass>& passes) {
   return now;
 }
 
+bool fits(const LoadCarriers& carriers, const IndexedVector<Facet>& facets) {
+  if (carriers.empty()) return true;
+  if (carriers.count() != facets.count()) return false;
+  for (Index f = 0; f < facets.count(); ++f) {
+    if (carriers[f].size() > 0 && carriers[f].size() != facets[f].count()) return false;
+  }
+  return true;
+}
+
 /// Throws std::invalid_argument unless a state has the nodes, fields and passes of a contact.
 void check(const ContactInterface::State& state, const ContactInterface& contact) {
   const auto require = [](bool sound, const std::string& what) {
@@ -55,6 +64,11 @@ void check(const ContactInterface::State& state, const ContactInterface& contact
   for (std::size_t pass = 0; pass < passes; ++pass) {
     require(fits(state.multipliers[pass], contact.mesh(both_sides.at(pass)).nodes, contact.effects().scalar_fields()),
             "multipliers of pass " + std::to_string(pass));
+  }
+  require(state.carriers.size() == passes, "load carriers of " + std::to_string(state.carriers.size()) + " passes");
+  for (std::size_t pass = 0; pass < passes; ++pass) {
+    require(fits(state.carriers[pass], contact.mesh(both_sides.at(pass)).facets),
+            "load carriers of pass " + std::to_string(pass));
   }
 }
 
@@ -231,7 +245,10 @@ ContactInterface::State ContactInterface::state() const {
   for (int node = 0; node < check_.nodes.count(); ++node) {
     if (check_.nodes[node]) state.check_nodes.push_back(node);
   }
-  for (const SidedPass& pass : passes_) state.multipliers.push_back(pass.integral->laws().multipliers);
+  for (const SidedPass& pass : passes_) {
+    state.multipliers.push_back(pass.integral->laws().multipliers);
+    state.carriers.push_back(pass.integral->space().boundary_weights().last_decisions());
+  }
   return state;
 }
 
@@ -249,6 +266,9 @@ void ContactInterface::restore(State state) {
     passes_[pass].integral->laws().multipliers = std::move(state.multipliers[pass]);
   }
   end_iterations();
+  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    passes_[pass].integral->restore_carriers(std::move(state.carriers[pass]));
+  }
 }
 
 PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {

@@ -100,6 +100,7 @@ class ContactInterface {
   struct State {
     std::vector<int> check_nodes;          ///< secondary nodes that a second pass is limited to, ascending
     std::vector<Multipliers> multipliers;  ///< per pass
+    std::vector<LoadCarriers> carriers;    ///< per pass, on which those of the next step depend
   };
   State state() const;
   /// Iterations end with it. Throws std::invalid_argument, and changes nothing, where the state is not one of this
