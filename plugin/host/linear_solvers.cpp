@@ -25,11 +25,14 @@ std::string linear_solver_complaint(const std::string& type, MatrixKind matrix) 
     return subject + "solves symmetric matrices only, and that of this contact is not." + instead;
   }
   if (symmetric_only().count(type) > 0 && matrix.multipliers) {
-    return subject + "solves positive matrices only, and <laugon>LAGMULT</laugon> puts zeros on the diagonal." + instead;
+    return subject + "solves positive matrices only, and <laugon>LAGMULT</laugon> puts zeros on the diagonal." +
+           instead;
   }
   if (iterative().count(type) > 0 && matrix.multipliers) {
-    return subject + "is iterative, and <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix, on which "
-                     "incomplete factorisations divide: it may find no solution." + instead;
+    return subject +
+           "is iterative, and <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix, on which "
+           "incomplete factorisations divide: it may find no solution." +
+           instead;
   }
   return "";
 }

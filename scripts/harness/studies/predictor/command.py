@@ -14,7 +14,7 @@ from rich.progress import track
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from harness.studies.hard_cases.scene import Fineness
-from harness.studies.predictor import pairs, table
+from harness.studies.predictor import paired_models, summary_table
 
 console = Console(highlight=False, soft_wrap=True)
 TIMEOUT = 600.0
@@ -33,11 +33,11 @@ def predictor(
     What was done is not done again.
     """
     runner = Runner(folder / "runs", timeout=timeout)
-    chosen = [known for known in pairs.known_models(mesh or list(Fineness)) if _wanted(known[0], only)]
+    chosen = [known for known in paired_models.known_models(mesh or list(Fineness)) if _wanted(known[0], only)]
     with ThreadPoolExecutor(jobs) as pool:
-        done = pool.map(lambda known: pairs.run(*known, runner), chosen)
+        done = pool.map(lambda known: paired_models.run(known[0], known[1], runner), chosen)
         found = list(track(done, "models", total=len(chosen), console=console))
-    text = f"{table.summary(found)}\n\n{table.table(found)}\n"
+    text = f"{summary_table.summary(found)}\n\n{summary_table.table(found)}\n"
     (folder / "predictor.md").write_text(text)
     console.print(text, markup=False)
     console.print(f"Written: {folder / 'predictor.md'}")

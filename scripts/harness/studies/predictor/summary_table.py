@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from harness.studies.predictor.pairs import MOST, Pair, Took
+from harness.studies.predictor.paired_models import MOST, Pair, Took
 
 
 def table(pairs: Sequence[Pair]) -> str:
