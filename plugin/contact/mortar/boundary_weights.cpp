@@ -10,10 +10,10 @@ namespace {
 /// best covered node's. Where the other surface ends across a facet and covers s of it, far nodes have s^2 and near
 /// ones 2s - s^2 of theirs: they carry load from s = 0.82 on.
 constexpr double least_covered = 0.7;
-/// One that carried load keeps it down to s = 0.67 and one that did not takes it up from s = 0.95 on: a facet's size of
+/// One that carried load keeps it down to s = 0.5 and one that did not takes it up from s = 0.97 on: a facet's size of
 /// sliding changes a decision once, and what comes and goes with a tenth of it does not.
-constexpr double least_covered_of_carrier = 0.5;
-constexpr double least_covered_of_other = 0.9;
+constexpr double least_covered_of_carrier = 1.0 / 3;
+constexpr double least_covered_of_other = 0.95;
 /// But nodes this far away, as a part of the facet's size, have no load that others could carry.
 constexpr double far_away = 0.01;
 

@@ -42,12 +42,12 @@ BOOST_AUTO_TEST_CASE(far_nodes_carry_load_from_a_coverage_of_0_82_on) {
 }
 
 BOOST_AUTO_TEST_CASE(decisions_hold_over_steps_until_they_are_clearly_wrong) {
-  // s^2 = r (2s - s^2) at s = 2r/(1 + r): 2/3 for r = 0.5, 1.8/1.9 for 0.9.
-  BOOST_TEST(far_nodes_carry({1, 2.0 / 3 + 1e-6}));
-  BOOST_TEST(!far_nodes_carry({1, 2.0 / 3 - 1e-6}));
-  BOOST_TEST(!far_nodes_carry({0.1, 1.8 / 1.9 - 1e-6}));
-  BOOST_TEST(far_nodes_carry({0.1, 1.8 / 1.9 + 1e-6}));
-  BOOST_TEST(far_nodes_carry({0.1, 1, 0.7, 0.8}));
+  // s^2 = r (2s - s^2) at s = 2r/(1 + r): 1/2 for r = 1/3, 1.9/1.95 for 0.95.
+  BOOST_TEST(far_nodes_carry({1, 0.5 + 1e-6}));
+  BOOST_TEST(!far_nodes_carry({1, 0.5 - 1e-6}));
+  BOOST_TEST(!far_nodes_carry({0.1, 1.9 / 1.95 - 1e-6}));
+  BOOST_TEST(far_nodes_carry({0.1, 1.9 / 1.95 + 1e-6}));
+  BOOST_TEST(far_nodes_carry({0.1, 1, 0.6, 0.8}));
 }
 
 BOOST_AUTO_TEST_CASE(a_decision_made_again_in_the_same_place_is_the_same) {
