@@ -2,6 +2,7 @@
 
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/multipliers.h"
+#include "host/penalty_reduction.h"
 #include "material_properties.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
@@ -18,22 +19,6 @@ using namespace mixture_contact;
 
 namespace {
 
-std::set<std::vector<int>> facet_nodes(FESurface& surface) {
-  std::set<std::vector<int>> facets;
-  for (int i = 0; i < surface.Elements(); ++i) {
-    std::vector<int> nodes = surface.Element(i).m_node;
-    std::sort(nodes.begin(), nodes.end());
-    facets.insert(nodes);
-  }
-  return facets;
-}
-
-bool share_facets(FESurface& first, FESurface& second) {
-  const auto one = facet_nodes(first);
-  const auto two = facet_nodes(second);
-  return std::any_of(one.begin(), one.end(), [&](const auto& facet) { return two.count(facet) > 0; });
-}
-
 bool is_triangular(const FESurfaceElement& element) {
   return element.Shape() == ET_TRI3 || element.Shape() == ET_TRI6 || element.Shape() == ET_TRI7 ||
          element.Shape() == ET_TRI10;
@@ -49,6 +34,13 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
     if (!type_of(surface.Element(i))) return &surface.Element(i);
   }
   return nullptr;
+}
+
+/// What a mesh holds where a body may meet itself.
+void set_identity(SurfaceMesh& mesh, FESurface& surface, const std::vector<FacetMaterial>& materials) {
+  for (int i = 0; i < surface.Nodes(); ++i) mesh.node_ids.push_back(surface.NodeIndex(i));
+  mesh.thickness.resize(count_of(materials));
+  for (Index f = 0; f < mesh.thickness.size(); ++f) mesh.thickness[f] = mixture_contact::at(materials, f).thickness;
 }
 
 /// Facets whose types check_surfaces() has seen to be known.
@@ -94,11 +86,7 @@ bool ContactSetup::check_surfaces() const {
                "(quadrilaterals).");
     return false;
   }
-  if (!share_facets(surfaces_[Side::primary], surfaces_[Side::secondary])) return true;
-  log_.error("the surfaces \"" + names[Side::primary] + "\" and \"" + names[Side::secondary] +
-             "\" share facets. A surface cannot be in contact with itself; the primary and secondary surface of the "
-             "surface pair must be different.");
-  return false;
+  return true;
 }
 
 std::string ContactSetup::complaint(const FEMixtureAmbientConcentration& ambient) const {
@@ -204,6 +192,9 @@ bool ContactSetup::build(BoundContact& contact) {
   if (!exchanged) return false;
   PerSide<SurfaceMesh> meshes;
   for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], (*found)[side], *exchanged);
+  for (const Side side : both_sides) {
+    if (parameters_.self_contact) set_identity(meshes[side], surfaces_[side], (*found)[side]);
+  }
   contact.build(std::move(meshes), *exchanged);
   return has_penalty(contact) && can_have_multipliers(contact);
 }
@@ -219,13 +210,17 @@ SolverKind ContactSetup::solver_kind() const {
   return dynamics == nullptr ? SolverKind::conjugate_gradient : SolverKind::explicit_dynamics;
 }
 
-void ContactSetup::update_laws(const BoundContact& contact) const {
-  contact.core().update_laws(core_settings(parameters_, solver_kind()));
+void ContactSetup::update_laws(const BoundContact& contact, double reduction) const {
+  contact.core().update_laws(core_settings(parameters_, solver_kind(), reduction));
 }
 
-bool ContactSetup::follow_load_curves(const BoundContact& contact) const {
+bool ContactSetup::is_reducible() const {
+  return core_settings(parameters_, solver_kind(), PenaltyReduction::per_level).traction_reduction > 1;
+}
+
+bool ContactSetup::follow_load_curves(const BoundContact& contact, double reduction) const {
   const bool sound = has_sound_values() && check_ambient();
-  if (sound) update_laws(contact);
+  if (sound) update_laws(contact, reduction);
   return sound;
 }
 

@@ -27,10 +27,13 @@ class ContactSetup {
   bool build(BoundContact& contact);
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
-  /// Takes penalties and tolerances as their load curves say at this time.
-  void update_laws(const BoundContact& contact) const;
+  /// Takes penalties and tolerances as their load curves say at this time; automatic penalties of the traction are
+  /// divided by `reduction`.
+  void update_laws(const BoundContact& contact, double reduction) const;
   /// The same, where all values make sense. Returns whether they do; the log says which do not.
-  bool follow_load_curves(const BoundContact& contact) const;
+  bool follow_load_curves(const BoundContact& contact, double reduction) const;
+  /// Whether a reduction has an effect.
+  bool is_reducible() const;
   /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the effects that
   /// the model asks for exist in it.
   bool decide_traction(const BoundContact& contact);

@@ -131,6 +131,7 @@ std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetG
 /// The material of a facet in the undeformed state; its stiffness is not positive where the material is unknown.
 FacetMaterial properties_of(FEMaterial& material, const FacetGeometry& geometry) {
   FacetMaterial result;
+  result.thickness = geometry.thickness;
   result.stiffness = std::numeric_limits<double>::infinity();
   if (dynamic_cast<FERigidMaterial*>(&material)) return result;
   const vec3d n = geometry.normal;

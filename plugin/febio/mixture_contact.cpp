@@ -14,6 +14,8 @@
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FESolver.h>
 
+#include <utility>
+
 using namespace mixture_contact;
 
 namespace {
@@ -72,6 +74,7 @@ FEMixtureContact::~FEMixtureContact() { model_->remove(*this); }
 bool FEMixtureContact::Init() {
   dofs_.init();
   find_load_curves();
+  find_self_contact();
   const std::vector<std::string> wrong = model_->complaints(*this);
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
@@ -83,6 +86,14 @@ bool FEMixtureContact::Init() {
   if (parameters_.flip_primary) surfaces_[Side::primary].turn_round();
   if (parameters_.flip_secondary) surfaces_[Side::secondary].turn_round();
   return setup_.check_surfaces() && setup_.build(bound_) && setup_.check_ambient();
+}
+
+void FEMixtureContact::find_self_contact() {
+  const int common = surfaces_.common_facets();
+  parameters_.self_contact = common > 0;
+  const bool is_same = common == surfaces_[Side::primary].Elements() && common == surfaces_[Side::secondary].Elements();
+  if (is_same && std::exchange(parameters_.two_pass, false))
+    log_.say("<two_pass> has no effect: both surfaces are the same, so that each side has conditions already.");
 }
 
 void FEMixtureContact::find_load_curves() {
@@ -106,7 +117,7 @@ void FEMixtureContact::Activate() {
     surfaces_.relocate_primary(without_overlap(core(), surfaces_.positions()));
     relocated_ = true;
   }
-  setup_.update_laws(bound_);
+  setup_.update_laws(bound_, model_->penalty_reduction());
   setup_.update_properties(bound_);
   ask_for_nonsymmetric_matrix();
   model_->activate(*this);
@@ -133,14 +144,15 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
 // ------------------------------------------------------------ steps and iterations
 
 void FEMixtureContact::PrepStep() {
-  if (!may_run_ || !setup_.follow_load_curves(bound_)) throw FatalError();
+  if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) throw FatalError();
   if (reads_properties_again(parameters_)) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
 
 void FEMixtureContact::Update() {
   // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
-  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_)) throw FatalError();
+  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction()))
+    throw FatalError();
   model_->steps().evaluate(this);
 }
 
@@ -208,7 +220,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       bool& given = *tag.given;
       ar & given;
     });
-    ar & parameters_.penalty_varies & parameters_.pressure_penalty_varies & parameters_.concentration_penalty_varies;
+    ar & parameters_.self_contact & parameters_.penalty_varies & parameters_.pressure_penalty_varies & parameters_.concentration_penalty_varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);
