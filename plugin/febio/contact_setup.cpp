@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <sstream>
 #include <utility>
 
 using namespace mixture_contact;
@@ -34,6 +34,14 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
     if (!type_of(surface.Element(i))) return &surface.Element(i);
   }
   return nullptr;
+}
+
+bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
+
+/// Whether some facets are rigid and have nothing but rigid ones to touch.
+bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector<FacetMaterial>& secondary) {
+  return std::any_of(primary.begin(), primary.end(), is_rigid) &&
+         std::all_of(secondary.begin(), secondary.end(), is_rigid);
 }
 
 /// What a mesh holds where a body may meet itself.
@@ -123,8 +131,8 @@ bool ContactSetup::check_ambient() const {
 bool ContactSetup::has_penalty(const BoundContact& contact) const {
   if (contact.core().pass(0).penalty().traction.allFinite()) return true;
   log_.error(
-      "both surfaces are rigid, so there is no stiffness to choose a penalty from. Set <penalty> to a value "
-      "[force/length^3] and <auto_penalty> to 0.");
+      "both surfaces are rigid and no material has a modulus, so there is no stiffness to choose a penalty from. Set "
+      "<penalty> to a value [force/length^3] and <auto_penalty> to 0, or <E> of a rigid material.");
   return false;
 }
 
@@ -148,7 +156,7 @@ bool ContactSetup::can_have_multipliers(const BoundContact& contact) const {
 
 // ------------------------------------------------------------ materials
 
-std::optional<FacetMaterials> ContactSetup::materials() const {
+std::optional<FacetMaterials> ContactSetup::facet_materials() const {
   FacetMaterials materials;
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];
@@ -163,6 +171,35 @@ std::optional<FacetMaterials> ContactSetup::materials() const {
     }
   }
   return materials;
+}
+
+bool ContactSetup::lacks_stiffness(const FacetMaterials& materials) const {
+  if (parameters_.penalty_given && !parameters_.auto_penalty) return false;
+  const auto& primary = materials[Side::primary];
+  const auto& secondary = materials[Side::secondary];
+  return lack_stiffness(primary, secondary) || (parameters_.two_pass && lack_stiffness(secondary, primary));
+}
+
+std::optional<FacetMaterials> ContactSetup::materials() const {
+  std::optional<FacetMaterials> materials = facet_materials();
+  if (!materials || !lacks_stiffness(*materials)) return materials;
+  const double modulus = modulus_of_rigid_bodies(fem_);
+  for (std::vector<FacetMaterial>& of_side : *materials) {
+    for (FacetMaterial& material : of_side) {
+      if (is_rigid(material) && modulus > 0) material.stiffness = modulus / material.thickness;
+    }
+  }
+  return materials;
+}
+
+void ContactSetup::say_stand_in() const {
+  const auto found = facet_materials();
+  if (!found || !lacks_stiffness(*found)) return;
+  std::ostringstream text;
+  text << "both surfaces are rigid. The automatic penalty takes a modulus of " << modulus_of_rigid_bodies(fem_)
+       << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
+       << "[force/length^3] to choose it yourself.";
+  log_.say(text.str());
 }
 
 std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& materials) const {
@@ -196,6 +233,7 @@ bool ContactSetup::build(BoundContact& contact) {
     if (parameters_.self_contact) set_identity(meshes[side], surfaces_[side], (*found)[side]);
   }
   contact.build(std::move(meshes), *exchanged);
+  say_stand_in();
   return has_penalty(contact) && can_have_multipliers(contact);
 }
 

@@ -42,9 +42,14 @@ class ContactSetup {
   bool has_sound_values() const;
   std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
   SolverKind solver_kind() const;
+  std::optional<FacetMaterials> facet_materials() const;
+  /// The same, with a stiffness for rigid bodies that have no deformable one to touch.
   std::optional<FacetMaterials> materials() const;
+  void say_stand_in() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
+  /// Whether an automatic penalty finds no element that it could be measured by.
+  bool lacks_stiffness(const FacetMaterials& materials) const;
   bool has_penalty(const BoundContact& contact) const;
   bool can_have_multipliers(const BoundContact& contact) const;
   Motion motion() const;

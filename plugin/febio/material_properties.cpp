@@ -11,8 +11,10 @@
 #include <FECore/FEMaterial.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
+#include <FECore/FESolidDomain.h>
 #include <FECore/FESolidElement.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -78,6 +80,17 @@ double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n
   auto* solid = material.ExtractProperty<FEElasticMaterial>();
   if (solid == nullptr) return 0;
   return modulus_along(n, solid->Tangent(point));
+}
+
+/// The modulus along x of the first element of a domain; 0 where it has none.
+double modulus_of(FEDomain& domain) {
+  if (dynamic_cast<FESolidDomain*>(&domain) == nullptr || domain.Elements() == 0) return 0;
+  FEMaterial& material = *domain.GetMaterial();
+  if (const auto* rigid = dynamic_cast<const FERigidMaterial*>(&material)) return rigid->m_E / (1 - rigid->m_v * rigid->m_v);
+  if (material.ExtractProperty<FEElasticMaterial>() == nullptr) return 0;
+  const std::unique_ptr<FEMaterialPoint> point = reference_copy(*domain.ElementRef(0).GetMaterialPoint(0));
+  const double modulus = stiffness_of(material, *point, {1, 0, 0});
+  return std::isfinite(modulus) ? modulus : 0;
 }
 
 /// Mean of the solvent flux at an element's material points.
@@ -174,6 +187,12 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
   problem = "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +
             ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
   return std::nullopt;
+}
+
+double modulus_of_rigid_bodies(FEModel& fem) {
+  double largest = 0;
+  for (int i = 0; i < fem.GetMesh().Domains(); ++i) largest = std::max(largest, modulus_of(fem.GetMesh().Domain(i)));
+  return largest;
 }
 
 std::vector<std::string> solute_names(FEModel& fem) {

@@ -196,7 +196,7 @@ void ModelContacts::on_callback(unsigned int when) {
   }
   if (when == CB_TIMESTEP_FAILED) reduce_penalties();
   if (when == CB_SOLVED && accepted_overlap_.overlap.depth > 0)
-    feLogEx(&fem_, "\n%s\n", accepted_overlap_line(accepted_overlap_).c_str());
+    feLogEx(&fem_, "\n%s\n", accepted_overlap_line(accepted_overlap_, penalty_reduction()).c_str());
 }
 
 // ------------------------------------------------------------ penalties that are reduced where steps fail

@@ -44,10 +44,11 @@ std::string reduction_line(double time) {
   return text.str();
 }
 
-std::string accepted_overlap_line(const AcceptedOverlap& accepted) {
+std::string accepted_overlap_line(const AcceptedOverlap& accepted, double divisor) {
   std::ostringstream text;
   text << std::setprecision(3) << "sliding-mixture: while automatic penalties were reduced, the largest overlap of an "
        << "accepted step was " << accepted.overlap.depth << ", which is " << accepted.overlap.share
-       << " of an element's edge, in \"" << accepted.contact << "\" at time " << accepted.time << ".";
+       << " of an element's edge, in \"" << accepted.contact << "\" at time " << accepted.time << ". ";
+  if (divisor > 1) text << "At the end of the run they are still divided by " << divisor << ".";
   return text.str();
 }

@@ -19,7 +19,8 @@ struct AcceptedOverlap {
   mixture_contact::Overlap overlap;
   double time = 0;
 };
-std::string accepted_overlap_line(const AcceptedOverlap& accepted);
+/// `divisor`: of the penalties at the end of the run.
+std::string accepted_overlap_line(const AcceptedOverlap& accepted, double divisor);
 
 /// Says that a contact does not notice an overlap, and what a user can do about it; a contact's name and those of its
 /// surfaces.
