@@ -7,6 +7,8 @@
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
 #include <FECore/FEAnalysis.h>
+#include <FECore/FEElement.h>
+#include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 
@@ -34,6 +36,18 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
     if (!type_of(surface.Element(i))) return &surface.Element(i);
   }
   return nullptr;
+}
+
+/// How many solid elements have all of some nodes.
+int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
+  FENodeElemList& around = mesh.NodeElementList();
+  FEElement** const elements = around.ElementList(nodes.front());
+  return newton::as_int(std::count_if(elements, elements + around.Valence(nodes.front()), [&](const FEElement* element) {
+    const std::vector<int>& own = element->m_node;
+    return element->Class() == FE_ELEM_SOLID && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+             return std::find(own.begin(), own.end(), node) != own.end();
+           });
+  }));
 }
 
 bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
@@ -92,6 +106,34 @@ bool ContactSetup::check_surfaces() const {
     log_.error("surface \"" + names[side] + "\" has a facet with " + std::to_string(unknown->Nodes()) +
                " nodes, which is not supported. Allowed are facets with 3, 6 or 7 (triangles) and 4, 8 or 9 nodes "
                "(quadrilaterals).");
+    return false;
+  }
+  return !parameters_.self_contact || have_no_inner_facets();
+}
+
+bool ContactSetup::have_no_inner_facets() const {
+  for (const Side side : both_sides) {
+    FEMixtureSurface& surface = surfaces_[side];
+    for (int i = 0; i < surface.Elements(); ++i) {
+      if (solids_with(fem_.GetMesh(), surface.Element(i).m_node) < 2) continue;
+      log_.error("the surfaces \"" + surfaces_.names()[Side::primary] + "\" and \"" + surfaces_.names()[Side::secondary] +
+                 "\" have facets in common, and one of \"" + surface.GetName() +
+                 "\" lies inside a body, between two elements: nothing can slide there. Give each body nodes of its own, "
+                 "or take outer faces alone.");
+      return false;
+    }
+  }
+  return true;
+}
+
+bool ContactSetup::are_shells(Side side) const {
+  FEMixtureSurface& surface = surfaces_[side];
+  for (int i = 0; i < surface.Elements(); ++i) {
+    const FEElement* const element = surface.Element(i).m_elem[0].pe;
+    if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
+    log_.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") + "> is set, but element " +
+               std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
+               "\" is no shell. Leave it out, or give the shells a contact of their own.");
     return false;
   }
   return true;
@@ -194,7 +236,7 @@ std::optional<FacetMaterials> ContactSetup::materials() const {
 
 void ContactSetup::say_stand_in() const {
   const auto found = facet_materials();
-  if (!found || !lacks_stiffness(*found)) return;
+  if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem_) > 0)) return;
   std::ostringstream text;
   text << "both surfaces are rigid. The automatic penalty takes a modulus of " << modulus_of_rigid_bodies(fem_)
        << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
@@ -206,7 +248,7 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
   std::vector<std::string> names = solute_names(fem_);
   names.resize(newton::entries(dofs_.concentrations()));
   std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
-  if (dofs_.pressure() < 0) fields.front().obstacles = {"the module has no fluid pressure"};
+  if (dofs_.pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
   leave_out(left_out(parameters_), fields);
   return fields;
 }
@@ -266,15 +308,14 @@ bool ContactSetup::follow_load_curves(const BoundContact& contact, double reduct
 
 Motion ContactSetup::motion() const {
   if (left_out(parameters_).contact) return Motion::untouched;
-  const auto is_fixed = [&](const FENode& node) {
-    const std::array<int, 3>& dofs = dofs_.displacements();
+  const auto is_fixed = [&](const FENode& node, const std::array<int, 3>& dofs) {
     return node.m_rid < 0 &&
            std::all_of(dofs.begin(), dofs.end(), [&](int dof) { return node.get_bc(dof) == DOF_FIXED; });
   };
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];
     for (int i = 0; i < surface.Nodes(); ++i) {
-      if (!is_fixed(surface.Node(i))) return Motion::possible;
+      if (!is_fixed(surface.Node(i), dofs_.displacements(side))) return Motion::possible;
     }
   }
   return Motion::impossible;

@@ -22,6 +22,8 @@ class ContactSetup {
   bool check_parameters() const;
   bool check_surfaces() const;
   bool check_ambient() const;
+  /// Of the elements behind a surface.
+  bool are_shells(mixture_contact::Side side) const;
 
   /// Makes the core from the materials. Returns whether that is possible; the log says if not.
   bool build(BoundContact& contact);
@@ -40,6 +42,7 @@ class ContactSetup {
 
  private:
   bool has_sound_values() const;
+  bool have_no_inner_facets() const;
   std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
   SolverKind solver_kind() const;
   std::optional<FacetMaterials> facet_materials() const;

@@ -52,7 +52,7 @@ PerSide<Matrix3Xd> ContactSurfaces::positions() {
     FEMixtureSurface& surface = (*this)[side];
     all[side].resize(3, surface.Nodes());
     for (int i = 0; i < surface.Nodes(); ++i) {
-      const vec3d& r = surface.Node(i).m_rt;
+      const vec3d r = surface.position(i);
       all[side].col(i) << r.x, r.y, r.z;
     }
   }
@@ -67,7 +67,7 @@ PerSide<SurfaceFields> ContactSurfaces::fields(const DofMap& dofs, const Effects
     all[side].position = std::move(x[side]);
     all[side].scalar.resize(surface.Nodes(), effects.scalar_fields());
     for (int k = 0; k < effects.scalar_fields(); ++k) {
-      const int dof = dofs.field(effects, k);
+      const int dof = dofs.field(side, effects, k);
       for (int i = 0; i < surface.Nodes(); ++i) all[side].scalar(i, k) = surface.Node(i).get(dof);
     }
   }

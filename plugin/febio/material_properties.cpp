@@ -131,10 +131,12 @@ FacetGeometry geometry_of(FEModel& fem, FESurface& surface, FESurfaceElement& fa
 }
 
 /// What is wrong with a facet and its element; empty if nothing is.
-std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetGeometry& geometry) {
+std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetGeometry& geometry, bool is_rigid) {
   const std::string element = "element " + std::to_string(geometry.element->GetID());
-  if (!(geometry.thickness > 0) || geometry.volume < 0)
+  if (!is_rigid && (!(geometry.thickness > 0) || geometry.volume < 0))
     return element + " behind a facet has no positive volume (inverted or degenerate)";
+  // A shell has faces on both of its sides.
+  if (geometry.element->Class() == FE_ELEM_SHELL) return "";
   if (!(geometry.normal * (centre(fem, facet) - centre(fem, *geometry.element)) < 0)) return "";
   return "the facet on " + element +
          " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
@@ -173,15 +175,12 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
     problem = "a facet of the surface is not a face of any element";
     return std::nullopt;
   }
-  if (dynamic_cast<FESolidElement*>(element) == nullptr) {
-    problem = "element " + std::to_string(element->GetID()) +
-              " behind a facet is a shell; sliding-mixture works on the faces of solid elements";
-    return std::nullopt;
-  }
-  const FacetGeometry geometry = geometry_of(fem, surface, facet, *element);
-  problem = problem_of(fem, facet, geometry);
-  if (!problem.empty()) return std::nullopt;
+  FacetGeometry geometry = geometry_of(fem, surface, facet, *element);
   FEMaterial& material = *fem.GetMaterial(element->GetMatID());
+  problem = problem_of(fem, facet, geometry, dynamic_cast<FERigidMaterial*>(&material) != nullptr);
+  if (!problem.empty()) return std::nullopt;
+  // Rigid shells need no thickness.
+  if (!(geometry.thickness > 0)) geometry.thickness = std::sqrt(surface.FaceArea(facet));
   FacetMaterial result = properties_of(material, geometry);
   if (result.stiffness > 0) return result;
   problem = "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +

@@ -85,7 +85,17 @@ bool FEMixtureContact::Init() {
   }
   if (parameters_.flip_primary) surfaces_[Side::primary].turn_round();
   if (parameters_.flip_secondary) surfaces_[Side::secondary].turn_round();
-  return setup_.check_surfaces() && setup_.build(bound_) && setup_.check_ambient();
+  return setup_.check_surfaces() && take_shell_bottoms() && setup_.build(bound_) && setup_.check_ambient();
+}
+
+bool FEMixtureContact::take_shell_bottoms() {
+  const PerSide<bool> bottoms{{parameters_.shell_bottom_primary, parameters_.shell_bottom_secondary}};
+  for (const Side side : both_sides) {
+    if (!bottoms[side]) continue;
+    if (!setup_.are_shells(side)) return false;
+    surfaces_[side].take_shell_bottoms();
+  }
+  return true;
 }
 
 void FEMixtureContact::find_self_contact() {
@@ -201,10 +211,10 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 // ------------------------------------------------------------ ambient values and restarts
 
 double FEMixtureContact::ambient_value(int dof) const {
-  if (dof == dofs_.pressure()) return parameters_.ambient_pressure;
+  if (dof == dofs_.pressure(false) || dof == dofs_.pressure(true)) return parameters_.ambient_pressure;
   for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
     const int solute = ambient->solute > 0 ? ambient->solute - 1 : 0;
-    if (dof == dofs_.concentration(solute)) return ambient->value;
+    if (dof == dofs_.concentration(false, solute) || dof == dofs_.concentration(true, solute)) return ambient->value;
   }
   return 0;
 }

@@ -58,6 +58,7 @@ class FEMixtureContact : public FEContactInterface {
  private:
   void find_load_curves();
   void find_self_contact();
+  bool take_shell_bottoms();
   void ask_for_nonsymmetric_matrix();
 
   std::shared_ptr<ModelContacts> model_;

@@ -62,10 +62,6 @@ double borne_reduction(const ContactParameters& p, double factor, double reducti
 /// Parameters of other interfaces, and of former versions, that mean nothing here.
 void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
   require_unused(list, "fric_coeff", p.fric_coeff != 0, "friction is not part of sliding-mixture");
-  require_unused(list, "shell_bottom_primary", p.shell_bottom_primary,
-                 "sliding-mixture works on the faces of solid elements");
-  require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary,
-                 "sliding-mixture works on the faces of solid elements");
   if (p.extrapolation_given) {
     list.emplace_back(
         "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
