@@ -53,6 +53,9 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
   for (FieldMask& mask : mesh.permeable) archive_mask(ar, mask);
   archive(ar, mesh.stiffness);
   archive(ar, mesh.conductance);
+  std::vector<int>& ids = mesh.node_ids;
+  archive(ar, ids);
+  archive(ar, mesh.thickness);
 }
 
 void archive_effects(DumpStream& ar, Effects& effects) {

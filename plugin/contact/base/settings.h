@@ -58,6 +58,7 @@ struct Settings {
   PenaltyRule traction{true, default_traction_factor};
   PenaltyRule solvent{true, default_flux_factor};
   PenaltyRule solute{true, default_flux_factor};
+  double traction_reduction = 1;  ///< by which the penalty of the traction is divided
   Tolerances tolerances;
   int min_augmentations = 0;
   int max_augmentations = 10;
@@ -76,7 +77,8 @@ struct Settings {
 };
 
 inline bool same_penalties(const Settings& a, const Settings& b) {
-  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute;
+  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute &&
+         a.traction_reduction == b.traction_reduction;
 }
 
 }  // namespace mixture_contact

@@ -85,7 +85,7 @@ void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   Multipliers& state = laws.multipliers;
   if (!within(report.traction, tolerances.traction)) {
     state.traction_penalty_scale = grown(state.traction_penalty_scale, penalty.traction, penalty.stiffness,
-                                         default_traction_factor);
+                                         laws.largest_traction_factor());
   }
   for (Index k = 0; k < report.flux.count(); ++k) {
     if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -191,8 +192,9 @@ int default_segment_order(FacetType primary, FacetType secondary) {
   return is_quadratic(primary) && is_quadratic(secondary) ? 2 : 3;
 }
 
-Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order)
-    : primary_(primary), secondary_(secondary), order_(order) {}
+Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
+                   SelfContact self)
+    : primary_(primary), secondary_(secondary), order_(order), self_(std::move(self)) {}
 
 int Segments::order(const Facing& facing) const {
   if (order_ > 0) return order_;
@@ -223,7 +225,16 @@ bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Ma
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const Ray ray = normal_ray(one, x1, point.xi, radius, 0);
-  return (facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin).norm() <= radius;
+  const Vector3d apart = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin;
+  return apart.norm() <= radius && apart.dot(ray.direction) >= -self_.largest_overlap(pair.primary);
+}
+
+std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const {
+  const Ray ray = normal_ray(primary_[facet], x1, parametric_centre(primary_[facet].type), radius, 0);
+  const double width = radius_around(facet_coordinates(primary_[facet], x1), ray.origin);
+  std::vector<int> found = tree.candidates(ray.origin, ray.direction, radius, width);
+  self_.keep_visible(facet, found);
+  return found;
 }
 
 bool Segments::occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
@@ -248,10 +259,8 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
   const FacetTree tree(secondary_, x2, box_margin);
   const auto pairs_of = [&](Index index) {
     const int f = static_cast<int>(index);
-    const Ray ray = normal_ray(primary_[f], x1, parametric_centre(primary_[f].type), radius, 0);
-    const double width = radius_around(facet_coordinates(primary_[f], x1), ray.origin);
     IndexedVector<FacetPair> pairs;
-    for (const int candidate : tree.candidates(ray.origin, ray.direction, radius, width)) {
+    for (const int candidate : candidates(f, tree, x1, radius)) {
       FacetPair pair = pair_of({f, candidate}, x1, x2);
       if (!pair.points.empty() && within_reach(pair, x1, x2, radius)) pairs.push_back(std::move(pair));
     }

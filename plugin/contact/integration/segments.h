@@ -25,12 +25,13 @@ int default_segment_order(FacetType primary, FacetType secondary);
 class Segments : public PointFinder {
  public:
   /// order: of the quadrature rule on the pieces; 0: default_segment_order.
-  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order);
+  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
+           SelfContact self = {});
 
   IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
-  std::size_t memory() const override { return paired_.capacity() * sizeof(Facing); }
+  std::size_t memory() const override { return self_.memory() + paired_.capacity() * sizeof(Facing); }
 
  private:
   struct Facing {
@@ -38,6 +39,8 @@ class Segments : public PointFinder {
     int secondary = 0;
   };
   FacetPair pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// The secondary facets that may face a primary one.
+  std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const;
   bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;
   bool occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
                 const Matrix3Xd& x2) const;
@@ -46,6 +49,7 @@ class Segments : public PointFinder {
   const IndexedVector<Facet>& primary_;
   const IndexedVector<Facet>& secondary_;
   int order_;
+  SelfContact self_;
   std::vector<Facing> paired_;  ///< what the last search() found
 };
 

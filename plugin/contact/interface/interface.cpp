@@ -218,7 +218,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
 
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
   check_.undetected = {};
-  if (settings_.two_pass || !effects_.traction) return {};
+  if (settings_.two_pass || !effects_.traction || mesh_[Side::primary].may_meet_itself()) return {};
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
   const NodeFlags in_contact = flux_coupled(passes_.front());
@@ -302,6 +302,7 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;
+  settings_.traction_reduction = settings.traction_reduction;
   check_.settings = settings_of_check(settings_);
   for (const SidedPass& pass : passes_) pass.integral->laws().update_penalties();
 }

@@ -35,6 +35,9 @@ class NodalLaws {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
   }
 
+  /// The largest multiple of the stiffness that augmentations may bring the penalty of the traction to.
+  double largest_traction_factor() const { return default_traction_factor / settings_.traction_reduction; }
+
   /// Whether nodes in contact may pull.
   bool bear_tension() const { return settings_.tension; }
   /// Tractions as the laws admit them.

@@ -370,3 +370,15 @@ BOOST_AUTO_TEST_CASE(gaps_between_rigid_bodies_are_measured_against_the_penalty)
   contact->pass(0).laws().multipliers.traction_penalty_scale = 1;
   check_close(contact->gaps(scene.fields).traction.relative, 0.5, rounding);  // the load has doubled
 }
+
+BOOST_AUTO_TEST_CASE(augmentations_do_not_grow_a_reduced_penalty_back) {
+  for (const double reduction : {1.0, 100.0}) {
+    Scene scene = loaded_scene();
+    scene.settings.traction = {true, default_traction_factor};
+    scene.settings.traction_reduction = reduction;
+    scene.settings.tolerances = {{1e-12, 0}, off, off};
+    const auto contact = scene.contact();
+    contact->augment(scene.fields);
+    BOOST_TEST(contact->pass(0).laws().multipliers.traction_penalty_scale == 1);
+  }
+}

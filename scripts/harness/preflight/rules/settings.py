@@ -25,6 +25,7 @@ ALLOWED = {
     **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
     **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
+    **dict.fromkeys(("shell_bottom_primary", "shell_bottom_secondary"), SWITCH),
     "ambient_pressure": NUMBER,
     "offset": NUMBER,
     "ambient_concentration": NOT_NEGATIVE,
@@ -32,8 +33,6 @@ ALLOWED = {
 """What each parameter may be, in words; the others may be anything."""
 UNSUPPORTED = {
     "fric_coeff": "friction is not part of sliding-mixture",
-    "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
-    "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
 }
 LEFT_OUT = {
     "penalty": "the whole contact",

@@ -34,15 +34,23 @@ def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
 
 
 def shell_facets(joint: Joint) -> Iterator[Finding]:
-    """Surfaces on shells, which this plugin does not know."""
-    for side in joint.sides:
-        if joint.contact.kind.is_mixture and _on_shells(side):
-            yield error(
+    """Surfaces on shells, of which these rules know no thickness; and back faces of what is no shell."""
+    for side, name in zip(joint.sides, ("primary", "secondary"), strict=True):
+        bottom = joint.contact.given(f"shell_bottom_{name}")
+        if _on_shells(side):
+            yield note(
                 "shell-facets",
                 side.surface.tag,
-                f"surface '{side.surface.name}' lies on shell elements, which sliding-mixture does not support: it "
-                "works on the faces of solid elements",
-                "Use solid elements behind the surface, or keep FEBio's contact type.",
+                f"surface '{side.surface.name}' lies on shell elements: distances and penalties were not checked",
+                "None needed. Facets are those of the nodes; "
+                f"<shell_bottom_{name}> takes the back faces, a thickness away.",
+            )
+        elif bottom is not None and joint.contact.on(f"shell_bottom_{name}") and side.found.all():
+            yield error(
+                "shell-bottom",
+                bottom,
+                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; the run stops",
+                f"Delete <shell_bottom_{name}>.",
             )
 
 
@@ -111,12 +119,14 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
     common = len(one & two)
     pair = joint.contact.pair
     if common:
-        yield error(
-            "shared-facets",
+        inside = any(len(found) > 1 for side in joint.sides for found in side.behind)
+        known = joint.contact.kind.is_mixture and not inside
+        yield (note if known else error)(
+            "self-contact" if known else "shared-facets",
             pair.tag,
             f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common, "
-            "which would be in contact with itself",
-            "Name the surface of the other body.",
+            + ("which may be in contact with each other: distances were not checked" if known else "where nothing slides"),
+            "None needed if the body folds onto itself." if known else "Name the surface of the other body.",
         )
         return
     nodes = np.intersect1d(pair.primary.corners, pair.secondary.corners)
