@@ -125,7 +125,11 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
             "self-contact" if known else "shared-facets",
             pair.tag,
             f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common, "
-            + ("which may be in contact with each other: distances were not checked" if known else "where nothing slides"),
+            + (
+                "which may be in contact with each other: distances were not checked"
+                if known
+                else "where nothing slides"
+            ),
             "None needed if the body folds onto itself." if known else "Name the surface of the other body.",
         )
         return
