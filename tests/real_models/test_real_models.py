@@ -1,11 +1,11 @@
-"""Scenes of the breadth that users have: what FEBio's interface ends, sliding-mixture ends, converted and by default."""
+"""Scenes of the breadth that users have: what FEBio's interface ends, sliding-mixture ends, too."""
 
 from __future__ import annotations
 
 import pytest
 
 from harness.studies.real_models import comparison
-from harness.studies.real_models.scenes import SCENES
+from harness.studies.real_models.collection_of_scenes import SCENES
 
 QUICK = ("material-Mooney-Rivlin", "elements-tet10", "two-pass-augmented", "rigid-free", "multiphasic")
 TIMEOUT = 300.0

@@ -60,8 +60,15 @@ class Parts:
             self.node_sets[f"{name}-{side}"] = sorted(here)
 
     def plate(
-        self, name: str, corner: Sequence[float], size: Sequence[float], cells: Sequence[int], thickness: float,
-        material: str, *, faces_up: bool = True,
+        self,
+        name: str,
+        corner: Sequence[float],
+        size: Sequence[float],
+        cells: Sequence[int],
+        thickness: float,
+        material: str,
+        *,
+        faces_up: bool = True,
     ) -> None:
         """A plate of quad4 shells in a plane z = const; surface and node set `name`, node set `name`-left, ..."""
         axes = [np.linspace(a, a + b, n + 1) for a, b, n in zip(corner[:2], size, cells, strict=True)]
@@ -200,20 +207,32 @@ class Document:
     def text(self) -> str:
         """The model as FEBio 4 XML; logged data go to the files nodes.txt, surface-NAME.txt, rigid-N.txt."""
         sections = {
-            "Boundary": self.boundary, "Rigid": self.rigid, "Loads": self.loads, "Contact": self.contacts,
-            "Step": self.steps, "LoadData": self.curves,
+            "Boundary": self.boundary,
+            "Rigid": self.rigid,
+            "Loads": self.loads,
+            "Contact": self.contacts,
+            "Step": self.steps,
+            "LoadData": self.curves,
         }
         constants = "<Constants><T>298</T><R>8.314e-06</R><Fc>0</Fc></Constants>"
         output = [f'<node_data data="{self.node_data}" file="nodes.txt" delim=" "/>']
         for name, data in self.surface_data.items():
             output.append(f'<surface_data surface="{name}" data="{data}" file="surface-{name}.txt" delim=" "/>')
         for number, data in self.rigid_data.items():
-            output.append(f'<rigid_body_data data="{data}" file="rigid-{number}.txt" delim=" ">{number}</rigid_body_data>')
+            output.append(
+                f'<rigid_body_data data="{data}" file="rigid-{number}.txt" delim=" ">{number}</rigid_body_data>'
+            )
         return "\n".join(
             [
-                '<?xml version="1.0" encoding="ISO-8859-1"?>', '<febio_spec version="4.0">',
-                f'<Module type="{self.module}"/>', self.control, f"<Globals>{constants}{self.globals}</Globals>",
-                "<Material>", *self.materials, "</Material>", self.mesh,
+                '<?xml version="1.0" encoding="ISO-8859-1"?>',
+                '<febio_spec version="4.0">',
+                f'<Module type="{self.module}"/>',
+                self.control,
+                f"<Globals>{constants}{self.globals}</Globals>",
+                "<Material>",
+                *self.materials,
+                "</Material>",
+                self.mesh,
                 *(f"<{name}>{''.join(lines)}</{name}>" for name, lines in sections.items() if lines),
                 f"<Output><logfile>{''.join(output)}</logfile></Output></febio_spec>",
             ]

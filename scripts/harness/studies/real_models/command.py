@@ -13,7 +13,7 @@ from rich.progress import track
 
 from harness.paths import RESULTS
 from harness.studies.real_models import comparison
-from harness.studies.real_models.scenes import SCENES
+from harness.studies.real_models.collection_of_scenes import SCENES
 
 console = Console(highlight=False, soft_wrap=True)
 TIMEOUT = 120.0

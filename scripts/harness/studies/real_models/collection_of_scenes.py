@@ -32,7 +32,7 @@ from harness.models.parts import (
     pressure,
     push_rigid,
 )
-from harness.studies.real_models.bodies import BASE, BLOCK, LOADED, LOWER, PAIR, SLAB, Elements, Shape, mesh
+from harness.studies.real_models.slab_and_block import BASE, BLOCK, LOADED, LOWER, PAIR, SLAB, Elements, Shape, mesh
 
 DEPTH = 0.15
 """mm by which the block is moved down."""
@@ -123,7 +123,7 @@ class Scene:
         Its parameters.
     slab, block : Material
     elements, shape
-        See `bodies`.
+        See `slab_and_block`.
     module : str
     force : float, optional
         N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved.
