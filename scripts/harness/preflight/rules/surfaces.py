@@ -49,7 +49,8 @@ def shell_facets(joint: Joint) -> Iterator[Finding]:
             yield error(
                 "shell-bottom",
                 bottom,
-                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; the run stops",
+                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; "
+                "the run stops",
                 f"Delete <shell_bottom_{name}>.",
             )
 
@@ -125,7 +126,11 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
             "self-contact" if known else "shared-facets",
             pair.tag,
             f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common, "
-            + ("which may be in contact with each other: distances were not checked" if known else "where nothing slides"),
+            + (
+                "which may be in contact with each other: distances were not checked"
+                if known
+                else "where nothing slides"
+            ),
             "None needed if the body folds onto itself." if known else "Name the surface of the other body.",
         )
         return
