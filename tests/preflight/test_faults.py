@@ -227,7 +227,12 @@ FAULTS = {
     "augmentations": (lambda: with_params(Param("minaug", 5), Param("maxaug", 2)), "bad-value", "minaug"),
     "friction": (lambda: with_params(Param("fric_coeff", 0.1)), "unsupported", "friction"),
     "offset": (lambda: with_params(Param("offset", "wide")), "bad-value", "offset"),
-    "shell bottoms": (lambda: with_params(Param("shell_bottom_primary", 1.0)), "unsupported", "shell_bottom_primary"),
+    "shell bottoms": (
+        lambda: with_params(Param("shell_bottom_primary", 1.0)),
+        "shell-bottom",
+        "lies on solid elements",
+    ),
+    "no shell bottoms": (lambda: with_params(Param("shell_bottom_primary", 2.0)), "bad-value", "shell_bottom_primary"),
     "load curve not there": (
         lambda: text_of(
             with_params(Param("ambient_pressure", 1.0)), ("<ambient_pressure>", '<ambient_pressure lc="7">')
@@ -336,10 +341,18 @@ def shells_alone():
     return text.replace("</Nodes>", f"</Nodes>{made}").replace("SolidDomain", "ShellDomain")
 
 
+def itself():
+    """The lower body's surface on both sides of the contact."""
+    model = diffusion()
+    pairs = {name: (one, one) for name, (one, _) in model.mesh.pairs.items()}
+    return replace(model, mesh=replace(model.mesh, pairs=pairs))
+
+
 SURFACES = ("lower-top", "upper-bottom")
 FAULTS |= {
-    "shells": (on_shells, "shell-facets", "shell elements, which sliding-mixture does not support"),
-    "shells alone": (shells_alone, "shell-facets", "shell elements, which sliding-mixture does not support"),
+    "shells": (on_shells, "shell-facets", "lies on shell elements"),
+    "shells alone": (shells_alone, "shell-facets", "lies on shell elements"),
+    "itself": (itself, "self-contact", "may be in contact with each other"),
 }
 
 

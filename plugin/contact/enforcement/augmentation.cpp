@@ -90,7 +90,7 @@ void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   for (Index k = 0; k < report.flux.count(); ++k) {
     if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;
     state.flux_penalty_scale[k] = grown(state.flux_penalty_scale[k], penalty.flux.row(k).transpose(),
-                                        penalty.conductance.row(k).transpose(), default_flux_factor);
+                                        penalty.conductance.row(k).transpose(), laws.largest_flux_factor());
   }
 }
 

@@ -76,6 +76,7 @@ IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3X
     const Point& point = points_[q];
     Ray ray = normal_ray(primary_[point.facet], x1, point.xi, radius, tolerance_);
     ray.overlap = self_.largest_overlap(point.facet);
+    ray.opposition = self_.opposition();
     std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q], [&](std::vector<int>& facets) {
       self_.keep_visible(point.facet, facets);
     });

@@ -121,7 +121,8 @@ std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& face
   const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
   if (!hit || std::abs(hit->gap) > ray.reach || hit->gap < -ray.overlap) return std::nullopt;
   const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
-  if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) >= 0) return std::nullopt;
+  const Vector3d area = tangents.col(0).cross(tangents.col(1));
+  if (area.dot(ray.direction) >= -ray.opposition * area.norm()) return std::nullopt;
   const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
   return SurfaceHit{index, hit->eta, hit->gap, outside};
 }

@@ -44,6 +44,7 @@ struct Ray {
   double reach;        ///< how far it looks, forwards and backwards [length]
   double tolerance;    ///< how far outside a facet a hit still counts, in parametric coordinates
   double overlap = std::numeric_limits<double>::infinity();  ///< how far backwards a hit still counts [length]
+  double opposition = 0;  ///< minus the cosine of the angle between ray and normal beyond which a facet faces it
 };
 
 /// How far beyond its edge a facet may be continued, in parametric coordinates: the tolerance of a ray that looks
@@ -58,7 +59,7 @@ struct SurfaceHit {
   double outside = 0;  ///< how far beyond the facet's edge it lies [length]
 };
 
-/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction.
+/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction enough.
 std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& facets, const Matrix3Xd& positions,
                                      const Ray& ray);
 

@@ -229,6 +229,15 @@ bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Ma
   return apart.norm() <= radius && apart.dot(ray.direction) >= -self_.largest_overlap(pair.primary);
 }
 
+bool Segments::opposed(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  const double least = self_.opposition();
+  if (least == 0) return true;
+  const IntegrationPoint& point = heaviest(pair);
+  const Vector3d one = normal_ray(primary_[pair.primary], x1, point.xi, 0, 0).direction;
+  const Vector3d two = normal_ray(secondary_[pair.secondary], x2, point.eta, 0, 0).direction;
+  return one.dot(two) < -least;
+}
+
 std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const {
   const Ray ray = normal_ray(primary_[facet], x1, parametric_centre(primary_[facet].type), radius, 0);
   const double width = radius_around(facet_coordinates(primary_[facet], x1), ray.origin);
@@ -262,7 +271,8 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
     IndexedVector<FacetPair> pairs;
     for (const int candidate : candidates(f, tree, x1, radius)) {
       FacetPair pair = pair_of({f, candidate}, x1, x2);
-      if (!pair.points.empty() && within_reach(pair, x1, x2, radius)) pairs.push_back(std::move(pair));
+      if (!pair.points.empty() && within_reach(pair, x1, x2, radius) && opposed(pair, x1, x2))
+        pairs.push_back(std::move(pair));
     }
     IndexedVector<FacetPair> visible;
     for (const FacetPair& pair : pairs) {

@@ -42,6 +42,7 @@ class Segments : public PointFinder {
   /// The secondary facets that may face a primary one.
   std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const;
   bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;
+  bool opposed(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   bool occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
                 const Matrix3Xd& x2) const;
   int order(const Facing& facing) const;

@@ -45,7 +45,10 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
   const VectorXd overlaps = largest_overlaps_of_nodes(mesh[side]);
   in_parallel(nodes.count(), [&](Index node) {
     Ray ray{position[side].col(node), normals.col(node), reach.distance, reach.tolerance};
-    if (overlaps.size() > 0) ray.overlap = overlaps[node];
+    if (overlaps.size() > 0) {
+      ray.overlap = overlaps[node];
+      ray.opposition = SelfContact::least_opposition;
+    }
     const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, position[pass.side], ray);
     if (!hit) return;
     const Facet& facet = facets[hit->facet];

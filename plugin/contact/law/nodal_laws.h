@@ -35,8 +35,11 @@ class NodalLaws {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
   }
 
-  /// The largest multiple of the stiffness that augmentations may bring the penalty of the traction to.
-  double largest_traction_factor() const { return default_traction_factor / settings_.traction_reduction; }
+  // The largest multiples of stiffness and conductance that augmentations may bring penalties to
+  double largest_traction_factor() const {
+    return (has_twin() ? two_pass_traction_factor : default_traction_factor) / settings_.traction_reduction;
+  }
+  double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
 
   /// Whether nodes in contact may pull.
   bool bear_tension() const { return settings_.tension; }
@@ -55,6 +58,9 @@ class NodalLaws {
   Multipliers multipliers;
 
  private:
+  /// Whether the surface that these nodes face has conditions of its own.
+  bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
+
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
   const Effects& effects_;

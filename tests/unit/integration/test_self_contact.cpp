@@ -147,3 +147,11 @@ BOOST_AUTO_TEST_CASE(self_contact_has_no_penetration_check) {
   BOOST_TEST(contact->check_penetration(both.self.fields).nodes == 0);
   BOOST_TEST(contact->passes() == 1U);
 }
+
+BOOST_AUTO_TEST_CASE(facets_at_nearly_a_right_angle_do_not_face_each_other) {
+  constexpr double degree = 3.14159265358979 / 180;
+  for (const Integration integration : {Integration::gauss, Integration::segments}) {
+    BOOST_TEST(pairs(folded_strip(6, 55 * degree, integration)) > 0);
+    BOOST_TEST(pairs(folded_strip(6, 65 * degree, integration)) == 0);
+  }
+}

@@ -92,8 +92,8 @@ def rigid_sides(joint: Joint) -> Iterator[Finding]:
         yield note(
             "rigid-penalty",
             contact.tag,
-            "both surfaces are rigid: the penalty follows from the largest modulus in the model, <E>/(1 - <v>^2) of the "
-            "rigid materials included",
+            "both surfaces are rigid: the penalty follows from the largest modulus in the model, that is "
+            "<E>/(1 - <v>^2) of rigid materials",
             "None needed if that is about right; else set <penalty> to a value, force per volume.",
         )
     elif not contact.kind.is_mixture and joint.primary.rigid and _no_modulus(joint):

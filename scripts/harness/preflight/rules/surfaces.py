@@ -49,7 +49,8 @@ def shell_facets(joint: Joint) -> Iterator[Finding]:
             yield error(
                 "shell-bottom",
                 bottom,
-                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; the run stops",
+                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; "
+                "the run stops",
                 f"Delete <shell_bottom_{name}>.",
             )
 

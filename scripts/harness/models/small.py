@@ -5,13 +5,13 @@ What the builders of the harness have no words for. Numbers are in mm, N, s.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
-LIBRARY_COMMAND = "-import"
 HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 SIDES = ("bottom", "top", "front", "right", "back", "left")
 """Names of a box's sides, in the order of `HEX_FACES`: -z, +z, -y, +x, +y, -x."""
@@ -30,7 +30,7 @@ class Part:
     element: str
     elements: list[tuple[int, ...]]
     thickness: float = 0.0
-    domain: str = ""
+    """Of shells; 0 for solids."""
 
 
 @dataclass
@@ -59,33 +59,45 @@ class Parts:
             self.surfaces[f"{name}-{side}"] = [facet for facet in facets if here.issuperset(facet)]
             self.node_sets[f"{name}-{side}"] = sorted(here)
 
-    def plate(
-        self,
-        name: str,
-        corner: Sequence[float],
-        size: Sequence[float],
-        cells: Sequence[int],
-        thickness: float,
-        material: str,
-        *,
-        faces_up: bool = True,
-    ) -> None:
-        """A plate of quad4 shells in a plane z = const; surface and node set `name`, node set `name`-left, ..."""
-        axes = [np.linspace(a, a + b, n + 1) for a, b, n in zip(corner[:2], size, cells, strict=True)]
-        first = len(self.nodes) + 1
-        points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
-        number = first + np.arange(points[..., 0].size).reshape(points.shape[:2])
-        self.nodes += [(x, y, corner[2]) for x, y in points.reshape(-1, 2)]
+    def plate(self, name: str, material: str, level: float, thickness: float, *, faces_up: bool = True) -> None:
+        """A plate of nine quad4 shells over the unit square at z = `level`; surface and node set `name`."""
+        line = np.linspace(0.0, 1.0, 4)
+        number = len(self.nodes) + 1 + np.arange(line.size**2).reshape(line.size, line.size)
+        self.nodes += [(x, y, level) for x in line for y in line]
         a, b = slice(None, -1), slice(1, None)
         order = ((a, a), (b, a), (b, b), (a, b)) if faces_up else ((a, a), (a, b), (b, b), (b, a))
-        elements = np.stack([number[i, j].ravel() for i, j in order], axis=1)
-        shells = [tuple(map(int, ids)) for ids in elements]
+        shells = [tuple(map(int, ids)) for ids in np.stack([number[i, j].ravel() for i, j in order], axis=1)]
         self.parts.append(Part(name, material, "quad4", shells, thickness))
         self.surfaces[name] = shells
         self.node_sets[name] = sorted(map(int, number.ravel()))
-        ends = {"left": number[0], "right": number[-1], "front": number[:, 0], "back": number[:, -1]}
-        for side, ids in ends.items():
-            self.node_sets[f"{name}-{side}"] = sorted(map(int, ids))
+
+    def cut_out(self, name: str, low: Sequence[float], high: Sequence[float]) -> None:
+        """Takes elements of a part whose middles lie within a box away, and their nodes if nothing else has them."""
+        part = next(part for part in self.parts if part.name == name)
+        middles = [np.mean([self.nodes[n - 1] for n in ids], axis=0) for ids in part.elements]
+        inside = [bool(np.all(m > low) and np.all(m < high)) for m in middles]
+        part.elements = [ids for ids, cut in zip(part.elements, inside, strict=True) if not cut]
+        used = sorted({n for other in self.parts for ids in other.elements for n in ids})
+        number = {old: new for new, old in enumerate(used, 1)}
+        self.nodes = [self.nodes[n - 1] for n in used]
+        for other in self.parts:
+            other.elements = [tuple(number[n] for n in ids) for ids in other.elements]
+        self.node_sets = {key: [number[n] for n in ids if n in number] for key, ids in self.node_sets.items()}
+        self.surfaces = {
+            key: [tuple(number[n] for n in facet) for facet in facets if all(n in number for n in facet)]
+            for key, facets in self.surfaces.items()
+        }
+
+    def outside(self, name: str) -> list[tuple[int, ...]]:
+        """The faces of a part of hex8 that one element alone has."""
+        part = next(part for part in self.parts if part.name == name)
+        faces = [tuple(ids[a] for a in face) for ids in part.elements for face in HEX_FACES]
+        count = Counter(tuple(sorted(face)) for face in faces)
+        return [face for face in faces if count[tuple(sorted(face))] == 1]
+
+    def facets_in(self, facets: Sequence[tuple[int, ...]], axis: int, value: float) -> list[tuple[int, ...]]:
+        """Those in a plane."""
+        return [f for f in facets if all(abs(self.nodes[n - 1][axis] - value) < 1e-9 for n in f)]
 
     def mesh(self, pairs: dict[str, tuple[str, str]]) -> str:
         """<Mesh> and <MeshDomains>, with these pairs of surfaces."""
@@ -99,11 +111,10 @@ class Parts:
                 number += 1
                 lines.append(f'<elem id="{number}">{_text(ids)}</elem>')
             lines.append("</Elements>")
-        for name, ids in self.node_sets.items():
-            lines.append(f'<NodeSet name="{name}">{_text(ids)}</NodeSet>')
+        for name, members in self.node_sets.items():
+            lines.append(f'<NodeSet name="{name}">{_text(members)}</NodeSet>')
         for name, facets in self.surfaces.items():
-            kind = {3: "tri3", 4: "quad4"}
-            inner = "".join(f'<{kind[len(f)]} id="{n}">{_text(f)}</{kind[len(f)]}>' for n, f in enumerate(facets, 1))
+            inner = "".join(f'<quad4 id="{n}">{_text(facet)}</quad4>' for n, facet in enumerate(facets, 1))
             lines.append(f'<Surface name="{name}">{inner}</Surface>')
         for name, (one, two) in pairs.items():
             lines.append(
@@ -113,8 +124,7 @@ class Parts:
         for part in self.parts:
             if part.thickness > 0:
                 shell = f"<shell_thickness>{part.thickness:g}</shell_thickness>"
-                kind = f' type="{part.domain}"' if part.domain else ""
-                lines.append(f'<ShellDomain name="{part.name}" mat="{part.material}"{kind}>{shell}</ShellDomain>')
+                lines.append(f'<ShellDomain name="{part.name}" mat="{part.material}">{shell}</ShellDomain>')
             else:
                 lines.append(f'<SolidDomain name="{part.name}" mat="{part.material}"/>')
         return "\n".join([*lines, "</MeshDomains>"])
