@@ -311,11 +311,6 @@ FAULTS = {
         "linear-solver",
         "zeros on the diagonal",
     ),
-    "rigid bodies": (
-        lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
-        "rigid-penalty",
-        "rigid",
-    ),
 }
 
 
@@ -349,11 +344,6 @@ def itself():
 
 
 SURFACES = ("lower-top", "upper-bottom")
-FAULTS |= {
-    "shells": (on_shells, "shell-facets", "lies on shell elements"),
-    "shells alone": (shells_alone, "shell-facets", "lies on shell elements"),
-    "itself": (itself, "self-contact", "may be in contact with each other"),
-}
 
 
 def test_febios_contact_on_shells_alone_is_looked_at(findings):
@@ -437,6 +427,13 @@ def coarse_primary():
 
 
 NOTES = {
+    "rigid bodies": (
+        lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
+        "rigid-penalty",
+    ),
+    "shells": (on_shells, "shell-facets"),
+    "shells alone": (shells_alone, "shell-facets"),
+    "itself": (itself, "self-contact"),
     "coarse primary": (coarse_primary, "finer-primary"),
     "a penalty of zero": (lambda: with_params(Param("penalty", 0.0)), "left-out"),
     "a bath that wets nothing": (

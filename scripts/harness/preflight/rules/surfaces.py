@@ -119,19 +119,22 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
     one, two = ({tuple(sorted(set(row))) for row in side.surface.corners.tolist()} for side in joint.sides)
     common = len(one & two)
     pair = joint.contact.pair
-    if common:
-        inside = any(len(found) > 1 for side in joint.sides for found in side.behind)
-        known = joint.contact.kind.is_mixture and not inside
-        yield (note if known else error)(
-            "self-contact" if known else "shared-facets",
+    shared = f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common"
+    inside = any(len(found) > 1 for side in joint.sides for found in side.behind)
+    if common and joint.contact.kind.is_mixture and not inside:
+        yield note(
+            "self-contact",
             pair.tag,
-            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common, "
-            + (
-                "which may be in contact with each other: distances were not checked"
-                if known
-                else "where nothing slides"
-            ),
-            "None needed if the body folds onto itself." if known else "Name the surface of the other body.",
+            f"{shared}, which may be in contact with each other: distances were not checked",
+            "None needed if the body folds onto itself.",
+        )
+        return
+    if common:
+        yield error(
+            "shared-facets",
+            pair.tag,
+            f"{shared}, where nothing can slide",
+            "Name the surface of the other body.",
         )
         return
     nodes = np.intersect1d(pair.primary.corners, pair.secondary.corners)
