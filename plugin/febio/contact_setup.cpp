@@ -42,12 +42,13 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
 int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
   FENodeElemList& around = mesh.NodeElementList();
   FEElement** const elements = around.ElementList(nodes.front());
-  return newton::as_int(std::count_if(elements, elements + around.Valence(nodes.front()), [&](const FEElement* element) {
-    const std::vector<int>& own = element->m_node;
-    return element->Class() == FE_ELEM_SOLID && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
-             return std::find(own.begin(), own.end(), node) != own.end();
-           });
-  }));
+  return newton::as_int(
+      std::count_if(elements, elements + around.Valence(nodes.front()), [&](const FEElement* element) {
+        const std::vector<int>& own = element->m_node;
+        return element->Class() == FE_ELEM_SOLID && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+                 return std::find(own.begin(), own.end(), node) != own.end();
+               });
+      }));
 }
 
 bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
@@ -116,10 +117,11 @@ bool ContactSetup::have_no_inner_facets() const {
     FEMixtureSurface& surface = surfaces_[side];
     for (int i = 0; i < surface.Elements(); ++i) {
       if (solids_with(fem_.GetMesh(), surface.Element(i).m_node) < 2) continue;
-      log_.error("the surfaces \"" + surfaces_.names()[Side::primary] + "\" and \"" + surfaces_.names()[Side::secondary] +
-                 "\" have facets in common, and one of \"" + surface.GetName() +
-                 "\" lies inside a body, between two elements: nothing can slide there. Give each body nodes of its own, "
-                 "or take outer faces alone.");
+      log_.error(
+          "the surfaces \"" + surfaces_.names()[Side::primary] + "\" and \"" + surfaces_.names()[Side::secondary] +
+          "\" have facets in common, and one of \"" + surface.GetName() +
+          "\" lies inside a body, between two elements: nothing can slide there. Give each body nodes of its own, "
+          "or take outer faces alone.");
       return false;
     }
   }
@@ -131,8 +133,8 @@ bool ContactSetup::are_shells(Side side) const {
   for (int i = 0; i < surface.Elements(); ++i) {
     const FEElement* const element = surface.Element(i).m_elem[0].pe;
     if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
-    log_.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") + "> is set, but element " +
-               std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
+    log_.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") +
+               "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
                "\" is no shell. Leave it out, or give the shells a contact of their own.");
     return false;
   }
@@ -238,9 +240,10 @@ void ContactSetup::say_stand_in() const {
   const auto found = facet_materials();
   if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem_) > 0)) return;
   std::ostringstream text;
-  text << "both surfaces are rigid. The automatic penalty takes a modulus of " << modulus_of_rigid_bodies(fem_)
-       << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
-       << "[force/length^3] to choose it yourself.";
+  text
+      << "both surfaces are rigid. The automatic penalty takes a modulus of " << modulus_of_rigid_bodies(fem_)
+      << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
+      << "[force/length^3] to choose it yourself.";
   log_.say(text.str());
 }
 

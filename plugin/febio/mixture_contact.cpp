@@ -245,7 +245,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       bool& given = *tag.given;
       ar & given;
     });
-    ar & parameters_.self_contact & parameters_.penalty_varies & parameters_.pressure_penalty_varies & parameters_.concentration_penalty_varies;
+    ar & parameters_.self_contact & parameters_.penalty_varies & parameters_.pressure_penalty_varies &
+        parameters_.concentration_penalty_varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

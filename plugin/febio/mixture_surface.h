@@ -26,7 +26,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Totals as they act on this surface; flows out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
 
-  /// Takes the back faces of shells for this surface: the nodes' positions less their directors. Facets are turned round.
+  /// Takes the back faces of shells for this surface: the nodes' positions less their directors. Facets are turned
+  /// round.
   void take_shell_bottoms();
   bool has_shell_bottoms() const { return has_shell_bottoms_; }
   /// The present position of a node on this surface.

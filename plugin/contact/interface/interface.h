@@ -72,9 +72,9 @@ class ContactInterface {
   /// and remain so: open they carry no load. is_solution() tells whether that changes the loads. Returns what is
   /// detected for the first time.
   ///
-  /// Nothing with two passes or self-contact, where secondary nodes have laws of their own already, and without traction: surfaces that
-  /// cannot move stay as the user placed them. Beside unknown multipliers penetration-check nodes have the default
-  /// penalties: there is no room for unknowns on both surfaces.
+  /// Nothing with two passes or self-contact, where secondary nodes have laws of their own already, and without
+  /// traction: surfaces that cannot move stay as the user placed them. Beside unknown multipliers penetration-check
+  /// nodes have the default penalties: there is no room for unknowns on both surfaces.
   UndetectedPenetration check_penetration(const PerSide<SurfaceFields>& fields);
 
   /// What the last check_penetration() left without load.
