@@ -255,7 +255,7 @@ def elastic_layer_edge(half_width: int, per_thickness: int) -> float:
     influence = np.fft.ifft(compliance).real
     x = step * np.arange(-n, n + 1)
     system = np.column_stack([toeplitz(influence[: 2 * n + 1])[:-1, 1:-1], -np.ones(2 * n)])
-    pressure = np.linalg.solve(system, -x[:-1] ** 2 / 2.0)[:-1]
+    pressure = np.linalg.solve(system, -(x[:-1] ** 2) / 2.0)[:-1]
     layer = biphasic_layers.Contact((biphasic_layers.Layer(1.0, 1.0, 0.0),), 1.0)
     return float(layer.half_width(pressure.sum() * step)) - half_width
 

@@ -39,8 +39,7 @@ def records(problem: BiphasicHertz, runner: Runner) -> list[Record]:
     exact = line_growth.exact(problem, found.times)
     columns = (found.half_width, found.peak, found.approach, exact.half_width, exact.peak, exact.approach)
     return [
-        Record(problem.name, float(time), *map(float, row))
-        for time, *row in zip(found.times, *columns, strict=True)
+        Record(problem.name, float(time), *map(float, row)) for time, *row in zip(found.times, *columns, strict=True)
     ]
 
 
