@@ -1,4 +1,4 @@
-"""Two thin biphasic layers under a force: the contact that grows and its pressure against the asymptotic closed form."""
+"""Two thin biphasic layers under a force: the contact grows as the asymptotic closed form says."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def growth(runner):
 
 
 def errors(found, exact, edge: float = 0.0) -> tuple[float, float]:
-    """Largest relative errors of half-width, with the edge `edge` inwards of thin layers' (mm), and of peak pressure."""
+    """Largest relative errors of half-width, its edge `edge` (mm) inwards of thin layers', and of peak pressure."""
     width = found.half_width / (exact.half_width - edge) - 1.0
     return float(np.abs(width).max()), float(np.abs(found.peak / exact.peak - 1.0).max())
 

@@ -208,7 +208,7 @@ def test_biphasic_layers_have_no_gap_and_no_slope_at_the_edge(shape):
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_biphasic_layers_obey_the_equation_of_their_half_width(shape):
-    """n a^(n-1) a' = factor m R (F' + chi F)."""
+    """The rate: n a^(n-1) a' = factor m R (F' + chi F)."""
     contact, times, force, a = layers_over_time(shape)
     middle, n = slice(100, -1), shape.power
     rate = np.gradient(a, times)
@@ -243,8 +243,9 @@ def test_biphasic_layers_at_first_and_under_a_constant_load(shape, factor):
 def elastic_layer_edge(half_width: int, per_thickness: int) -> float:
     """Distance of the edge of contact from that of thin layers, in thicknesses, for an incompressible elastic layer.
 
-    The surface compliance of a layer that is fixed below and free of shear above is (sinh 2s - 2s)/(cosh 2s + 1 + 2 s^2)
-    over 2 mu s/h, with s the wave number times h. The pressure has hats for shape functions and no gap at nodes.
+    The surface compliance of a layer that is fixed below and free of shear above is, over 2 mu s/h,
+    (sinh 2s - 2s)/(cosh 2s + 1 + 2 s^2), with s the wave number times h. The pressure has hats for shape functions
+    and leaves no gap at nodes.
     """
     n, step, points = half_width * per_thickness, 1.0 / per_thickness, 1 << 13
     s = 2.0 * np.pi * np.abs(np.fft.fftfreq(points, step))[1:]

@@ -3,8 +3,8 @@
 Sources: Ateshian, Lai, Zhu and Mow (1994), An asymptotic solution for the contact of two biphasic cartilage layers,
 J Biomech 27(11):1347-1360 (spheres, equal layers); Argatov and Mishuris (2011), arXiv:1009.4490 (general paraboloids).
 
-Derivation. A layer of thickness h is fixed to an impermeable body at y = 0; its surface y = h carries the pressure p, no
-shear, and a volume flux j that enters it. It is thin: a >> h. Then p varies along the layer alone. To leading order
+Derivation. A layer of thickness h is fixed to an impermeable body at y = 0; its surface y = h carries the pressure p,
+no shear, and a volume flux j that enters it. It is thin: a >> h. Then p varies along the layer alone. To leading order
 in (h/a)^2 momentum is mu u_yy = grad p with u(0) = 0 and u_y(h) = 0, so u = (y^2/2 - h y) grad p/mu, and the solid
 carries the volume INT u dy = -h^3/(3 mu) grad p. The solvent carries -h k grad p. The surface sinks by w, and both
 together are incompressible: w' = -h^3/(3 mu) lap p' - h k lap p - j, a prime for the rate. What one layer gives up, the
@@ -60,7 +60,7 @@ class Layer:
 
 
 class Shape(Enum):
-    """What the layers lie on: factors of a^n = factor m R Q, of delta = a^2/(divisor R) and of P = (..)^2/(divisor m R)."""
+    """What the layers lie on: n and factor of a^n = factor m R Q, divisors of delta = a^2/(..R) and P = (..)^2/(..m R)."""
 
     LINE = (5, 45.0 / 2.0, 6.0, 24.0)
     SPHERE = (6, 96.0 / pi, 4.0, 32.0)
@@ -88,16 +88,16 @@ class Contact:
 
     @property
     def compliance(self) -> float:
-        """m = SUM h^3/(3 mu), mm^3/MPa."""
+        """M = SUM h^3/(3 mu), mm^3/MPa."""
         return sum(layer.compliance for layer in self.layers)
 
     @property
     def rate(self) -> float:
-        """chi = SUM h k/m, 1/s."""
+        """Chi = SUM h k/m, 1/s."""
         return sum(layer.thickness * layer.permeability for layer in self.layers) / self.compliance
 
     def half_width(self, load: ArrayLike) -> Array:
-        """a (mm), half-width or radius of the contact, for Q = F + chi INT F dt (N/mm for a line, N for a sphere)."""
+        """A (mm), half-width or radius of the contact, for Q = F + chi INT F dt (N/mm for a line, N for a sphere)."""
         return np.asarray(
             (self.shape.load * self.compliance * self.radius * np.asarray(load)) ** (1.0 / self.shape.power)
         )

@@ -137,7 +137,9 @@ class BiphasicHertz:
         }
         surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", _on_surface)}
         bodies = {"lower": self._lower(), "upper": self._upper()}
-        mesh = assembled(bodies, node_sets | {"all": everywhere()}, surfaces, {"joint": tuple(surfaces)})
+        mesh = assembled(
+            bodies, node_sets | {"all": everywhere()}, surfaces, {"joint": ("lower-cartilage", "upper-cartilage")}
+        )
         return self._with_bone(mesh)
 
     def _with_bone(self, mesh: Mesh) -> Mesh:

@@ -63,7 +63,7 @@ def draw_section(entry: Entry, result: RunResult, path: Path) -> Path:
 
 
 def draw_cover(entry: Entry, result: RunResult, path: Path) -> Path:
-    """The picture of README: the joint after its first cycle and at its end, with names, scale and the solute's colour."""
+    """The picture of README: the joint after its first cycle and at its end, with names and scale."""
     history = result.nodes
     figure = Figure(figsize=(9.0, 2.1), layout="constrained", facecolor="white")
     places = figure.subplots(1, 2, sharey=True)
