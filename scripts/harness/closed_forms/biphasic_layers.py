@@ -60,7 +60,7 @@ class Layer:
 
 
 class Shape(Enum):
-    """What the layers lie on: n and factor of a^n = factor m R Q, divisors of delta = a^2/(..R) and P = (..)^2/(..m R)."""
+    """What the layers lie on: n and factor of a^n = .. m R Q, divisors of delta = a^2/(..R) and P = (..)^2/(..m R)."""
 
     LINE = (5, 45.0 / 2.0, 6.0, 24.0)
     SPHERE = (6, 96.0 / pi, 4.0, 32.0)

@@ -91,8 +91,18 @@ def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
     outlined = [withStroke(linewidth=2.0, foreground="black")]
     for part in mesh.parts:
         x, y = positions[np.unique(section.facets(mesh, part.elements))][:, [section.across, section.up]].T
-        middle = (0.0 if section.mirrored else np.ptp(x) / 2 + x.min(), np.ptp(y) / 2 + y.min())
-        axes.text(*middle, part.name, color="white", fontsize=7, ha="center", va="center", path_effects=outlined)
+        middle = 0.0 if section.mirrored else 0.5 * (x.min() + x.max())
+        near = y[np.abs(x - middle) <= np.abs(x - middle).min() + 0.05 * np.ptp(x)]
+        axes.text(
+            middle,
+            0.5 * (near.min() + near.max()),
+            part.name,
+            color="white",
+            fontsize=7,
+            ha="center",
+            va="center",
+            path_effects=outlined,
+        )
 
 
 def _scale(axes: Axes) -> None:
