@@ -38,6 +38,6 @@ def gallery(
             figures.draw_cover(entry, result, folder / COVER_PICTURE)
         records[name] = page.record(result)
         taken = records[name]
-        console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.wall:g} s", markup=False)
+        console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.cpu:g} s", markup=False)
     written = page.write(folder, records)
     console.print("Written: " + ", ".join(str(path) for path in written))
