@@ -188,7 +188,8 @@ def test_partial_slip_carries_the_tangential_force_within_the_bound(ratio):
 
 def test_partial_slip_leaves_the_stick_zone_undeformed():
     """The surface strain of a shear q is proportional to the principal value of INT q(s)/(x - s) ds, here by modes:
-    with x = a cos(t), q = a sum of sin(n t), that integral is -pi times the sum of cos(n t)."""
+    with x = a cos(t), q = a sum of sin(n t), that integral is -pi times the sum of cos(n t).
+    """
     a, ratio = 1.0, 0.51
     c = cattaneo_mindlin.stick_half_width(a, ratio)
     points = 4000

@@ -1,10 +1,10 @@
 """Partial slip of a cylinder on a half space: Hertz's line contact under a tangential force (Cattaneo, Mindlin).
 
-Source: Johnson (1985), Contact Mechanics, section 7.2(b). Derivation: where all of the contact slips, the shear traction
-mu p0 sqrt(1 - x^2/a^2) displaces both surfaces so that the shift varies as x^2, as Hertz's pressure does along the
-normal. Hertz's own shear on |x| < c, scaled by c/a and taken off, makes the shift uniform there, which is stick:
-q = mu p0 [sqrt(1 - x^2/a^2) - (c/a) sqrt(1 - x^2/c^2)]. Its integral mu P (1 - c^2/a^2) is the tangential force Q, hence
-c = a sqrt(1 - Q/(mu P)). Shear does not change the pressure where both bodies have the same properties, or where
+Source: Johnson (1985), Contact Mechanics, section 7.2(b). Derivation: where all of the contact slips, the shear
+traction mu p0 sqrt(1 - x^2/a^2) displaces both surfaces so that the shift varies as x^2, as Hertz's pressure does along
+the normal. Hertz's own shear on |x| < c, scaled by c/a and taken off, makes the shift uniform there, which is stick:
+q = mu p0 [sqrt(1 - x^2/a^2) - (c/a) sqrt(1 - x^2/c^2)]. Its integral mu P (1 - c^2/a^2) is the tangential force Q,
+hence c = a sqrt(1 - Q/(mu P)). Shear does not change the pressure where both bodies have the same properties, or where
 Dundurs' second parameter is zero.
 """
 

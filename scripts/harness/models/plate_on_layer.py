@@ -1,4 +1,4 @@
-"""A cartilage layer that drains under a plate that slides over it: friction grows as the fluid bears less of the load."""
+"""A cartilage layer that drains under a sliding plate: friction grows as the fluid bears less of the load."""
 
 from __future__ import annotations
 
