@@ -168,6 +168,7 @@ def test_friction_of_types_without_fluid_acts_on_all_traction(converted):
         for made in (confined(rubbing), in_module(solid(rubbing), "sliding-elastic"))
     )
     assert "<contact_frac>1</contact_frac>" in porous
+    assert "<effects>traction,friction</effects>" in porous
     assert "<contact_frac>" not in elastic
 
 

@@ -9,10 +9,9 @@ from pathlib import Path
 from harness.conversion import spans
 from harness.conversion.fates import (
     DEFAULT,
-    NO_FLUID_SUPPORT,
     SEALED,
     SEALING,
-    UNSUPPORTED_BY_FLUID,
+    SEALING_WITH_FRICTION,
     WRITTEN,
     Action,
     Change,
@@ -124,8 +123,8 @@ def _parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list
         yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
     names = missing(kind, {child.tag for child in contact.children})
     written = [(name, DEFAULT, WRITTEN[name]) for name in names]
-    written += [(name, value, SEALED) for name, value in SEALING.items() if sealed]
-    written += [(name, value, UNSUPPORTED_BY_FLUID) for name, value in NO_FLUID_SUPPORT.items() if sealed and rubs]
+    sealing = SEALING_WITH_FRICTION if rubs else SEALING
+    written += [(name, value, SEALED) for name, value in sealing.items() if sealed]
     lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
     for place, (name, value, reason) in enumerate(written):
         change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")

@@ -73,16 +73,14 @@ WRITTEN = {
     "search_radius": "FEBio's default, written out; without it the radius follows the size of the surfaces",
 }
 SEALING = {"effects": "traction", "free_draining": "0"}
-NO_FLUID_SUPPORT = {"contact_frac": "1"}
-UNSUPPORTED_BY_FLUID = "written out: friction of FEBio's type acts on all of the traction, the fluid's part too"
-"""What keeps friction between porous bodies as types without <contact_frac> have it, and why."""
+SEALING_WITH_FRICTION = {"effects": "traction,friction", "free_draining": "0", "contact_frac": "1"}
 NO_FRICTION = {
     "sliding-facet-on-facet": "FEBio sets it to 0: sliding-facet-on-facet has no friction",
     "sliding-node-on-facet": "without a <fric_penalty> above 0 sliding-node-on-facet has no friction",
 }
 """Why a friction coefficient does nothing in FEBio."""
 SEALED = "written out: FEBio's type knows traction alone and leaves the surfaces of porous bodies to the model"
-"""What keeps fluid and solutes of the bodies where FEBio's type does, and why."""
+"""What keeps fluid and solutes of the bodies where FEBio's type does, and friction acting on all of the traction."""
 
 
 def fate(kind: ContactType, name: str, value: str, *, rubs: bool = False) -> Callable[[int], Change]:

@@ -19,14 +19,14 @@ from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix, 
 
 Height = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """Height of a surface (mm) at positions along x (mm)."""
-RADIUS = 1.0
+RADIUS = 10.0
 """mm."""
 HALF_WIDTH = 0.02
 """a of the contact, mm, for which the approach is chosen."""
 SIZE = 20.0 * HALF_WIDTH
 """Half-width and height of each body, mm: a half space but for parts of (a/SIZE)^2."""
 FRICTION = 0.3
-SOLID = Solid(1.0, 0.3)
+SOLID = Solid(1000.0, 0.3)
 COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))
 """E*, MPa."""
 THICKNESS = 0.01
@@ -42,7 +42,7 @@ APPROACH = HALF_WIDTH**2 / (2.0 * RADIUS) * (log(2.0 * SIZE / HALF_WIDTH) - 0.5 
 SHIFT = 0.64 * FRICTION * APPROACH
 """mm along x; about that of Q/(mu P) = 0.64, a stick zone of 0.6 a."""
 ABOUT = """\
-A cylinder of radius 1 mm on a block, the same material, pressed and then pushed sideways by less than slides it
+A cylinder of radius 10 mm on a block, the same material, pressed and then pushed sideways by less than slides it
 (Cattaneo, Mindlin): the middle of the contact sticks, its edges slip."""
 
 
