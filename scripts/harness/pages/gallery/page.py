@@ -152,11 +152,13 @@ scripts/mixcontact run models/{name}.feb
 def _friction() -> str:
     """The section on friction, whose pictures are of their own."""
     shown = zip(friction.MODELS, friction.PICTURES.items(), strict=True)
-    parts = [
-        f"{_about(model)}\n\n```console\nscripts/mixcontact run models/{model.name}.feb\n```\n\n![{alt}]({IMAGES}/{picture})"
-        for model, (picture, alt) in shown
-    ]
-    return "\n\n".join(["## Friction", *parts])
+    return "\n\n".join(["## Friction", *(_pictured(model, picture, alt) for model, (picture, alt) in shown)])
+
+
+def _pictured(model: Model, picture: str, alt: str) -> str:
+    """A model with its one picture, and a description of that."""
+    run = f"```console\nscripts/mixcontact run models/{model.name}.feb\n```"
+    return f"{_about(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
 
 
 def _curves(entry: Entry) -> str:
