@@ -41,6 +41,7 @@ class ContactSetup {
   SolverKind solver_kind() const;
   std::optional<FacetMaterials> materials() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;
+  FrictionRequest friction_of_model(const FacetMaterials& materials) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
   bool has_penalty(const BoundContact& contact) const;
   bool can_have_multipliers(const BoundContact& contact) const;
@@ -53,5 +54,6 @@ class ContactSetup {
   const AmbientConcentrations& ambient_;
   const ContactLog& log_;
   std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow
+  FrictionRequest friction_;                       ///< what parameters and materials say of friction
   std::string summary_;                            ///< what the log said last of the effects
 };

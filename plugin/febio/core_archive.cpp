@@ -35,6 +35,20 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux_penalty_scale);
 }
 
+/// What friction adds to a state.
+void archive_friction(DumpStream& ar, ContactInterface::State& state) {
+  for (Multipliers& multipliers : state.multipliers) {
+    VectorXd slips(multipliers.slips.count());
+    for (Index node = 0; node < slips.size(); ++node) slips[node] = multipliers.slips[node] ? 1 : 0;
+    archive(ar, multipliers.friction);
+    archive(ar, slips);
+    archive(ar, multipliers.friction_penalty_scale);
+    multipliers.slips.assign(newton::entries(slips.size()), false);
+    for (Index node = 0; node < slips.size(); ++node) multipliers.slips[node] = slips[node] > 0;
+  }
+  for (Matrix3Xd& position : state.slips_from) archive(ar, position);
+}
+
 }  // namespace
 
 void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
@@ -49,14 +63,15 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
 }
 
 void archive_effects(DumpStream& ar, Effects& effects) {
-  ar & effects.traction & effects.solvent;
+  ar & effects.traction & effects.solvent & effects.friction & effects.bearing_fluid;
   archive(ar, effects.solutes);
 }
 
-void archive_state(DumpStream& ar, ContactInterface::State& state) {
+void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects& effects) {
   int passes = mixture_contact::number_of(state.multipliers);
   archive(ar, state.check_nodes);
   ar & passes;
   state.multipliers.resize(newton::entries(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
+  if (effects.friction) archive_friction(ar, state);
 }

@@ -92,6 +92,7 @@ void FEMixtureContact::find_load_curves() {
   parameters_.penalty_varies = varies(parameters_.penalty);
   parameters_.pressure_penalty_varies = varies(parameters_.pressure_penalty);
   parameters_.concentration_penalty_varies = varies(parameters_.concentration_penalty);
+  parameters_.fric_coeff_varies = varies(parameters_.fric_coeff);
 }
 
 int FEMixtureContact::InitEquations(int first) {
@@ -114,6 +115,7 @@ void FEMixtureContact::Activate() {
 
 void FEMixtureContact::Deactivate() {
   FEContactInterface::Deactivate();
+  core().forget_friction();
   model_->deactivate(*this);
 }
 
@@ -166,7 +168,10 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
 }
 
 void FEMixtureContact::on_callback(unsigned int when) {
-  if (when == CB_TIMESTEP_SOLVED) output_.store();
+  if (when == CB_TIMESTEP_SOLVED) {
+    output_.store();
+    core().accept_step(bound_.fields());
+  }
   if (when == CB_SOLVED) output_.log_timings();
 }
 
@@ -208,7 +213,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       bool& given = *tag.given;
       ar & given;
     });
-    ar & parameters_.penalty_varies & parameters_.pressure_penalty_varies & parameters_.concentration_penalty_varies;
+    ar & parameters_.penalty_varies & parameters_.pressure_penalty_varies & parameters_.concentration_penalty_varies &
+        parameters_.fric_coeff_varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);
