@@ -231,6 +231,11 @@ FAULTS = {
         "bad-value",
         "a number from 0 to 1",
     ),
+    "no stick at all": (
+        lambda: with_params(Param("fric_coeff", 0.1), Param("tangential_penalty", 0.0)),
+        "bad-value",
+        "a number above 0",
+    ),
     "friction that falls below zero": (
         lambda: replace(with_params(Param("fric_coeff", 0.1, 1)), curves=(Curve(((0, 1), (1, -1))),)),
         "bad-value",

@@ -14,7 +14,7 @@ from harness.preflight.xml_file import Element, children, place, text
 
 NOT_NEGATIVE = "a number that is not negative"
 COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
-FRACTION = "a number from 0 to 1"
+FRACTION, POSITIVE = "a number from 0 to 1", "a number above 0"
 CHOICES = {"laugon": ("PENALTY", "AUGLAG", "LAGMULT"), "integration": ("gauss", "segments")}
 OWN_CHOICES = ("LAGMULT",)
 """Last of their list, and not in FEBio's sliding interfaces."""
@@ -29,6 +29,7 @@ ALLOWED = {
     "ambient_pressure": NUMBER,
     "offset": NUMBER,
     "contact_frac": FRACTION,
+    "tangential_penalty": POSITIVE,
     "ambient_concentration": NOT_NEGATIVE,
 }
 """What each parameter may be, in words; the others may be anything."""
@@ -97,7 +98,12 @@ def _fits(tag: Element, name: str, allowed: str) -> bool:
         return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
     if not math.isfinite(value) or (allowed == COUNT and value != int(value)):
         return False
-    return allowed == NUMBER or (value >= 0.0 and (allowed != FRACTION or value <= 1.0))
+    return allowed == NUMBER or (value >= 0.0 and _in_bounds(value, allowed))
+
+
+def _in_bounds(value: float, allowed: str) -> bool:
+    """Whether a number that is not negative keeps a further bound, if there is one."""
+    return value <= 1.0 if allowed == FRACTION else value > 0.0 if allowed == POSITIVE else True
 
 
 def _number(tag: Element) -> float:
@@ -332,7 +338,7 @@ def symmetric_friction(joint: Joint) -> Iterator[Finding]:
 
 def without_friction(joint: Joint) -> Iterator[Finding]:
     """Parameters of friction where there is none."""
-    for name in ("contact_frac", "smooth_fls", "fric_penalty"):
+    for name in ("contact_frac", "smooth_fls", "fric_penalty", "tangential_penalty"):
         tag = joint.contact.given(name)
         if tag is not None and name in joint.contact.kind.parameters and not joint.contact.has_friction:
             yield note(
