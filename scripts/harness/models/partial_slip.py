@@ -26,6 +26,8 @@ HALF_WIDTH = 0.02
 SIZE = 20.0 * HALF_WIDTH
 """Half-width and height of each body, mm: a half space but for parts of (a/SIZE)^2."""
 FRICTION = 0.3
+FRICTION_COLUMNS = ("contact friction.x",)
+"""Means over facets, which FEBio's types do not have."""
 SOLID = Solid(1000.0, 0.3)
 COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))
 """E*, MPa."""
@@ -89,7 +91,7 @@ class PartialSlip:
             (press, shear),
             plot=self.plot,
             further_columns=("Rx", "Rz"),
-            facet_columns=("contact_traction.x", "contact_traction.z", "contact pressure"),
+            facet_columns=("contact pressure", *FRICTION_COLUMNS) if self.interface is InterfaceType.MIXTURE else (),
         )
 
     def _mesh(self) -> Mesh:

@@ -32,6 +32,8 @@ PRESSED, DRAINED, END = 2.0, 60.0, 72.0
 PRESSING, DRAINING, SLIDING = 4, 12, 24
 """Steps."""
 FRICTION, SOLID_FRACTION = 0.2, 0.1
+FACET_COLUMNS = ("contact pressure", "contact friction.x", "contact friction.y", "contact friction coefficient")
+"""Means over facets."""
 CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3)
 ABOUT = """\
 Cartilage on cartilage, pressed and slid: a section of a joint with friction that depends on what the fluid bears.
@@ -86,7 +88,7 @@ class SlidingJoint:
             (press, slide, Curve(tuple((time, END) for time in times()), "STEP")),
             plot=self.plot,
             further_columns=("Rx", "Ry"),
-            facet_columns=("contact_traction.x", "contact_traction.y", "contact pressure"),
+            facet_columns=FACET_COLUMNS if self.interface is InterfaceType.MIXTURE else (),
         )
 
     def _mesh(self) -> Mesh:

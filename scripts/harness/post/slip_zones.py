@@ -1,4 +1,4 @@
-"""Stick and slip zones of a run of `harness.models.partial_slip`, from the tractions of its facets."""
+"""Stick and slip zones of a run of `harness.models.partial_slip`, from the tractions at its nodes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Zones:
     Attributes
     ----------
     x, pressure, shear : ndarray
-        Of the facets under load: middle (mm) and mean tractions (MPa).
+        Of the nodes under load: position (mm) and tractions (MPa).
     half_width : float
         a of the closed form for the normal force, mm.
     ratio : float
@@ -66,14 +66,24 @@ def zones(run: RunResult) -> Zones:
     facets, nodes, mesh = run.facets("cylinder"), run.nodes, run.model.mesh
     outside = mesh.node_sets["block-outside"] - 1
     normal, along = (abs(float(nodes[name][-1, outside].sum())) / THICKNESS for name in ("Rz", "Rx"))
-    pressure, shear = facets["contact pressure"][-1], facets["contact_traction.x"][-1]
-    loaded = pressure > 0.0
-    middle = nodes["x"][-1][mesh.surfaces["cylinder"] - 1].mean(axis=1)
+    x = nodes["x"][-1][mesh.surfaces["cylinder"] - 1]
+    order = np.argsort(x.mean(axis=1))
+    position = np.concatenate([x[order].min(axis=1), x[order[-1:]].max(axis=1)])
+    pressure, shear = (_at_nodes(facets[name][-1, order]) for name in ("contact pressure", "contact friction.x"))
+    loaded = pressure > 1e-6 * pressure.max()
     return Zones(
-        middle[loaded],
+        position[loaded],
         pressure[loaded],
         shear[loaded],
         hertz.half_width(normal, RADIUS, COMBINED),
         along / (FRICTION * normal),
         FRICTION * hertz.peak_pressure(normal, RADIUS, COMBINED),
     )
+
+
+def _at_nodes(means: Array) -> Array:
+    """Values at the ends of facets in a row whose means over two ends each are given; none at the first end."""
+    values = np.zeros(len(means) + 1)
+    for k, mean in enumerate(means):
+        values[k + 1] = 2.0 * mean - values[k]
+    return values

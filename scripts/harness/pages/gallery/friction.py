@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from harness.models import sliding_joint
 from harness.models.plate_on_layer import PlateOnLayer
-from harness.models.sliding_joint import DRAINED, END, FRICTION, SOLID_FRACTION, SlidingJoint
+from harness.models.sliding_joint import DRAINED, END, SlidingJoint
 from harness.post.section_figures import Section, draw_bodies
 from harness.run.runner import Runner, RunResult
 from harness.validate import friction_checks
@@ -91,15 +91,10 @@ def _tractions(axes: Axes, run: RunResult, state: int) -> None:
 
 def tractions(run: RunResult, state: int) -> tuple[Array, Array, Array]:
     """Along the contact, facet by facet: position (mm), friction traction and its bound (MPa)."""
-    facets, nodes, quads = run.facets("upper-cartilage"), run.nodes, run.model.mesh.surfaces["upper-cartilage"] - 1
-    row = state - len(nodes.times)
-    positions = np.stack([nodes[axis][state] for axis in "xyz"], axis=1)[quads]
-    normal = np.cross(positions[:, 2] - positions[:, 0], positions[:, 3] - positions[:, 1])[:, :2]
-    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    traction = np.stack([facets[f"contact_traction.{axis}"][row] for axis in "xy"], axis=1)
-    across = np.einsum("ij,ij->i", traction, normal)
-    friction = np.linalg.norm(traction - across[:, None] * normal, axis=1)
-    fluid = nodes["p"][state][quads].mean(axis=1)
-    bound = FRICTION * np.maximum(0.0, facets["contact pressure"][row] - (1.0 - SOLID_FRACTION) * fluid)
-    order = np.argsort(positions[:, :, 0].mean(axis=1))
-    return positions[order, :, 0].mean(axis=1), friction[order], np.where(across < 0.0, bound, 0.0)[order]
+    facets, quads = run.facets("upper-cartilage"), run.model.mesh.surfaces["upper-cartilage"] - 1
+    row = state - len(run.nodes.times)
+    x = run.nodes["x"][state][quads].mean(axis=1)
+    friction = np.hypot(*(facets[f"contact friction.{axis}"][row] for axis in "xy"))
+    bound = facets["contact friction coefficient"][row] * facets["contact pressure"][row]
+    order = np.argsort(x)
+    return x[order], friction[order], bound[order]
