@@ -81,9 +81,10 @@ void NodalLaws::load_friction(NodalLoads& loads) const {
 }
 
 NodeFlags NodalLaws::beyond_bound(const NodalLoads& loads) const {
+  const double rounding = traction_rounding(loads.size);
   NodeFlags slips(nodes(), false);
   for (Index node = 0; node < nodes(); ++node)
-    slips[node] = loads.in_contact[node] && loads.friction.trial.col(node).norm() > loads.friction.bound[node];
+    slips[node] = loads.in_contact[node] && loads.friction.trial.col(node).norm() > loads.friction.bound[node] + rounding;
   return slips;
 }
 
