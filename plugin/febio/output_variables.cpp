@@ -167,7 +167,7 @@ double slip_status(const FEMixtureSurface& surface, int node) {
 }
 
 /// Power that friction dissipates in a step.
-double friction_power(const FEMixtureSurface& surface, const FEModel& fem) {
+double friction_power(const FEMixtureSurface& surface, FEModel& fem) {
   const double dt = fem.GetTime().timeIncrement;
   return dt > 0 ? surface.total().dissipation / dt : 0.0;
 }
