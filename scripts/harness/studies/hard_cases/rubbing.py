@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from harness.closed_forms import incline
 from harness.models.parts import Param
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
@@ -15,8 +16,8 @@ from harness.studies.hard_cases.pushed import Motion, Pushed, Shape, along, grip
 
 FRICTION, SOLID_FRACTION = 0.3, 0.1
 """mu_eq and phi of the cases that do not say otherwise."""
-BEYOND = 1e-6
-"""By how much the force along a flat contact may exceed mu times the normal force, relative to the largest of these."""
+TILT = 0.05 / 0.25
+"""Largest slope of the contact: a block of 0.5 mm sinks in by no more than 0.05 mm."""
 Path = tuple[tuple[float, tuple[float, float, float]], ...]
 
 
@@ -41,15 +42,14 @@ def every(step: float, end: float) -> tuple[float, ...]:
 
 
 def held_back(run: RunResult, friction: float, least: float) -> list[Measure]:
-    """The force along a flat contact is never more than friction allows, and at its largest not less than `least`."""
+    """The largest force along the contact over mu times the largest normal one.
+
+    Not less than `least`; nor more than a slope of `TILT` adds to friction, as on an incline.
+    """
     force = np.abs(grip_force(run))
-    normal, along_ = force[:, 2], force[:, 0]
-    largest = friction * float(normal.max())
-    beyond = float((along_ - friction * normal).max()) / largest
-    return [
-        Measure("force along the contact beyond mu times the normal one, relative", beyond, BEYOND),
-        Measure("largest force along the contact, relative", float(along_.max()) / largest, 1.0 + BEYOND, lowest=least),
-    ]
+    found = float(force[:, 0].max() / (friction * force[:, 2].max()))
+    most = incline.force_over_weight(TILT, friction) / friction
+    return [Measure("largest force along the contact, relative", found, most, lowest=least)]
 
 
 def free(run: RunResult) -> list[Measure]:  # noqa: ARG001 other scenes look at the run
