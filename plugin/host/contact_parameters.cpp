@@ -69,8 +69,9 @@ void complain_of_friction(std::vector<std::string>& list, const ContactParameter
     list.emplace_back("<contact_frac> is " + std::to_string(p.contact_frac) + "; it must lie between 0 and 1.");
   }
   if (!(std::isfinite(p.tangential_penalty) && p.tangential_penalty > 0)) {
-    list.emplace_back("<tangential_penalty> is " + std::to_string(p.tangential_penalty) +
-                      "; it must be a positive number, the factor of the tangential penalty over that of the traction.");
+    list.emplace_back(
+        "<tangential_penalty> is " + std::to_string(p.tangential_penalty) +
+        "; it must be a positive number, the factor of the tangential penalty over that of the traction.");
   }
   if (p.laugon == lagmult && has_friction(p)) {
     list.emplace_back(

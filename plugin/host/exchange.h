@@ -40,7 +40,7 @@ struct FrictionRequest {
 
 /// Decides which of the fields, ordered solvent first and solutes ascending, a contact exchanges. `asked` is the
 /// parameter <effects>: "all", or names with commas between them; "solutes" stands for every solute that both sides
-/// have. Traction is exchanged unless no node can move or touch; leaving it out elsewhere is a complaint. Friction is an
-/// effect where it has a coefficient.
+/// have. Traction is exchanged unless no node can move or touch; leaving it out elsewhere is a complaint. Friction is
+/// an effect where it has a coefficient.
 Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion,
                          const FrictionRequest& friction = {});

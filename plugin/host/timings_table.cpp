@@ -72,7 +72,8 @@ std::vector<std::string> timings_table(const std::string& name, const mixture_co
   const TimingBreakdown sum = contact.measurements().timings.sum();
   std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
                                  row("", headings(contact.effects()))};
-  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), contact.measurements().timings[task], contact.effects()));
+  for (const Task task : all_tasks)
+    lines.push_back(seconds(name_of(task), contact.measurements().timings[task], contact.effects()));
   lines.push_back(seconds("all", sum, contact.effects()));
   std::ostringstream share;
   share << std::setprecision(3) << "    share of the run: " << 100 * sum.total() / run << " percent of " << run << " s";

@@ -91,7 +91,10 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
     if (!predicted.in_contact[node]) continue;
     const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
     const double band = rounding + (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
-    const double excess = predicted.friction.trial.col(node).norm() - bound[node];
+    const Vector3d trial = predicted.friction.trial.col(node);
+    const double excess = slips[node]
+                              ? slip_excess(trial, bound[node], laws_.friction_reference(predicted.friction, node))
+                              : trial.norm() - bound[node];
     if (std::abs(excess) > band) slips[node] = excess > 0;
   }
   return slips;

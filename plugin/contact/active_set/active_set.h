@@ -80,8 +80,8 @@ class ActiveSet {
   NodeFlags initial_slip(const NodalLoads& now) const;
   /// Which slide as the loads that an iteration predicts ask for; loads with friction.
   NodeFlags updated_slip(const NodalLoads& predicted) const;
-  /// The same for the next iteration, at the loads `now`: the updated ones, but where changes lead in cycles; nodes that
-  /// come into contact there slide as their own trial says. Counts changes.
+  /// The same for the next iteration, at the loads `now`: the updated ones, but where changes lead in cycles; nodes
+  /// that come into contact there slide as their own trial says. Counts changes.
   NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
   /// What loads of the last iteration hold on to at another state within a step.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;

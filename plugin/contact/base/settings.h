@@ -30,10 +30,10 @@ struct PenaltyRule {
 
 /// Friction: |t_T| <= mu <|t_n| - (1 - phi) (p - p*)>.
 struct FrictionRule {
-  double coefficient = 0;        ///< mu [-]
-  double contact_fraction = 0;   ///< phi: the part of the area where solid touches solid, from 0 to 1 [-]
-  double ambient_pressure = 0;   ///< p* [MPa]
-  double penalty_factor = 1;     ///< tangential penalty over that of the traction [-]
+  double coefficient = 0;       ///< mu [-]
+  double contact_fraction = 0;  ///< phi: the part of the area where solid touches solid, from 0 to 1 [-]
+  double ambient_pressure = 0;  ///< p* [MPa]
+  double penalty_factor = 1;    ///< tangential penalty over that of the traction [-]
 
   friend bool operator==(const FrictionRule& a, const FrictionRule& b) {
     return a.coefficient == b.coefficient && a.contact_fraction == b.contact_fraction &&

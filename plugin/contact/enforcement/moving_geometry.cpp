@@ -34,6 +34,7 @@ LinearisationPoint MovingGeometry::linearised_at(const FacingFields& fields, Con
   method_.load(point.loads);
   if (!point.loads.friction.empty()) {
     point.loads.slips = slip(point.loads);
+    point.loads.friction.reference = point.loads.friction.trial;
     laws_.load_friction(point.loads);
   }
   point.nodes = linearise(space_, point.loads, fields);

@@ -54,8 +54,8 @@ class ContactInterface {
   /// The patches that tangent() would fill with the present status.
   void for_each_coupling(const std::function<void(const Location&)>& use) const;
 
-  /// Takes a state over as that which the next step begins with: its friction, and the positions that slips are measured
-  /// from. Iterations end with it. Nothing without friction.
+  /// Takes a state over as that which the next step begins with: its friction, and the positions that slips are
+  /// measured from. Iterations end with it. Nothing without friction.
   void accept_step(const PerSide<SurfaceFields>& fields);
   /// Forgets friction and slip: the surfaces begin to slide where the next projection finds them.
   void forget_friction();
@@ -127,7 +127,7 @@ class ContactInterface {
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
   PerSide<Matrix3Xd> slips_from_;  ///< positions of the last accepted state; empty without friction
-  bool searched_ = false;  ///< whether the last projection was a search everywhere
+  bool searched_ = false;          ///< whether the last projection was a search everywhere
   mutable Measurements measurements_;
 };
 

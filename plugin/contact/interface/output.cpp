@@ -67,8 +67,8 @@ void add_sliding(const PointContact& contact, const Facet& primary, const Slidin
   }
 }
 
-/// Divides what has been summed up by areas; `per_area`: of loads, as divide_by_areas() has it. A node slides where more
-/// than half of the contact around it does.
+/// Divides what has been summed up by areas; `per_area`: of loads, as divide_by_areas() has it. A node slides where
+/// more than half of the contact around it does.
 void divide_by_areas(FrictionOutput& out, const VectorXd& areas, const VectorXd& per_area) {
   const VectorXd mean = inverse_or_zero(areas);
   out.traction = out.traction * per_area.asDiagonal();
@@ -89,8 +89,8 @@ void take_status(const SlidingNodes& nodes, FrictionOutput& out) {
   }
 }
 
-/// Calls use(pass, point, facet of the side, shares of its nodes, sign) for each point of a pass, and returns the area of
-/// each node of the side.
+/// Calls use(pass, point, facet of the side, shares of its nodes, sign) for each point of a pass, and returns the area
+/// of each node of the side.
 template <class Use>
 VectorXd for_each_point_of(const ContactInterface& contact, std::size_t pass, Side side,
                            const PerSide<SurfaceFields>& fields, const Use& use) {
@@ -157,8 +157,8 @@ SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields) 
     if (friction.pressure.size() > 0) nodes.fluid[node] = friction.pressure[node];
     if (!loads.slips[node]) continue;
     nodes.slips[node] = 1;
-    nodes.dissipation += loads.area[node] * dissipated(friction.trial.col(node), friction.bound[node],
-                                                       pass.laws().friction_penalty(node));
+    nodes.dissipation += loads.area[node] *
+                         dissipated(friction.trial.col(node), friction.bound[node], pass.laws().friction_penalty(node));
   }
   return nodes;
 }
@@ -189,7 +189,7 @@ NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSi
   const TaskClock timed = contact.measurements().clock(Task::output);
   const Index nodes = contact.mesh(side).nodes;
   const Index scalars = contact.effects().scalar_fields();
-  NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
+  NodalOutput out{VectorXd::Zero(nodes),          VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
                   MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes), {}};
   const std::vector<SlidingNodes> sliding = sliding_nodes(contact, fields);
   if (!sliding.empty()) set_zero(out.friction, nodes);

@@ -7,11 +7,11 @@ namespace mixture_contact {
 
 /// What crosses the interface, as it acts on the primary surface; the secondary surface gets the exact opposite.
 struct Balance {
-  Vector3d force{0, 0, 0};  ///< contact force on the primary surface [N]
-  double area = 0;          ///< area in contact [mm^2]
-  VectorXd flow;            ///< flow out of the primary body per exchanged field [mm^3/s] or [nmol/s]
+  Vector3d force{0, 0, 0};     ///< contact force on the primary surface [N]
+  double area = 0;             ///< area in contact [mm^2]
+  VectorXd flow;               ///< flow out of the primary body per exchanged field [mm^3/s] or [nmol/s]
   Vector3d friction{0, 0, 0};  ///< the part of the force that is friction [N]
-  double dissipation = 0;      ///< energy that friction has dissipated since the step began [mJ]; of both sides together
+  double dissipation = 0;  ///< energy that friction has dissipated since the step began [mJ]; of both sides together
 };
 
 /// Status of a node with regard to friction.

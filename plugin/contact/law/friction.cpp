@@ -21,6 +21,20 @@ FrictionTraction slip(const Vector3d& trial, double bound) {
   return {bound * direction, bound / size * across, direction};
 }
 
+FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& reference) {
+  const double size = reference.norm();
+  if (!(size > 0)) return slip(trial, bound);
+  const Vector3d first = reference / size;
+  const Eigen::Matrix3d turning = (Eigen::Matrix3d::Identity() - first * first.transpose()) / size;
+  const FrictionTraction along = slip(first + turning * trial, bound);
+  return {along.value, along.d_trial * turning, along.d_bound};
+}
+
+double slip_excess(const Vector3d& trial, double bound, const Vector3d& reference) {
+  const double size = reference.norm();
+  return (size > 0 ? trial.dot(reference) / size : trial.norm()) - bound;
+}
+
 double dissipated(const Vector3d& trial, double bound, double penalty) {
   return penalty > 0 ? bound * std::max(0.0, trial.norm() - bound) / penalty : 0.0;
 }

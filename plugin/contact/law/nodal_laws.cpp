@@ -70,7 +70,12 @@ FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) con
 
 FrictionTraction NodalLaws::friction_law(const NodalLoads& loads, Index node) const {
   const Vector3d trial = loads.friction.trial.col(node);
-  return loads.slips[node] ? slip(trial, loads.friction.bound[node]) : stick(trial);
+  if (!loads.slips[node]) return stick(trial);
+  return slip(trial, loads.friction.bound[node], friction_reference(loads.friction, node));
+}
+
+Vector3d NodalLaws::friction_reference(const NodalFriction& friction, Index node) const {
+  return (friction.reference.size() > 0 ? friction.reference : friction.trial).col(node);
 }
 
 void NodalLaws::load_friction(NodalLoads& loads) const {
@@ -81,10 +86,12 @@ void NodalLaws::load_friction(NodalLoads& loads) const {
 }
 
 NodeFlags NodalLaws::beyond_bound(const NodalLoads& loads) const {
-  const double rounding = traction_rounding(loads.size);
   NodeFlags slips(nodes(), false);
-  for (Index node = 0; node < nodes(); ++node)
-    slips[node] = loads.in_contact[node] && loads.friction.trial.col(node).norm() > loads.friction.bound[node] + rounding;
+  const double rounding = traction_rounding(loads.size);
+  for (Index node = 0; node < nodes(); ++node) {
+    const double excess = loads.friction.trial.col(node).norm() - loads.friction.bound[node];
+    slips[node] = loads.in_contact[node] && excess > rounding;
+  }
   return slips;
 }
 

@@ -14,9 +14,9 @@ struct Multipliers {
   MatrixXd flux;                      ///< lambda per (field, node)
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
-  Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
-                                      ///< friction
-  NodeFlags slips;                    ///< which nodes slid when friction had these values
+  Matrix3Xd friction;  ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
+                       ///< friction
+  NodeFlags slips;     ///< which nodes slid when friction had these values
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
 };
 
@@ -64,6 +64,8 @@ class NodalLaws {
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
+  /// The trial that an iteration began with; outside iterations the present one.
+  Vector3d friction_reference(const NodalFriction& friction, Index node) const;
   /// Friction of a node in contact, as its status has it.
   FrictionTraction friction_law(const NodalLoads& loads, Index node) const;
   /// Sets the friction of the nodes in contact as their status has it.

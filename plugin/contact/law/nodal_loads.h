@@ -27,13 +27,14 @@ struct ContactStatus {
 ///
 /// The slip s_a is that of the surfaces as they lay when the step began, and F_a takes it to the present tangent plane.
 struct NodalFriction {
-  Matrix3Xd slip;                           ///< s_a [mm]
-  Matrix3Xd area_vector;                    ///< INT psi_a n da / INT psi_a da
-  VectorXd pressure;                        ///< p~ - p* [MPa]; empty where friction does not depend on it
+  Matrix3Xd slip;                             ///< s_a [mm]
+  Matrix3Xd area_vector;                      ///< INT psi_a n da / INT psi_a da
+  VectorXd pressure;                          ///< p~ - p* [MPa]; empty where friction does not depend on it
   IndexedVector<Eigen::Matrix3d> convection;  ///< F_a
-  Matrix3Xd trial;                          ///< tau_a [MPa]
-  VectorXd bound;                           ///< T_max [MPa]
-  Matrix3Xd traction;                       ///< t_T [MPa]; 0 out of contact
+  Matrix3Xd trial;                            ///< tau_a [MPa]
+  Matrix3Xd reference;                        ///< tau_a where an iteration began; empty outside iterations
+  VectorXd bound;                             ///< T_max [MPa]
+  Matrix3Xd traction;                         ///< t_T [MPa]; 0 out of contact
 
   bool empty() const { return slip.size() == 0; }
   /// n_a

@@ -36,8 +36,7 @@ void set_zero(NodeLinearisation::Friction& friction, const LocalLayout& displace
 NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patch) {
   NodeLinearisation linear;
   linear.patch = patch;
-  if (space.effects().has_friction())
-    set_zero(linear.friction, patch.of_displacements().layout(), space.effects());
+  if (space.effects().has_friction()) set_zero(linear.friction, patch.of_displacements().layout(), space.effects());
   if (patch.displacements) linear.gap_variation.setZero(patch.of_displacements().layout().size());
   linear.traction_work = linear.gap_variation;
   for (const int field : patch.fields) {
@@ -239,7 +238,7 @@ SurfaceFields change(const SurfaceFields& from, const SurfaceFields& to) {
 
 std::size_t bytes_of(const NodalFriction& friction) {
   return bytes(friction.slip) + bytes(friction.area_vector) + bytes(friction.pressure) + bytes(friction.convection) +
-         bytes(friction.trial) + bytes(friction.bound) + bytes(friction.traction);
+         bytes(friction.trial) + bytes(friction.reference) + bytes(friction.bound) + bytes(friction.traction);
 }
 
 std::size_t bytes_of(const NodalLoads& loads) {

@@ -22,7 +22,7 @@ struct NodeLinearisation {
     VectorXd pressure_variation;      ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
     VectorXd pressure_weights;        ///< with the values of p~, one per node of the patch; empty without fluid
 
-    int pressure_field = 0;           ///< as Effects has it
+    int pressure_field = 0;  ///< as Effects has it
 
     bool empty() const { return work.size() == 0; }
     bool has_fluid() const { return pressure_weights.size() > 0; }

@@ -64,9 +64,7 @@ BOOST_AUTO_TEST_CASE(the_variation_with_the_place_matches_differences_for_every_
       return point_kinematics(shape_functions(now.primary, xi), now.coordinates(now.unknowns, true),
                               shape_functions(now.secondary, eta), now.coordinates(now.unknowns, false));
     };
-    const auto slip_at = [&](const VectorXd& xi) -> VectorXd {
-      return slip(past_point(point_at(xi), past1, past2));
-    };
+    const auto slip_at = [&](const VectorXd& xi) -> VectorXd { return slip(past_point(point_at(xi), past1, past2)); };
     const PastPoint past = past_point(point_at(now.xi), past1, past2);
     KinematicVariations vary;
     vary.eta.setZero(2, 2);
@@ -86,16 +84,13 @@ BOOST_AUTO_TEST_CASE(a_rigid_motion_of_both_bodies_is_no_slip) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5 * 3.14159265358979, random_vector(1, random).normalized())
                                      .toRotationMatrix();
     const Vector3d shift = random_vector(1, random);
-    const auto moved = [&](const FacetCoordinates& x) -> FacetCoordinates {
-      return (turn * x).colwise() + shift;
-    };
+    const auto moved = [&](const FacetCoordinates& x) -> FacetCoordinates { return (turn * x).colwise() + shift; };
     const PointKinematics before = now.kinematics(now.unknowns);
     BOOST_TEST(std::abs(before.gap) > 1e-3);
     const FacetCoordinates x1 = now.coordinates(now.unknowns, true);
     const FacetCoordinates x2 = now.coordinates(now.unknowns, false);
-    const PointKinematics after = point_kinematics(
-        {before.primary_shape, before.primary_gradient}, moved(x1),
-        {before.secondary_shape, before.secondary_gradient}, moved(x2));
+    const PointKinematics after = point_kinematics({before.primary_shape, before.primary_gradient}, moved(x1),
+                                                   {before.secondary_shape, before.secondary_gradient}, moved(x2));
     worst = std::max(worst, slip(past_point(after, x1, x2)).norm());
   });
   BOOST_TEST(worst <= 1e-12);

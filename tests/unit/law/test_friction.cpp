@@ -20,10 +20,10 @@ FrictionRule rule_of(double coefficient, double contact_fraction) {
 BOOST_AUTO_TEST_CASE(the_bound_is_the_coefficient_times_what_the_solid_bears) {
   BOOST_TEST(friction_bound(rule_of(0.3, 0), -2, 0).value == 0.6);
   BOOST_TEST(friction_bound(rule_of(0.5, 0), -2, 1.5).value == 0.25);
-  BOOST_TEST(friction_bound(rule_of(0.5, 1), -2, 1.5).value == 1.0);     // no load is the fluid's
-  BOOST_TEST(friction_bound(rule_of(0.5, 0.5), -2, -1).value == 1.25);   // suction presses the solids together
-  BOOST_TEST(friction_bound(rule_of(0.5, 0), -2, 2.5).value == 0.0);     // never negative
-  BOOST_TEST(friction_bound(rule_of(0.5, 0), 1, 0).value == 0.0);        // nor where nodes pull
+  BOOST_TEST(friction_bound(rule_of(0.5, 1), -2, 1.5).value == 1.0);    // no load is the fluid's
+  BOOST_TEST(friction_bound(rule_of(0.5, 0.5), -2, -1).value == 1.25);  // suction presses the solids together
+  BOOST_TEST(friction_bound(rule_of(0.5, 0), -2, 2.5).value == 0.0);    // never negative
+  BOOST_TEST(friction_bound(rule_of(0.5, 0), 1, 0).value == 0.0);       // nor where nodes pull
 }
 
 BOOST_AUTO_TEST_CASE(the_bound_at_first_touch_is_no_quotient) {
@@ -78,6 +78,33 @@ BOOST_AUTO_TEST_CASE(derivatives_of_stick_and_slip_match_differences) {
     BOOST_TEST((stick(trial).d_trial == Eigen::Matrix3d::Identity()));
     BOOST_TEST((stick(trial).value == trial));
   }
+}
+
+BOOST_AUTO_TEST_CASE(within_an_iteration_slip_agrees_to_first_order_and_does_not_turn_round) {
+  std::mt19937 random(6);
+  for (int sample = 0; sample < 100; ++sample) {
+    const Vector3d reference = random_vector(1, random) + Vector3d(1, 1, 0);
+    const FrictionTraction there = slip(reference, 0.7, reference);
+    BOOST_TEST((there.value - slip(reference, 0.7).value).norm() <= rounding);
+    BOOST_TEST((there.d_trial - slip(reference, 0.7).d_trial).norm() <= rounding);
+    BOOST_TEST((there.d_bound - slip(reference, 0.7).d_bound).norm() <= rounding);
+    const auto value = [&](const VectorXd& q) -> VectorXd { return slip(q.head<3>(), q[3], reference).value; };
+    VectorXd q(4);
+    q << reference + random_vector(0.5, random), 0.6;
+    const FrictionTraction law = slip(q.head<3>(), q[3], reference);
+    MatrixXd exact(3, 4);
+    exact << law.d_trial, law.d_bound;
+    BOOST_TEST(relative_error(differences(value, q), exact) <= difference_tolerance);
+    BOOST_TEST(std::abs(law.value.norm() - 0.6) <= rounding);
+    BOOST_TEST(slip(-5 * reference, 0.7, reference).value.dot(reference) > 0.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_slides_back_does_not_exceed_the_bound) {
+  const Vector3d reference(0, 3, 0);
+  BOOST_TEST(slip_excess(Vector3d(0, 2, 0), 0.5, reference) == 1.5);
+  BOOST_TEST(slip_excess(Vector3d(9, 0.25, 0), 0.5, reference) == -0.25);
+  BOOST_TEST(slip_excess(Vector3d(0, -7, 0), 0.5, reference) < 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(no_trial_and_no_bound_give_no_friction) {
