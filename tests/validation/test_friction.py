@@ -68,10 +68,18 @@ QUICK = ("stick-slip-stick", "touch-in-motion", "fluid-bears-all", "suction")
 """The cases of friction that are run always; the others are slow."""
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[] if name in QUICK else [pytest.mark.slow]) for name in CASES]
-)
-def test_hard_cases_of_friction_end_and_pass(runner, name):
+def cases():
+    return [pytest.param(name, marks=[] if name in QUICK else [pytest.mark.slow]) for name in CASES]
+
+
+@pytest.mark.parametrize("name", cases())
+def test_hard_cases_of_friction_end_and_are_in_balance(runner, name):
     made = rubbing_record.make(runner, name, Fineness.COARSE)
     assert made.friction.ended, made.friction.failures
     assert missed(made.measures) == []
+
+
+@pytest.mark.parametrize("name", cases())
+@pytest.mark.xfail(strict=False, reason="1.3 times the iterations without friction, and no further retry: not reached")
+def test_what_hard_cases_of_friction_cost(runner, name):
+    assert missed(rubbing_record.make(runner, name, Fineness.COARSE).costs) == []
