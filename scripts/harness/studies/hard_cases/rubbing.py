@@ -42,14 +42,15 @@ def every(step: float, end: float) -> tuple[float, ...]:
 
 
 def held_back(run: RunResult, friction: float, least: float) -> list[Measure]:
-    """The largest force along the contact over mu times the largest normal one.
+    """The largest force along the contact over mu times the normal one, while that is a tenth of its largest or more.
 
     Not less than `least`; nor more than a slope of `TILT` adds to friction, as on an incline.
     """
     force = np.abs(grip_force(run))
-    found = float(force[:, 0].max() / (friction * force[:, 2].max()))
+    pressed = force[:, 2] > 0.1 * force[:, 2].max()
+    found = float((force[pressed, 0] / force[pressed, 2]).max()) / friction
     most = incline.force_over_weight(TILT, friction) / friction
-    return [Measure("largest force along the contact, relative", found, most, lowest=least)]
+    return [Measure("largest force along the contact over friction's, relative", found, most, lowest=least)]
 
 
 def free(run: RunResult) -> list[Measure]:  # noqa: ARG001 other scenes look at the run
