@@ -25,6 +25,7 @@ ALLOWED = {
     **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
     **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
+    **dict.fromkeys(("shell_bottom_primary", "shell_bottom_secondary"), SWITCH),
     "ambient_pressure": NUMBER,
     "offset": NUMBER,
     "ambient_concentration": NOT_NEGATIVE,
@@ -32,8 +33,6 @@ ALLOWED = {
 """What each parameter may be, in words; the others may be anything."""
 UNSUPPORTED = {
     "fric_coeff": "friction is not part of sliding-mixture",
-    "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
-    "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
 }
 LEFT_OUT = {
     "penalty": "the whole contact",
@@ -48,6 +47,10 @@ FOLLOWED = (
 )
 """Parameters whose load curves sliding-mixture follows."""
 FEW_REFORMATIONS = 15
+SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")
+"""FEBio's linear solvers for symmetric matrices alone."""
+ITERATIVE_SOLVERS = ("fgmres", "bicgstab", "hypre_gmres", "boomeramg")
+"""Those that need a diagonal without zeros."""
 
 
 def unknown_parameter(joint: Joint) -> Iterator[Finding]:
@@ -310,6 +313,24 @@ def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
         )
 
 
+def linear_solver(joint: Joint) -> Iterator[Finding]:
+    """Linear solvers that cannot solve the matrix of a contact."""
+    if not joint.contact.kind.is_mixture:
+        return
+    multipliers = joint.contact.given("laugon")
+    has_multipliers = multipliers is not None and text(multipliers) in ("LAGMULT", "2")
+    for control in joint.model.controls:
+        for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
+            kind = str(tag.get("type"))
+            if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
+                why = "solves symmetric matrices only, and that of this contact is not"
+            elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
+                why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
+            else:
+                continue
+            yield warning("linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso or mkl_dss.")
+
+
 def reformations(joint: Joint) -> Iterator[Finding]:
     """Few reformations for a contact that moves."""
     for control in joint.model.controls:
@@ -338,5 +359,6 @@ RULES = (
     given_twice,
     no_duration,
     symmetric_tangent,
+    linear_solver,
     reformations,
 )
