@@ -11,14 +11,23 @@ using mixture_contact::both_sides;
 using mixture_contact::Side;
 using newton::Place;
 
-std::map<int, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
+namespace {
+
+/// See AmbientConditions::Face.
+std::pair<int, bool> face_of(const FEMixtureSurface& surface, int node) {
+  return {surface.NodeIndex(node), surface.has_shell_bottoms()};
+}
+
+}  // namespace
+
+std::map<AmbientConditions::Face, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
     const std::vector<FEMixtureContact*>& contacts) {
-  std::map<int, NodeStatus> nodes;
+  std::map<Face, NodeStatus> nodes;
   for (const FEMixtureContact* contact : contacts) {
     if (!contact->parameters().free_draining) continue;
     for (const Side side : both_sides) {
       const FEMixtureSurface& surface = contact->surfaces()[side];
-      for (int i = 0; i < surface.Nodes(); ++i) nodes.insert({surface.NodeIndex(i), {false, contact}});
+      for (int i = 0; i < surface.Nodes(); ++i) nodes.insert({face_of(surface, i), {false, contact}});
     }
   }
   if (nodes.empty()) return nodes;
@@ -27,7 +36,7 @@ std::map<int, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
     for (const Side side : both_sides) {
       const FEMixtureSurface& surface = contact->surfaces()[side];
       for (int i = 0; i < surface.Nodes(); ++i) {
-        const auto found = nodes.find(surface.NodeIndex(i));
+        const auto found = nodes.find(face_of(surface, i));
         if (found != nodes.end() && mixture_contact::at(in_contact[side], i)) found->second.in_contact = true;
       }
     }
@@ -53,15 +62,21 @@ bool AmbientConditions::apply(Place place, const NodeStatus& status) {
   return newton::hold_at(solver_, place, status.ambient->ambient_value(place.dof));
 }
 
+bool AmbientConditions::apply(const DofMap& dofs, const Face& face, const NodeStatus& status) {
+  const auto [node, is_back] = face;
+  bool changed = apply({node, dofs.pressure(is_back)}, status);
+  for (int k = 0; k < dofs.concentrations(); ++k) {
+    changed = apply({node, dofs.concentration(is_back, k)}, status) || changed;
+  }
+  return changed;
+}
+
 bool AmbientConditions::apply(const std::vector<FEMixtureContact*>& contacts) {
   if (contacts.empty()) return false;
   const DofMap& dofs = contacts.front()->dofs();
-  if (dofs.pressure() < 0) return false;
+  if (dofs.pressure(false) < 0) return false;
   bool changed = false;
-  for (const auto& [node, status] : status_of_nodes(contacts)) {
-    changed = apply({node, dofs.pressure()}, status) || changed;
-    for (int k = 0; k < dofs.concentrations(); ++k) changed = apply({node, dofs.concentration(k)}, status) || changed;
-  }
+  for (const auto& [face, status] : status_of_nodes(contacts)) changed = apply(dofs, face, status) || changed;
   return changed;
 }
 

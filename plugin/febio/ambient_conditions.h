@@ -8,8 +8,10 @@
 #include "newton/helper.h"
 
 #include <map>
+#include <utility>
 #include <vector>
 
+class DofMap;
 class FEMixtureContact;
 class FEModel;
 
@@ -31,8 +33,11 @@ class AmbientConditions {
     bool in_contact;
     const FEMixtureContact* ambient;  ///< the first free-draining contact of the node says what its ambient values are
   };
+  /// A node, or that of the back face of a shell.
+  using Face = std::pair<int, bool>;
   /// Of the nodes of free-draining contacts; any contact may have them in contact.
-  static std::map<int, NodeStatus> status_of_nodes(const std::vector<FEMixtureContact*>& contacts);
+  static std::map<Face, NodeStatus> status_of_nodes(const std::vector<FEMixtureContact*>& contacts);
+  bool apply(const DofMap& dofs, const Face& face, const NodeStatus& status);
   bool apply(newton::Place place, const NodeStatus& status);
   bool is_free(newton::Place place) const;
   bool release(newton::Place place);

@@ -2,37 +2,24 @@
 
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/multipliers.h"
+#include "host/penalty_reduction.h"
 #include "material_properties.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
 #include <FECore/FEAnalysis.h>
+#include <FECore/FEElement.h>
+#include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <sstream>
 #include <utility>
 
 using namespace mixture_contact;
 
 namespace {
-
-std::set<std::vector<int>> facet_nodes(FESurface& surface) {
-  std::set<std::vector<int>> facets;
-  for (int i = 0; i < surface.Elements(); ++i) {
-    std::vector<int> nodes = surface.Element(i).m_node;
-    std::sort(nodes.begin(), nodes.end());
-    facets.insert(nodes);
-  }
-  return facets;
-}
-
-bool share_facets(FESurface& first, FESurface& second) {
-  const auto one = facet_nodes(first);
-  const auto two = facet_nodes(second);
-  return std::any_of(one.begin(), one.end(), [&](const auto& facet) { return two.count(facet) > 0; });
-}
 
 bool is_triangular(const FESurfaceElement& element) {
   return element.Shape() == ET_TRI3 || element.Shape() == ET_TRI6 || element.Shape() == ET_TRI7 ||
@@ -49,6 +36,34 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
     if (!type_of(surface.Element(i))) return &surface.Element(i);
   }
   return nullptr;
+}
+
+/// How many solid elements have all of some nodes.
+int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
+  FENodeElemList& around = mesh.NodeElementList();
+  FEElement** const elements = around.ElementList(nodes.front());
+  return newton::as_int(
+      std::count_if(elements, elements + around.Valence(nodes.front()), [&](const FEElement* element) {
+        const std::vector<int>& own = element->m_node;
+        return element->Class() == FE_ELEM_SOLID && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+                 return std::find(own.begin(), own.end(), node) != own.end();
+               });
+      }));
+}
+
+bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
+
+/// Whether some facets are rigid and have nothing but rigid ones to touch.
+bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector<FacetMaterial>& secondary) {
+  return std::any_of(primary.begin(), primary.end(), is_rigid) &&
+         std::all_of(secondary.begin(), secondary.end(), is_rigid);
+}
+
+/// What a mesh holds where a body may meet itself.
+void set_identity(SurfaceMesh& mesh, FESurface& surface, const std::vector<FacetMaterial>& materials) {
+  for (int i = 0; i < surface.Nodes(); ++i) mesh.node_ids.push_back(surface.NodeIndex(i));
+  mesh.thickness.resize(count_of(materials));
+  for (Index f = 0; f < mesh.thickness.size(); ++f) mesh.thickness[f] = mixture_contact::at(materials, f).thickness;
 }
 
 /// Facets whose types check_surfaces() has seen to be known.
@@ -95,11 +110,36 @@ bool ContactSetup::check_surfaces() const {
                "(quadrilaterals).");
     return false;
   }
-  if (!share_facets(surfaces_[Side::primary], surfaces_[Side::secondary])) return true;
-  log_.error("the surfaces \"" + names[Side::primary] + "\" and \"" + names[Side::secondary] +
-             "\" share facets. A surface cannot be in contact with itself; the primary and secondary surface of the "
-             "surface pair must be different.");
-  return false;
+  return !parameters_.self_contact || have_no_inner_facets();
+}
+
+bool ContactSetup::have_no_inner_facets() const {
+  for (const Side side : both_sides) {
+    FEMixtureSurface& surface = surfaces_[side];
+    for (int i = 0; i < surface.Elements(); ++i) {
+      if (solids_with(fem_.GetMesh(), surface.Element(i).m_node) < 2) continue;
+      log_.error(
+          "the surfaces \"" + surfaces_.names()[Side::primary] + "\" and \"" + surfaces_.names()[Side::secondary] +
+          "\" have facets in common, and one of \"" + surface.GetName() +
+          "\" lies inside a body, between two elements: nothing can slide there. Give each body nodes of its own, "
+          "or take outer faces alone.");
+      return false;
+    }
+  }
+  return true;
+}
+
+bool ContactSetup::are_shells(Side side) const {
+  FEMixtureSurface& surface = surfaces_[side];
+  for (int i = 0; i < surface.Elements(); ++i) {
+    const FEElement* const element = surface.Element(i).m_elem[0].pe;
+    if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
+    log_.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") +
+               "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
+               "\" is no shell. Leave it out, or give the shells a contact of their own.");
+    return false;
+  }
+  return true;
 }
 
 std::string ContactSetup::complaint(const FEMixtureAmbientConcentration& ambient) const {
@@ -136,8 +176,8 @@ bool ContactSetup::check_ambient() const {
 bool ContactSetup::has_penalty(const BoundContact& contact) const {
   if (contact.core().pass(0).penalty().traction.allFinite()) return true;
   log_.error(
-      "both surfaces are rigid, so there is no stiffness to choose a penalty from. Set <penalty> to a value "
-      "[force/length^3] and <auto_penalty> to 0.");
+      "both surfaces are rigid and no material has a modulus, so there is no stiffness to choose a penalty from. Set "
+      "<penalty> to a value [force/length^3] and <auto_penalty> to 0, or <E> of a rigid material.");
   return false;
 }
 
@@ -161,7 +201,7 @@ bool ContactSetup::can_have_multipliers(const BoundContact& contact) const {
 
 // ------------------------------------------------------------ materials
 
-std::optional<FacetMaterials> ContactSetup::materials() const {
+std::optional<FacetMaterials> ContactSetup::facet_materials() const {
   FacetMaterials materials;
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];
@@ -178,17 +218,47 @@ std::optional<FacetMaterials> ContactSetup::materials() const {
   return materials;
 }
 
+bool ContactSetup::lacks_stiffness(const FacetMaterials& materials) const {
+  if (parameters_.penalty_given && !parameters_.auto_penalty) return false;
+  const auto& primary = materials[Side::primary];
+  const auto& secondary = materials[Side::secondary];
+  return lack_stiffness(primary, secondary) || (parameters_.two_pass && lack_stiffness(secondary, primary));
+}
+
+std::optional<FacetMaterials> ContactSetup::materials() const {
+  std::optional<FacetMaterials> materials = facet_materials();
+  if (!materials || !lacks_stiffness(*materials)) return materials;
+  const double modulus = modulus_of_rigid_bodies(fem_);
+  for (std::vector<FacetMaterial>& of_side : *materials) {
+    for (FacetMaterial& material : of_side) {
+      if (is_rigid(material) && modulus > 0) material.stiffness = modulus / material.thickness;
+    }
+  }
+  return materials;
+}
+
+void ContactSetup::say_stand_in() const {
+  const auto found = facet_materials();
+  if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem_) > 0)) return;
+  std::ostringstream text;
+  text
+      << "both surfaces are rigid. The automatic penalty takes a modulus of " << modulus_of_rigid_bodies(fem_)
+      << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
+      << "[force/length^3] to choose it yourself.";
+  log_.say(text.str());
+}
+
 std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& materials) const {
   std::vector<std::string> names = solute_names(fem_);
   names.resize(newton::entries(dofs_.concentrations()));
   std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
-  if (dofs_.pressure() < 0) fields.front().obstacles = {"the module has no fluid pressure"};
+  if (dofs_.pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
   leave_out(left_out(parameters_), fields);
   return fields;
 }
 
 FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
-  return {has_friction(parameters_), dofs_.pressure() >= 0 && parameters_.contact_frac < 1 && has_fluid(materials)};
+  return {has_friction(parameters_), dofs_.pressure(false) >= 0 && parameters_.contact_frac < 1 && has_fluid(materials)};
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {
@@ -210,7 +280,11 @@ bool ContactSetup::build(BoundContact& contact) {
   if (!exchanged) return false;
   PerSide<SurfaceMesh> meshes;
   for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], (*found)[side], *exchanged);
+  for (const Side side : both_sides) {
+    if (parameters_.self_contact) set_identity(meshes[side], surfaces_[side], (*found)[side]);
+  }
   contact.build(std::move(meshes), *exchanged);
+  say_stand_in();
   return has_penalty(contact) && can_have_multipliers(contact);
 }
 
@@ -225,13 +299,17 @@ SolverKind ContactSetup::solver_kind() const {
   return dynamics == nullptr ? SolverKind::conjugate_gradient : SolverKind::explicit_dynamics;
 }
 
-void ContactSetup::update_laws(const BoundContact& contact) const {
-  contact.core().update_laws(core_settings(parameters_, solver_kind()));
+void ContactSetup::update_laws(const BoundContact& contact, double reduction) const {
+  contact.core().update_laws(core_settings(parameters_, solver_kind(), reduction));
 }
 
-bool ContactSetup::follow_load_curves(const BoundContact& contact) const {
+bool ContactSetup::is_reducible() const {
+  return core_settings(parameters_, solver_kind(), PenaltyReduction::per_level).traction_reduction > 1;
+}
+
+bool ContactSetup::follow_load_curves(const BoundContact& contact, double reduction) const {
   const bool sound = has_sound_values() && check_ambient();
-  if (sound) update_laws(contact);
+  if (sound) update_laws(contact, reduction);
   return sound;
 }
 
@@ -239,15 +317,14 @@ bool ContactSetup::follow_load_curves(const BoundContact& contact) const {
 
 Motion ContactSetup::motion() const {
   if (left_out(parameters_).contact) return Motion::untouched;
-  const auto is_fixed = [&](const FENode& node) {
-    const std::array<int, 3>& dofs = dofs_.displacements();
+  const auto is_fixed = [&](const FENode& node, const std::array<int, 3>& dofs) {
     return node.m_rid < 0 &&
            std::all_of(dofs.begin(), dofs.end(), [&](int dof) { return node.get_bc(dof) == DOF_FIXED; });
   };
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];
     for (int i = 0; i < surface.Nodes(); ++i) {
-      if (!is_fixed(surface.Node(i))) return Motion::possible;
+      if (!is_fixed(surface.Node(i), dofs_.displacements(side))) return Motion::possible;
     }
   }
   return Motion::impossible;

@@ -22,27 +22,38 @@ class ContactSetup {
   bool check_parameters() const;
   bool check_surfaces() const;
   bool check_ambient() const;
+  /// Of the elements behind a surface.
+  bool are_shells(mixture_contact::Side side) const;
 
   /// Makes the core from the materials. Returns whether that is possible; the log says if not.
   bool build(BoundContact& contact);
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
-  /// Takes penalties and tolerances as their load curves say at this time.
-  void update_laws(const BoundContact& contact) const;
+  /// Takes penalties and tolerances as their load curves say at this time; automatic penalties of the traction are
+  /// divided by `reduction`.
+  void update_laws(const BoundContact& contact, double reduction) const;
   /// The same, where all values make sense. Returns whether they do; the log says which do not.
-  bool follow_load_curves(const BoundContact& contact) const;
+  bool follow_load_curves(const BoundContact& contact, double reduction) const;
+  /// Whether a reduction has an effect.
+  bool is_reducible() const;
   /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the effects that
   /// the model asks for exist in it.
   bool decide_traction(const BoundContact& contact);
 
  private:
   bool has_sound_values() const;
+  bool have_no_inner_facets() const;
   std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
   SolverKind solver_kind() const;
+  std::optional<FacetMaterials> facet_materials() const;
+  /// The same, with a stiffness for rigid bodies that have no deformable one to touch.
   std::optional<FacetMaterials> materials() const;
+  void say_stand_in() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;
   FrictionRequest friction_of_model(const FacetMaterials& materials) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
+  /// Whether an automatic penalty finds no element that it could be measured by.
+  bool lacks_stiffness(const FacetMaterials& materials) const;
   bool has_penalty(const BoundContact& contact) const;
   bool can_have_multipliers(const BoundContact& contact) const;
   Motion motion() const;

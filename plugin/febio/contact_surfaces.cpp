@@ -7,7 +7,26 @@
 #include <FECore/FEModel.h>
 #include <FECore/FESolidDomain.h>
 
+#include <algorithm>
+#include <set>
+#include <vector>
+
 using namespace mixture_contact;
+
+namespace {
+
+/// The nodes of each facet, in ascending order.
+std::set<std::vector<int>> facet_nodes(const FESurface& surface) {
+  std::set<std::vector<int>> facets;
+  for (int i = 0; i < surface.Elements(); ++i) {
+    std::vector<int> nodes = surface.Element(i).m_node;
+    std::sort(nodes.begin(), nodes.end());
+    facets.insert(nodes);
+  }
+  return facets;
+}
+
+}  // namespace
 
 ContactSurfaces::ContactSurfaces(FEModel& fem, FEMixtureContact& contact)
     : primary_(&fem, contact, Side::primary), secondary_(&fem, contact, Side::secondary) {
@@ -19,13 +38,21 @@ ContactSurfaces::ContactSurfaces(FEModel& fem, FEMixtureContact& contact)
 
 PerSide<std::string> ContactSurfaces::names() const { return {{primary_.GetName(), secondary_.GetName()}}; }
 
+int ContactSurfaces::common_facets() const {
+  const auto one = facet_nodes(primary_);
+  const auto two = facet_nodes(secondary_);
+  int count = 0;
+  for (const auto& facet : one) count += two.count(facet) > 0 ? 1 : 0;
+  return count;
+}
+
 PerSide<Matrix3Xd> ContactSurfaces::positions() {
   PerSide<Matrix3Xd> all;
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = (*this)[side];
     all[side].resize(3, surface.Nodes());
     for (int i = 0; i < surface.Nodes(); ++i) {
-      const vec3d& r = surface.Node(i).m_rt;
+      const vec3d r = surface.position(i);
       all[side].col(i) << r.x, r.y, r.z;
     }
   }
@@ -40,7 +67,7 @@ PerSide<SurfaceFields> ContactSurfaces::fields(const DofMap& dofs, const Effects
     all[side].position = std::move(x[side]);
     all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
     for (int k = 0; k < effects.nodal_fields(); ++k) {
-      const int dof = dofs.field(effects, k);
+      const int dof = dofs.field(side, effects, k);
       for (int i = 0; i < surface.Nodes(); ++i) all[side].scalar(i, k) = surface.Node(i).get(dof);
     }
   }

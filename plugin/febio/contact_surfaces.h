@@ -17,6 +17,8 @@ class ContactSurfaces {
   FEMixtureSurface& operator[](Side side) { return side == Side::primary ? primary_ : secondary_; }
   const FEMixtureSurface& operator[](Side side) const { return side == Side::primary ? primary_ : secondary_; }
   PerSide<std::string> names() const;
+  /// How many facets both have in common.
+  int common_facets() const;
 
   PerSide<mixture_contact::Matrix3Xd> positions();
   PerSide<mixture_contact::SurfaceFields> fields(const DofMap& dofs, const mixture_contact::Effects& effects);

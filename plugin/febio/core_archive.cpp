@@ -49,6 +49,13 @@ void archive_friction(DumpStream& ar, ContactInterface::State& state) {
   for (Matrix3Xd& position : state.slips_from) archive(ar, position);
 }
 
+void archive_carriers(DumpStream& ar, LoadCarriers& carriers) {
+  int facets = mixture_contact::number_of(carriers);
+  ar & facets;
+  carriers.resize(newton::entries(facets));
+  for (FacetVector& of_facet : carriers) archive(ar, of_facet);
+}
+
 }  // namespace
 
 void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
@@ -60,6 +67,9 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
   for (FieldMask& mask : mesh.permeable) archive_mask(ar, mask);
   archive(ar, mesh.stiffness);
   archive(ar, mesh.conductance);
+  std::vector<int>& ids = mesh.node_ids;
+  archive(ar, ids);
+  archive(ar, mesh.thickness);
 }
 
 void archive_effects(DumpStream& ar, Effects& effects) {
@@ -73,5 +83,7 @@ void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects
   ar & passes;
   state.multipliers.resize(newton::entries(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
+  state.carriers.resize(newton::entries(passes));
+  for (LoadCarriers& carriers : state.carriers) archive_carriers(ar, carriers);
   if (effects.friction) archive_friction(ar, state);
 }

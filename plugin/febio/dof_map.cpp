@@ -18,10 +18,19 @@ using mixture_contact::MultiplierLayout;
 using mixture_contact::Side;
 
 void DofMap::init() {
-  displacements_ = {fem_.GetDOFIndex("x"), fem_.GetDOFIndex("y"), fem_.GetDOFIndex("z")};
-  pressure_ = fem_.GetDOFIndex("p");
-  concentration_ = fem_.GetDOFIndex("concentration", 0);
+  front_ = face_dofs({"x", "y", "z"}, "p", "concentration");
+  back_ = face_dofs({"sx", "sy", "sz"}, "q", "shell concentration");
   concentrations_ = std::max(0, fem_.GetDOFS().GetVariableSize("concentration"));
+}
+
+DofMap::FaceDofs DofMap::face_dofs(const std::array<const char*, 3>& displacements, const char* pressure,
+                                   const char* concentration) const {
+  FaceDofs dofs;
+  for (std::size_t i = 0; i < displacements.size(); ++i)
+    mixture_contact::at(dofs.displacements, i) = fem_.GetDOFIndex(mixture_contact::at(displacements, i));
+  dofs.pressure = fem_.GetDOFIndex(pressure);
+  dofs.concentration = fem_.GetDOFIndex(concentration, 0);
+  return dofs;
 }
 
 void DofMap::number_multipliers(int first) {
@@ -30,13 +39,22 @@ void DofMap::number_multipliers(int first) {
 }
 
 void DofMap::serialize(DumpStream& ar) {
-  ar & pressure_ & concentration_ & concentrations_ & first_multiplier_ & multiplier_node_;
-  for (int& dof : displacements_) ar & dof;
+  ar & concentrations_ & first_multiplier_ & multiplier_node_;
+  for (FaceDofs* face : {&front_, &back_}) {
+    ar & face->pressure & face->concentration;
+    for (int& dof : face->displacements) ar & dof;
+  }
 }
 
-int DofMap::field(const mixture_contact::Effects& effects, int field) const {
+int DofMap::field(Side side, const mixture_contact::Effects& effects, int field) const {
   const int solute = solute_of(effects, field);
-  return solute < 0 ? pressure_ : concentration(solute);
+  return solute < 0 ? pressure(side) : concentration(side, solute);
+}
+
+/// Forces on the back face of a rigid shell act on its body as those on its front do, but for the director's moment
+/// arm, along which a normal force turns nothing.
+const std::array<int, 3>& DofMap::displacements_of(Side side, int node) const {
+  return fem_.GetMesh().Node(node).m_rid >= 0 ? front_.displacements : displacements(side);
 }
 
 int DofMap::deformable_node() const {
@@ -78,13 +96,16 @@ std::vector<int> DofMap::equations(const ContactInterface& core, const Location&
   std::vector<int> ids(newton::entries(layout.size()), -1);
   add_multipliers(core, at, ids);
   for (Index node = 0; node < layout.nodes(); ++node) {
-    const std::vector<int>& own = node_equations(mixture_contact::at(mesh_nodes, node));
+    const int mesh_node = mixture_contact::at(mesh_nodes, node);
+    const std::vector<int>& own = node_equations(mesh_node);
+    const Side side = node < layout.primary_nodes() ? at.first : other(at.first);
+    const std::array<int, 3>& displacements = displacements_of(side, mesh_node);
     for (Index i = 0; layout.has_displacements() && i < 3; ++i)
       mixture_contact::at(ids, layout.displacement(node, i)) = mixture_contact::at(
-          own, mixture_contact::at(displacements_, i));
+          own, mixture_contact::at(displacements, i));
     for (Index k = 0; k < layout.scalar_fields(); ++k)
       mixture_contact::at(ids, layout.scalar(node, k)) = mixture_contact::at(
-          own, field(core.effects(), mixture_contact::at(at.patch.fields, k)));
+          own, field(side, core.effects(), mixture_contact::at(at.patch.fields, k)));
   }
   return ids;
 }

@@ -19,14 +19,18 @@ class DofMap {
   void number_multipliers(int first);
   void serialize(DumpStream& ar);
 
-  const std::array<int, 3>& displacements() const { return displacements_; }
+  using Side = mixture_contact::Side;
+  const std::array<int, 3>& displacements(Side side) const { return of_face(side).displacements; }
   /// -1 where the module has none.
-  int pressure() const { return pressure_; }
-  int concentration(int solute) const { return concentration_ + solute; }
+  int pressure(Side side) const { return of_face(side).pressure; }
+  int concentration(Side side, int solute) const { return of_face(side).concentration + solute; }
+  /// The same at nodes, or on the back faces of shells.
+  int pressure(bool is_back) const { return (is_back ? back_ : front_).pressure; }
+  int concentration(bool is_back, int solute) const { return (is_back ? back_ : front_).concentration + solute; }
   /// The number of solutes in the model.
   int concentrations() const { return concentrations_; }
   /// That of an exchanged field.
-  int field(const mixture_contact::Effects& effects, int field) const;
+  int field(Side side, const mixture_contact::Effects& effects, int field) const;
   int first_multiplier() const { return first_multiplier_; }
   /// A node that belongs to no rigid body; -1 where there is none.
   int deformable_node() const;
@@ -43,15 +47,24 @@ class DofMap {
   bool are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const;
 
  private:
+  /// Degrees of freedom of a node: those of its position, or those of the back face of a shell.
+  struct FaceDofs {
+    std::array<int, 3> displacements{-1, -1, -1};
+    int pressure = -1;
+    int concentration = -1;  ///< of solute 0; the others follow
+  };
+  const FaceDofs& of_face(Side side) const { return surfaces_[side].has_shell_bottoms() ? back_ : front_; }
+  FaceDofs face_dofs(const std::array<const char*, 3>& displacements, const char* pressure,
+                     const char* concentration) const;
+  const std::array<int, 3>& displacements_of(Side side, int node) const;
   void add_multipliers(const mixture_contact::ContactInterface& core, const Location& at, std::vector<int>& ids) const;
   void add_rotations(const std::vector<int>& nodes, std::vector<int>& ids) const;
   const std::vector<int>& node_equations(int node) const;
 
   FEModel& fem_;
   ContactSurfaces& surfaces_;
-  std::array<int, 3> displacements_{-1, -1, -1};
-  int pressure_ = -1;
-  int concentration_ = -1;     ///< of solute 0; the others follow
+  FaceDofs front_;
+  FaceDofs back_;
   int concentrations_ = 0;     ///< number of solutes in the model
   int first_multiplier_ = -1;  ///< equation; the others follow
   /// Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out

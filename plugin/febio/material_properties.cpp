@@ -11,8 +11,10 @@
 #include <FECore/FEMaterial.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
+#include <FECore/FESolidDomain.h>
 #include <FECore/FESolidElement.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -80,6 +82,17 @@ double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n
   return modulus_along(n, solid->Tangent(point));
 }
 
+/// The modulus along x of the first element of a domain; 0 where it has none.
+double modulus_of(FEDomain& domain) {
+  if (dynamic_cast<FESolidDomain*>(&domain) == nullptr || domain.Elements() == 0) return 0;
+  FEMaterial& material = *domain.GetMaterial();
+  if (const auto* rigid = dynamic_cast<const FERigidMaterial*>(&material)) return rigid->m_E / (1 - rigid->m_v * rigid->m_v);
+  if (material.ExtractProperty<FEElasticMaterial>() == nullptr) return 0;
+  const std::unique_ptr<FEMaterialPoint> point = reference_copy(*domain.ElementRef(0).GetMaterialPoint(0));
+  const double modulus = stiffness_of(material, *point, {1, 0, 0});
+  return std::isfinite(modulus) ? modulus : 0;
+}
+
 /// Mean of the solvent flux at an element's material points.
 vec3d mean_flow(FEElement& element) {
   vec3d sum(0, 0, 0);
@@ -118,10 +131,12 @@ FacetGeometry geometry_of(FEModel& fem, FESurface& surface, FESurfaceElement& fa
 }
 
 /// What is wrong with a facet and its element; empty if nothing is.
-std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetGeometry& geometry) {
+std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetGeometry& geometry, bool is_rigid) {
   const std::string element = "element " + std::to_string(geometry.element->GetID());
-  if (!(geometry.thickness > 0) || geometry.volume < 0)
+  if (!is_rigid && (!(geometry.thickness > 0) || geometry.volume < 0))
     return element + " behind a facet has no positive volume (inverted or degenerate)";
+  // A shell has faces on both of its sides.
+  if (geometry.element->Class() == FE_ELEM_SHELL) return "";
   if (!(geometry.normal * (centre(fem, facet) - centre(fem, *geometry.element)) < 0)) return "";
   return "the facet on " + element +
          " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
@@ -131,6 +146,7 @@ std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetG
 /// The material of a facet in the undeformed state; its stiffness is not positive where the material is unknown.
 FacetMaterial properties_of(FEMaterial& material, const FacetGeometry& geometry) {
   FacetMaterial result;
+  result.thickness = geometry.thickness;
   result.stiffness = std::numeric_limits<double>::infinity();
   if (dynamic_cast<FERigidMaterial*>(&material)) return result;
   const vec3d n = geometry.normal;
@@ -159,20 +175,23 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
     problem = "a facet of the surface is not a face of any element";
     return std::nullopt;
   }
-  if (dynamic_cast<FESolidElement*>(element) == nullptr) {
-    problem = "element " + std::to_string(element->GetID()) +
-              " behind a facet is a shell; sliding-mixture works on the faces of solid elements";
-    return std::nullopt;
-  }
-  const FacetGeometry geometry = geometry_of(fem, surface, facet, *element);
-  problem = problem_of(fem, facet, geometry);
-  if (!problem.empty()) return std::nullopt;
+  FacetGeometry geometry = geometry_of(fem, surface, facet, *element);
   FEMaterial& material = *fem.GetMaterial(element->GetMatID());
+  problem = problem_of(fem, facet, geometry, dynamic_cast<FERigidMaterial*>(&material) != nullptr);
+  if (!problem.empty()) return std::nullopt;
+  // Rigid shells need no thickness.
+  if (!(geometry.thickness > 0)) geometry.thickness = std::sqrt(surface.FaceArea(facet));
   FacetMaterial result = properties_of(material, geometry);
   if (result.stiffness > 0) return result;
   problem = "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +
             ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
   return std::nullopt;
+}
+
+double modulus_of_rigid_bodies(FEModel& fem) {
+  double largest = 0;
+  for (int i = 0; i < fem.GetMesh().Domains(); ++i) largest = std::max(largest, modulus_of(fem.GetMesh().Domain(i)));
+  return largest;
 }
 
 std::vector<std::string> solute_names(FEModel& fem) {

@@ -5,6 +5,7 @@
 #include "contact/interface/multipliers.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
+#include "host/linear_solvers.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
@@ -13,6 +14,9 @@
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FESolver.h>
+#include <FECore/LinearSolver.h>
+
+#include <utility>
 
 using namespace mixture_contact;
 
@@ -72,6 +76,7 @@ FEMixtureContact::~FEMixtureContact() { model_->remove(*this); }
 bool FEMixtureContact::Init() {
   dofs_.init();
   find_load_curves();
+  find_self_contact();
   const std::vector<std::string> wrong = model_->complaints(*this);
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
@@ -82,7 +87,25 @@ bool FEMixtureContact::Init() {
   }
   if (parameters_.flip_primary) surfaces_[Side::primary].turn_round();
   if (parameters_.flip_secondary) surfaces_[Side::secondary].turn_round();
-  return setup_.check_surfaces() && setup_.build(bound_) && setup_.check_ambient();
+  return setup_.check_surfaces() && take_shell_bottoms() && setup_.build(bound_) && setup_.check_ambient();
+}
+
+bool FEMixtureContact::take_shell_bottoms() {
+  const PerSide<bool> bottoms{{parameters_.shell_bottom_primary, parameters_.shell_bottom_secondary}};
+  for (const Side side : both_sides) {
+    if (!bottoms[side]) continue;
+    if (!setup_.are_shells(side)) return false;
+    surfaces_[side].take_shell_bottoms();
+  }
+  return true;
+}
+
+void FEMixtureContact::find_self_contact() {
+  const int common = surfaces_.common_facets();
+  parameters_.self_contact = common > 0;
+  const bool is_same = common == surfaces_[Side::primary].Elements() && common == surfaces_[Side::secondary].Elements();
+  if (is_same && std::exchange(parameters_.two_pass, false))
+    log_.say("<two_pass> has no effect: both surfaces are the same, so that each side has conditions already.");
 }
 
 void FEMixtureContact::find_load_curves() {
@@ -107,15 +130,16 @@ void FEMixtureContact::Activate() {
     surfaces_.relocate_primary(without_overlap(core(), surfaces_.positions()));
     relocated_ = true;
   }
-  setup_.update_laws(bound_);
+  setup_.update_laws(bound_, model_->penalty_reduction());
   setup_.update_properties(bound_);
   ask_for_nonsymmetric_matrix();
+  judge_linear_solver();
   model_->activate(*this);
 }
 
 void FEMixtureContact::Deactivate() {
   FEContactInterface::Deactivate();
-  core().forget_friction();
+  if (bound_.is_built()) core().forget_friction();  // FEBio deactivates what belongs to a step as it reads it
   model_->deactivate(*this);
 }
 
@@ -132,17 +156,30 @@ void FEMixtureContact::ask_for_nonsymmetric_matrix() {
   }
 }
 
+void FEMixtureContact::judge_linear_solver() const {
+  FEModel& model = *GetFEModel();
+  for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
+    auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
+    LinearSolver* const linear = solver == nullptr ? nullptr : solver->GetLinearSolver();
+    if (linear == nullptr) continue;
+    const MatrixKind matrix{solver->m_msymm == REAL_SYMMETRIC, core().pass(0).has_unknown_multipliers()};
+    const std::string complaint = linear_solver_complaint(linear->GetTypeStr(), matrix);
+    if (!complaint.empty()) return log_.say(complaint);
+  }
+}
+
 // ------------------------------------------------------------ steps and iterations
 
 void FEMixtureContact::PrepStep() {
-  if (!may_run_ || !setup_.follow_load_curves(bound_)) throw FatalError();
+  if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) throw FatalError();
   if (reads_properties_again(parameters_)) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
 
 void FEMixtureContact::Update() {
   // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
-  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_)) throw FatalError();
+  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction()))
+    throw FatalError();
   model_->steps().evaluate(this);
 }
 
@@ -194,10 +231,10 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 // ------------------------------------------------------------ ambient values and restarts
 
 double FEMixtureContact::ambient_value(int dof) const {
-  if (dof == dofs_.pressure()) return parameters_.ambient_pressure;
+  if (dof == dofs_.pressure(false) || dof == dofs_.pressure(true)) return parameters_.ambient_pressure;
   for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
     const int solute = ambient->solute > 0 ? ambient->solute - 1 : 0;
-    if (dof == dofs_.concentration(solute)) return ambient->value;
+    if (dof == dofs_.concentration(false, solute) || dof == dofs_.concentration(true, solute)) return ambient->value;
   }
   return 0;
 }
@@ -213,8 +250,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       bool& given = *tag.given;
       ar & given;
     });
-    ar & parameters_.penalty_varies & parameters_.pressure_penalty_varies & parameters_.concentration_penalty_varies &
-        parameters_.fric_coeff_varies;
+    ar & parameters_.self_contact & parameters_.penalty_varies & parameters_.pressure_penalty_varies &
+        parameters_.concentration_penalty_varies & parameters_.fric_coeff_varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

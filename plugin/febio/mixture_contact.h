@@ -48,6 +48,8 @@ class FEMixtureContact : public FEContactInterface {
 
   /// That of a degree of freedom outside contact.
   double ambient_value(int dof) const;
+  /// Whether its traction penalty is reduced where steps fail.
+  bool has_reducible_penalty() const { return core().effects().traction && setup_.is_reducible(); }
   /// Whether the matrix has room for the present active set.
   bool fits_matrix() const { return assembly_.fits_matrix(); }
   /// When a step or the run has been solved.
@@ -55,7 +57,10 @@ class FEMixtureContact : public FEContactInterface {
 
  private:
   void find_load_curves();
+  void find_self_contact();
+  bool take_shell_bottoms();
   void ask_for_nonsymmetric_matrix();
+  void judge_linear_solver() const;
 
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;

@@ -4,6 +4,8 @@
 #include "contact/base/indexed_vector.h"
 #include "mixture_contact.h"
 
+#include <FEBioMech/FEMechModel.h>
+#include <FEBioMech/FERigidBody.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 
@@ -80,6 +82,20 @@ void FEMixtureSurface::turn_round() {
     std::transform(element.m_node.begin(), element.m_node.end(), element.m_lnode.begin(),
                    [&](int node) { return local.at(node); });
   }
+}
+
+void FEMixtureSurface::take_shell_bottoms() {
+  has_shell_bottoms_ = true;
+  turn_round();
+}
+
+vec3d FEMixtureSurface::position(int node) {
+  const FENode& place = Node(node);
+  if (!has_shell_bottoms_) return place.m_rt;
+  // FEBio does not turn the directors of rigid shells.
+  auto* mechanics = dynamic_cast<FEMechModel*>(GetFEModel());
+  if (place.m_rid < 0 || mechanics == nullptr) return place.st();
+  return place.m_rt - mechanics->GetRigidBody(place.m_rid)->GetRotation() * place.m_d0;
 }
 
 vec3d FEMixtureSurface::GetContactForce() { return to_febio(total_.force); }
@@ -189,4 +205,5 @@ void FEMixtureSurface::Serialize(DumpStream& ar) {
   archive(ar, nodal_.friction.bound);
   archive(ar, nodal_.friction.fluid);
   archive(ar, nodal_.friction.status);
+  ar & has_shell_bottoms_;
 }

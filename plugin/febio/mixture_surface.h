@@ -28,6 +28,13 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Totals as they act on this surface; flows out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
 
+  /// Takes the back faces of shells for this surface: the nodes' positions less their directors. Facets are turned
+  /// round.
+  void take_shell_bottoms();
+  bool has_shell_bottoms() const { return has_shell_bottoms_; }
+  /// The present position of a node on this surface.
+  vec3d position(int node);
+
   /// Turns the facets round, so that they face the other way. FESurface::Invert() alone leaves their local node
   /// numbers.
   void turn_round();
@@ -55,4 +62,5 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   mixture_contact::Side side_;
   mixture_contact::NodalOutput nodal_;
   mixture_contact::Balance total_;
+  bool has_shell_bottoms_ = false;
 };

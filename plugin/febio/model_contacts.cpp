@@ -7,16 +7,20 @@
 #include "newton/predictor.h"
 
 #include <FECore/Callback.h>
+#include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEModel.h>
 #include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
+#include <FECore/FETimeStepController.h>
 #include <FECore/JFNKStrategy.h>
+#include <FECore/log.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 using mixture_contact::MatrixUse;
 using mixture_contact::SteppedContact;
@@ -59,7 +63,7 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer<newton::NonNegativeConcentrations>(non_negative_concentrations);
   offer<newton::LineSearchGuard>(line_search_guard);
   offer<newton::Predictor>(predictor);
-  fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_TIMESTEP_SOLVED | CB_SOLVED, this);
+  fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_SOLVED, this);
 }
 
 // ------------------------------------------------------------ contacts and switches
@@ -156,7 +160,12 @@ void ModelContacts::serialize(FEMixtureContact& contact, DumpStream& ar) {
   if (ar.IsLoading()) unactivated_.erase(&contact);
   if (!dumps_.opens(&contact)) return;
   FEBioArchive archive(ar);
-  if (!ar.IsShallow()) helpers_.archive(archive);
+  if (!ar.IsShallow()) {
+    helpers_.archive(archive);
+    reduction_.for_each_value([&](int& value) { ar & value; });
+    ar & accepted_overlap_.contact & accepted_overlap_.overlap.depth & accepted_overlap_.overlap.share;
+    ar & accepted_overlap_.time;
+  }
   if (!ar.IsLoading()) return;
   if (ar.IsShallow()) {
     steps_.rewind();
@@ -181,7 +190,38 @@ void ModelContacts::on_callback(unsigned int when) {
     steps_.matrix_formed();
   }
   for (FEMixtureContact* contact : contacts) contact->on_callback(when);
-  if (when == CB_TIMESTEP_SOLVED) steps_.end_step();
+  if (when == CB_TIMESTEP_SOLVED) {
+    note_overlap();
+    steps_.end_step();
+  }
+  if (when == CB_TIMESTEP_FAILED) reduce_penalties();
+  if (when == CB_SOLVED && accepted_overlap_.overlap.depth > 0)
+    feLogEx(&fem_, "\n%s\n", accepted_overlap_line(accepted_overlap_, penalty_reduction()).c_str());
+}
+
+// ------------------------------------------------------------ penalties that are reduced where steps fail
+
+bool ModelContacts::will_retry() const {
+  const FETimeStepController* const controller = fem_.GetCurrentStep()->m_timeController;
+  return controller != nullptr && controller->m_nretries < controller->m_maxretries;
+}
+
+void ModelContacts::reduce_penalties() {
+  const std::vector<FEMixtureContact*> contacts = active();
+  const auto is_reducible = [](const FEMixtureContact* contact) { return contact->has_reducible_penalty(); };
+  if (!will_retry() || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
+  if (reduction_.fail() && !std::exchange(said_reduction_, true))
+    feLogEx(&fem_, "\n%s\n", reduction_line(fem_.GetCurrentTime()).c_str());
+}
+
+void ModelContacts::note_overlap() {
+  for (FEMixtureContact* contact : active()) {
+    if (reduction_.is_full() || !contact->has_reducible_penalty()) continue;
+    const mixture_contact::Overlap overlap = largest_overlap(contact->core(), contact->bound().fields());
+    if (overlap.share > accepted_overlap_.overlap.share)
+      accepted_overlap_ = {contact->GetName(), overlap, fem_.GetCurrentTime()};
+  }
+  reduction_.accept();
 }
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it

@@ -4,6 +4,8 @@
 #include "ambient_conditions.h"
 #include "host/contact_parameters.h"
 #include "host/contact_steps.h"
+#include "host/penalty_reduction.h"
+#include "host/warnings.h"
 
 #include <functional>
 #include <memory>
@@ -34,6 +36,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void serialize(FEMixtureContact& contact, DumpStream& ar);
 
   newton::FEBioSolver& solver() { return solver_; }
+  /// What automatic penalties of the traction are divided by at present.
+  double penalty_reduction() const { return reduction_.divisor(); }
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
   bool apply_ambient() override;
@@ -50,6 +54,9 @@ class ModelContacts : public mixture_contact::SteppedModel {
   bool is_on(const HelperSwitch& which) const;
   std::vector<FEMixtureContact*> active() const;
   void keep_matrix_if_it_fits();
+  bool will_retry() const;
+  void reduce_penalties();
+  void note_overlap();
   void on_callback(unsigned int when);
   static bool call_back(FEModel* fem, unsigned int when, void* contacts);
 
@@ -58,6 +65,9 @@ class ModelContacts : public mixture_contact::SteppedModel {
   newton::Helpers helpers_;
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
+  mixture_contact::PenaltyReduction reduction_;
+  AcceptedOverlap accepted_overlap_;  ///< the deepest one under reduced penalties
+  bool said_reduction_ = false;       ///< in this run
   std::vector<FEMixtureContact*> contacts_;        ///< in the order of the model
   std::set<const FEMixtureContact*> unactivated_;  ///< whose state is not known to the core yet
   mixture_contact::Round dumps_;

@@ -21,10 +21,6 @@ void require_not_negative(std::vector<std::string>& list, const char* name, doub
                     "; it must be a number that is not negative.");
 }
 
-void require_unused(std::vector<std::string>& list, const char* name, bool used, const char* why) {
-  if (used) list.emplace_back("<" + std::string(name) + "> is set, but " + why + ". Leave it out or set it to 0.");
-}
-
 constexpr int lagmult = 2;
 
 mixture_contact::Enforcement enforcement(int laugon) {
@@ -33,9 +29,12 @@ mixture_contact::Enforcement enforcement(int laugon) {
   return laugon == 1 ? Enforcement::augmented_lagrangian : Enforcement::penalty;
 }
 
+/// Whether each of two surfaces that face each other has conditions of its own.
+bool sees_both_ways(const ContactParameters& p) { return p.two_pass || p.self_contact; }
+
 mixture_contact::Integration integration(const ContactParameters& p) {
   using mixture_contact::Integration;
-  if (!p.integration_given) return p.two_pass ? Integration::gauss : Integration::segments;
+  if (!p.integration_given) return sees_both_ways(p) ? Integration::gauss : Integration::segments;
   return p.integration == 1 ? Integration::segments : Integration::gauss;
 }
 
@@ -50,12 +49,14 @@ double largest_traction_factor(SolverKind solver) {
   return solver == SolverKind::conjugate_gradient ? 10 : 0.5;
 }
 
+/// What of a reduction an automatic traction factor bears: down to 1, the stiffness of the bodies.
+double borne_reduction(const ContactParameters& p, double factor, double reduction) {
+  const bool is_automatic = !p.penalty_given && p.laugon != lagmult;
+  return is_automatic ? std::min(reduction, std::max(1.0, factor)) : 1.0;
+}
+
 /// Parameters of other interfaces, and of former versions, that mean nothing here.
 void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
-  require_unused(list, "shell_bottom_primary", p.shell_bottom_primary,
-                 "sliding-mixture works on the faces of solid elements");
-  require_unused(list, "shell_bottom_secondary", p.shell_bottom_secondary,
-                 "sliding-mixture works on the faces of solid elements");
   if (p.extrapolation_given) {
     list.emplace_back(
         "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
@@ -125,6 +126,11 @@ std::vector<std::string> complaints(const ContactParameters& p) {
         "<two_pass> is set with <laugon>LAGMULT</laugon>: conditions on both surfaces would be twice as many as can be "
         "met. Leave <two_pass> out, or use AUGLAG.");
   }
+  if (p.laugon == lagmult && p.self_contact) {
+    list.emplace_back(
+        "<laugon>LAGMULT</laugon> is set for surfaces that have facets in common: where a body meets itself there would be "
+        "conditions on both sides, twice as many as can be met. Use PENALTY or AUGLAG.");
+  }
   if (p.seg_up < 0) list.emplace_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
   if (p.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
   if (p.maxaug < p.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
@@ -169,14 +175,15 @@ bool reads_properties_again(const ContactParameters& parameters) {
   return parameters.update_penalty || !parameters.concentration_penalty_given;
 }
 
-mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind solver) {
+mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind solver, double reduction) {
   using namespace mixture_contact;
   Settings settings;
   settings.enforcement = enforcement(p.laugon);
-  const double traction_factor = std::min(p.two_pass ? two_pass_traction_factor : default_traction_factor,
+  const double traction_factor = std::min(sees_both_ways(p) ? two_pass_traction_factor : default_traction_factor,
                                           largest_traction_factor(solver));
-  const double flux_factor = p.two_pass ? two_pass_flux_factor : default_flux_factor;
+  const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
   settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, traction_factor);
+  settings.traction_reduction = borne_reduction(p, traction_factor, reduction);
   settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, flux_factor);
   settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty, flux_factor);
   settings.tolerances.traction = {p.traction_tolerance_given ? p.traction_tolerance : p.tolerance, p.gaptol};

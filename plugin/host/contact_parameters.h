@@ -33,6 +33,7 @@ struct ContactParameters {
   bool penalty_varies = false;
   bool pressure_penalty_varies = false;
   bool concentration_penalty_varies = false;
+  bool self_contact = false;  ///< whether the surfaces have facets in common, as a host finds
   bool auto_penalty = false;
   bool update_penalty = false;
 
@@ -191,5 +192,7 @@ enum class SolverKind {
   explicit_dynamics    ///< the stiffer the contact, the shorter the critical time step
 };
 
-/// The core's settings.
-mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton);
+/// The core's settings. `reduction`: what an automatic penalty of the traction is divided by, but not below the
+/// stiffness of the bodies; one that is given stays as it is.
+mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton,
+                                        double reduction = 1);

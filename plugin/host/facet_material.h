@@ -10,6 +10,7 @@
 
 /// Properties of the element behind a facet, per area and over the element's thickness in the reference configuration.
 struct FacetMaterial {
+  double thickness = 0;     ///< of the element [mm]
   double stiffness = 0;     ///< normal stiffness over thickness [N/mm^3]; infinite if rigid
   bool permeable = false;   ///< whether the solvent can pass
   double permeability = 0;  ///< hydraulic permeability over thickness [mm^3/(N s)]

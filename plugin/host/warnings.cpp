@@ -35,3 +35,20 @@ std::string overlap_warning(const std::string& contact, const std::string& prima
        << "there, or take the finer or more pointed one as the primary one. This is said once in a run.";
   return text.str();
 }
+
+std::string reduction_line(double time) {
+  std::ostringstream text;
+  text << "sliding-mixture: the step to time " << time << " has failed. The next attempt has automatic penalties of the "
+       << "traction divided by ten, as has each one after another failure; they recover over accepted steps. A <penalty> "
+       << "that is set stays as it is. This is said once in a run.";
+  return text.str();
+}
+
+std::string accepted_overlap_line(const AcceptedOverlap& accepted, double divisor) {
+  std::ostringstream text;
+  text << std::setprecision(3) << "sliding-mixture: while automatic penalties were reduced, the largest overlap of an "
+       << "accepted step was " << accepted.overlap.depth << ", which is " << accepted.overlap.share
+       << " of an element's edge, in \"" << accepted.contact << "\" at time " << accepted.time << ". ";
+  if (divisor > 1) text << "At the end of the run they are still divided by " << divisor << ".";
+  return text.str();
+}

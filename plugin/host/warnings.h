@@ -1,7 +1,7 @@
 /// What a host's log says of overlap.
 #pragma once
 
-#include "contact/interface/interface.h"
+#include "contact/interface/overlap.h"
 
 #include <string>
 
@@ -9,6 +9,18 @@
 /// name and those of its surfaces.
 std::string noticed_line(const std::string& contact, const std::string& primary, const std::string& secondary,
                          const mixture_contact::UndetectedPenetration& overlap);
+
+/// Says that automatic penalties are reduced from the next attempt at a step on.
+std::string reduction_line(double time);
+
+/// The largest overlap of accepted steps under reduced penalties.
+struct AcceptedOverlap {
+  std::string contact;
+  mixture_contact::Overlap overlap;
+  double time = 0;
+};
+/// `divisor`: of the penalties at the end of the run.
+std::string accepted_overlap_line(const AcceptedOverlap& accepted, double divisor);
 
 /// Says that a contact does not notice an overlap, and what a user can do about it; a contact's name and those of its
 /// surfaces.

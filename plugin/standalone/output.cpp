@@ -53,7 +53,7 @@ void write_vtk_file(const std::filesystem::path& path, const char* type, const s
   root.SetAttribute("type", type);
   root.SetAttribute("version", "0.1");
   fill(*root.InsertNewChildElement(type));
-  if (document.SaveFile(path.c_str()) != tinyxml2::XML_SUCCESS)
+  if (document.SaveFile(path.string().c_str()) != tinyxml2::XML_SUCCESS)
     throw InputError("the file " + path.string() + " cannot be written");
 }
 

@@ -27,7 +27,8 @@ void read_parameters(const Tag& tag, ContactParameters& parameters) {
   });
   // What only febio4 can do.
   tag.must_be("laugon", {"PENALTY", "AUGLAG", "0", "1"});
-  for (const char* name : {"predictor", "node_reloc", "seg_up", "flip_primary", "flip_secondary"})
+  for (const char* name : {"predictor", "node_reloc", "seg_up", "flip_primary", "flip_secondary", "shell_bottom_primary",
+                           "shell_bottom_secondary"})
     tag.must_be(name, {"0"});
   const std::vector<std::string> wrong = complaints(parameters);
   if (!wrong.empty()) tag.fail(wrong.front());
@@ -56,7 +57,7 @@ void check_surfaces(const Tag& tag, const Model& model, const ContactDefinition&
   for (const std::string& name : contact.surfaces) {
     for (const SurfaceFacet& facet : model.mesh.surfaces.at(name)) {
       if (!faces.emplace(facet.element, facet.face).second)
-        tag.fail("the surfaces share facets; a surface cannot be in contact with itself");
+        tag.fail("the surfaces share facets; contact of a body with itself is for febio4");
     }
   }
 }

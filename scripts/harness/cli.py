@@ -9,7 +9,9 @@ from harness.studies.cost import command as cost
 from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
 from harness.studies.hard_cases import rubbing_command
+from harness.studies.predictor import command as predictor
 from harness.studies.price import command as price
+from harness.studies.real_models import command as real_models
 from harness.studies.robustness import command as robustness
 from harness.user_commands import FOR_EVERYBODY, commands, start
 from harness.validate import engines_command
@@ -29,6 +31,8 @@ _OF_THE_REPOSITORY = (
     cost.cost_sweep,
     cost.cost_turn,
     price.price,
+    predictor.predictor,
+    real_models.real_models,
     robustness.robustness,
     gallery.gallery,
     pages.pages,

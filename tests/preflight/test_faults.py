@@ -247,7 +247,12 @@ FAULTS = {
         "which is this type's default",
     ),
     "offset": (lambda: with_params(Param("offset", "wide")), "bad-value", "offset"),
-    "shell bottoms": (lambda: with_params(Param("shell_bottom_primary", 1.0)), "unsupported", "shell_bottom_primary"),
+    "shell bottoms": (
+        lambda: with_params(Param("shell_bottom_primary", 1.0)),
+        "shell-bottom",
+        "lies on solid elements",
+    ),
+    "no shell bottoms": (lambda: with_params(Param("shell_bottom_primary", 2.0)), "bad-value", "shell_bottom_primary"),
     "load curve not there": (
         lambda: text_of(
             with_params(Param("ambient_pressure", 1.0)), ("<ambient_pressure>", '<ambient_pressure lc="7">')
@@ -313,10 +318,18 @@ FAULTS = {
         "symmetric-tangent",
         "many more iterations",
     ),
-    "rigid bodies": (
-        lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
-        "rigid-penalty",
-        "rigid",
+    "a linear solver for symmetric matrices": (
+        lambda: text_of(diffusion(), ("</qn_method>", '</qn_method><linear_solver type="skyline"/>')),
+        "linear-solver",
+        "symmetric matrices only",
+    ),
+    "multipliers and an iterative linear solver": (
+        lambda: text_of(
+            with_params(Param("laugon", "LAGMULT")),
+            ("</qn_method>", '</qn_method><linear_solver type="fgmres"/>'),
+        ),
+        "linear-solver",
+        "zeros on the diagonal",
     ),
 }
 
@@ -343,11 +356,14 @@ def shells_alone():
     return text.replace("</Nodes>", f"</Nodes>{made}").replace("SolidDomain", "ShellDomain")
 
 
+def itself():
+    """The lower body's surface on both sides of the contact."""
+    model = diffusion()
+    pairs = {name: (one, one) for name, (one, _) in model.mesh.pairs.items()}
+    return replace(model, mesh=replace(model.mesh, pairs=pairs))
+
+
 SURFACES = ("lower-top", "upper-bottom")
-FAULTS |= {
-    "shells": (on_shells, "shell-facets", "shell elements, which sliding-mixture does not support"),
-    "shells alone": (shells_alone, "shell-facets", "shell elements, which sliding-mixture does not support"),
-}
 
 
 def test_febios_contact_on_shells_alone_is_looked_at(findings):
@@ -435,6 +451,13 @@ def coarse_primary():
 
 
 NOTES = {
+    "rigid bodies": (
+        lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
+        "rigid-penalty",
+    ),
+    "shells": (on_shells, "shell-facets"),
+    "shells alone": (shells_alone, "shell-facets"),
+    "itself": (itself, "self-contact"),
     "coarse primary": (coarse_primary, "finer-primary"),
     "a penalty of zero": (lambda: with_params(Param("penalty", 0.0)), "left-out"),
     "a bath that wets nothing": (

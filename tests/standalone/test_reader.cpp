@@ -104,7 +104,7 @@ const std::vector<Mistake> mistakes{
     {"<penalty>100", "<penalty>1e400", "penalty", "not a finite number"},
     {"<search_radius>0.5", "<search_radius>-1", "contact", "<search_radius>"},
     {"surface_pair=\"pair\"", "surface_pair=\"pear\"", "contact", "does not exist"},
-    {"<secondary>upper-bottom", "<secondary>lower-top", "contact", "in contact with itself"},
+    {"<secondary>upper-bottom", "<secondary>lower-top", "contact", "contact of a body with itself is for febio4"},
     {"sol=\"1\" lc=\"1\">0.1", "sol=\"2\" lc=\"1\">0.1", "ambient_concentration", "does not exist"},
     {"data=\"x;y", "data=\"xx;y", "node_data", "not supported"},
     {"<Module type=\"solute\"/>", "<Module type=\"heat\"/>", "Module", "not supported"},

@@ -72,6 +72,7 @@ struct Settings {
   PenaltyRule solvent{true, default_flux_factor};
   PenaltyRule solute{true, default_flux_factor};
   FrictionRule friction;
+  double traction_reduction = 1;  ///< by which the penalty of the traction is divided
   Tolerances tolerances;
   int min_augmentations = 0;
   int max_augmentations = 10;
@@ -90,7 +91,8 @@ struct Settings {
 };
 
 inline bool same_penalties(const Settings& a, const Settings& b) {
-  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute;
+  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute &&
+         a.traction_reduction == b.traction_reduction;
 }
 
 }  // namespace mixture_contact

@@ -94,16 +94,16 @@ void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   Multipliers& state = laws.multipliers;
   if (!within(report.traction, tolerances.traction)) {
     state.traction_penalty_scale = grown(state.traction_penalty_scale, penalty.traction, penalty.stiffness,
-                                         default_traction_factor);
+                                         laws.largest_traction_factor());
   }
   if (!within(report.slip, tolerances.traction)) {
     state.friction_penalty_scale = grown(state.friction_penalty_scale, laws.friction_penalties(), penalty.stiffness,
-                                         default_traction_factor);
+                                         laws.largest_traction_factor());
   }
   for (Index k = 0; k < report.flux.count(); ++k) {
     if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;
     state.flux_penalty_scale[k] = grown(state.flux_penalty_scale[k], penalty.flux.row(k).transpose(),
-                                        penalty.conductance.row(k).transpose(), default_flux_factor);
+                                        penalty.conductance.row(k).transpose(), laws.largest_flux_factor());
   }
 }
 

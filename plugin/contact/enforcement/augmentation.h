@@ -35,7 +35,7 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
 /// Whether a report meets the tolerances of the settings.
 bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects);
 
-/// Tenfold penalties for the fields that miss the relative tolerance, up to the accurate automatic penalties: plain
+/// Tenfold penalties for the fields that miss the relative tolerance, up to the automatic penalties: plain
 /// Uzawa converges by a factor of k/(k + eps) an update, k the bodies' own conductance, and so crawls where eps is
 /// small.
 void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances);

@@ -33,7 +33,7 @@ FixedGeometry::FixedGeometry(MortarSpace& space, const ActiveSet& active_set, co
 
 void FixedGeometry::update(const FacingPositions& x) {
   const Index fields = space_.effects().scalar_fields();
-  space_.clear_boundary_weights();
+  space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
   const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields)};
   const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields)};
@@ -45,7 +45,7 @@ void FixedGeometry::update(const FacingPositions& x) {
 }
 
 void FixedGeometry::end_iterations() {
-  space_.clear_boundary_weights();
+  space_.boundary_weights().reconsider();
   space_.facing().end_iterations();
 }
 

@@ -23,7 +23,7 @@ bool differs(const MatrixXd& one, const MatrixXd& other, double part, const Vect
 }  // namespace
 
 void MovingGeometry::update(const FacingPositions& x) {
-  if (!point_) space_.clear_boundary_weights();
+  if (!point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
 }
 
@@ -52,7 +52,7 @@ NodeFlags MovingGeometry::updated_status(const FacingFields& fields) const {
 bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const bool predicted = point_.has_value();
   const bool finds_more = space_.facing().begin_iteration(positions(fields));
-  if (finds_more && !predicted) space_.clear_boundary_weights();
+  if (finds_more && !predicted) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(positions(fields));
   const NodalLoads before = loads(fields);
   if (!predicted) active_set_.start_counting();
@@ -97,7 +97,7 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
 
 void MovingGeometry::end_iterations() {
   point_.reset();
-  space_.clear_boundary_weights();
+  space_.boundary_weights().settle();
   space_.facing().end_iterations();
 }
 

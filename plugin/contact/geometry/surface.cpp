@@ -56,6 +56,16 @@ VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   return sum;
 }
 
+double longest_edge(const Facet& facet, const Matrix3Xd& position) {
+  const Index corners = is_triangle(facet.type) ? 3 : 4;  // the first nodes of every type
+  double longest = 0;
+  for (Index a = 0; a < corners; ++a) {
+    const Vector3d edge = position.col(facet.node((a + 1) % corners)) - position.col(facet.node(a));
+    longest = std::max(longest, edge.norm());
+  }
+  return longest;
+}
+
 double half_diagonal(const Matrix3Xd& position) {
   return 0.5 * (position.rowwise().maxCoeff() - position.rowwise().minCoeff()).norm();
 }

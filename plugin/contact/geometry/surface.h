@@ -17,6 +17,12 @@ struct SurfaceMesh {
   IndexedVector<FieldMask> permeable;  ///< per facet: the exchanged scalar fields that the material behind it knows
   VectorXd stiffness;    ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
   MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where impermeable
+
+  // Where a body may meet itself, since both surfaces have facets in common; else empty
+  IndexedVector<int> node_ids;  ///< per node: its number in the host's mesh, the same for both surfaces
+  VectorXd thickness;           ///< per facet: of the element behind it [mm]
+
+  bool may_meet_itself() const { return node_ids.count() > 0; }
 };
 
 /// The current state of a surface: one column or row per node.
@@ -43,6 +49,9 @@ FacetVector areas_of_nodes(const Facet& facet, const Matrix3Xd& position);
 
 /// INT psi_a da over all facets around each node [mm^2].
 VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position);
+
+/// The longest distance of neighbouring corners of a facet [length].
+double longest_edge(const Facet& facet, const Matrix3Xd& position);
 
 /// Half the diagonal of the box around all nodes [length].
 double half_diagonal(const Matrix3Xd& position);

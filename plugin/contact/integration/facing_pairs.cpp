@@ -12,7 +12,7 @@ FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondar
     : primary_(primary),
       secondary_(secondary),
       effects_(effects),
-      finder_(point_finder(primary.facets, secondary.facets, settings)) {}
+      finder_(point_finder(primary, secondary, settings)) {}
 
 void FacingPairs::search(const FacingPositions& x, double radius) {
   radius_ = radius;

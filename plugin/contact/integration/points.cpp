@@ -5,6 +5,7 @@
 #include "integration/segments.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -28,17 +29,19 @@ Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& x
   return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), reach, tolerance};
 }
 
-std::unique_ptr<PointFinder> point_finder(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary,
+std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings) {
+  SelfContact self(primary, secondary);
   if (settings.integration == Integration::segments) {
-    return std::make_unique<Segments>(primary, secondary, settings.integration_order);
+    return std::make_unique<Segments>(primary.facets, secondary.facets, settings.integration_order, std::move(self));
   }
-  return std::make_unique<GaussPoints>(primary, secondary, settings.integration_order, settings.search_tolerance);
+  return std::make_unique<GaussPoints>(primary.facets, secondary.facets, settings.integration_order,
+                                       settings.search_tolerance, std::move(self));
 }
 
 GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
-                         double tolerance)
-    : primary_(primary), secondary_(secondary), tolerance_(tolerance), moving_(secondary) {
+                         double tolerance, SelfContact self)
+    : primary_(primary), secondary_(secondary), tolerance_(tolerance), self_(std::move(self)), moving_(secondary) {
   for (int f = 0; f < primary.count(); ++f) {
     const FacetType type = primary[f].type;
     for (const QuadraturePoint& q : quadrature(type, order > 0 ? order : default_quadrature_order(type))) {
@@ -72,7 +75,11 @@ IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3X
   const auto hit_of = [&](Index q) {
     const Point& point = points_[q];
     Ray ray = normal_ray(primary_[point.facet], x1, point.xi, radius, tolerance_);
-    std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q]);
+    ray.overlap = self_.largest_overlap(point.facet);
+    ray.opposition = self_.opposition();
+    std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q], [&](std::vector<int>& facets) {
+      self_.keep_visible(point.facet, facets);
+    });
     if (hit || !histories_[q].is_kept()) return hit;
     ray.tolerance = widest_miss;
     return facing_hit(histories_[q].last, secondary_, x2, ray);
@@ -87,7 +94,7 @@ IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3X
 }
 
 std::size_t GaussPoints::memory() const {
-  std::size_t sum = points_.size() * (sizeof(Point) + sizeof(ProjectionHistory) + sizeof(RayNeighbours));
+  std::size_t sum = self_.memory() + points_.size() * (sizeof(Point) + sizeof(ProjectionHistory) + sizeof(RayNeighbours));
   for (const RayNeighbours& ray : neighbours_) sum += ray.facets.capacity() * sizeof(int);
   return sum;
 }

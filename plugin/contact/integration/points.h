@@ -4,6 +4,7 @@
 #include "base/settings.h"
 #include "geometry/kinematics.h"
 #include "integration/search.h"
+#include "integration/self_contact.h"
 
 #include <memory>
 #include <vector>
@@ -62,7 +63,7 @@ class PointFinder {
 };
 
 /// The finder that the settings ask for. Keeps references to the facets.
-std::unique_ptr<PointFinder> point_finder(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary,
+std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings);
 
 /// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it.
@@ -74,7 +75,8 @@ std::unique_ptr<PointFinder> point_finder(const IndexedVector<Facet>& primary, c
 class GaussPoints : public PointFinder {
  public:
   /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
-  GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, double tolerance);
+  GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, double tolerance,
+              SelfContact self = {});
 
   IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   /// A point that leaves its facet comes back with it.
@@ -107,6 +109,7 @@ class GaussPoints : public PointFinder {
   const IndexedVector<Facet>& primary_;
   const IndexedVector<Facet>& secondary_;
   double tolerance_;
+  SelfContact self_;
   IndexedVector<Point> points_;
   IndexedVector<ProjectionHistory> histories_;  ///< per point
   MovingSurface moving_;                        ///< the secondary surface

@@ -119,9 +119,10 @@ std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& face
   const Facet& facet = facets[index];
   const FacetCoordinates x = facet_coordinates(facet, positions);
   const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
-  if (!hit || std::abs(hit->gap) > ray.reach) return std::nullopt;
+  if (!hit || std::abs(hit->gap) > ray.reach || hit->gap < -ray.overlap) return std::nullopt;
   const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
-  if (tangents.col(0).cross(tangents.col(1)).dot(ray.direction) >= 0) return std::nullopt;
+  const Vector3d area = tangents.col(0).cross(tangents.col(1));
+  if (area.dot(ray.direction) >= -ray.opposition * area.norm()) return std::nullopt;
   const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
   return SurfaceHit{index, hit->eta, hit->gap, outside};
 }
@@ -159,12 +160,14 @@ bool MovingSurface::holds(const RayNeighbours& neighbours, const std::array<Vect
          (ends[1] - neighbours.ends[1]).cwiseAbs().maxCoeff() <= slack_;
 }
 
-std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeighbours& neighbours) const {
+std::optional<SurfaceHit> MovingSurface::nearest_facing(
+    const Ray& ray, RayNeighbours& neighbours, const std::function<void(std::vector<int>&)>& keep_visible) const {
   const Vector3d half = ray.reach * ray.direction;
   const std::array<Vector3d, 2> ends{ray.origin - half, ray.origin + half};
   if (!tree_) return std::nullopt;
   if (!holds(neighbours, ends)) {
     neighbours = {ends, references_, tree_->candidates(ray.origin, ray.direction, ray.reach, 2 * slack_)};
+    if (keep_visible) keep_visible(neighbours.facets);
   }
   const Segment segment{ray.origin, half, 0};
   std::vector<int> met;

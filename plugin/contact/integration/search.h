@@ -8,6 +8,8 @@
 #include <unsupported/Eigen/BVH>
 
 #include <array>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -41,6 +43,8 @@ struct Ray {
   Vector3d direction;  ///< unit vector: the normal of the surface it leaves
   double reach;        ///< how far it looks, forwards and backwards [length]
   double tolerance;    ///< how far outside a facet a hit still counts, in parametric coordinates
+  double overlap = std::numeric_limits<double>::infinity();  ///< how far backwards a hit still counts [length]
+  double opposition = 0;  ///< minus the cosine of the angle between ray and normal beyond which a facet faces it
 };
 
 /// How far beyond its edge a facet may be continued, in parametric coordinates: the tolerance of a ray that looks
@@ -55,7 +59,7 @@ struct SurfaceHit {
   double outside = 0;  ///< how far beyond the facet's edge it lies [length]
 };
 
-/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction.
+/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction enough.
 std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& facets, const Matrix3Xd& positions,
                                      const Ray& ray);
 
@@ -97,9 +101,10 @@ class MovingSurface {
   void move_to(const Matrix3Xd& positions);
 
   /// As nearest_facing() in the present configuration; nothing before the first. `neighbours` are those of this ray
-  /// from earlier calls, and are renewed where it has moved too far. Rays with neighbours of their own may be searched
-  /// for at once.
-  std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours) const;
+  /// from earlier calls, and are renewed where it has moved too far; `keep_visible`, if given, leaves those that it may see. Rays
+  /// with neighbours of their own may be searched for at once.
+  std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours,
+                                           const std::function<void(std::vector<int>&)>& keep_visible = {}) const;
 
  private:
   bool holds(const RayNeighbours& neighbours, const std::array<Vector3d, 2>& ends) const;

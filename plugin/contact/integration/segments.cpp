@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -163,6 +164,11 @@ void sample_overlap(const VaryingFacet& primary, const VaryingFacet& secondary, 
   }
 }
 
+/// Whether the shape functions of a facet are polynomials of the second degree at most, in total.
+bool is_quadratic(FacetType type) {
+  return type == FacetType::tri3 || type == FacetType::tri6 || type == FacetType::quad4;
+}
+
 bool share_a_node(const Facet& one, const Facet& two) {
   return std::any_of(one.nodes.begin(), one.nodes.begin() + node_count(one.type), [&](int node) {
     const auto* end = two.nodes.begin() + node_count(two.type);
@@ -183,11 +189,12 @@ const IntegrationPoint& heaviest(const FacetPair& pair) {
 }  // namespace
 
 int default_segment_order(FacetType primary, FacetType secondary) {
-  return std::max(default_quadrature_order(primary), default_quadrature_order(secondary));
+  return is_quadratic(primary) && is_quadratic(secondary) ? 2 : 3;
 }
 
-Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order)
-    : primary_(primary), secondary_(secondary), order_(order) {}
+Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
+                   SelfContact self)
+    : primary_(primary), secondary_(secondary), order_(order), self_(std::move(self)) {}
 
 int Segments::order(const Facing& facing) const {
   if (order_ > 0) return order_;
@@ -218,7 +225,25 @@ bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Ma
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const Ray ray = normal_ray(one, x1, point.xi, radius, 0);
-  return (facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin).norm() <= radius;
+  const Vector3d apart = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin;
+  return apart.norm() <= radius && apart.dot(ray.direction) >= -self_.largest_overlap(pair.primary);
+}
+
+bool Segments::opposed(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  const double least = self_.opposition();
+  if (least == 0) return true;
+  const IntegrationPoint& point = heaviest(pair);
+  const Vector3d one = normal_ray(primary_[pair.primary], x1, point.xi, 0, 0).direction;
+  const Vector3d two = normal_ray(secondary_[pair.secondary], x2, point.eta, 0, 0).direction;
+  return one.dot(two) < -least;
+}
+
+std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const {
+  const Ray ray = normal_ray(primary_[facet], x1, parametric_centre(primary_[facet].type), radius, 0);
+  const double width = radius_around(facet_coordinates(primary_[facet], x1), ray.origin);
+  std::vector<int> found = tree.candidates(ray.origin, ray.direction, radius, width);
+  self_.keep_visible(facet, found);
+  return found;
 }
 
 bool Segments::occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
@@ -243,12 +268,11 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
   const FacetTree tree(secondary_, x2, box_margin);
   const auto pairs_of = [&](Index index) {
     const int f = static_cast<int>(index);
-    const Ray ray = normal_ray(primary_[f], x1, parametric_centre(primary_[f].type), radius, 0);
-    const double width = radius_around(facet_coordinates(primary_[f], x1), ray.origin);
     IndexedVector<FacetPair> pairs;
-    for (const int candidate : tree.candidates(ray.origin, ray.direction, radius, width)) {
+    for (const int candidate : candidates(f, tree, x1, radius)) {
       FacetPair pair = pair_of({f, candidate}, x1, x2);
-      if (!pair.points.empty() && within_reach(pair, x1, x2, radius)) pairs.push_back(std::move(pair));
+      if (!pair.points.empty() && within_reach(pair, x1, x2, radius) && opposed(pair, x1, x2))
+        pairs.push_back(std::move(pair));
     }
     IndexedVector<FacetPair> visible;
     for (const FacetPair& pair : pairs) {

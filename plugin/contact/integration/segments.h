@@ -13,8 +13,9 @@
 
 namespace mixture_contact {
 
-/// Order of the rule on the pieces where the user gives none, that of the facets: 2 for linear ones, 3 for quadratic
-/// ones. With it a uniform load is exact on flat parallelograms; psi times an affine gap with 4.
+/// Order of the rule on the pieces where the user gives none: 2 where the shape functions of both facets have no term
+/// beyond the second degree (tri3, tri6, quad4), else 3. With it a uniform load is exact on flat triangles and
+/// parallelograms; psi times an affine gap with 4.
 int default_segment_order(FacetType primary, FacetType secondary);
 
 /// Integration points on the segments of facing facets.
@@ -24,12 +25,13 @@ int default_segment_order(FacetType primary, FacetType secondary);
 class Segments : public PointFinder {
  public:
   /// order: of the quadrature rule on the pieces; 0: default_segment_order.
-  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order);
+  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
+           SelfContact self = {});
 
   IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
-  std::size_t memory() const override { return paired_.capacity() * sizeof(Facing); }
+  std::size_t memory() const override { return self_.memory() + paired_.capacity() * sizeof(Facing); }
 
  private:
   struct Facing {
@@ -37,7 +39,10 @@ class Segments : public PointFinder {
     int secondary = 0;
   };
   FacetPair pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// The secondary facets that may face a primary one.
+  std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const;
   bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;
+  bool opposed(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   bool occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
                 const Matrix3Xd& x2) const;
   int order(const Facing& facing) const;
@@ -45,6 +50,7 @@ class Segments : public PointFinder {
   const IndexedVector<Facet>& primary_;
   const IndexedVector<Facet>& secondary_;
   int order_;
+  SelfContact self_;
   std::vector<Facing> paired_;  ///< what the last search() found
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "integration/search.h"
+#include "integration/self_contact.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,8 +42,13 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
   const Matrix3Xd normals = nodal_normals(mesh[side], position[side]);
   const VectorXd share = VectorXd::NullaryExpr(in_contact.count(),
                                                [&](Index node) { return in_contact[node] ? 1.0 : 0.0; });
+  const VectorXd overlaps = largest_overlaps_of_nodes(mesh[side]);
   in_parallel(nodes.count(), [&](Index node) {
-    const Ray ray{position[side].col(node), normals.col(node), reach.distance, reach.tolerance};
+    Ray ray{position[side].col(node), normals.col(node), reach.distance, reach.tolerance};
+    if (overlaps.size() > 0) {
+      ray.overlap = overlaps[node];
+      ray.opposition = SelfContact::least_opposition;
+    }
     const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, position[pass.side], ray);
     if (!hit) return;
     const Facet& facet = facets[hit->facet];

@@ -43,6 +43,15 @@ Memory memory_of(const std::vector<SidedPass>& passes) {
   return now;
 }
 
+bool fits(const LoadCarriers& carriers, const IndexedVector<Facet>& facets) {
+  if (carriers.empty()) return true;
+  if (carriers.count() != facets.count()) return false;
+  for (Index f = 0; f < facets.count(); ++f) {
+    if (carriers[f].size() > 0 && carriers[f].size() != facets[f].count()) return false;
+  }
+  return true;
+}
+
 /// Throws std::invalid_argument unless a state has the nodes, fields and passes of a contact.
 void check(const ContactInterface::State& state, const ContactInterface& contact) {
   const auto require = [](bool sound, const std::string& what) {
@@ -63,6 +72,11 @@ void check(const ContactInterface::State& state, const ContactInterface& contact
     const Index nodes = state.slips_from[side].cols();
     require(nodes == 0 || (contact.effects().friction && nodes == contact.mesh(side).nodes),
             "positions that slips are measured from");
+  }
+  require(state.carriers.size() == passes, "load carriers of " + std::to_string(state.carriers.size()) + " passes");
+  for (std::size_t pass = 0; pass < passes; ++pass) {
+    require(fits(state.carriers[pass], contact.mesh(both_sides.at(pass)).facets),
+            "load carriers of pass " + std::to_string(pass));
   }
 }
 
@@ -233,7 +247,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
 
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
   check_.undetected = {};
-  if (settings_.two_pass || !effects_.traction) return {};
+  if (settings_.two_pass || !effects_.traction || mesh_[Side::primary].may_meet_itself()) return {};
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
   const NodeFlags in_contact = flux_coupled(passes_.front());
@@ -261,7 +275,10 @@ ContactInterface::State ContactInterface::state() const {
   for (int node = 0; node < check_.nodes.count(); ++node) {
     if (check_.nodes[node]) state.check_nodes.push_back(node);
   }
-  for (const SidedPass& pass : passes_) state.multipliers.push_back(pass.integral->laws().multipliers);
+  for (const SidedPass& pass : passes_) {
+    state.multipliers.push_back(pass.integral->laws().multipliers);
+    state.carriers.push_back(pass.integral->space().boundary_weights().last_decisions());
+  }
   state.slips_from = slips_from_;
   return state;
 }
@@ -282,6 +299,9 @@ void ContactInterface::restore(State state) {
     if (effects_.friction) passes_[pass].integral->measure_slips_from(seen_from(passes_[pass].side, slips_from_));
   }
   end_iterations();
+  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    passes_[pass].integral->restore_carriers(std::move(state.carriers[pass]));
+  }
 }
 
 PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {
@@ -317,6 +337,7 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;
+  settings_.traction_reduction = settings.traction_reduction;
   check_.settings = settings_of_check(settings_);
   for (const SidedPass& pass : passes_) pass.integral->laws().update_penalties();
 }

@@ -78,9 +78,9 @@ class ContactInterface {
   /// and remain so: open they carry no load. is_solution() tells whether that changes the loads. Returns what is
   /// detected for the first time.
   ///
-  /// Nothing with two passes, where secondary nodes have laws of their own already, and without traction: surfaces that
-  /// cannot move stay as the user placed them. Beside unknown multipliers penetration-check nodes have the default
-  /// penalties: there is no room for unknowns on both surfaces.
+  /// Nothing with two passes or self-contact, where secondary nodes have laws of their own already, and without
+  /// traction: surfaces that cannot move stay as the user placed them. Beside unknown multipliers penetration-check
+  /// nodes have the default penalties: there is no room for unknowns on both surfaces.
   UndetectedPenetration check_penetration(const PerSide<SurfaceFields>& fields);
 
   /// What the last check_penetration() left without load.
@@ -107,6 +107,7 @@ class ContactInterface {
     std::vector<int> check_nodes;          ///< secondary nodes that a second pass is limited to, ascending
     std::vector<Multipliers> multipliers;  ///< per pass
     PerSide<Matrix3Xd> slips_from;         ///< positions that slips are measured from; empty without friction
+    std::vector<LoadCarriers> carriers;    ///< per pass, on which those of the next step depend
   };
   State state() const;
   /// Iterations end with it. Throws std::invalid_argument, and changes nothing, where the state is not one of this

@@ -59,6 +59,9 @@ class ContactPass {
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { geometry_->end_iterations(); }
 
+  /// Continues from decisions on which nodes carry load (see BoundaryWeights).
+  void restore_carriers(LoadCarriers decisions) { space_.boundary_weights().restore(std::move(decisions)); }
+
   /// Forgets the configuration: to be called after the effects have changed, before the next project().
   void forget();
 

@@ -5,16 +5,6 @@
 namespace mixture_contact {
 namespace {
 
-double longest_edge(const Facet& facet, const Matrix3Xd& position) {
-  const Index corners = is_triangle(facet.type) ? 3 : 4;  // the first nodes of every type
-  double longest = 0;
-  for (Index a = 0; a < corners; ++a) {
-    const Vector3d edge = position.col(facet.node((a + 1) % corners)) - position.col(facet.node(a));
-    longest = std::max(longest, edge.norm());
-  }
-  return longest;
-}
-
 /// All nodes of facets some of whose nodes are among the given ones.
 NodeFlags nodes_of_facets_with(const NodeFlags& given, const IndexedVector<Facet>& facets) {
   NodeFlags found(given.count(), false);

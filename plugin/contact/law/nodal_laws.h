@@ -54,6 +54,12 @@ class NodalLaws {
   /// Of all nodes, before slow augmentations have built them up.
   VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
 
+  // The largest multiples of stiffness and conductance that augmentations may bring penalties to
+  double largest_traction_factor() const {
+    return (has_twin() ? two_pass_traction_factor : default_traction_factor) / settings_.traction_reduction;
+  }
+  double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
+
   /// Whether nodes in contact may pull.
   bool bear_tension() const { return settings_.tension; }
   /// Tractions as the laws admit them.
@@ -88,6 +94,8 @@ class NodalLaws {
  private:
   /// Sets trial and bound, and the status where it has not been decided.
   void find_friction_limits(NodalLoads& loads) const;
+  /// Whether the surface that these nodes face has conditions of its own.
+  bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;

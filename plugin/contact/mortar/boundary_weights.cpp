@@ -1,6 +1,7 @@
 #include "mortar/boundary_weights.h"
 
 #include <cmath>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -9,8 +10,17 @@ namespace {
 /// best covered node's. Where the other surface ends across a facet and covers s of it, far nodes have s^2 and near
 /// ones 2s - s^2 of theirs: they carry load from s = 0.82 on.
 constexpr double least_covered = 0.7;
+/// One that carried load keeps it down to s = 0.5 and one that did not takes it up from s = 0.97 on: a facet's size of
+/// sliding changes a decision once, and what comes and goes with a tenth of it does not.
+constexpr double least_covered_of_carrier = 1.0 / 3;
+constexpr double least_covered_of_other = 0.95;
 /// But nodes this far away, as a part of the facet's size, have no load that others could carry.
 constexpr double far_away = 0.01;
+
+double least_covered_part(bool is_decided, bool carries) {
+  if (!is_decided) return least_covered;
+  return carries ? least_covered_of_carrier : least_covered_of_other;
+}
 
 }  // namespace
 
@@ -18,13 +28,24 @@ void BoundaryWeights::decide(int facet, const FacetGapSums& covered, const Facet
   carriers_.resize(facets_.size());
   const FacetVector area = covered.row(0);
   const FacetVector part = area.cwiseQuotient(all);
-  const double enough = least_covered * part.maxCoeff();
   const double near = far_away * std::sqrt(all.sum());
+  const bool is_decided = is_known(settled_, facet);
   FacetVector& carriers = carriers_[facet];
   carriers = FacetVector::Ones(all.size());
   for (Index a = 0; a < all.size(); ++a) {
+    const double enough = least_covered_part(is_decided, is_decided && settled_[facet][a] > 0) * part.maxCoeff();
     if (part[a] < enough && covered(1, a) <= near * area[a]) carriers[a] = 0;
   }
+}
+
+void BoundaryWeights::settle() {
+  if (!carriers_.empty()) settled_ = std::move(carriers_);
+  carriers_.clear();
+}
+
+void BoundaryWeights::restore(LoadCarriers decisions) {
+  settled_ = std::move(decisions);
+  carriers_.clear();
 }
 
 ShapeFunctions BoundaryWeights::shape(int facet, int sub_facet, const Vector2d& xi) const {

@@ -8,18 +8,31 @@ namespace mixture_contact {
 /// Of what faces one facet, per node of it: INT psi_a da [mm^2] and INT psi_a g da [mm^3], shape (2, n).
 using FacetGapSums = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, max_facet_nodes>;
 
+/// Per facet which of its nodes carry load, 1 or 0; empty: not decided.
+using LoadCarriers = IndexedVector<FacetVector>;
+
+/// A decision holds during iterations. The one after it, at the start of the next step, changes it only where it is
+/// clearly wrong by then: averages over other weights are others, so that the state in equilibrium, of which the step
+/// starts, would not be one any more.
 class BoundaryWeights {
  public:
   /// Keeps a reference to the facets.
   explicit BoundaryWeights(const IndexedVector<Facet>& facets) : facets_(facets) {}
 
-  /// Forgets which nodes carry load.
-  void clear() { carriers_.clear(); }
+  /// Has everything decided anew, from the last decisions that were settled.
+  void reconsider() { carriers_.clear(); }
+  /// What is decided counts as the last decision from now on, and everything is decided anew.
+  void settle();
   /// Whether it has been decided for a facet.
-  bool knows(int facet) const { return !carriers_.empty() && carriers_[facet].size() > 0; }
+  bool knows(int facet) const { return is_known(carriers_, facet); }
   /// Decides it for a facet: `covered` are its sums over the part that faces the other surface, `all` is INT psi_a da
   /// over all of it.
   void decide(int facet, const FacetGapSums& covered, const FacetVector& all);
+
+  /// The last decisions, which those to come depend on; empty where there are none.
+  const LoadCarriers& last_decisions() const { return carriers_.empty() ? settled_ : carriers_; }
+  /// Continues from those.
+  void restore(LoadCarriers decisions);
 
   /// Functions psi_a of a facet at a place on it, which weight averages and interpolate loads: those of
   /// multiplier_functions(), but that nodes covered least have theirs redistributed among the others of the facet. Far
@@ -27,11 +40,16 @@ class BoundaryWeights {
   /// carry the load.
   ShapeFunctions shape(int facet, int sub_facet, const Vector2d& xi) const;
 
-  std::size_t memory() const { return carriers_.capacity() * sizeof(FacetVector); }
+  std::size_t memory() const { return (carriers_.capacity() + settled_.capacity()) * sizeof(FacetVector); }
 
  private:
+  static bool is_known(const LoadCarriers& carriers, int facet) {
+    return !carriers.empty() && carriers[facet].size() > 0;
+  }
+
   const IndexedVector<Facet>& facets_;
-  IndexedVector<FacetVector> carriers_;  ///< per facet which of its nodes carry load, 1 or 0; empty: not decided
+  LoadCarriers carriers_;
+  LoadCarriers settled_;  ///< the last decisions
 };
 
 }  // namespace mixture_contact

@@ -19,10 +19,10 @@ class MortarSpace {
   const Effects& effects() const { return facing_.effects(); }
   Index nodes() const { return facing_.primary().nodes; }
 
-  /// Decides for facets that face the other surface for the first time since clear_boundary_weights() which of their
-  /// nodes carry load.
+  /// Decides for facets that face the other surface, and of which that is not decided, which of their nodes carry load.
   void update_boundary_weights(const FacingPositions& x);
-  void clear_boundary_weights() { weights_.clear(); }
+  BoundaryWeights& boundary_weights() { return weights_; }
+  const BoundaryWeights& boundary_weights() const { return weights_; }
   /// Functions psi_a (see BoundaryWeights::shape).
   ShapeFunctions shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
     return weights_.shape(primary_facet, sub_facet, xi);

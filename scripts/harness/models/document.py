@@ -210,7 +210,8 @@ def _mesh(mesh: Mesh, root: Element) -> None:
 
 def _element_type(nodes: int) -> str:
     """FEBio's name of a solid element with this many nodes."""
-    return f"penta{nodes}" if nodes in (6, 15) else f"hex{nodes}"
+    shape = {4: "tet", 10: "tet", 6: "penta", 15: "penta"}.get(nodes, "hex")
+    return f"{shape}{nodes}"
 
 
 def _sections(model: Model, root: Element) -> None:

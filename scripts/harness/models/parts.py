@@ -372,6 +372,8 @@ class Control:
         Further parameters of the solver.
     end : float, optional
         End of the analysis, s, instead of `steps` times `step`: FEBio's number of steps has 32 bits.
+    analysis : str, optional
+        FEBio's type of analysis; STATIC in the module `solid` and TRANSIENT elsewhere without it.
     """
 
     steps: int
@@ -385,11 +387,12 @@ class Control:
     stepper: TimeStepper | None = None
     solver: tuple[Param, ...] = ()
     end: float | None = None
+    analysis: str | None = None
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
         """Append the control section to the model `parent`."""
         made = child(parent, "Control")
-        child(made, "analysis", "STATIC" if module == "solid" else "TRANSIENT")
+        child(made, "analysis", self.analysis or ("STATIC" if module == "solid" else "TRANSIENT"))
         child(made, "time_steps", self.steps if self.end is None else -1)
         if self.end is not None:
             child(made, "final_time", self.end)

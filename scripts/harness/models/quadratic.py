@@ -15,7 +15,8 @@ Group = tuple[int, ...]
 
 _PRISM = ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5))
 _FACES = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (0, 3, 2, 1), (4, 5, 6, 7))
-ADDED: dict[int, tuple[Group, ...]] = {15: _PRISM, 20: EDGES, 27: (*EDGES, *_FACES, tuple(range(8)))}
+_TETRAHEDRON = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+ADDED: dict[int, tuple[Group, ...]] = {10: _TETRAHEDRON, 15: _PRISM, 20: EDGES, 27: (*EDGES, *_FACES, tuple(range(8)))}
 """By the nodes of an element: the corners in whose middle each node after the corners lies, in FEBio's order."""
 
 
@@ -41,9 +42,9 @@ def quadratic(mesh: Mesh, nodes: int) -> Mesh:
     Parameters
     ----------
     mesh : Mesh
-        Of hex8 and penta6.
+        Of hex8, penta6 and tet4.
     nodes : int
-        Of a hexahedron, 20 or 27. Prisms have 15, so their quadrilateral faces suit 20.
+        Of a hexahedron, 20 or 27. Prisms have 15, so their quadrilateral faces suit 20; tetrahedra have 10.
 
     Returns
     -------
@@ -58,7 +59,7 @@ def quadratic(mesh: Mesh, nodes: int) -> Mesh:
 
 
 def _part(part: Part, nodes: int, middle: _Middles) -> Part:
-    added = ADDED[15 if part.elements.shape[1] == 6 else nodes]
+    added = ADDED[{4: 10, 6: 15}.get(part.elements.shape[1], nodes)]
     rows = [[*ids, *(middle([ids[corner] for corner in group]) for group in added)] for ids in part.elements.tolist()]
     return replace(part, elements=np.array(rows, dtype=np.int64))
 

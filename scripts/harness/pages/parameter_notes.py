@@ -91,6 +91,8 @@ GROUPS = (
             "node_reloc",
             "flip_primary",
             "flip_secondary",
+            "shell_bottom_primary",
+            "shell_bottom_secondary",
         ),
     ),
     Group(
@@ -111,8 +113,6 @@ GROUPS = (
         "FEBio gives every contact two more, hidden parameters, `penalty_sf` and `max_penalty_sf`. They have no effect "
         "here; a notice says so.",
         (
-            "shell_bottom_primary",
-            "shell_bottom_secondary",
             "knmult",
             "smooth_aug",
             "smooth_fls",
@@ -213,8 +213,8 @@ NOTES = {
         default="`segments`; `gauss` with `two_pass`",
     ),
     "integration_order": Note(
-        "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the same "
-        "on each piece.",
+        "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the order "
+        "on each piece; 0: 3 where one of its facets is a tri7, quad8 or quad9, else 2.",
         "the contact's own work grows with its square",
         "not there",
     ),
@@ -299,8 +299,12 @@ NOTES = {
         "the gap, and slide freely. Fluxes cross there, too.",
         febio="`sliding-elastic` has it",
     ),
-    "shell_bottom_primary": Note("Not supported: 1 is an error.", febio="shells"),
-    "shell_bottom_secondary": Note("Not supported: 1 is an error.", febio="shells"),
+    "shell_bottom_primary": Note(
+        "The back faces of the shells that the primary surface lies on: a thickness behind their nodes, along the "
+        "director. An error on solid elements.",
+        febio="forces act on the front face",
+    ),
+    "shell_bottom_secondary": Note("The same for the secondary surface.", febio="forces act on the front face"),
     "knmult": Note("No effect, with a notice: the linearisation is complete.", febio="factor on a part of the tangent"),
     "smooth_aug": Note("No effect, with a notice.", febio="smoothed augmentation"),
     "smooth_fls": Note("No effect, with a notice: always averaged around nodes.", febio="smoothed fluid load support"),

@@ -14,8 +14,11 @@ from harness.preflight.sides import Joint
 
 UNREADABLE = ("bad-value", "load-curve")
 """Rules after which the values of the contact cannot be used."""
-BROKEN = ("empty-surface", "facet-of-no-element", "flat-facet", "shell-facets", "no-material", "inverted-facets")
-"""Rules after which the geometry of the contact cannot be used."""
+BROKEN = (
+    *("empty-surface", "facet-of-no-element", "flat-facet", "no-material", "inverted-facets"),
+    *("shell-facets", "self-contact"),
+)
+"""Rules after which the geometry of the contact cannot be used, or is not known here."""
 _ORDER = list(Severity)
 
 

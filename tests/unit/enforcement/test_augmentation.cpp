@@ -370,3 +370,32 @@ BOOST_AUTO_TEST_CASE(gaps_between_rigid_bodies_are_measured_against_the_penalty)
   contact->pass(0).laws().multipliers.traction_penalty_scale = 1;
   check_close(contact->gaps(scene.fields).traction.relative, 0.5, rounding);  // the load has doubled
 }
+
+BOOST_AUTO_TEST_CASE(augmentations_do_not_grow_a_reduced_penalty_back) {
+  for (const double reduction : {1.0, 100.0}) {
+    Scene scene = loaded_scene();
+    scene.settings.traction = {true, default_traction_factor};
+    scene.settings.traction_reduction = reduction;
+    scene.settings.tolerances = {{1e-12, 0}, off, off};
+    const auto contact = scene.contact();
+    contact->augment(scene.fields);
+    BOOST_TEST(contact->pass(0).laws().multipliers.traction_penalty_scale == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(augmentations_grow_penalties_to_the_default_of_one_pass_or_of_two) {
+  for (const bool two_pass : {false, true}) {
+    Scene scene = loaded_scene();
+    scene.settings.two_pass = two_pass;
+    scene.settings.traction = scene.settings.solvent = scene.settings.solute = {true, 1};
+    scene.settings.tolerances = {{1e-15, 0}, {1e-15, 0}, {1e-15, 0}};
+    const auto contact = scene.contact();
+    for (int n = 0; n < 8; ++n) contact->augment(scene.fields);
+    for (std::size_t pass = 0; pass < contact->passes(); ++pass) {
+      const Multipliers& state = contact->pass(pass).laws().multipliers;
+      BOOST_TEST(state.traction_penalty_scale == (two_pass ? two_pass_traction_factor : default_traction_factor));
+      for (const double scale : state.flux_penalty_scale)
+        BOOST_TEST(scale == (two_pass ? two_pass_flux_factor : default_flux_factor));
+    }
+  }
+}

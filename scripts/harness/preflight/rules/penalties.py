@@ -89,11 +89,12 @@ def rigid_sides(joint: Joint) -> Iterator[Finding]:
     if not automatic:
         return
     if contact.kind.is_mixture and all(side.rigid for side in joint.sides):
-        yield error(
+        yield note(
             "rigid-penalty",
             contact.tag,
-            "both surfaces are rigid, so there is no stiffness to choose a penalty from; the run stops",
-            "Set <auto_penalty> to 0 and <penalty> to a value, force per volume.",
+            "both surfaces are rigid: the penalty follows from the largest modulus in the model, that is "
+            "<E>/(1 - <v>^2) of rigid materials",
+            "None needed if that is about right; else set <penalty> to a value, force per volume.",
         )
     elif not contact.kind.is_mixture and joint.primary.rigid and _no_modulus(joint):
         yield error(

@@ -26,6 +26,7 @@ ALLOWED = {
     **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
     **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
     **dict.fromkeys(("tension", "flip_primary", "flip_secondary", "smooth_aug", "smooth_fls"), SWITCH),
+    **dict.fromkeys(("shell_bottom_primary", "shell_bottom_secondary"), SWITCH),
     "ambient_pressure": NUMBER,
     "offset": NUMBER,
     "contact_frac": FRACTION,
@@ -33,10 +34,6 @@ ALLOWED = {
     "ambient_concentration": NOT_NEGATIVE,
 }
 """What each parameter may be, in words; the others may be anything."""
-UNSUPPORTED = {
-    "shell_bottom_primary": "sliding-mixture works on the faces of solid elements",
-    "shell_bottom_secondary": "sliding-mixture works on the faces of solid elements",
-}
 LEFT_OUT = {
     "penalty": "the whole contact",
     "pressure_penalty": "the exchange of solvent",
@@ -52,6 +49,10 @@ FOLLOWED = (
 """Parameters whose load curves sliding-mixture follows."""
 NEVER_NEGATIVE = {"ambient_concentration": "a concentration", "fric_coeff": "a friction coefficient"}
 FEW_REFORMATIONS = 15
+SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")
+"""FEBio's linear solvers for symmetric matrices alone."""
+ITERATIVE_SOLVERS = ("fgmres", "bicgstab", "hypre_gmres", "boomeramg")
+"""Those that need a diagonal without zeros."""
 
 
 def unknown_parameter(joint: Joint) -> Iterator[Finding]:
@@ -111,21 +112,6 @@ def _number(tag: Element) -> float:
         return float(text(tag))
     except ValueError:
         return math.nan
-
-
-def unsupported(joint: Joint) -> Iterator[Finding]:
-    """Physics that this plugin does not have."""
-    if not joint.contact.kind.is_mixture:
-        return
-    for name, why in UNSUPPORTED.items():
-        tag = joint.contact.given(name)
-        if tag is not None and _number(tag) != 0.0 and text(tag).lower() != "false":
-            yield error(
-                "unsupported",
-                tag,
-                f"<{name}> is set, but {why}; the run stops",
-                "Set it to 0, or keep FEBio's contact type.",
-            )
 
 
 def left_out(joint: Joint) -> Iterator[Finding]:
@@ -349,6 +335,24 @@ def without_friction(joint: Joint) -> Iterator[Finding]:
             )
 
 
+def linear_solver(joint: Joint) -> Iterator[Finding]:
+    """Linear solvers that cannot solve the matrix of a contact."""
+    if not joint.contact.kind.is_mixture:
+        return
+    multipliers = joint.contact.given("laugon")
+    has_multipliers = multipliers is not None and text(multipliers) in ("LAGMULT", "2")
+    for control in joint.model.controls:
+        for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
+            kind = str(tag.get("type"))
+            if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
+                why = "solves symmetric matrices only, and that of this contact is not"
+            elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
+                why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
+            else:
+                continue
+            yield warning("linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso or mkl_dss.")
+
+
 def reformations(joint: Joint) -> Iterator[Finding]:
     """Few reformations for a contact that moves."""
     for control in joint.model.controls:
@@ -366,7 +370,6 @@ def reformations(joint: Joint) -> Iterator[Finding]:
 RULES = (
     unknown_parameter,
     bad_value,
-    unsupported,
     left_out,
     load_curve,
     module,
@@ -379,5 +382,6 @@ RULES = (
     symmetric_tangent,
     symmetric_friction,
     without_friction,
+    linear_solver,
     reformations,
 )

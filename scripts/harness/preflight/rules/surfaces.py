@@ -34,15 +34,24 @@ def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
 
 
 def shell_facets(joint: Joint) -> Iterator[Finding]:
-    """Surfaces on shells, which this plugin does not know."""
-    for side in joint.sides:
-        if joint.contact.kind.is_mixture and _on_shells(side):
-            yield error(
+    """Surfaces on shells, of which these rules know no thickness; and back faces of what is no shell."""
+    for side, name in zip(joint.sides, ("primary", "secondary"), strict=True):
+        bottom = joint.contact.given(f"shell_bottom_{name}")
+        if _on_shells(side):
+            yield note(
                 "shell-facets",
                 side.surface.tag,
-                f"surface '{side.surface.name}' lies on shell elements, which sliding-mixture does not support: it "
-                "works on the faces of solid elements",
-                "Use solid elements behind the surface, or keep FEBio's contact type.",
+                f"surface '{side.surface.name}' lies on shell elements: distances and penalties were not checked",
+                "None needed. Facets are those of the nodes; "
+                f"<shell_bottom_{name}> takes the back faces, a thickness away.",
+            )
+        elif bottom is not None and joint.contact.on(f"shell_bottom_{name}") and side.found.all():
+            yield error(
+                "shell-bottom",
+                bottom,
+                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; "
+                "the run stops",
+                f"Delete <shell_bottom_{name}>.",
             )
 
 
@@ -110,12 +119,21 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
     one, two = ({tuple(sorted(set(row))) for row in side.surface.corners.tolist()} for side in joint.sides)
     common = len(one & two)
     pair = joint.contact.pair
+    shared = f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common"
+    inside = any(len(found) > 1 for side in joint.sides for found in side.behind)
+    if common and joint.contact.kind.is_mixture and not inside:
+        yield note(
+            "self-contact",
+            pair.tag,
+            f"{shared}, which may be in contact with each other: distances were not checked",
+            "None needed if the body folds onto itself.",
+        )
+        return
     if common:
         yield error(
             "shared-facets",
             pair.tag,
-            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common, "
-            "which would be in contact with itself",
+            f"{shared}, where nothing can slide",
             "Name the surface of the other body.",
         )
         return

@@ -1,0 +1,35 @@
+#include "interface/overlap.h"
+
+#include <algorithm>
+
+namespace mixture_contact {
+namespace {
+
+/// The longest edge of the facets around each node; 0 where there are none.
+VectorXd longest_edges(const SurfaceMesh& mesh, const Matrix3Xd& position) {
+  VectorXd longest = VectorXd::Zero(mesh.nodes);
+  for (const Facet& facet : mesh.facets) {
+    const double edge = longest_edge(facet, position);
+    for (const int node : facet) longest[node] = std::max(longest[node], edge);
+  }
+  return longest;
+}
+
+}  // namespace
+
+Overlap largest_overlap(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  Overlap found;
+  for (std::size_t n = 0; n < contact.passes(); ++n) {
+    const Side side = both_sides.at(n);
+    const NodalLoads loads = contact.pass(n).nodal_loads(seen_from(side, fields));
+    const VectorXd edges = longest_edges(contact.mesh(side), fields[side].position);
+    for (Index node = 0; node < edges.size(); ++node) {
+      if (!loads.in_contact[node] || !(loads.gap[node] < 0)) continue;
+      found.depth = std::max(found.depth, -loads.gap[node]);
+      found.share = std::max(found.share, -loads.gap[node] / edges[node]);
+    }
+  }
+  return found;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,38 @@
+#include "linear_solvers.h"
+
+#include <set>
+
+namespace {
+
+/// Solvers that read one triangle of the matrix.
+const std::set<std::string>& symmetric_only() {
+  static const std::set<std::string> types{"skyline", "cg", "hypre_pcg_amg"};
+  return types;
+}
+
+/// Krylov methods: with or without an incomplete factorisation they divide by the diagonal, or do not converge.
+const std::set<std::string>& iterative() {
+  static const std::set<std::string> types{"fgmres", "bicgstab", "hypre_gmres", "boomeramg"};
+  return types;
+}
+
+}  // namespace
+
+std::string linear_solver_complaint(const std::string& type, MatrixKind matrix) {
+  const std::string subject = "the linear solver '" + type + "' ";
+  const std::string instead = " Use pardiso or mkl_dss.";
+  if (symmetric_only().count(type) > 0 && !matrix.symmetric) {
+    return subject + "solves symmetric matrices only, and that of this contact is not." + instead;
+  }
+  if (symmetric_only().count(type) > 0 && matrix.multipliers) {
+    return subject + "solves positive matrices only, and <laugon>LAGMULT</laugon> puts zeros on the diagonal." +
+           instead;
+  }
+  if (iterative().count(type) > 0 && matrix.multipliers) {
+    return subject +
+           "is iterative, and <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix, on which "
+           "incomplete factorisations divide: it may find no solution." +
+           instead;
+  }
+  return "";
+}

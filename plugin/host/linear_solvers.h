@@ -1,0 +1,14 @@
+/// Which of FEBio's linear solvers can solve the matrix of a contact.
+#pragma once
+
+#include <string>
+
+/// What a matrix with a contact asks of a linear solver.
+struct MatrixKind {
+  bool symmetric = false;    ///< whether all contacts keep it symmetric
+  bool multipliers = false;  ///< whether it holds multipliers, whose diagonal is zero
+};
+
+/// What is wrong with solving such a matrix by FEBio's solver of this type ("pardiso", "fgmres", ...), and what to take
+/// instead; empty where nothing is known against it.
+std::string linear_solver_complaint(const std::string& type, MatrixKind matrix);

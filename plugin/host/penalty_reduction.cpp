@@ -1,0 +1,37 @@
+#include "penalty_reduction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mixture_contact {
+namespace {
+
+/// Steps after which a recovery is tried again at the latest.
+constexpr int most_patience = 64;
+
+}  // namespace
+
+double PenaltyReduction::divisor() const { return std::pow(per_level, level_); }
+
+bool PenaltyReduction::fail() {
+  if (recovered_ > 0) patience_ = std::min(2 * patience_, most_patience);
+  accepted_ = recovered_ = 0;
+  if (level_ == most_levels) return false;
+  ++level_;
+  return true;
+}
+
+void PenaltyReduction::accept() {
+  if (is_full()) {
+    // Full penalties have been borne: the next recovery may be quicker.
+    recovered_ = 0;
+    patience_ = std::max(1, patience_ / 2);
+    return;
+  }
+  if (++accepted_ < patience_) return;
+  accepted_ = 0;
+  ++recovered_;
+  --level_;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,265 @@
+"""Models of a few boxes and plates, written part by part: several steps, any module, shells, surfaces of one's own.
+
+What the builders of the harness have no words for. Numbers are in mm, N, s.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+SIDES = ("bottom", "top", "front", "right", "back", "left")
+"""Names of a box's sides, in the order of `HEX_FACES`: -z, +z, -y, +x, +y, -x."""
+
+
+def _text(numbers: Iterable[float]) -> str:
+    return ",".join(f"{number:.12g}" for number in numbers)
+
+
+@dataclass
+class Part:
+    """Elements of one type and material, numbers of nodes from 1."""
+
+    name: str
+    material: str
+    element: str
+    elements: list[tuple[int, ...]]
+    thickness: float = 0.0
+    """Of shells; 0 for solids."""
+
+
+@dataclass
+class Parts:
+    """Nodes, parts, surfaces and node sets that are added one after the other."""
+
+    nodes: list[tuple[float, float, float]] = field(default_factory=list)
+    parts: list[Part] = field(default_factory=list)
+    surfaces: dict[str, list[tuple[int, ...]]] = field(default_factory=dict)
+    node_sets: dict[str, list[int]] = field(default_factory=dict)
+
+    def box(self, name: str, low: Sequence[float], high: Sequence[float], cells: Sequence[int], material: str) -> None:
+        """A box of hex8; its sides are the surfaces and node sets `name`-bottom, ..."""
+        axes = [np.linspace(a, b, n + 1) for a, b, n in zip(low, high, cells, strict=True)]
+        points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
+        number = len(self.nodes) + 1 + np.arange(points[..., 0].size).reshape(points.shape[:3])
+        self.nodes += [tuple(point) for point in points.reshape(-1, 3)]
+        a, b = slice(None, -1), slice(1, None)
+        corners = [number[i, j, k] for k in (a, b) for i, j in ((a, a), (b, a), (b, b), (a, b))]
+        elements = np.stack([corner.ravel() for corner in corners], axis=1)
+        self.parts.append(Part(name, material, "hex8", [tuple(map(int, ids)) for ids in elements]))
+        ends = (number[:, :, 0], number[:, :, -1], number[:, 0], number[-1], number[:, -1], number[0])
+        for side, face, on_side in zip(SIDES, HEX_FACES, ends, strict=True):
+            here = set(map(int, on_side.ravel()))
+            facets = [tuple(int(ids[a]) for a in face) for ids in elements]
+            self.surfaces[f"{name}-{side}"] = [facet for facet in facets if here.issuperset(facet)]
+            self.node_sets[f"{name}-{side}"] = sorted(here)
+
+    def plate(self, name: str, material: str, level: float, thickness: float, *, faces_up: bool = True) -> None:
+        """A plate of nine quad4 shells over the unit square at z = `level`; surface and node set `name`."""
+        line = np.linspace(0.0, 1.0, 4)
+        number = len(self.nodes) + 1 + np.arange(line.size**2).reshape(line.size, line.size)
+        self.nodes += [(x, y, level) for x in line for y in line]
+        a, b = slice(None, -1), slice(1, None)
+        order = ((a, a), (b, a), (b, b), (a, b)) if faces_up else ((a, a), (a, b), (b, b), (b, a))
+        shells = [tuple(map(int, ids)) for ids in np.stack([number[i, j].ravel() for i, j in order], axis=1)]
+        self.parts.append(Part(name, material, "quad4", shells, thickness))
+        self.surfaces[name] = shells
+        self.node_sets[name] = sorted(map(int, number.ravel()))
+
+    def cut_out(self, name: str, low: Sequence[float], high: Sequence[float]) -> None:
+        """Takes elements of a part whose middles lie within a box away, and their nodes if nothing else has them."""
+        part = next(part for part in self.parts if part.name == name)
+        middles = [np.mean([self.nodes[n - 1] for n in ids], axis=0) for ids in part.elements]
+        inside = [bool(np.all(m > low) and np.all(m < high)) for m in middles]
+        part.elements = [ids for ids, cut in zip(part.elements, inside, strict=True) if not cut]
+        used = sorted({n for other in self.parts for ids in other.elements for n in ids})
+        number = {old: new for new, old in enumerate(used, 1)}
+        self.nodes = [self.nodes[n - 1] for n in used]
+        for other in self.parts:
+            other.elements = [tuple(number[n] for n in ids) for ids in other.elements]
+        self.node_sets = {key: [number[n] for n in ids if n in number] for key, ids in self.node_sets.items()}
+        self.surfaces = {
+            key: [tuple(number[n] for n in facet) for facet in facets if all(n in number for n in facet)]
+            for key, facets in self.surfaces.items()
+        }
+
+    def outside(self, name: str) -> list[tuple[int, ...]]:
+        """The faces of a part of hex8 that one element alone has."""
+        part = next(part for part in self.parts if part.name == name)
+        faces = [tuple(ids[a] for a in face) for ids in part.elements for face in HEX_FACES]
+        count = Counter(tuple(sorted(face)) for face in faces)
+        return [face for face in faces if count[tuple(sorted(face))] == 1]
+
+    def facets_in(self, facets: Sequence[tuple[int, ...]], axis: int, value: float) -> list[tuple[int, ...]]:
+        """Those in a plane."""
+        return [f for f in facets if all(abs(self.nodes[n - 1][axis] - value) < 1e-9 for n in f)]
+
+    def mesh(self, pairs: dict[str, tuple[str, str]]) -> str:
+        """<Mesh> and <MeshDomains>, with these pairs of surfaces."""
+        lines = ['<Mesh><Nodes name="all">']
+        lines += [f'<node id="{n}">{_text(point)}</node>' for n, point in enumerate(self.nodes, 1)]
+        lines.append("</Nodes>")
+        number = 0
+        for part in self.parts:
+            lines.append(f'<Elements type="{part.element}" name="{part.name}">')
+            for ids in part.elements:
+                number += 1
+                lines.append(f'<elem id="{number}">{_text(ids)}</elem>')
+            lines.append("</Elements>")
+        for name, members in self.node_sets.items():
+            lines.append(f'<NodeSet name="{name}">{_text(members)}</NodeSet>')
+        for name, facets in self.surfaces.items():
+            inner = "".join(f'<quad4 id="{n}">{_text(facet)}</quad4>' for n, facet in enumerate(facets, 1))
+            lines.append(f'<Surface name="{name}">{inner}</Surface>')
+        for name, (one, two) in pairs.items():
+            lines.append(
+                f'<SurfacePair name="{name}"><primary>{one}</primary><secondary>{two}</secondary></SurfacePair>'
+            )
+        lines.append("</Mesh><MeshDomains>")
+        for part in self.parts:
+            if part.thickness > 0:
+                shell = f"<shell_thickness>{part.thickness:g}</shell_thickness>"
+                lines.append(f'<ShellDomain name="{part.name}" mat="{part.material}">{shell}</ShellDomain>')
+            else:
+                lines.append(f'<SolidDomain name="{part.name}" mat="{part.material}"/>')
+        return "\n".join([*lines, "</MeshDomains>"])
+
+
+def elastic(name: str, number: int, modulus: float = 1.0, ratio: float = 0.0) -> str:
+    """A neo-Hookean material."""
+    inner = f"<density>1</density><E>{modulus}</E><v>{ratio}</v>"
+    return f'<material id="{number}" name="{name}" type="neo-Hookean">{inner}</material>'
+
+
+def rigid(name: str, number: int, extra: str = "") -> str:
+    """A rigid body with its centre of mass at the origin."""
+    inner = f"<density>1</density><center_of_mass>0,0,0</center_of_mass>{extra}"
+    return f'<material id="{number}" name="{name}" type="rigid body">{inner}</material>'
+
+
+def biphasic(name: str, number: int, modulus: float = 1.0, permeability: float = 1e-3) -> str:
+    """A biphasic material with a neo-Hookean solid."""
+    solid = f'<solid type="neo-Hookean"><density>1</density><E>{modulus}</E><v>0</v></solid>'
+    flow = f'<permeability type="perm-const-iso"><perm>{permeability}</perm></permeability>'
+    inner = f"<phi0>0.2</phi0><fluid_density>1e-9</fluid_density>{solid}{flow}"
+    return f'<material id="{number}" name="{name}" type="biphasic">{inner}</material>'
+
+
+def fixed(nodes: str, *dofs: str) -> str:
+    """Displacements that are zero, of x, y, z."""
+    inner = "".join(f"<{dof}_dof>1</{dof}_dof>" for dof in dofs)
+    return f'<bc type="zero displacement" node_set="{nodes}">{inner}</bc>'
+
+
+def moved(nodes: str, dof: str, value: float, curve: int = 1) -> str:
+    """A displacement that follows a load curve."""
+    inner = f'<dof>{dof}</dof><value lc="{curve}">{value}</value><relative>0</relative>'
+    return f'<bc type="prescribed displacement" node_set="{nodes}">{inner}</bc>'
+
+
+def contact(name: str, pair: str, kind: str = "sliding-mixture", params: str = "") -> str:
+    """A contact of a pair of surfaces."""
+    inner = f">{params}</contact>" if params else "/>"
+    return f'<contact name="{name}" type="{kind}" surface_pair="{pair}"{inner}'
+
+
+def control(module: str, steps: int, size: float, *, retries: int = 0, analysis: str = "STATIC") -> str:
+    """Equal steps of full Newton iterations."""
+    stepper = (
+        f'<time_stepper type="default"><max_retries>{retries}</max_retries><opt_iter>15</opt_iter><dtmin>0</dtmin>'
+        f"<dtmax>{size}</dtmax></time_stepper>"
+        if retries
+        else ""
+    )
+    solver = (
+        f'<solver type="{module}"><symmetric_stiffness>non-symmetric</symmetric_stiffness><max_refs>25</max_refs>'
+        '<qn_method type="BFGS"><max_ups>0</max_ups></qn_method></solver>'
+    )
+    return (
+        f"<Control><analysis>{analysis}</analysis><time_steps>{steps}</time_steps><step_size>{size}</step_size>"
+        f"<plot_level>PLOT_NEVER</plot_level>{stepper}{solver}</Control>"
+    )
+
+
+def curve(number: int, *points: tuple[float, float]) -> str:
+    """A load curve of straight lines."""
+    inner = "".join(f"<pt>{t:g},{value:g}</pt>" for t, value in points)
+    return (
+        f'<load_controller id="{number}" type="loadcurve"><interpolate>LINEAR</interpolate><extend>CONSTANT</extend>'
+        f"<points>{inner}</points></load_controller>"
+    )
+
+
+@dataclass
+class Document:
+    """A whole model: each entry is the content of the section of that name."""
+
+    mesh: str
+    materials: Sequence[str]
+    module: str = "solid"
+    control: str = ""
+    boundary: Sequence[str] = ()
+    rigid: Sequence[str] = ()
+    loads: Sequence[str] = ()
+    contacts: Sequence[str] = ()
+    steps: Sequence[str] = ()
+    curves: Sequence[str] = ()
+    node_data: str = "ux;uy;uz"
+    surface_data: dict[str, str] = field(default_factory=dict)
+    rigid_data: dict[int, str] = field(default_factory=dict)
+    globals: str = ""
+
+    def text(self) -> str:
+        """The model as FEBio 4 XML; logged data go to the files nodes.txt, surface-NAME.txt, rigid-N.txt."""
+        sections = {
+            "Boundary": self.boundary,
+            "Rigid": self.rigid,
+            "Loads": self.loads,
+            "Contact": self.contacts,
+            "Step": self.steps,
+            "LoadData": self.curves,
+        }
+        constants = "<Constants><T>298</T><R>8.314e-06</R><Fc>0</Fc></Constants>"
+        output = [f'<node_data data="{self.node_data}" file="nodes.txt" delim=" "/>']
+        for name, data in self.surface_data.items():
+            output.append(f'<surface_data surface="{name}" data="{data}" file="surface-{name}.txt" delim=" "/>')
+        for number, data in self.rigid_data.items():
+            output.append(
+                f'<rigid_body_data data="{data}" file="rigid-{number}.txt" delim=" ">{number}</rigid_body_data>'
+            )
+        return "\n".join(
+            [
+                '<?xml version="1.0" encoding="ISO-8859-1"?>',
+                '<febio_spec version="4.0">',
+                f'<Module type="{self.module}"/>',
+                self.control,
+                f"<Globals>{constants}{self.globals}</Globals>",
+                "<Material>",
+                *self.materials,
+                "</Material>",
+                self.mesh,
+                *(f"<{name}>{''.join(lines)}</{name}>" for name, lines in sections.items() if lines),
+                f"<Output><logfile>{''.join(output)}</logfile></Output></febio_spec>",
+            ]
+        )
+
+
+def step(number: int, inner: str) -> str:
+    """A step of the analysis with the sections that it has."""
+    return f'<step id="{number}" name="step{number}">{inner}</step>'
+
+
+def table(path: Path) -> np.ndarray:
+    """Logged data, shape (times, items, columns)."""
+    blocks: list[list[list[float]]] = []
+    for line in path.read_text().splitlines():
+        if line.startswith("*Step"):
+            blocks.append([])
+        elif line and not line.startswith("*"):
+            blocks[-1].append([float(entry) for entry in line.split()[1:]])
+    return np.array([block for block in blocks if block])

@@ -1,0 +1,85 @@
+"""A model without and with the predictor, and what the two runs took."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from harness.models.document import Model
+from harness.models.interface import InterfaceType
+from harness.models.parts import Contact, Param
+from harness.pages import collection
+from harness.run.febio_log import Report
+from harness.run.runner import Runner
+from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.scene import Fineness, Interface
+
+MOST = 1.02
+"""Iterations with the predictor over those without it, at most, for it to become the default."""
+
+
+@dataclass(frozen=True)
+class Took:
+    """What a run took."""
+
+    ended: bool
+    steps: int
+    iterations: int
+    retries: int
+
+
+@dataclass(frozen=True)
+class Pair:
+    """The runs of a model without and with the predictor."""
+
+    name: str
+    without: Took
+    predicted: Took
+
+    @property
+    def ratio(self) -> float:
+        """Iterations with the predictor over those without it."""
+        return self.predicted.iterations / max(1, self.without.iterations)
+
+    @property
+    def harms(self) -> str:
+        """In what the predictor is worse; empty where in nothing."""
+        worse = []
+        if self.without.ended and not self.predicted.ended:
+            worse.append("does not end")
+        if self.predicted.retries > self.without.retries:
+            worse.append("more retries")
+        if self.predicted.ended and self.ratio > MOST:
+            worse.append("more iterations")
+        return ", ".join(worse)
+
+
+def with_predictor(model: Model) -> Model:
+    """The same model with `predictor` 1 in each contact of the plugin."""
+    return replace(model, contacts=tuple(_predicted(contact) for contact in model.contacts))
+
+
+def _predicted(contact: Contact) -> Contact:
+    if contact.kind != InterfaceType.MIXTURE.value:
+        return contact
+    others = tuple(param for param in contact.params if param.tag != "predictor")
+    return replace(contact, params=(*others, Param("predictor", True)))
+
+
+def known_models(meshes: Sequence[Fineness]) -> Iterator[tuple[str, Model]]:
+    """Name and model: those of the repository, then each hard case on these meshes."""
+    for model in collection.models():
+        yield model.name, model
+    for name, case in CASES.items():
+        for mesh in meshes:
+            yield f"{name}, {mesh.value}", case.scene.model(mesh, Interface.MIXTURE)
+
+
+def run(name: str, model: Model, runner: Runner) -> Pair:
+    """Run a model without and with the predictor."""
+    return Pair(name, _took(model, runner), _took(with_predictor(model), runner))
+
+
+def _took(model: Model, runner: Runner) -> Took:
+    report: Report = runner(model, check=False).report
+    return Took(report.normal, report.steps, report.iterations, report.retries)

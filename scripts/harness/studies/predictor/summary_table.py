@@ -1,0 +1,35 @@
+"""The table of all models without and with the predictor."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from harness.studies.predictor.paired_models import MOST, Pair, Took
+
+
+def table(pairs: Sequence[Pair]) -> str:
+    """A Markdown table, a row for each model: iterations, and retries in brackets where there are any."""
+    head = ["| model | without | with `predictor` | ratio | worse in |", "|---|---|---|---|---|"]
+    return "\n".join([*head, *map(_row, pairs)])
+
+
+def _row(pair: Pair) -> str:
+    cells = (pair.name, _cell(pair.without), _cell(pair.predicted), f"{pair.ratio:.2f}", pair.harms)
+    return "| " + " | ".join(cells) + " |"
+
+
+def _cell(took: Took) -> str:
+    retries = f" ({took.retries})" if took.retries else ""
+    return f"{took.iterations}{retries}" if took.ended else f"fails after {took.steps} steps{retries}"
+
+
+def summary(pairs: Sequence[Pair]) -> str:
+    """Sums over all models, and how many speak against the predictor as the default."""
+    without = sum(pair.without.iterations for pair in pairs)
+    predicted = sum(pair.predicted.iterations for pair in pairs)
+    harmed = [pair for pair in pairs if pair.harms]
+    return (
+        f"{len(pairs)} models: {predicted} iterations with the predictor, {without} without it. In "
+        f"{len(harmed) or 'none'} of them it does harm: a run that fails, more retries, or more than {MOST} times "
+        "the iterations."
+    )

@@ -1,0 +1,114 @@
+// A fake host takes steps that a scene bears up to some factor of the penalty, and retries those that fail.
+#include "host/contact_parameters.h"
+#include "host/penalty_reduction.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <functional>
+#include <vector>
+
+using mixture_contact::default_traction_factor;
+using mixture_contact::PenaltyReduction;
+
+namespace {
+
+class FakeHost {
+ public:
+  /// `bears`: the largest factor of the penalty at which a step, by its number, can be solved.
+  explicit FakeHost(std::function<double(int)> bears) : bears_(std::move(bears)) {}
+
+  /// Returns the factor at which each step was accepted.
+  std::vector<double> run(int steps) {
+    std::vector<double> factors;
+    for (int step = 0; step < steps; ++step) {
+      while (factor() > bears_(step) && reduction.fail()) ++failures;
+      factors.push_back(factor());
+      reduction.accept();
+    }
+    return factors;
+  }
+
+  double factor() const { return default_traction_factor / reduction.divisor(); }
+
+  PenaltyReduction reduction;
+  int failures = 0;
+
+ private:
+  std::function<double(int)> bears_;
+};
+
+ContactParameters automatic() { return {}; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(penalties_are_full_where_no_step_fails) {
+  FakeHost host([](int) { return 1e9; });
+  for (const double factor : host.run(5)) BOOST_TEST(factor == default_traction_factor);
+  BOOST_TEST(host.failures == 0);
+}
+
+BOOST_AUTO_TEST_CASE(each_failure_divides_by_ten_and_accepted_steps_recover_level_by_level) {
+  FakeHost host([](int step) { return step == 0 ? 1.0 : 1e9; });
+  const std::vector<double> expected{1, 10, 100, 1000, 1000};
+  BOOST_TEST(host.run(5) == expected, boost::test_tools::per_element());
+  BOOST_TEST(host.failures == 3);
+}
+
+BOOST_AUTO_TEST_CASE(penalties_do_not_fall_below_the_stiffness_of_the_bodies) {
+  PenaltyReduction reduction;
+  for (int n = 0; n < PenaltyReduction::most_levels; ++n) BOOST_TEST(reduction.fail());
+  BOOST_TEST(!reduction.fail());
+  BOOST_TEST(default_traction_factor / reduction.divisor() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(recovery_is_tried_ever_more_seldom_where_a_scene_stays_hard) {
+  FakeHost host([](int) { return 100.0; });
+  for (const double factor : host.run(60)) BOOST_TEST(factor == 100);
+  // Tried after 1, 2, 4, 8, 16 and 32 steps.
+  BOOST_TEST(host.failures == 6);
+}
+
+BOOST_AUTO_TEST_CASE(a_hard_passage_that_is_over_is_forgotten) {
+  FakeHost host([](int step) { return step < 20 ? 100.0 : 1e9; });
+  host.run(60);
+  BOOST_TEST(host.reduction.is_full());
+  host.reduction.fail();
+  host.reduction.accept();
+  BOOST_TEST(host.reduction.is_full());
+}
+
+BOOST_AUTO_TEST_CASE(a_restart_continues_with_the_same_penalties) {
+  FakeHost host([](int) { return 100.0; });
+  host.run(4);
+  std::vector<int> stored;
+  host.reduction.for_each_value([&](int& value) { stored.push_back(value); });
+  FakeHost continued([](int) { return 100.0; });
+  auto next = stored.begin();
+  continued.reduction.for_each_value([&](int& value) { value = *next++; });
+  BOOST_TEST(continued.run(20) == host.run(20), boost::test_tools::per_element());
+  BOOST_TEST(continued.failures < host.failures);
+}
+
+BOOST_AUTO_TEST_CASE(a_penalty_that_is_given_is_never_reduced) {
+  ContactParameters given;
+  given.penalty_given = true;
+  given.penalty = 7;
+  for (const bool is_factor : {false, true}) {
+    given.auto_penalty = is_factor;
+    BOOST_TEST(core_settings(given, SolverKind::newton, 100).traction_reduction == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(automatic_penalties_are_reduced_down_to_the_stiffness_of_the_bodies) {
+  BOOST_TEST(core_settings(automatic(), SolverKind::newton, 100).traction_reduction == 100);
+  ContactParameters two_pass;
+  two_pass.two_pass = true;
+  BOOST_TEST(core_settings(two_pass, SolverKind::newton, 1000).traction_reduction == 100);
+  BOOST_TEST(core_settings(automatic(), SolverKind::explicit_dynamics, 10).traction_reduction == 1);
+}
+
+BOOST_AUTO_TEST_CASE(unknown_multipliers_have_no_penalty_to_reduce) {
+  ContactParameters multipliers;
+  multipliers.laugon = 2;
+  BOOST_TEST(core_settings(multipliers, SolverKind::newton, 10).traction_reduction == 1);
+}
