@@ -68,6 +68,6 @@ void BoundContact::serialize(DumpStream& ar) {
     if (!ar.IsSaving()) build(std::move(meshes), effects);
   }
   ContactInterface::State state = core_->state();
-  archive_state(ar, state);
+  archive_state(ar, state, core_->effects());
   if (!ar.IsSaving()) core_->restore(std::move(state));
 }

@@ -15,6 +15,7 @@ class BoundContact : public mixture_contact::SteppedContact {
 
   /// Makes the core. Nothing else may be called before.
   void build(mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes, const mixture_contact::Effects& effects);
+  bool is_built() const { return core_ != nullptr; }
   mixture_contact::ContactInterface& core() const { return *core_; }
   /// Values at the nodes, as the core takes them.
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const;

@@ -12,6 +12,7 @@ void ContactOutput::store() {
   Balance total = balance(core, current);
   surfaces_[Side::primary].store_output(nodal_output(core, Side::primary, current), total);
   total.force = -total.force;
+  total.friction = -total.friction;
   total.flow = -total.flow;
   surfaces_[Side::secondary].store_output(nodal_output(core, Side::secondary, current), total);
   warn_of_overlap();

@@ -94,7 +94,8 @@ bool ContactSetup::has_sound_values() const {
 bool ContactSetup::check_parameters() const {
   const bool sound = has_sound_values();
   for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
-  if (!parameters_.free_draining && (parameters_.ambient_pressure != 0 || !ambient_.empty()))
+  const bool has_ambient = parameters_.ambient_pressure != 0 || !ambient_.empty();
+  if (!parameters_.free_draining && has_ambient && !has_friction(parameters_))
     log_.say("ambient values have no effect: <free_draining> is 0.");
   return sound;
 }
@@ -256,12 +257,17 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
   return fields;
 }
 
+FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
+  return {has_friction(parameters_), dofs_.pressure(false) >= 0 && parameters_.contact_frac < 1 && has_fluid(materials)};
+}
+
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {
   fields_at_contact_ = fields_of_model(materials);
-  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, Motion::undecided);
+  friction_ = friction_of_model(materials);
+  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, Motion::undecided, friction_);
   log_.errors(exchange.complaints);
   if (!exchange.complaints.empty()) return std::nullopt;
-  const int fields = exchange.effects.scalar_fields();
+  const int fields = exchange.effects.nodal_fields();
   if (fields <= max_scalar_fields) return exchange.effects;
   log_.error("the surfaces share " + std::to_string(fields) + " fields; at most " + std::to_string(max_scalar_fields) +
              " are supported.");
@@ -327,9 +333,12 @@ Motion ContactSetup::motion() const {
 bool ContactSetup::decide_traction(const BoundContact& contact) {
   // Only a step's own boundary conditions tell whether anything can move in it. A continued run has not read materials.
   if (fields_at_contact_.empty()) {
-    if (const auto found = materials()) fields_at_contact_ = fields_of_model(*found);
+    if (const auto found = materials()) {
+      fields_at_contact_ = fields_of_model(*found);
+      friction_ = friction_of_model(*found);
+    }
   }
-  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, motion());
+  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, motion(), friction_);
   log_.errors(exchange.complaints);
   if (exchange.effects.traction != contact.core().effects().traction)
     contact.core().exchange_traction(exchange.effects.traction);

@@ -50,6 +50,7 @@ class ContactSetup {
   std::optional<FacetMaterials> materials() const;
   void say_stand_in() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;
+  FrictionRequest friction_of_model(const FacetMaterials& materials) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
   /// Whether an automatic penalty finds no element that it could be measured by.
   bool lacks_stiffness(const FacetMaterials& materials) const;
@@ -64,5 +65,6 @@ class ContactSetup {
   const AmbientConcentrations& ambient_;
   const ContactLog& log_;
   std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow
+  FrictionRequest friction_;                       ///< what parameters and materials say of friction
   std::string summary_;                            ///< what the log said last of the effects
 };

@@ -65,8 +65,8 @@ PerSide<SurfaceFields> ContactSurfaces::fields(const DofMap& dofs, const Effects
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = (*this)[side];
     all[side].position = std::move(x[side]);
-    all[side].scalar.resize(surface.Nodes(), effects.scalar_fields());
-    for (int k = 0; k < effects.scalar_fields(); ++k) {
+    all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
+    for (int k = 0; k < effects.nodal_fields(); ++k) {
       const int dof = dofs.field(side, effects, k);
       for (int i = 0; i < surface.Nodes(); ++i) all[side].scalar(i, k) = surface.Node(i).get(dof);
     }

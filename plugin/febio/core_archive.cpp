@@ -35,6 +35,20 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux_penalty_scale);
 }
 
+/// What friction adds to a state.
+void archive_friction(DumpStream& ar, ContactInterface::State& state) {
+  for (Multipliers& multipliers : state.multipliers) {
+    VectorXd slips(multipliers.slips.count());
+    for (Index node = 0; node < slips.size(); ++node) slips[node] = multipliers.slips[node] ? 1 : 0;
+    archive(ar, multipliers.friction);
+    archive(ar, slips);
+    archive(ar, multipliers.friction_penalty_scale);
+    multipliers.slips.assign(newton::entries(slips.size()), false);
+    for (Index node = 0; node < slips.size(); ++node) multipliers.slips[node] = slips[node] > 0;
+  }
+  for (Matrix3Xd& position : state.slips_from) archive(ar, position);
+}
+
 void archive_carriers(DumpStream& ar, LoadCarriers& carriers) {
   int facets = mixture_contact::number_of(carriers);
   ar & facets;
@@ -59,11 +73,11 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
 }
 
 void archive_effects(DumpStream& ar, Effects& effects) {
-  ar & effects.traction & effects.solvent;
+  ar & effects.traction & effects.solvent & effects.friction & effects.bearing_fluid;
   archive(ar, effects.solutes);
 }
 
-void archive_state(DumpStream& ar, ContactInterface::State& state) {
+void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects& effects) {
   int passes = mixture_contact::number_of(state.multipliers);
   archive(ar, state.check_nodes);
   ar & passes;
@@ -71,4 +85,5 @@ void archive_state(DumpStream& ar, ContactInterface::State& state) {
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
   state.carriers.resize(newton::entries(passes));
   for (LoadCarriers& carriers : state.carriers) archive_carriers(ar, carriers);
+  if (effects.friction) archive_friction(ar, state);
 }

@@ -7,4 +7,6 @@ class DumpStream;
 
 void archive_mesh(DumpStream& ar, mixture_contact::SurfaceMesh& mesh);
 void archive_effects(DumpStream& ar, mixture_contact::Effects& effects);
-void archive_state(DumpStream& ar, mixture_contact::ContactInterface::State& state);
+/// `effects`: of the contact that the state is of.
+void archive_state(DumpStream& ar, mixture_contact::ContactInterface::State& state,
+                   const mixture_contact::Effects& effects);

@@ -115,6 +115,7 @@ void FEMixtureContact::find_load_curves() {
   parameters_.penalty_varies = varies(parameters_.penalty);
   parameters_.pressure_penalty_varies = varies(parameters_.pressure_penalty);
   parameters_.concentration_penalty_varies = varies(parameters_.concentration_penalty);
+  parameters_.fric_coeff_varies = varies(parameters_.fric_coeff);
 }
 
 int FEMixtureContact::InitEquations(int first) {
@@ -138,6 +139,7 @@ void FEMixtureContact::Activate() {
 
 void FEMixtureContact::Deactivate() {
   FEContactInterface::Deactivate();
+  if (bound_.is_built()) core().forget_friction();  // FEBio deactivates what belongs to a step as it reads it
   model_->deactivate(*this);
 }
 
@@ -203,7 +205,10 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
 }
 
 void FEMixtureContact::on_callback(unsigned int when) {
-  if (when == CB_TIMESTEP_SOLVED) output_.store();
+  if (when == CB_TIMESTEP_SOLVED) {
+    output_.store();
+    core().accept_step(bound_.fields());
+  }
   if (when == CB_SOLVED) output_.log_timings();
 }
 
@@ -246,7 +251,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       ar & given;
     });
     ar & parameters_.self_contact & parameters_.penalty_varies & parameters_.pressure_penalty_varies &
-        parameters_.concentration_penalty_varies;
+        parameters_.concentration_penalty_varies & parameters_.fric_coeff_varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

@@ -31,6 +31,7 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
   std::vector<double> gap(FEElement::MAX_NODES);
   std::vector<double> pressure(FEElement::MAX_NODES);
   std::vector<double> jump(FEElement::MAX_NODES);
+  const bool has_friction = nodal.friction.bound.size() > 0;
   for (int face = 0; face < Elements(); ++face) {
     FESurfaceElement& element = Element(face);
     for (int a = 0; a < element.Nodes(); ++a) {
@@ -47,6 +48,28 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
       point.m_nu = SurfaceNormal(element, q);
       point.m_tr = point.m_nu * (-point.m_Ln);
     }
+    if (has_friction) store_friction(element);
+  }
+}
+
+void FEMixtureSurface::store_friction(FESurfaceElement& element) {
+  std::vector<vec3d> traction(FEElement::MAX_NODES);
+  std::vector<double> coefficient(FEElement::MAX_NODES);
+  std::vector<double> support(FEElement::MAX_NODES);
+  std::vector<double> sticks(FEElement::MAX_NODES);
+  for (int a = 0; a < element.Nodes(); ++a) {
+    const int node = at(element.m_lnode, a);
+    at(traction, a) = to_febio(nodal_.friction.traction.col(node));
+    at(coefficient, a) = nodal_.effective_friction(node);
+    at(support, a) = nodal_.fluid_load_support(node);
+    at(sticks, a) = mixture_contact::status_of(nodal_.friction, node) == mixture_contact::Sliding::sticks ? 1 : 0;
+  }
+  for (int q = 0; q < element.GaussPoints(); ++q) {
+    auto& point = contact_point(element, q);
+    point.m_tr += element.eval(traction.data(), q);
+    point.m_mueff = element.eval(coefficient.data(), q);
+    point.m_fls = element.eval(support.data(), q);
+    point.m_bstick = element.eval(sticks.data(), q) > 0.5;
   }
 }
 
@@ -115,6 +138,25 @@ void FEMixtureSurface::GetContactTraction(int face, vec3d& traction) {
   }
 }
 
+double FEMixtureSurface::mean(int face, const std::function<double(const FEBiphasicContactPoint&)>& value) {
+  FESurfaceElement& element = Element(face);
+  double sum = 0;
+  for (int q = 0; q < element.GaussPoints(); ++q) sum += value(contact_point(element, q));
+  return sum / element.GaussPoints();
+}
+
+void FEMixtureSurface::GetStickStatus(int face, double& sticks) {
+  sticks = mean(face, [](const FEBiphasicContactPoint& point) { return point.m_bstick ? 1.0 : 0.0; });
+}
+
+void FEMixtureSurface::GetMuEffective(int face, double& coefficient) {
+  coefficient = mean(face, [](const FEBiphasicContactPoint& point) { return point.m_mueff; });
+}
+
+void FEMixtureSurface::GetLocalFLS(int face, double& support) {
+  support = mean(face, [](const FEBiphasicContactPoint& point) { return point.m_fls; });
+}
+
 void FEMixtureSurface::GetNodalVectorGap(int face, vec3d* gap) {
   FESurfaceElement& element = Element(face);
   vec3d at_points[FEElement::MAX_INTPOINTS];
@@ -141,6 +183,8 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
   for (int a = 0; a < element.Nodes(); ++a) {
     const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
     traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);
+    const int node = at(element.m_lnode, a);
+    if (node < nodal_.friction.traction.cols()) traction[a] += to_febio(nodal_.friction.traction.col(node));
   }
 }
 
@@ -154,5 +198,12 @@ void FEMixtureSurface::Serialize(DumpStream& ar) {
   archive(ar, total_.force);
   archive(ar, total_.area);
   archive(ar, total_.flow);
+  archive(ar, total_.friction);
+  archive(ar, total_.dissipation);
+  archive(ar, nodal_.friction.traction);
+  archive(ar, nodal_.friction.slip);
+  archive(ar, nodal_.friction.bound);
+  archive(ar, nodal_.friction.fluid);
+  archive(ar, nodal_.friction.status);
   ar & has_shell_bottoms_;
 }

@@ -5,6 +5,8 @@
 
 #include <FEBioMix/FEBiphasicContactSurface.h>
 
+#include <functional>
+
 class FEMixtureContact;
 
 class FEMixtureSurface : public FEBiphasicContactSurface {
@@ -42,6 +44,9 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   vec3d GetFluidForce() override;
   void GetVectorGap(int face, vec3d& gap) override;
   void GetContactTraction(int face, vec3d& traction) override;
+  void GetStickStatus(int face, double& sticks) override;
+  void GetMuEffective(int face, double& coefficient) override;
+  void GetLocalFLS(int face, double& support) override;
   void GetNodalVectorGap(int face, vec3d* gap) override;
   void GetNodalContactPressure(int face, double* pressure) override;
   void GetNodalContactTraction(int face, vec3d* traction) override;
@@ -49,6 +54,10 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   void Serialize(DumpStream& ar) override;
 
  private:
+  void store_friction(FESurfaceElement& element);
+  /// Over the points of a facet.
+  double mean(int face, const std::function<double(const FEBiphasicContactPoint&)>& value);
+
   const FEMixtureContact& contact_;
   mixture_contact::Side side_;
   mixture_contact::NodalOutput nodal_;

@@ -126,6 +126,75 @@ class FEPlotSoluteFlow : public FEPlotSurfaceData {
   }
 };
 
+/// A number at each node.
+template <double (*value)(const FEMixtureSurface&, int)>
+class FEPlotAtNodes : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotAtNodes(FEModel* fem) : FEPlotSurfaceData(fem, PLT_FLOAT, FMT_NODE) {}
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    for (int node = 0; node < surface.Nodes(); ++node) stream << value(*own, node);
+    return true;
+  }
+};
+
+/// A vector at each node: one of the matrices of FrictionOutput.
+template <mixture_contact::Matrix3Xd mixture_contact::FrictionOutput::* vectors>
+class FEPlotVectorsAtNodes : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotVectorsAtNodes(FEModel* fem) : FEPlotSurfaceData(fem, PLT_VEC3F, FMT_NODE) {}
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    const mixture_contact::Matrix3Xd& all = own->nodal_output().friction.*vectors;
+    for (int node = 0; node < surface.Nodes(); ++node)
+      stream << (node < all.cols() ? vec3d(all(0, node), all(1, node), all(2, node)) : vec3d(0, 0, 0));
+    return true;
+  }
+};
+
+double effective_friction(const FEMixtureSurface& surface, int node) {
+  return surface.nodal_output().effective_friction(node);
+}
+
+double fluid_load_support(const FEMixtureSurface& surface, int node) {
+  return surface.nodal_output().fluid_load_support(node);
+}
+
+double slip_status(const FEMixtureSurface& surface, int node) {
+  return static_cast<double>(status_of(surface.nodal_output().friction, node));
+}
+
+/// Power that friction dissipates in a step.
+double friction_power(const FEMixtureSurface& surface, FEModel& fem) {
+  const double dt = fem.GetTime().timeIncrement;
+  return dt > 0 ? surface.total().dissipation / dt : 0.0;
+}
+
+class FEPlotFrictionForce : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotFrictionForce(FEModel* fem) : FEPlotSurfaceData(fem, PLT_VEC3F, FMT_REGION) {}
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    const mixture_contact::Vector3d& force = own->total().friction;
+    stream << vec3d(force[0], force[1], force[2]);
+    return true;
+  }
+};
+
+class FEPlotFrictionPower : public FEPlotSurfaceData {
+ public:
+  explicit FEPlotFrictionPower(FEModel* fem) : FEPlotSurfaceData(fem, PLT_FLOAT, FMT_REGION) {}
+  bool Save(FESurface& surface, FEDataStream& stream) override {
+    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    if (own == nullptr) return false;
+    stream << friction_power(*own, *GetFEModel());
+    return true;
+  }
+};
+
 // ------------------------------------------------------------------------------------------------------------- log
 // file
 
@@ -154,6 +223,17 @@ class FELogContactForce : public FELogMixtureSurface {
   double value_of(const FEMixtureSurface& surface) const override { return surface.total().force[component]; }
 };
 
+template <int component>
+class FELogFrictionForce : public FELogMixtureSurface {
+  using FELogMixtureSurface::FELogMixtureSurface;
+  double value_of(const FEMixtureSurface& surface) const override { return surface.total().friction[component]; }
+};
+
+class FELogFrictionPower : public FELogMixtureSurface {
+  using FELogMixtureSurface::FELogMixtureSurface;
+  double value_of(const FEMixtureSurface& surface) const override { return friction_power(surface, *GetFEModel()); }
+};
+
 /// solute = -1: the solvent.
 template <int solute>
 class FELogFlow : public FELogMixtureSurface {
@@ -161,31 +241,58 @@ class FELogFlow : public FELogMixtureSurface {
   double value_of(const FEMixtureSurface& surface) const override { return flow(surface, solute); }
 };
 
-/// Mean of the nodal values of a facet.
-template <Quantity quantity, int solute>
-class FELogFacet : public FELogFaceData {
- public:
-  using FELogFaceData::FELogFaceData;
-  double value(FESurfaceElement& element) override {
-    auto* surface = dynamic_cast<FESurface*>(element.GetMeshPartition());
-    const FEMixtureSurface* own = surface ? contact_surface(*GetFEModel(), *surface) : nullptr;
-    if (own == nullptr) return 0;
-    double sum = 0;
-    for (int a = 0; a < element.Nodes(); ++a)
-      sum += nodal_value(*own, quantity, solute, mixture_contact::at(element.m_lnode, a));
-    return sum / element.Nodes();
-  }
-};
-
-// ---------------------------------------------------------------------------------------------------------
-// registration
-
 /// Registers a class under a name. FEBio keeps the pointers, so factory and name live as long as the process.
 template <class T>
 void offer(const std::string& name) {
   static const std::string kept = name;
   static const FERegisterClass_T<T> factory(T::superClassID(), kept.c_str(), T::BaseClassName(), kept.c_str());
 }
+
+/// Mean of the nodal values of a facet; 0 where it is of no contact.
+template <class Value>
+double mean_of_nodes(FEModel& fem, FESurfaceElement& element, const Value& value) {
+  auto* surface = dynamic_cast<FESurface*>(element.GetMeshPartition());
+  const FEMixtureSurface* own = surface ? contact_surface(fem, *surface) : nullptr;
+  if (own == nullptr) return 0;
+  double sum = 0;
+  for (int a = 0; a < element.Nodes(); ++a) sum += value(*own, mixture_contact::at(element.m_lnode, a));
+  return sum / element.Nodes();
+}
+
+template <Quantity quantity, int solute>
+class FELogFacet : public FELogFaceData {
+ public:
+  using FELogFaceData::FELogFaceData;
+  double value(FESurfaceElement& element) override {
+    return mean_of_nodes(*GetFEModel(), element, [](const FEMixtureSurface& surface, int node) {
+      return nodal_value(surface, quantity, solute, node);
+    });
+  }
+};
+
+template <double (*nodal)(const FEMixtureSurface&, int)>
+class FELogMeanOfNodes : public FELogFaceData {
+ public:
+  using FELogFaceData::FELogFaceData;
+  double value(FESurfaceElement& element) override { return mean_of_nodes(*GetFEModel(), element, nodal); }
+};
+
+template <mixture_contact::Matrix3Xd mixture_contact::FrictionOutput::* vectors, int component>
+double component_of(const FEMixtureSurface& surface, int node) {
+  const mixture_contact::Matrix3Xd& all = surface.nodal_output().friction.*vectors;
+  return node < all.cols() ? all(component, node) : 0.0;
+}
+
+/// Three components of a vector at the nodes.
+template <mixture_contact::Matrix3Xd mixture_contact::FrictionOutput::* vectors>
+void offer_vector_logs(const std::string& name) {
+  offer<FELogMeanOfNodes<component_of<vectors, 0>>>(name + ".x");
+  offer<FELogMeanOfNodes<component_of<vectors, 1>>>(name + ".y");
+  offer<FELogMeanOfNodes<component_of<vectors, 2>>>(name + ".z");
+}
+
+// ---------------------------------------------------------------------------------------------------------
+// registration
 
 template <int... solutes>
 void offer_solute_logs(std::integer_sequence<int, solutes...> /*unused*/) {
@@ -205,6 +312,23 @@ void register_output_variables() {
   offer<FEPlotCoverage>("contact coverage");
   offer<FEPlotSolventFlow>("contact solvent flow");
   offer<FEPlotSoluteFlow>("contact solute flow");
+  using mixture_contact::FrictionOutput;
+  offer<FEPlotVectorsAtNodes<&FrictionOutput::traction>>("contact friction");
+  offer<FEPlotVectorsAtNodes<&FrictionOutput::slip>>("contact slip");
+  offer<FEPlotAtNodes<slip_status>>("contact slip status");
+  offer<FEPlotAtNodes<effective_friction>>("contact friction coefficient");
+  offer<FEPlotAtNodes<fluid_load_support>>("contact fluid load support");
+  offer<FEPlotFrictionForce>("contact friction force");
+  offer<FEPlotFrictionPower>("contact friction power");
+  offer<FELogFrictionForce<0>>("friction_force.x");
+  offer<FELogFrictionForce<1>>("friction_force.y");
+  offer<FELogFrictionForce<2>>("friction_force.z");
+  offer<FELogFrictionPower>("friction power");
+  offer_vector_logs<&FrictionOutput::traction>("contact friction");
+  offer_vector_logs<&FrictionOutput::slip>("contact slip");
+  offer<FELogMeanOfNodes<slip_status>>("contact slip status");
+  offer<FELogMeanOfNodes<effective_friction>>("contact friction coefficient");
+  offer<FELogMeanOfNodes<fluid_load_support>>("contact fluid load support");
   offer<FELogContactForce<0>>("contact_force.x");
   offer<FELogContactForce<1>>("contact_force.y");
   offer<FELogContactForce<2>>("contact_force.z");

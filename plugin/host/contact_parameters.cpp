@@ -21,10 +21,6 @@ void require_not_negative(std::vector<std::string>& list, const char* name, doub
                     "; it must be a number that is not negative.");
 }
 
-void require_unused(std::vector<std::string>& list, const char* name, bool used, const char* why) {
-  if (used) list.emplace_back("<" + std::string(name) + "> is set, but " + why + ". Leave it out or set it to 0.");
-}
-
 constexpr int lagmult = 2;
 
 mixture_contact::Enforcement enforcement(int laugon) {
@@ -61,11 +57,46 @@ double borne_reduction(const ContactParameters& p, double factor, double reducti
 
 /// Parameters of other interfaces, and of former versions, that mean nothing here.
 void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
-  require_unused(list, "fric_coeff", p.fric_coeff != 0, "friction is not part of sliding-mixture");
   if (p.extrapolation_given) {
     list.emplace_back(
         "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
         "<predictor>1</predictor> to have it, and leave <extrapolation> out.");
+  }
+}
+
+void complain_of_friction(std::vector<std::string>& list, const ContactParameters& p) {
+  require_not_negative(list, "fric_coeff", p.fric_coeff);
+  if (!(p.contact_frac >= 0 && p.contact_frac <= 1)) {
+    list.emplace_back("<contact_frac> is " + std::to_string(p.contact_frac) + "; it must lie between 0 and 1.");
+  }
+  if (!(std::isfinite(p.tangential_penalty) && p.tangential_penalty > 0)) {
+    list.emplace_back(
+        "<tangential_penalty> is " + std::to_string(p.tangential_penalty) +
+        "; it must be a positive number, the factor of the tangential penalty over that of the traction.");
+  }
+  if (p.laugon == lagmult && has_friction(p)) {
+    list.emplace_back(
+        "<fric_coeff> is set with <laugon>LAGMULT</laugon>: multipliers that are unknowns hold the normal direction alone. "
+        "Use AUGLAG, which makes stick as exact as its tolerance, or PENALTY.");
+  }
+}
+
+void note_friction(std::vector<std::string>& list, const ContactParameters& p) {
+  if (!has_friction(p)) {
+    const auto note = [&](bool given, const std::string& name) {
+      if (given) list.push_back("<" + name + "> has no effect: <fric_coeff> is 0.");
+    };
+    note(p.contact_frac_given, "contact_frac");
+    note(p.tangential_penalty_given, "tangential_penalty");
+    note(p.smooth_fls_given && p.smooth_fls, "smooth_fls");
+    return;
+  }
+  if (p.smooth_fls_given && p.smooth_fls)
+    list.emplace_back("<smooth_fls> has no effect: the load that the fluid bears is averaged around nodes as it is.");
+  if (p.symmetric_stiffness) {
+    list.emplace_back(
+        "<symmetric_stiffness> is 1, and the tangent of friction is not symmetric: its symmetric part is used, and "
+        "convergence is slower.");
   }
 }
 
@@ -105,6 +136,7 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   if (p.maxaug < p.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
   if (!std::isfinite(p.ambient_pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
   if (!std::isfinite(p.offset)) list.emplace_back("<offset> is not a finite number.");
+  complain_of_friction(list, p);
   complain_of_unknown(list, p);
   return list;
 }
@@ -123,13 +155,14 @@ std::vector<std::string> notices(const ContactParameters& p) {
   if (p.knmult_given) list.emplace_back("<knmult> has no effect: the linearisation is always complete.");
   if (p.smooth_aug_given && p.smooth_aug)
     list.emplace_back("<smooth_aug> has no effect: multipliers take the contact's own loads.");
-  if (p.smooth_fls_given && p.smooth_fls) list.emplace_back("<smooth_fls> has no effect: there is no friction.");
   if (p.search_tol_given && integration(p) == mixture_contact::Integration::segments) {
     list.emplace_back("<search_tol> has no effect with segments: they end where facets end.");
   }
-  if (p.contact_frac_given) list.emplace_back("<contact_frac> has no effect: there is no friction.");
+  note_friction(list, p);
   return list;
 }
+
+bool has_friction(const ContactParameters& p) { return p.fric_coeff != 0 || p.fric_coeff_varies; }
 
 LeftOut left_out(const ContactParameters& p) {
   const auto is_zero = [](bool given, double value, bool varies) { return given && value == 0 && !varies; };
@@ -156,6 +189,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.tolerances.traction = {p.traction_tolerance_given ? p.traction_tolerance : p.tolerance, p.gaptol};
   settings.tolerances.solvent = {p.solvent_tolerance_given ? p.solvent_tolerance : p.tolerance, p.ptol};
   settings.tolerances.solute = {p.solute_tolerance_given ? p.solute_tolerance : p.tolerance, p.ctol};
+  settings.friction = {p.fric_coeff, p.contact_frac, p.ambient_pressure, p.tangential_penalty};
   settings.min_augmentations = p.minaug;
   settings.max_augmentations = p.maxaug;
   settings.two_pass = p.two_pass;

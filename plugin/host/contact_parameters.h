@@ -66,18 +66,22 @@ struct ContactParameters {
   bool line_search_guard = true;
   bool line_search_guard_given = false;
 
-  // Parameters of FEBio's interfaces that this one has no use for, or not yet.
-  double fric_coeff = 0;
-  double contact_frac = 0;
-  bool shell_bottom_primary = false;
-  bool shell_bottom_secondary = false;
-  int knmult = 1;
+  double fric_coeff = 0;          ///< [-]
+  double contact_frac = 0;        ///< [-]
+  double tangential_penalty = 1;  ///< over the traction penalty [-]
   bool smooth_aug = false;
   bool smooth_fls = false;
   bool contact_frac_given = false;
-  bool knmult_given = false;
+  bool tangential_penalty_given = false;
   bool smooth_aug_given = false;
   bool smooth_fls_given = false;
+  bool fric_coeff_varies = false;  ///< whether a load curve changes it
+
+  // Parameters of FEBio's interfaces that this one has no use for, or not yet.
+  bool shell_bottom_primary = false;
+  bool shell_bottom_secondary = false;
+  int knmult = 1;
+  bool knmult_given = false;
 
   // The former name of predictor.
   bool extrapolation = false;
@@ -148,6 +152,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"flip_secondary", "flip secondary surface"}, p.flip_secondary);
   take({"fric_coeff", "friction coefficient"}, p.fric_coeff);
   take({"contact_frac", "solid contact fraction", &p.contact_frac_given}, p.contact_frac);
+  take({"tangential_penalty", "tangential penalty factor", &p.tangential_penalty_given}, p.tangential_penalty);
   take({"offset", "gap offset", nullptr, Unit::length}, p.offset);
   take({"tension", "allow tension"}, p.tension);
   take({"shell_bottom_primary", "shell bottom of primary surface"}, p.shell_bottom_primary);
@@ -164,6 +169,9 @@ std::vector<std::string> complaints(const ContactParameters& parameters);
 
 /// What a user should know of parameters that have no effect here, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
+
+/// Whether the surfaces resist sliding; a load curve may bring friction later.
+bool has_friction(const ContactParameters& parameters);
 
 /// What penalties of 0 leave out of the contact; one that a load curve changes leaves out nothing.
 struct LeftOut {

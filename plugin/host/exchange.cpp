@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string allowed(const std::vector<FieldAtContact>& fields) {
-  std::string list = "\"all\", or names out of traction, solutes";
+  std::string list = "\"all\", or names out of traction, friction, solutes";
   for (const FieldAtContact& field : fields) {
     list += ", " + number_of(field);
     if (!field.name.empty()) list += " (" + field.name + ")";
@@ -43,7 +43,7 @@ std::string allowed(const std::vector<FieldAtContact>& fields) {
 }
 
 void check_word(const std::string& word, const std::vector<FieldAtContact>& fields, std::vector<std::string>& list) {
-  if (word == "traction" || word == "solutes") return;
+  if (word == "traction" || word == "friction" || word == "solutes") return;
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return is_called(f, word); });
   if (field == fields.end()) {
     list.push_back("<effects> names \"" + word + "\"; allowed: " + allowed(fields) + ".");
@@ -67,6 +67,25 @@ const char* without_traction(Motion motion) {
                                      : " No traction: the displacements of both surfaces are fixed.";
 }
 
+/// Decides on friction; what is said of it follows the effects in the summary.
+void decide_friction(bool wanted, bool named, const FrictionRequest& friction, Exchange& result,
+                     std::vector<std::string>& present, std::string& absent) {
+  if (named && !friction.has_coefficient)
+    result.complaints.emplace_back("<effects> asks for friction, but <fric_coeff> is 0.");
+  if (!friction.has_coefficient) return;
+  if (!wanted) {
+    absent += " No friction: <effects> leaves it out.";
+    return;
+  }
+  result.effects.friction = true;
+  result.effects.bearing_fluid = friction.has_fluid;
+  if (result.effects.traction) {
+    present.emplace_back("friction");
+  } else {
+    absent += " No friction: there is no traction.";
+  }
+}
+
 }  // namespace
 
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
@@ -78,7 +97,8 @@ void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
   }
 }
 
-Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion) {
+Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion,
+                         const FrictionRequest& friction) {
   Exchange result;
   const bool everything = trimmed(asked) == "all";
   const std::vector<std::string> names = everything ? std::vector<std::string>{} : words(asked);
@@ -100,6 +120,8 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
   } else {
     absent = without_traction(motion);
   }
+  const bool rubs = std::find(names.begin(), names.end(), "friction") != names.end();
+  decide_friction(everything || rubs, rubs, friction, result, present, absent);
   for (const FieldAtContact& field : fields) {
     const auto means_it = [&](const std::string& name) { return is_called(field, name); };
     const bool wanted = everything || std::any_of(names.begin(), names.end(), means_it);

@@ -32,7 +32,15 @@ enum class Motion {
 /// Adds what penalties of 0 leave out to the obstacles of the fields.
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
+/// What a model says about friction.
+struct FrictionRequest {
+  bool has_coefficient = false;  ///< it is not 0, or a load curve changes it
+  bool has_fluid = false;        ///< the pressure of a fluid on either side bears a part of the load
+};
+
 /// Decides which of the fields, ordered solvent first and solutes ascending, a contact exchanges. `asked` is the
 /// parameter <effects>: "all", or names with commas between them; "solutes" stands for every solute that both sides
-/// have. Traction is exchanged unless no node can move or touch; leaving it out elsewhere is a complaint.
-Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion);
+/// have. Traction is exchanged unless no node can move or touch; leaving it out elsewhere is a complaint. Friction is
+/// an effect where it has a coefficient.
+Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion,
+                         const FrictionRequest& friction = {});

@@ -30,6 +30,12 @@ std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials, c
   return fields;
 }
 
+bool has_fluid(const FacetMaterials& materials) {
+  return std::any_of(materials.begin(), materials.end(), [](const std::vector<FacetMaterial>& facets) {
+    return std::any_of(facets.begin(), facets.end(), [](const FacetMaterial& facet) { return facet.permeable; });
+  });
+}
+
 void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials, const Effects& effects) {
   const auto facets = static_cast<Index>(materials.size());
   mesh.stiffness.resize(facets);
@@ -44,6 +50,8 @@ void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& material
       mesh.permeable[static_cast<std::size_t>(f)] |= only(field);
       mesh.conductance(field, f) = *found;
     }
+    if (effects.bearing_fluid && material.permeable)
+      mesh.permeable[static_cast<std::size_t>(f)] |= only(effects.pressure_field());
   }
 }
 
@@ -55,6 +63,6 @@ void update_materials(ContactInterface& core, const FacetMaterials& materials) {
 }
 
 int solute_of(const Effects& effects, int field) {
-  if (effects.solvent && field == 0) return -1;
+  if (field == effects.pressure_field()) return -1;
   return effects.solutes[static_cast<std::size_t>(field - (effects.solvent ? 1 : 0))];
 }

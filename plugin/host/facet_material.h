@@ -27,6 +27,9 @@ std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials,
                                               const mixture_contact::PerSide<std::string>& surfaces,
                                               const std::vector<std::string>& solutes);
 
+/// Whether a fluid stands behind any facet of either surface.
+bool has_fluid(const FacetMaterials& materials);
+
 /// Fills in what a mesh holds of the materials behind its facets.
 void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials,
                    const mixture_contact::Effects& effects);
@@ -34,5 +37,5 @@ void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMa
 /// Has the core take the materials anew, for its automatic penalties.
 void update_materials(mixture_contact::ContactInterface& core, const FacetMaterials& materials);
 
-/// The solute that a field in the order of Effects is; -1: the solvent.
+/// The solute that a field in the order of Effects is; -1: the solvent, exchanged or read by friction alone.
 int solute_of(const mixture_contact::Effects& effects, int field);

@@ -40,6 +40,7 @@ std::string row(std::string_view title, const std::vector<std::string>& entries)
 
 std::vector<std::string> headings(const Effects& effects) {
   std::vector<std::string> names{"shared", "traction"};
+  if (effects.friction) names.emplace_back("friction");
   if (effects.solvent) names.emplace_back("solvent");
   for (const int solute : effects.solutes) names.push_back("solute " + std::to_string(solute + 1));
   names.emplace_back("all");
@@ -53,8 +54,9 @@ std::string scientific(double value) {
   return text.str();
 }
 
-std::string seconds(std::string_view title, const TimingBreakdown& spent) {
+std::string seconds(std::string_view title, const TimingBreakdown& spent, const Effects& effects) {
   std::vector<double> values{spent.shared, spent.traction};
+  if (effects.friction) values.push_back(spent.friction);
   values.insert(values.end(), spent.fields.begin(), spent.fields.end());
   values.push_back(spent.total());
   values.push_back(spent.host);
@@ -70,8 +72,9 @@ std::vector<std::string> timings_table(const std::string& name, const mixture_co
   const TimingBreakdown sum = contact.measurements().timings.sum();
   std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
                                  row("", headings(contact.effects()))};
-  for (const Task task : all_tasks) lines.push_back(seconds(name_of(task), contact.measurements().timings[task]));
-  lines.push_back(seconds("all", sum));
+  for (const Task task : all_tasks)
+    lines.push_back(seconds(name_of(task), contact.measurements().timings[task], contact.effects()));
+  lines.push_back(seconds("all", sum, contact.effects()));
   std::ostringstream share;
   share << std::setprecision(3) << "    share of the run: " << 100 * sum.total() / run << " percent of " << run << " s";
   lines.push_back(share.str());

@@ -97,7 +97,9 @@ FacetMaterials Contact::materials(const MatrixXd& values) const {
 mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials) {
   std::vector<FieldAtContact> fields = fields_at_contact(materials, definition_.surfaces, model_.solutes);
   leave_out(left_out(definition_.parameters), fields);
-  const Exchange exchange = decide_exchange(definition_.parameters.effects, fields, motion());
+  const ContactParameters& parameters = definition_.parameters;
+  const FrictionRequest friction{has_friction(parameters), parameters.contact_frac < 1 && has_fluid(materials)};
+  const Exchange exchange = decide_exchange(parameters.effects, fields, motion(), friction);
   if (!exchange.complaints.empty())
     throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
   effects_line_ = "sliding-mixture \"" + definition_.name + "\" exchanges " + exchange.summary;
@@ -119,6 +121,13 @@ mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
   return mesh;
 }
 
+void Contact::follow(double time) {
+  if (!core_->effects().friction) return;
+  ContactParameters now = definition_.parameters;
+  now.ambient_pressure = definition_.ambient_pressure.at(time, model_.curves);
+  core_->update_laws(core_settings(now));
+}
+
 void Contact::update_properties(const MatrixXd& values) { update_materials(*core_, materials(values)); }
 
 Contact::PerSide<Matrix3Xd> Contact::positions(const MatrixXd& values) const {
@@ -136,7 +145,7 @@ int Contact::field_dof(int field) const {
 Contact::PerSide<mixture_contact::SurfaceFields> Contact::fields(const MatrixXd& values) const {
   PerSide<mixture_contact::SurfaceFields> all;
   PerSide<Matrix3Xd> position = positions(values);
-  const int count = core_->effects().scalar_fields();
+  const int count = core_->effects().nodal_fields();
   for (const Side side : both_sides) {
     all[side].position = std::move(position[side]);
     all[side].scalar.resize(count_of(nodes_[side]), count);

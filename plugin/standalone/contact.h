@@ -24,6 +24,8 @@ class Contact {
   /// A line that says which effects the contact exchanges, and why others are absent.
   const std::string& effects_line() const { return effects_line_; }
 
+  /// Has friction know the ambient pressure at a time.
+  void follow(double time);
   /// Reads the materials behind the facets again: the convective part follows the current flow.
   void update_properties(const MatrixXd& values);
   /// Finds out which facets face each other.

@@ -111,8 +111,14 @@ void Problem::start_step(double time, double dt) {
     }
   }
   for (Contact& contact : contacts_) {
+    contact.follow(time);
     if (reads_properties_again(contact.definition().parameters)) contact.update_properties(state_.values);
   }
+}
+
+void Problem::accept_step() {
+  bodies_.accept_step(state_.values);
+  for (const Contact& contact : contacts_) contact.core().accept_step(contact.fields(state_.values));
 }
 
 // ------------------------------------------------------------ contact status

@@ -29,7 +29,7 @@ class Problem {
   /// Starts a time step that ends at `time` [s].
   void start_step(double time, double dt);
   /// Keeps the current state as what the next step starts from.
-  void accept_step() { bodies_.accept_step(state_.values); }
+  void accept_step();
 
   /// Switches nodes outside contact to ambient values, and frees the others. Returns whether anything changed.
   bool switch_ambient();

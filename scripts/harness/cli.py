@@ -8,6 +8,7 @@ from harness.pages.gallery import command as gallery
 from harness.studies.cost import command as cost
 from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
+from harness.studies.hard_cases import rubbing_command
 from harness.studies.hertz import command as hertz
 from harness.studies.predictor import command as predictor
 from harness.studies.price import command as price
@@ -24,6 +25,7 @@ _OF_THE_REPOSITORY = (
     indentation.indentation_convergence,
     hard_cases.hard_cases,
     hard_cases.hard_case,
+    rubbing_command.friction_cases,
     fuzz.fuzz,
     fuzz.fuzz_seeds,
     cost.cost,

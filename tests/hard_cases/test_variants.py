@@ -7,7 +7,7 @@ import pytest
 from lxml import etree
 
 from harness.models.parts import Solid
-from harness.studies.hard_cases import variants
+from harness.studies.hard_cases import rubbing, variants
 from harness.studies.hard_cases.catalogue import CASES, rotation
 from harness.studies.hard_cases.press import Press, stress, stretches
 from harness.studies.hard_cases.scene import Fineness, Interface
@@ -18,6 +18,17 @@ def volumes(mesh):
     """Smallest Jacobian over the corners' edges of each element, by its first node."""
     x = np.concatenate([mesh.nodes[part.elements - 1] for part in mesh.parts])
     return np.linalg.det(np.stack([x[:, k] - x[:, 0] for k in (1, 3, 4)], axis=1))
+
+
+@pytest.mark.parametrize("mesh", Fineness)
+@pytest.mark.parametrize("name", rubbing.CASES)
+def test_a_case_of_friction_can_be_written_with_and_without_it(name, mesh):
+    case = rubbing.CASES[name]
+    with_it, without = case.scene.model(mesh, Interface.MIXTURE), case.frictionless.model(mesh, Interface.MIXTURE)
+    assert np.all(volumes(with_it.mesh) > 0.0)
+    assert with_it.conditions == without.conditions
+    (first,), (second,) = with_it.contacts, without.contacts
+    assert {param.tag for param in first.params} - {param.tag for param in second.params} >= {"fric_coeff"}
 
 
 @pytest.mark.parametrize("mesh", Fineness)

@@ -131,6 +131,47 @@ def test_fluid_stays_where_the_type_leaves_it(converted, kind):
     assert not {"effects", "free_draining"} & set(fates(converted(in_module(solid(), kind))))
 
 
+RUBBING = (Param("fric_coeff", 0.1), Param("contact_frac", 0.2), Param("smooth_fls", True))
+
+
+def confined(*params):
+    return Confined(InterfaceType.BIPHASIC, ContactSettings(extra=params), elements=2).model().text()
+
+
+def test_friction_stays_with_its_values(converted):
+    made = converted(confined(*RUBBING))
+    new, found = made.data.decode("iso-8859-1"), fates(made)
+    assert "<fric_coeff>0.1</fric_coeff>" in new
+    assert "<contact_frac>0.2</contact_frac>" in new
+    assert found["smooth_fls"] is Action.DROPPED
+    reasons = {change.name: change.reason for changes in made.changes.values() for change in changes}
+    assert "at nodes" in reasons["fric_coeff"]
+    assert "instead of a coefficient with a quotient" in reasons["fric_coeff"]
+    assert "ambient" in reasons["contact_frac"]
+
+
+def test_parameters_of_friction_go_where_there_is_none(converted):
+    found = fates(converted(confined(Param("fric_coeff", 0.0), *RUBBING[1:])))
+    assert {found["contact_frac"], found["smooth_fls"]} == {Action.DROPPED}
+
+
+@pytest.mark.parametrize(("penalty", "stays"), [((), False), ((Param("fric_penalty", 10.0),), True)])
+def test_friction_of_the_node_based_type_needs_its_penalty(converted, penalty, stays):
+    made = converted(in_module(solid(Param("fric_coeff", 0.1), *penalty), "sliding-node-on-facet"))
+    assert ("<fric_coeff>0.1</fric_coeff>" in made.data.decode("iso-8859-1")) == stays
+
+
+def test_friction_of_types_without_fluid_acts_on_all_traction(converted):
+    rubbing = Param("fric_coeff", 0.1)
+    porous, elastic = (
+        converted(made.replace('type="sliding-biphasic"', 'type="sliding-elastic"')).data.decode("iso-8859-1")
+        for made in (confined(rubbing), in_module(solid(rubbing), "sliding-elastic"))
+    )
+    assert "<contact_frac>1</contact_frac>" in porous
+    assert "<effects>traction,friction</effects>" in porous
+    assert "<contact_frac>" not in elastic
+
+
 @pytest.mark.parametrize("kind", UNLIMITED_SEARCH)
 def test_types_without_normals_are_taken(converted, kind):
     """A radius that FEBio does not limit stays out of the file, and hidden parameters go."""
@@ -202,10 +243,12 @@ def in_module(model, kind, module=None):
 BIPHASIC = Confined(InterfaceType.BIPHASIC, ContactSettings(), elements=2).model()
 SOLUTE = Diffusion(InterfaceType.SOLUTE, ContactSettings(), elements=2).model()
 REFUSED = {
-    "friction": (text(Param("fric_coeff", 0.1)), "no parameter <fric_coeff>|friction"),
-    "friction of the biphasic type": (
-        Confined(InterfaceType.BIPHASIC, ContactSettings(extra=(Param("fric_coeff", 0.1),)), elements=2).model().text(),
-        "friction is not part of sliding-mixture",
+    "friction of a type without it": (text(Param("fric_coeff", 0.1)), "no parameter <fric_coeff>"),
+    "friction that pushes": (
+        Confined(InterfaceType.BIPHASIC, ContactSettings(extra=(Param("fric_coeff", -0.1),)), elements=2)
+        .model()
+        .text(),
+        "fric_coeff",
     ),
     "solutes behind sliding-biphasic": (in_module(SOLUTE, "sliding-biphasic"), "leaves its solutes sealed"),
     "a material that the type takes for a solid": (

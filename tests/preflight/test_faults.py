@@ -225,7 +225,27 @@ FAULTS = {
         "must be PENALTY or AUGLAG",
     ),
     "augmentations": (lambda: with_params(Param("minaug", 5), Param("maxaug", 2)), "bad-value", "minaug"),
-    "friction": (lambda: with_params(Param("fric_coeff", 0.1)), "unsupported", "friction"),
+    "negative friction": (lambda: with_params(Param("fric_coeff", -0.1)), "bad-value", "fric_coeff"),
+    "more solid than all": (
+        lambda: with_params(Param("fric_coeff", 0.1), Param("contact_frac", 1.1)),
+        "bad-value",
+        "a number from 0 to 1",
+    ),
+    "no stick at all": (
+        lambda: with_params(Param("fric_coeff", 0.1), Param("tangential_penalty", 0.0)),
+        "bad-value",
+        "a number above 0",
+    ),
+    "friction that falls below zero": (
+        lambda: replace(with_params(Param("fric_coeff", 0.1, 1)), curves=(Curve(((0, 1), (1, -1))),)),
+        "bad-value",
+        "a friction coefficient is never negative",
+    ),
+    "friction with FEBio's symmetric tangent": (
+        lambda: with_params(Param("fric_coeff", 0.1), interface=InterfaceType.MULTIPHASIC),
+        "symmetric-friction",
+        "which is this type's default",
+    ),
     "offset": (lambda: with_params(Param("offset", "wide")), "bad-value", "offset"),
     "shell bottoms": (
         lambda: with_params(Param("shell_bottom_primary", 1.0)),
@@ -390,13 +410,17 @@ def rubbing(kind, *params):
     return re.sub(r"<contact .*?(?:/>|</contact>)", tag, model.text(), flags=re.DOTALL)
 
 
-@pytest.mark.parametrize("kind", ["sliding-elastic", "sliding-biphasic", "sliding-node-on-facet"])
+NEEDED = {"sliding-node-on-facet": (("fric_penalty", 1.0),)}
+"""What friction of a type needs beside its coefficient."""
+
+
+@pytest.mark.parametrize("kind", ["sliding-mixture", "sliding-elastic", "sliding-biphasic", "sliding-node-on-facet"])
 def test_friction_holds_a_body_in_contact(findings, kind):
     def said(text):
         found = [finding for finding in findings(text) if finding.rule == "rigid-motion"]
         return " ".join(finding.message for finding in found)
 
-    with_friction = rubbing(kind)
+    with_friction = rubbing(kind, *NEEDED.get(kind, ()))
     assert "does not hold it" not in said(with_friction)
     assert "does not hold it" in said(with_friction.replace("0.3<", "0<"))
 
@@ -440,6 +464,7 @@ NOTES = {
         lambda: with_params(Param("free_draining", 0.0), Param("ambient_pressure", 0.0)),
         "not-drained",
     ),
+    "a solid fraction without friction": (lambda: with_params(Param("contact_frac", 0.1)), "no-friction"),
     "few reformations": (lambda: text_of(diffusion(), ("<max_refs>15<", "<max_refs>5<")), "max-refs"),
     "sealed solutes": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-biphasic")), "sealed"),
     "sealed fluid": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-elastic")), "sealed"),
@@ -483,3 +508,8 @@ def test_seeded_faults_are_found(findings, name):
         assert finding.place.line > 1
         assert finding.suggestion.endswith(".")
         assert not finding.message.endswith(".")
+
+
+def test_parameters_of_friction_act_with_it(findings):
+    rubbing = with_params(Param("contact_frac", 0.1), Param("fric_coeff", 0.1))
+    assert "no-friction" not in {finding.rule for finding in findings(rubbing)}

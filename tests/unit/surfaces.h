@@ -105,7 +105,7 @@ struct Scene {
     for (const Side side : both_sides) {
       const GridSurface surface = grid_surface(grids[side], effects.scalar_fields());
       mesh[side] = surface.mesh;
-      fields[side] = {surface.position, MatrixXd::Zero(surface.mesh.nodes, effects.scalar_fields())};
+      fields[side] = {surface.position, MatrixXd::Zero(surface.mesh.nodes, effects.nodal_fields())};
     }
   }
 
@@ -174,7 +174,7 @@ struct GlobalLayout {
 
   explicit GlobalLayout(const Scene& scene)
       : nodes{{scene.mesh[Side::primary].nodes, scene.mesh[Side::secondary].nodes}},
-        fields(scene.effects.scalar_fields()),
+        fields(scene.effects.nodal_fields()),
         multipliers(multiplier_layout(*scene.contact())) {}
 
   Index per_node() const { return 3 + fields; }

@@ -61,8 +61,19 @@ def test_a_sound_surface_turned_round(complaint, tag):
     assert tag in complaint(_model(Param(tag, True)))
 
 
-def test_friction_does_not_exist_yet(complaint):
-    assert "fric_coeff" in complaint(_model(Param("fric_coeff", 0.1)))
+@pytest.mark.parametrize(
+    ("tag", "value"),
+    [("fric_coeff", -0.1), ("contact_frac", -0.1), ("contact_frac", 1.1), ("tangential_penalty", 0.0)],
+)
+def test_friction_that_means_nothing(complaint, tag, value):
+    rubbing = () if tag == "fric_coeff" else (Param("fric_coeff", 0.1),)
+    assert tag in complaint(_model(*rubbing, Param(tag, value)))
+
+
+def test_friction_with_multipliers_as_unknowns(complaint):
+    said = complaint(_model(Param("fric_coeff", 0.1), Param("laugon", "LAGMULT")))
+    assert "fric_coeff" in said
+    assert "LAGMULT" in said
 
 
 def test_multipliers_on_both_surfaces(complaint):

@@ -15,6 +15,8 @@ PAGES = sorted([ROOT / "README.md", ROOT / "CHANGELOG.md", *DOCS.glob("*.md")])
 GUIDE = (DOCS / "user-guide.md").read_text(encoding="utf-8")
 OUTPUT = (ROOT / "plugin" / "febio" / "output_variables.cpp").read_text(encoding="utf-8")
 
+VECTORS = "MeanOfNodes"
+"""Name of the classes that `offer_vector_logs` registers, component by component."""
 CODE = re.compile(r"^```.*?^```|^ {4,}\S.*?$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 
@@ -32,8 +34,8 @@ def first_column(text: str) -> list[str]:
 
 
 def names(cell: str) -> list[str]:
-    """Names in a cell; "`x 1` to `x 8`" stands for all eight."""
-    found: list[str] = re.findall(r"`([^`]+)`", cell)
+    """Names in a cell; "`x 1` to `x 8`" stands for all eight, "`v.x` (`.y`, `.z`)" for three components."""
+    found: list[str] = re.findall(r"`([^`]+)`", re.sub(r"`([^`]+)\.x` \(`\.y`, `\.z`\)", r"`\1.x` `\1.y` `\1.z`", cell))
     if " to " not in cell:
         return found
     stem, first = found[0].rsplit(" ", 1)
@@ -51,6 +53,8 @@ def offered(classes: str) -> list[str]:
     per_solute = re.findall(rf'\(offer<{classes}\w*<[^;]*?>>\(named\("([^"]+)", solutes\)', OUTPUT)
     solutes = re.search(r"logged_solutes = (\d+)", OUTPUT)
     assert solutes
+    vectors = re.findall(r'^  offer_vector_logs<.*?>\("([^"]+)"\)', OUTPUT, re.MULTILINE) if VECTORS in classes else []
+    plain += [f"{name}.{axis}" for name in vectors for axis in "xyz"]
     return plain + [f"{name} {number}" for name in per_solute for number in range(1, int(solutes.group(1)) + 1)]
 
 
@@ -72,8 +76,8 @@ def links() -> list[tuple[Path, str]]:
     ("classes", "title", "part"),
     [
         ("FEPlot", "Plot file", slice(0, None)),
-        ("FELog(?:ContactForce|Flow)", "Log file", slice(0, 1)),
-        ("FELogFacet", "Log file", slice(1, 2)),
+        ("FELog(?:ContactForce|Flow|Friction)", "Log file", slice(0, 1)),
+        ("FELog(?:Facet|MeanOfNodes)", "Log file", slice(1, 2)),
     ],
     ids=["plot", "surface_data", "face_data"],
 )
@@ -88,7 +92,8 @@ def test_no_output_variable_is_overlooked():
     total = len(re.findall(r"offer<FE", OUTPUT))
     plain = len(re.findall(r'offer<FE[^;]*?>\("', OUTPUT))
     per_solute = len(re.findall(r'offer<FE[^;]*?>\(named\("', OUTPUT))
-    assert total == plain + per_solute
+    components = len(re.findall(r'offer<FE[^;]*?>\(name \+ "\.[xyz]"\)', OUTPUT))
+    assert total == plain + per_solute + components
 
 
 OF_FEBIO_ALONE = {"penalty_sf", "max_penalty_sf", "dxtol", "fric_penalty", "ktmult"}

@@ -3,6 +3,7 @@
 #include "law/laws.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mixture_contact {
 namespace {
@@ -44,6 +45,7 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now) 
 
 ContactStatus ActiveSet::moved(const NodalLoads& last, const NodalGaps& now) const {
   ContactStatus status = last.status();
+  status.slips.clear();
   const double least = negligible(last, now);
   for (Index node = 0; node < laws_.nodes(); ++node) {
     if (!now.faces(node)) status.in_contact[node] = status.flux_coupled[node] = false;
@@ -58,12 +60,68 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   const bool cycles = !changes_.empty() &&
                       *std::max_element(changes_.begin(), changes_.end()) > options_.most_joint_changes;
   if (cycles) updated = with_first_change(before, updated);
-  ContactStatus status{updated, updated};
+  ContactStatus status{updated, updated, {}};
   for (Index node = 0; node < updated.count(); ++node) {
     if (counts && updated[node] != before[node]) ++changes_[node];
     if (changes_[node] > options_.most_status_changes) status.flux_coupled[node] = false;
   }
   return status;
+}
+
+void ActiveSet::start_counting() {
+  changes_.fill(laws_.nodes(), 0);
+  if (laws_.effects().has_friction()) slip_changes_.fill(laws_.nodes(), 0);
+}
+
+NodeFlags ActiveSet::initial_slip(const NodalLoads& now) const {
+  NodeFlags slips = laws_.beyond_bound(now);
+  const Multipliers& last = laws_.multipliers;
+  for (Index node = 0; node < slips.count(); ++node) {
+    if (now.in_contact[node] && !last.friction.col(node).isZero(0)) slips[node] = last.slips[node];
+  }
+  return slips;
+}
+
+NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
+  const VectorXd& bound = predicted.friction.bound;
+  const double largest = bound.size() > 0 ? bound.maxCoeff() : 0.0;
+  const double rounding = laws_.traction_rounding(predicted.size);
+  NodeFlags slips = predicted.slips;
+  for (Index node = 0; node < slips.count(); ++node) {
+    if (!predicted.in_contact[node]) continue;
+    const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
+    const double band = rounding + (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
+    const Vector3d trial = predicted.friction.trial.col(node);
+    const double excess = slips[node]
+                              ? slip_excess(trial, bound[node], laws_.friction_reference(predicted.friction, node))
+                              : trial.norm() - bound[node];
+    if (std::abs(excess) > band) slips[node] = excess > 0;
+  }
+  return slips;
+}
+
+NodeFlags ActiveSet::next_slip(const NodalLoads& predicted, const NodalLoads& now) {
+  const NodeFlags before = moved_slip(predicted, now);
+  NodeFlags slips = before;
+  const NodeFlags updated = updated_slip(predicted);
+  for (Index node = 0; node < slips.count(); ++node) {
+    if (now.in_contact[node] && predicted.in_contact[node]) slips[node] = updated[node];
+  }
+  const bool cycles = !slip_changes_.empty() &&
+                      *std::max_element(slip_changes_.begin(), slip_changes_.end()) > options_.most_joint_changes;
+  if (cycles) slips = with_first_change(before, slips);
+  for (Index node = 0; node < slips.count(); ++node) {
+    if (slips[node] != before[node]) ++slip_changes_[node];
+  }
+  return slips;
+}
+
+NodeFlags ActiveSet::moved_slip(const NodalLoads& last, const NodalLoads& now) const {
+  NodeFlags slips = laws_.beyond_bound(now);
+  for (Index node = 0; node < slips.count(); ++node) {
+    if (now.in_contact[node] && last.in_contact[node]) slips[node] = last.slips[node];
+  }
+  return slips;
 }
 
 double ActiveSet::negligible(const NodalLoads& loads, const NodalGaps& now) const {

@@ -28,6 +28,12 @@ struct ActiveSetOptions {
   /// Loads that differ by less than this part of the largest one are the same: rounding, as the averages around nodes
   /// sum it up. A larger difference has the residual evaluated again.
   double same_load = 1e-9;
+  /// A node keeps to stick or slip while the trial friction comes this near to the bound, as a part of the largest
+  /// one: what Newton leaves, as negligible_traction.
+  double friction_band = 1e-6;
+  /// The same for a node that has changed between them more often than most_status_changes within a time step: it is at
+  /// the edge of sliding, where both laws say the same. As near as loads have to come to be those of a solution.
+  double edge_friction_band = 1e-2;
   /// Loads of the linearised laws are those of a solution where they come this near to those of the true ones, as a
   /// part of the largest one. The size is a choice: no derivation stands behind it.
   double solution_load = 1e-2;
@@ -37,6 +43,9 @@ struct ActiveSetOptions {
 /// iteration predicts it, is compressive; a node out of contact enters where it overlaps.
 ///
 /// Where the laws bear tension a node is in contact as long as it faces the other surface.
+///
+/// With friction a node in contact sticks until its trial friction exceeds the bound, and slides until it falls below.
+/// It begins to stick or slide as it ended the step before; where it was not in contact, as its own trial says.
 ///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
@@ -62,12 +71,22 @@ class ActiveSet {
   ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;
 
   /// Forgets how often nodes have changed.
-  void start_counting() { changes_.fill(laws_.nodes(), 0); }
+  void start_counting();
   /// The status of the next iteration: the updated one, but where changes lead in cycles. Counts changes where the
   /// status before was that of an iteration, too.
   ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
 
-  std::size_t memory() const { return changes_.capacity() * sizeof(int); }
+  /// Which nodes in contact slide where iterations begin.
+  NodeFlags initial_slip(const NodalLoads& now) const;
+  /// Which slide as the loads that an iteration predicts ask for; loads with friction.
+  NodeFlags updated_slip(const NodalLoads& predicted) const;
+  /// The same for the next iteration, at the loads `now`: the updated ones, but where changes lead in cycles; nodes
+  /// that come into contact there slide as their own trial says. Counts changes.
+  NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
+  /// What loads of the last iteration hold on to at another state within a step.
+  NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
+
+  std::size_t memory() const { return (changes_.capacity() + slip_changes_.capacity()) * sizeof(int); }
 
  private:
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
@@ -80,6 +99,7 @@ class ActiveSet {
   ActiveSetOptions options_;
   std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
   IndexedVector<int> changes_;            ///< of each node's status since the iterations began
+  IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
 };
 
 }  // namespace mixture_contact

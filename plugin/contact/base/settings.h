@@ -28,6 +28,19 @@ struct PenaltyRule {
   }
 };
 
+/// Friction: |t_T| <= mu <|t_n| - (1 - phi) (p - p*)>.
+struct FrictionRule {
+  double coefficient = 0;       ///< mu [-]
+  double contact_fraction = 0;  ///< phi: the part of the area where solid touches solid, from 0 to 1 [-]
+  double ambient_pressure = 0;  ///< p* [MPa]
+  double penalty_factor = 1;    ///< tangential penalty over that of the traction [-]
+
+  friend bool operator==(const FrictionRule& a, const FrictionRule& b) {
+    return a.coefficient == b.coefficient && a.contact_fraction == b.contact_fraction &&
+           a.ambient_pressure == b.ambient_pressure && a.penalty_factor == b.penalty_factor;
+  }
+};
+
 /// Default multiples of the local stiffness and conductance. A jump is about 1/factor of the drop across the adjoining
 /// elements. Fluxes are linear in the jump, so only rounding limits their factor; the traction has a kink that a large
 /// factor sharpens.
@@ -58,6 +71,7 @@ struct Settings {
   PenaltyRule traction{true, default_traction_factor};
   PenaltyRule solvent{true, default_flux_factor};
   PenaltyRule solute{true, default_flux_factor};
+  FrictionRule friction;
   double traction_reduction = 1;  ///< by which the penalty of the traction is divided
   Tolerances tolerances;
   int min_augmentations = 0;

@@ -25,17 +25,22 @@ inline constexpr std::array<Task, 5> all_tasks{Task::search, Task::residual, Tas
 struct TimingBreakdown {
   double shared = 0;    ///< what all effects need: search, geometry, status
   double traction = 0;  ///< the traction alone
+  double friction = 0;  ///< friction alone
   VectorXd fields;      ///< each exchanged scalar field alone, in the order of Effects
   double host = 0;      ///< of all these: the host's own work of taking over residuals, profile and matrices
 
   explicit TimingBreakdown(Index count = 0) : fields(VectorXd::Zero(count)) {}
-  double total() const { return shared + traction + fields.sum(); }
-  /// What the equations of a patch are about: one field, or else the traction.
-  double& of(const Patch& rows) { return rows.fields.empty() ? traction : fields[rows.fields.front()]; }
+  double total() const { return shared + traction + friction + fields.sum(); }
+  /// What the equations of a patch are about: one field, or else the traction; or what else a node's pressure acts on.
+  double& of(const Patch& rows) {
+    if (rows.fields.empty()) return traction;
+    return rows.fields.front() < fields.size() ? fields[rows.fields.front()] : friction;
+  }
 
   TimingBreakdown& operator+=(const TimingBreakdown& more) {
     shared += more.shared;
     traction += more.traction;
+    friction += more.friction;
     fields += more.fields;
     host += more.host;
     return *this;
@@ -111,6 +116,7 @@ class ScopedTimer {
   /// Work for all effects: left to the clock of the task.
   void shared() { watch_.lap(); }
   void traction() { spent_.traction += watch_.lap(); }
+  void friction() { spent_.friction += watch_.lap(); }
   void field(int k) { spent_.fields[k] += watch_.lap(); }
 
  private:
@@ -150,6 +156,7 @@ class TaskClock {
   void take(EffectTimings& times, int threads) {
     const TimingBreakdown spent = times.take();
     spent_.traction += spent.traction / threads;
+    spent_.friction += spent.friction / threads;
     spent_.fields += spent.fields / threads;
   }
 

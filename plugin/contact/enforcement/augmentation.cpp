@@ -31,6 +31,13 @@ struct GapSums {
   }
 };
 
+/// The slip of a node that sticks; where it slides it has no condition to meet.
+void add_slip(GapSums& sums, double stiffness, const NodalLoads& loads, Index node) {
+  const double slip = loads.slips[node] ? 0.0
+                                        : (loads.friction.convection[node] * loads.friction.slip.col(node)).norm();
+  sums.add(loads.area[node], stiffness, slip, loads.friction.traction.col(node).norm(), std::sqrt(loads.area[node]));
+}
+
 const Tolerances::Field& tolerance_of_flux(const Tolerances& tolerances, const Effects& effects, Index field) {
   return effects.solvent && field == 0 ? tolerances.solvent : tolerances.solute;
 }
@@ -52,6 +59,7 @@ double grown(double growth, const VectorXd& penalties, const VectorXd& bases, do
 
 GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields) {
   GapSums traction;
+  GapSums slip;
   IndexedVector<GapSums> flux(laws.effects().scalar_fields());
   const Penalties& base = laws.penalties();
   const VectorXd rounding = laws.field_rounding(fields, loads.size);
@@ -60,6 +68,7 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
     // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
     const double gap = laws.bear_tension() || loads.traction[node] < 0 ? loads.gap[node] : 0.0;
     traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
+    if (!loads.friction.empty()) add_slip(slip, base.stiffness[node], loads, node);
     if (!loads.flux_coupled[node]) continue;
     for (Index k = 0; k < flux.count(); ++k) {
       const bool is_rounding = std::abs(loads.jump(k, node)) <= rounding[k];
@@ -67,13 +76,13 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
                   loads.flux(k, node), fields.primary.scalar(node, k));
     }
   }
-  GapReport report{traction.field_gap(), {}};
+  GapReport report{traction.field_gap(), slip.field_gap(), {}};
   for (const GapSums& sums : flux) report.flux.push_back(sums.field_gap());
   return report;
 }
 
 bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
-  bool met = within(report.traction, tolerances.traction);
+  bool met = within(report.traction, tolerances.traction) && within(report.slip, tolerances.traction);
   for (Index k = 0; k < report.flux.count(); ++k) {
     met = met && within(report.flux[k], tolerance_of_flux(tolerances, effects, k));
   }
@@ -85,6 +94,10 @@ void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   Multipliers& state = laws.multipliers;
   if (!within(report.traction, tolerances.traction)) {
     state.traction_penalty_scale = grown(state.traction_penalty_scale, penalty.traction, penalty.stiffness,
+                                         laws.largest_traction_factor());
+  }
+  if (!within(report.slip, tolerances.traction)) {
+    state.friction_penalty_scale = grown(state.friction_penalty_scale, laws.friction_penalties(), penalty.stiffness,
                                          laws.largest_traction_factor());
   }
   for (Index k = 0; k < report.flux.count(); ++k) {

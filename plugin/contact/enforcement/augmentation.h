@@ -14,9 +14,10 @@ struct FieldGap {
   double largest = 0;   ///< largest |gap| or |jump| in contact, in the field's unit
 };
 
-/// Gaps of all fields: traction, then each exchanged scalar field in the order of Effects.
+/// Gaps of all fields: traction, friction, then each exchanged scalar field in the order of Effects.
 struct GapReport {
   FieldGap traction;
+  FieldGap slip;  ///< of nodes that stick
   IndexedVector<FieldGap> flux;
 };
 

@@ -2,6 +2,8 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
+
 namespace mixture_contact {
 
 void node_tangents(const EnforcementMethod& method, const IndexedVector<NodeLinearisation>& nodes,
@@ -19,6 +21,10 @@ void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& u
   // A field whose flux depends on the displacements couples these, too.
   if (space.effects().traction && (patch.fields.empty() || space.symmetric())) use(patch.of_displacements());
   for (const int field : patch.fields) use(space.columns_of(patch, field));
+  if (!space.effects().has_bearing_fluid() || space.symmetric()) return;
+  const int pressure = space.effects().pressure_field();
+  const bool is_exchanged = std::find(patch.fields.begin(), patch.fields.end(), pressure) != patch.fields.end();
+  if (!is_exchanged) use(patch.of_field(pressure, true));
 }
 
 }  // namespace mixture_contact

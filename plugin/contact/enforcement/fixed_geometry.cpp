@@ -38,7 +38,7 @@ void FixedGeometry::update(const FacingPositions& x) {
   const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields)};
   const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields)};
   const NodeFlags status = active_set_.initial(space_.gaps(x));
-  fixed_ = space_.averages({primary, secondary}, {status, status});
+  fixed_ = space_.averages({primary, secondary}, {status, status, {}});
   fixed_.traction.setZero(space_.nodes());
   fixed_.flux.setZero(fields, space_.nodes());
   nodes_ = linearise(space_, fixed_, {primary, secondary});

@@ -12,6 +12,7 @@ namespace {
 /// Whether two arrays of loads (fields, nodes) differ by more than a part of a field's largest entry, and by more than
 /// `rounding` of the field.
 bool differs(const MatrixXd& one, const MatrixXd& other, double part, const VectorXd& rounding) {
+  if (one.cols() == 0) return false;
   for (Index field = 0; field < one.rows(); ++field) {
     const double size = std::max(one.row(field).cwiseAbs().maxCoeff(), other.row(field).cwiseAbs().maxCoeff());
     if (!((one.row(field) - other.row(field)).cwiseAbs().maxCoeff() <= part * size + rounding[field])) return true;
@@ -26,10 +27,16 @@ void MovingGeometry::update(const FacingPositions& x) {
   space_.update_boundary_weights(x);
 }
 
-LinearisationPoint MovingGeometry::linearised_at(const FacingFields& fields, ContactStatus status) const {
+LinearisationPoint MovingGeometry::linearised_at(const FacingFields& fields, ContactStatus status,
+                                                 const DecideSlip& slip) const {
   LinearisationPoint point;
   point.loads = space_.averages(fields, std::move(status));
   method_.load(point.loads);
+  if (!point.loads.friction.empty()) {
+    point.loads.slips = slip(point.loads);
+    point.loads.friction.reference = point.loads.friction.trial;
+    laws_.load_friction(point.loads);
+  }
   point.nodes = linearise(space_, point.loads, fields);
   point.primary = fields.primary;
   point.secondary = fields.secondary;
@@ -49,15 +56,19 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   space_.update_boundary_weights(positions(fields));
   const NodalLoads before = loads(fields);
   if (!predicted) active_set_.start_counting();
+  const auto slip = [&](const NodalLoads& now) {
+    return predicted ? active_set_.next_slip(before, now) : active_set_.initial_slip(now);
+  };
   LinearisationPoint next = linearised_at(fields,
-                                          active_set_.next(before.in_contact, updated_status(fields), predicted));
+                                          active_set_.next(before.in_contact, updated_status(fields), predicted), slip);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
   const bool augmented = std::exchange(augmented_, false);
   next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
+  next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
-                       before.flux_coupled != next.loads.flux_coupled ||
+                       before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||
                        differ(before, next.loads, active_set_.options().same_load, fields);
   point_ = std::move(next);
   return changed;
@@ -66,17 +77,21 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
 void MovingGeometry::start_inactive(const FacingFields& fields) {
   const NodeFlags open(space_.nodes(), false);
   active_set_.start_counting();
-  LinearisationPoint point = linearised_at(fields, {open, open});
+  LinearisationPoint point = linearised_at(fields, {open, open, {}}, [&](const NodalLoads&) { return open; });
   point.geometric_traction = point.loads.traction;
   point.geometric_flux = point.loads.flux;
+  point.geometric_friction = point.loads.friction.traction;
   point_ = std::move(point);
 }
 
 void MovingGeometry::relinearise(const FacingFields& fields) {
   if (!point_) return;
-  LinearisationPoint next = linearised_at(fields, active_set_.moved(point_->loads, space_.gaps(positions(fields))));
+  const auto slip = [&](const NodalLoads& now) { return active_set_.moved_slip(point_->loads, now); };
+  LinearisationPoint next = linearised_at(fields, active_set_.moved(point_->loads, space_.gaps(positions(fields))),
+                                          slip);
   next.geometric_traction = point_->loads.traction;
   next.geometric_flux = point_->loads.flux;
+  next.geometric_friction = point_->loads.friction.traction;
   point_ = std::move(next);
 }
 
@@ -90,9 +105,11 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
   if (updated_status(fields) != point_->loads.in_contact) return false;
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
+  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
+  if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
   NodalLoads now = space_.averages(fields, point_->loads.status());
   method_.load(now);
-  return !differ(method_.predicted_loads(*point_, fields), now, active_set_.options().solution_load, fields);
+  return !differ(predicted, now, active_set_.options().solution_load, fields);
 }
 
 bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, double part,
@@ -104,16 +121,24 @@ bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, doub
   }
   return differs(one.traction.transpose(), other.traction.transpose(), part,
                  VectorXd::Constant(1, laws_.traction_rounding(size))) ||
-         differs(one.flux, other.flux, part, flux_rounding);
+         differs(one.flux, other.flux, part, flux_rounding) ||
+         differs(one.friction.traction.reshaped().transpose(), other.friction.traction.reshaped().transpose(), part,
+                 VectorXd::Constant(1, laws_.traction_rounding(size)));
 }
 
 NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
   if (point_) return method_.predicted_loads(*point_, fields);
   const NodeFlags status = initial_status(positions(fields));
-  NodalLoads loads = space_.averages(fields, {status, status});
+  NodalLoads loads = space_.averages(fields, {status, status, {}});
   method_.load(loads);
   loads.traction = laws_.admissible(loads.traction);
   return loads;
+}
+
+Matrix3Xd MovingGeometry::present_multipliers(const NodalFriction& friction) const {
+  Matrix3Xd present = laws_.multipliers.friction;
+  for (Index node = 0; node < present.cols(); ++node) present.col(node) = friction.convection[node] * present.col(node);
+  return present;
 }
 
 NodeFlags MovingGeometry::flux_coupled(const FacingPositions& x) const {
@@ -139,6 +164,7 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlo
   if (point_) {
     now.traction = point_->geometric_traction;
     now.flux = point_->geometric_flux;
+    now.friction.traction = point_->geometric_friction;
   }
   geometric_tangents(space_, now, fields, dt, add);
 }

@@ -3,6 +3,7 @@
 
 #include "enforcement/contact_geometry.h"
 
+#include <functional>
 #include <optional>
 
 namespace mixture_contact {
@@ -29,10 +30,14 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  LinearisationPoint linearised_at(const FacingFields& fields, ContactStatus status) const;
+  /// Decides which nodes slide from the loads at a state.
+  using DecideSlip = std::function<NodeFlags(const NodalLoads& now)>;
+  LinearisationPoint linearised_at(const FacingFields& fields, ContactStatus status, const DecideSlip& slip) const;
   NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
   NodeFlags updated_status(const FacingFields& fields) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
+  /// Multipliers of friction, carried along with the surface since the step began.
+  Matrix3Xd present_multipliers(const NodalFriction& friction) const;
   /// Whether loads differ by more than a part of the largest one of their kind, and by more than rounding.
   bool differ(const NodalLoads& one, const NodalLoads& other, double part, const FacingFields& fields) const;
 

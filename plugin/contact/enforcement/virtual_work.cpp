@@ -35,6 +35,11 @@ std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const Face
     traction += traction_tangent(point.kinematics, vary, point.loads, displacements);
   }
   laps.traction();
+  if (!loads.friction.empty()) {
+    for (const auto& [point, vary] : points)
+      add_friction_tangent(point.kinematics, vary, point.loads, displacements, traction);
+    laps.friction();
+  }
   for (Index k = 0; k < count_of(blocks); ++k) {
     TangentBlock& block = at(blocks, k);
     for (const auto& [point, vary] : points) {
@@ -60,6 +65,7 @@ void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const Fac
     for (const IntegrationPoint& place : pair.points) {
       const PointContact point = loaded_point(space, pair, place, loads, fields, dt);
       sum += point_residual(point.kinematics, point.loads, layout);
+      if (!loads.friction.empty()) add_friction(point.kinematics, point.loads, layout, sum);
     }
     return sum;
   };

@@ -28,7 +28,8 @@ struct SurfaceMesh {
 /// The current state of a surface: one column or row per node.
 struct SurfaceFields {
   Matrix3Xd position;  ///< current positions, shape (3, nodes) [mm]
-  MatrixXd scalar;     ///< exchanged scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects
+  MatrixXd scalar;     ///< scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects; last the
+                       ///< p~ that friction alone reads, if any (Effects::nodal_fields)
 };
 
 /// Positions, or positions and fields, of both surfaces as a pass sees them.

@@ -46,6 +46,13 @@ IndexedVector<int> FacingPairs::exchanged_fields(const FacetPair& pair) const {
   return fields;
 }
 
+std::optional<Side> FacingPairs::bearing_side(const FacetPair& pair) const {
+  if (!effects_.has_bearing_fluid()) return std::nullopt;
+  if (contains(primary_.permeable[pair.primary], effects_.pressure_field())) return Side::primary;
+  if (contains(secondary_.permeable[pair.secondary], effects_.pressure_field())) return Side::secondary;
+  return std::nullopt;
+}
+
 Patch FacingPairs::patch(const FacetPair& pair) const {
   const Facet& one = primary_facet(pair);
   const Facet& two = secondary_facet(pair);

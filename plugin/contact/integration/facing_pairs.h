@@ -36,6 +36,9 @@ class FacingPairs {
   const Facet& secondary_facet(const FacetPair& pair) const { return secondary_.facets[pair.secondary]; }
   /// The fields that both facets of a pair let through.
   IndexedVector<int> exchanged_fields(const FacetPair& pair) const;
+  /// The facet whose fluid pressure acts on the friction of a pair: the primary one, else the secondary one, if either
+  /// has fluid.
+  std::optional<Side> bearing_side(const FacetPair& pair) const;
   /// The nodes of both facets with their displacements and exchanged fields.
   Patch patch(const FacetPair& pair) const;
   PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const FacingPositions& x) const;

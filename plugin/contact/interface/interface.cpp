@@ -9,9 +9,12 @@
 namespace mixture_contact {
 namespace {
 
-bool fits(const Multipliers& multipliers, Index nodes, Index fields) {
+bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
+  const Index fields = effects.scalar_fields();
+  const Index with_friction = effects.friction ? nodes : 0;
   return multipliers.traction.size() == nodes && multipliers.flux.rows() == fields &&
-         multipliers.flux.cols() == nodes && multipliers.flux_penalty_scale.size() == fields;
+         multipliers.flux.cols() == nodes && multipliers.flux_penalty_scale.size() == fields &&
+         multipliers.friction.cols() == with_friction && multipliers.slips.count() == with_friction;
 }
 
 GapReport measure_gaps(const ContactPass& pass, const FacingFields& fields) {
@@ -62,8 +65,13 @@ void check(const ContactInterface::State& state, const ContactInterface& contact
   const std::size_t passes = two_pass || !state.check_nodes.empty() ? 2 : 1;
   require(state.multipliers.size() == passes, "multipliers of " + std::to_string(state.multipliers.size()) + " passes");
   for (std::size_t pass = 0; pass < passes; ++pass) {
-    require(fits(state.multipliers[pass], contact.mesh(both_sides.at(pass)).nodes, contact.effects().scalar_fields()),
+    require(fits(state.multipliers[pass], contact.mesh(both_sides.at(pass)).nodes, contact.effects()),
             "multipliers of pass " + std::to_string(pass));
+  }
+  for (const Side side : both_sides) {
+    const Index nodes = state.slips_from[side].cols();
+    require(nodes == 0 || (contact.effects().friction && nodes == contact.mesh(side).nodes),
+            "positions that slips are measured from");
   }
   require(state.carriers.size() == passes, "load carriers of " + std::to_string(state.carriers.size()) + " passes");
   for (std::size_t pass = 0; pass < passes; ++pass) {
@@ -95,6 +103,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   const bool search_all = search == Search::everywhere;
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
+  if (effects_.friction && slips_from_[Side::primary].size() == 0) measure_slips_from(position);
   searched_ = search_all;
   for (SidedPass& pass : passes_) {
     if (!effects_.traction) pass.faced.reset();
@@ -104,6 +113,25 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
   }
+}
+
+void ContactInterface::measure_slips_from(const PerSide<Matrix3Xd>& position) {
+  slips_from_ = position;
+  for (const SidedPass& pass : passes_) pass.integral->measure_slips_from(seen_from(pass.side, slips_from_));
+}
+
+void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
+  if (!effects_.friction) return;
+  const TaskClock timed = measurements_.clock(Task::augmentation);
+  for (const SidedPass& pass : passes_) pass.integral->accept_friction(seen_from(pass.side, fields));
+  measure_slips_from({{fields[Side::primary].position, fields[Side::secondary].position}});
+  end_iterations();
+}
+
+void ContactInterface::forget_friction() {
+  if (!effects_.friction) return;
+  for (const SidedPass& pass : passes_) pass.integral->laws().multipliers.friction.setZero();
+  for (Matrix3Xd& position : slips_from_) position.resize(3, 0);
 }
 
 void ContactInterface::exchange_traction(bool traction) {
@@ -185,12 +213,13 @@ void ContactInterface::for_each_coupling(const std::function<void(const Location
 
 GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields())};
+  GapReport worst{{}, {}, IndexedVector<FieldGap>(effects_.scalar_fields())};
   for (const SidedPass& pass : passes_) {
     // Beside unknown multipliers penalties leave gaps of their own, which no augmentation closes.
     if (settings_.enforcement != pass.integral->enforcement()) continue;
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     keep_worst(worst.traction, report.traction);
+    keep_worst(worst.slip, report.slip);
     for (Index k = 0; k < worst.flux.count(); ++k) keep_worst(worst.flux[k], report.flux[k]);
   }
   return worst;
@@ -237,6 +266,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
 
 void ContactInterface::restrict_second_pass() {
   if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, check_.settings));
+  if (effects_.friction) passes_.back().integral->measure_slips_from(seen_from(Side::secondary, slips_from_));
   passes_.back().integral->restrict_active_set(check_.nodes);
 }
 
@@ -249,11 +279,13 @@ ContactInterface::State ContactInterface::state() const {
     state.multipliers.push_back(pass.integral->laws().multipliers);
     state.carriers.push_back(pass.integral->space().boundary_weights().last_decisions());
   }
+  state.slips_from = slips_from_;
   return state;
 }
 
 void ContactInterface::restore(State state) {
   check(state, *this);
+  slips_from_ = std::move(state.slips_from);
   NodeFlags check_nodes(check_.nodes.count(), false);
   for (const int node : state.check_nodes) check_nodes[node] = true;
   if (check_nodes != check_.nodes) {
@@ -264,6 +296,7 @@ void ContactInterface::restore(State state) {
   }
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     passes_[pass].integral->laws().multipliers = std::move(state.multipliers[pass]);
+    if (effects_.friction) passes_[pass].integral->measure_slips_from(seen_from(passes_[pass].side, slips_from_));
   }
   end_iterations();
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
@@ -298,6 +331,8 @@ void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<Ma
 
 void ContactInterface::update_laws(const Settings& settings) {
   settings_.tolerances = settings.tolerances;
+  settings_.friction = settings.friction;
+  check_.settings.friction = settings.friction;
   if (same_penalties(settings_, settings)) return;
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;

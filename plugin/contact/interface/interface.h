@@ -54,6 +54,12 @@ class ContactInterface {
   /// The patches that tangent() would fill with the present status.
   void for_each_coupling(const std::function<void(const Location&)>& use) const;
 
+  /// Takes a state over as that which the next step begins with: its friction, and the positions that slips are
+  /// measured from. Iterations end with it. Nothing without friction.
+  void accept_step(const PerSide<SurfaceFields>& fields);
+  /// Forgets friction and slip: the surfaces begin to slide where the next projection finds them.
+  void forget_friction();
+
   /// Gaps at the current state, the worst of both passes; meets() tells whether they meet the tolerances.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
 
@@ -100,6 +106,7 @@ class ContactInterface {
   struct State {
     std::vector<int> check_nodes;          ///< secondary nodes that a second pass is limited to, ascending
     std::vector<Multipliers> multipliers;  ///< per pass
+    PerSide<Matrix3Xd> slips_from;         ///< positions that slips are measured from; empty without friction
     std::vector<LoadCarriers> carriers;    ///< per pass, on which those of the next step depend
   };
   State state() const;
@@ -110,6 +117,7 @@ class ContactInterface {
  private:
   NodeFlags flux_coupled(const SidedPass& pass) const;
   IndexedVector<FacingNode> facing(const SidedPass& pass, const NodeFlags& in_contact) const;
+  void measure_slips_from(const PerSide<Matrix3Xd>& position);
   /// Restricts a second pass, which joins the first one if need be, to the penetration-check nodes.
   void restrict_second_pass();
 
@@ -119,7 +127,8 @@ class ContactInterface {
   PenetrationCheck check_;
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
-  bool searched_ = false;  ///< whether the last projection was a search everywhere
+  PerSide<Matrix3Xd> slips_from_;  ///< positions of the last accepted state; empty without friction
+  bool searched_ = false;          ///< whether the last projection was a search everywhere
   mutable Measurements measurements_;
 };
 

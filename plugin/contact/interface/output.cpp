@@ -45,8 +45,52 @@ void add_point(const PointContact& contact, const Facet& facet, const FacetVecto
   }
 }
 
-/// Calls use(point, facet of the side, shares of its nodes, sign) for each point of a pass, and returns the area of
-/// each node of the side.
+void set_zero(FrictionOutput& out, Index nodes) {
+  out.traction = out.slip = Matrix3Xd::Zero(3, nodes);
+  out.bound = out.fluid = out.status = VectorXd::Zero(nodes);
+}
+
+/// Sums up, as add_point() does, friction and how much of the contact slides; `share` of each node.
+void add_sliding(const PointContact& contact, const Facet& primary, const SlidingNodes& nodes, const Facet& facet,
+                 const FacetVector& shares, double sign, FrictionOutput& out) {
+  const Vector3d slip = sign * facet_coordinates(primary, nodes.slip) * contact.psi;
+  const double bound = contact.psi.dot(facet_values(primary, nodes.bound));
+  const double fluid = contact.psi.dot(facet_values(primary, nodes.fluid));
+  const double slips = contact.psi.dot(facet_values(primary, nodes.slips));
+  for (Index a = 0; a < shares.size(); ++a) {
+    const int node = facet.node(a);
+    out.traction.col(node) += sign * shares[a] * contact.loads.friction;
+    out.slip.col(node) += shares[a] * slip;
+    out.bound[node] += shares[a] * bound;
+    out.fluid[node] += shares[a] * fluid;
+    out.status[node] += shares[a] * slips;
+  }
+}
+
+/// Divides what has been summed up by areas; `per_area`: of loads, as divide_by_areas() has it. A node slides where
+/// more than half of the contact around it does.
+void divide_by_areas(FrictionOutput& out, const VectorXd& areas, const VectorXd& per_area) {
+  const VectorXd mean = inverse_or_zero(areas);
+  out.traction = out.traction * per_area.asDiagonal();
+  out.slip = out.slip * mean.asDiagonal();
+  out.bound.array() *= per_area.array();
+  out.fluid.array() *= mean.array();
+  for (Index node = 0; node < areas.size(); ++node) {
+    const Sliding sliding = out.status[node] > 0.5 * areas[node] ? Sliding::slips : Sliding::sticks;
+    out.status[node] = static_cast<double>(areas[node] > 0 ? sliding : Sliding::open);
+  }
+}
+
+/// Nodes of the surface that a pass integrates over have a status of their own.
+void take_status(const SlidingNodes& nodes, FrictionOutput& out) {
+  for (Index node = 0; node < out.status.size(); ++node) {
+    if (nodes.in_contact[node] == 0) continue;
+    out.status[node] = static_cast<double>(nodes.slips[node] > 0 ? Sliding::slips : Sliding::sticks);
+  }
+}
+
+/// Calls use(pass, point, facet of the side, shares of its nodes, sign) for each point of a pass, and returns the area
+/// of each node of the side.
 template <class Use>
 VectorXd for_each_point_of(const ContactInterface& contact, std::size_t pass, Side side,
                            const PerSide<SurfaceFields>& fields, const Use& use) {
@@ -57,7 +101,7 @@ VectorXd for_each_point_of(const ContactInterface& contact, std::size_t pass, Si
     const Facet& facet = facet_at(point, mesh, integrated == side);
     const FacetVector shares = area_of_nodes(point, integrated == side);
     for (Index a = 0; a < shares.size(); ++a) area[facet.node(a)] += shares[a];
-    use(point, facet, shares, integrated == side ? 1.0 : -1.0);
+    use(pass, point, facet, shares, integrated == side ? 1.0 : -1.0);
   });
   return area;
 }
@@ -85,21 +129,59 @@ void divide_by_areas(NodalOutput& out, const VectorXd& of_all_passes, double off
   out.flux = out.flux * per_area.asDiagonal();
 }
 
+/// Of each pass; none without friction.
+std::vector<SlidingNodes> sliding_nodes(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  std::vector<SlidingNodes> nodes;
+  for (std::size_t pass = 0; contact.effects().has_friction() && pass < contact.passes(); ++pass)
+    nodes.push_back(sliding_nodes(contact.pass(pass), seen_from(both_sides.at(pass), fields)));
+  return nodes;
+}
+
 }  // namespace
+
+SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields) {
+  const NodalLoads loads = pass.nodal_loads(fields);
+  const NodalFriction& friction = loads.friction;
+  SlidingNodes nodes;
+  if (friction.empty()) return nodes;
+  const Index count = loads.gap.size();
+  nodes.slip = Matrix3Xd::Zero(3, count);
+  nodes.fluid = nodes.in_contact = nodes.slips = VectorXd::Zero(count);
+  nodes.bound = friction.bound;
+  for (Index node = 0; node < count; ++node) {
+    if (!loads.in_contact[node]) continue;
+    const Vector3d n = friction.normal(node);
+    const Vector3d carried = friction.convection[node] * friction.slip.col(node);
+    nodes.slip.col(node) = carried - n * n.dot(carried);
+    nodes.in_contact[node] = 1;
+    if (friction.pressure.size() > 0) nodes.fluid[node] = friction.pressure[node];
+    if (!loads.slips[node]) continue;
+    nodes.slips[node] = 1;
+    nodes.dissipation += loads.area[node] *
+                         dissipated(friction.trial.col(node), friction.bound[node], pass.laws().friction_penalty(node));
+  }
+  return nodes;
+}
 
 Balance balance(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::output);
   Balance balance;
   balance.flow = VectorXd::Zero(contact.effects().scalar_fields());
-  const auto add = [&](const PointContact& point, const Facet& /*facet*/, const FacetVector& /*shares*/, double sign) {
+  const bool has_friction = contact.effects().has_friction();
+  const auto add = [&](std::size_t /*pass*/, const PointContact& point, const Facet& /*facet*/,
+                       const FacetVector& /*shares*/, double sign) {
     const double weight = point.loads.weight;
     balance.force += sign * weight * point.loads.traction.value * point.kinematics.area_vector;
     for (Index k = 0; k < point.fields.count(); ++k) {
       balance.flow[point.fields[k]] += sign * weight * point.kinematics.area * point.loads.flux[k].value;
     }
+    if (has_friction) balance.friction += sign * weight * point.kinematics.area * point.loads.friction;
   };
   const std::vector<VectorXd> areas = for_each_point(contact, Side::primary, fields, add);
   balance.area = tributary_area_of(areas, contact.settings().two_pass).sum();
+  if (!has_friction) return balance;
+  balance.force += balance.friction;
+  for (const SlidingNodes& nodes : sliding_nodes(contact, fields)) balance.dissipation += nodes.dissipation;
   return balance;
 }
 
@@ -107,15 +189,25 @@ NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSi
   const TaskClock timed = contact.measurements().clock(Task::output);
   const Index nodes = contact.mesh(side).nodes;
   const Index scalars = contact.effects().scalar_fields();
-  NodalOutput out{VectorXd::Zero(nodes), VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
-                  MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes)};
-  const auto add = [&](const PointContact& point, const Facet& facet, const FacetVector& shares, double sign) {
+  NodalOutput out{VectorXd::Zero(nodes),          VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
+                  MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes), {}};
+  const std::vector<SlidingNodes> sliding = sliding_nodes(contact, fields);
+  if (!sliding.empty()) set_zero(out.friction, nodes);
+  const auto add = [&](std::size_t pass, const PointContact& point, const Facet& facet, const FacetVector& shares,
+                       double sign) {
     add_point(point, facet, shares, sign, out);
+    if (sliding.empty()) return;
+    const Facet& primary = contact.pass(pass).space().facing().primary_facet(*point.pair);
+    add_sliding(point, primary, sliding[pass], facet, shares, sign, out.friction);
   };
   const std::vector<VectorXd> areas = for_each_point(contact, side, fields, add);
   out.tributary_area = tributary_area_of(areas, contact.settings().two_pass);
-  divide_by_areas(out, std::accumulate(areas.begin(), areas.end(), VectorXd::Zero(nodes).eval()),
-                  contact.pass(0).space().offset());
+  const VectorXd of_all_passes = std::accumulate(areas.begin(), areas.end(), VectorXd::Zero(nodes).eval());
+  divide_by_areas(out, of_all_passes, contact.pass(0).space().offset());
+  if (sliding.empty()) return out;
+  divide_by_areas(out.friction, of_all_passes, inverse_or_zero(out.tributary_area));
+  const auto own = static_cast<std::size_t>(side);
+  if (own < sliding.size()) take_status(sliding[own], out.friction);
   return out;
 }
 

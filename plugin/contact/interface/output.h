@@ -7,10 +7,28 @@ namespace mixture_contact {
 
 /// What crosses the interface, as it acts on the primary surface; the secondary surface gets the exact opposite.
 struct Balance {
-  Vector3d force{0, 0, 0};  ///< contact force on the primary surface [N]
-  double area = 0;          ///< area in contact [mm^2]
-  VectorXd flow;            ///< flow out of the primary body per exchanged field [mm^3/s] or [nmol/s]
+  Vector3d force{0, 0, 0};     ///< contact force on the primary surface [N]
+  double area = 0;             ///< area in contact [mm^2]
+  VectorXd flow;               ///< flow out of the primary body per exchanged field [mm^3/s] or [nmol/s]
+  Vector3d friction{0, 0, 0};  ///< the part of the force that is friction [N]
+  double dissipation = 0;  ///< energy that friction has dissipated since the step began [mJ]; of both sides together
 };
+
+/// Status of a node with regard to friction.
+enum class Sliding { open = 0, sticks = 1, slips = 2 };
+
+/// Values of friction at the nodes of a surface; empty without friction.
+struct FrictionOutput {
+  Matrix3Xd traction;  ///< on this surface [MPa]
+  Matrix3Xd slip;      ///< of this surface over the other since the step began, in the present tangent plane [mm]
+  VectorXd bound;      ///< T_max [MPa]
+  VectorXd fluid;      ///< p~ - p*: the load that the fluid bears [MPa]
+  VectorXd status;     ///< a Sliding each
+};
+
+inline Sliding status_of(const FrictionOutput& friction, Index node) {
+  return node < friction.status.size() ? static_cast<Sliding>(static_cast<int>(friction.status[node])) : Sliding::open;
+}
 
 /// Values at the nodes of a surface for output, from the points in contact around each.
 struct NodalOutput {
@@ -19,7 +37,30 @@ struct NodalOutput {
   MatrixXd flux;            ///< (fields, nodes), out of this surface's body
   MatrixXd jump;            ///< (fields, nodes), this side minus the other
   VectorXd tributary_area;  ///< area in contact that belongs to the node [mm^2]
+  FrictionOutput friction;
+
+  /// T_max/|t_n| and (p~ - p*)/|t_n| at a node; 0 where there is no load.
+  double effective_friction(Index node) const { return over_pressure(friction.bound, node); }
+  double fluid_load_support(Index node) const { return over_pressure(friction.fluid, node); }
+
+ private:
+  double over_pressure(const VectorXd& values, Index node) const {
+    return values.size() > node && pressure[node] > 0 ? values[node] / pressure[node] : 0.0;
+  }
 };
+
+/// What a pass's nodes say about friction, as it is interpolated between them; empty without friction.
+struct SlidingNodes {
+  Matrix3Xd slip;  ///< in the present tangent plane
+  VectorXd bound;
+  VectorXd fluid;
+  VectorXd in_contact;  ///< 1 or 0
+  VectorXd slips;       ///< 1 or 0
+  double dissipation = 0;
+
+  bool empty() const { return bound.size() == 0; }
+};
+SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields);
 
 Balance balance(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSide<SurfaceFields>& fields);

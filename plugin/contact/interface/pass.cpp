@@ -3,6 +3,7 @@
 #include "base/bytes.h"
 #include "enforcement/fixed_geometry.h"
 #include "enforcement/moving_geometry.h"
+#include "mortar/slips.h"
 
 namespace mixture_contact {
 
@@ -42,7 +43,16 @@ void ContactPass::augment(const FacingFields& fields) {
   const NodalLoads loads = nodal_loads(fields);
   if (effects_.traction) laws_.multipliers.traction = laws_.admissible(loads.traction);
   laws_.multipliers.flux = loads.flux;
+  if (!loads.friction.empty()) laws_.take_friction(loads);
   geometry_->take_multipliers();
+}
+
+void ContactPass::accept_friction(const FacingFields& fields) {
+  NodalLoads loads = nodal_loads(fields);
+  space_.measure_slips_from(positions(fields));
+  if (loads.friction.empty()) return;
+  set_convection(loads.friction, space_, loads.in_contact, fields.primary.position);
+  laws_.take_friction(loads);
 }
 
 void ContactPass::forget() {

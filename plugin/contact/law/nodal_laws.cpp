@@ -2,6 +2,8 @@
 
 #include "law/laws.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 
 namespace mixture_contact {
@@ -16,6 +18,9 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
+  if (!effects.friction) return;
+  multipliers.friction.setZero(3, primary.nodes);
+  multipliers.slips = NodeFlags(primary.nodes, false);
 }
 
 void NodalLaws::update_penalties() {
@@ -35,6 +40,75 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
       loads.flux(field, node) = normal_flux(multipliers.flux(field, node), penalty, loads.jump(field, node)).value;
     }
   }
+  if (loads.friction.empty()) return;
+  find_friction_limits(loads);
+  load_friction(loads);
+}
+
+void NodalLaws::find_friction_limits(NodalLoads& loads) const {
+  loads.friction.trial.setZero(3, nodes());
+  loads.friction.bound.setZero(nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    loads.friction.trial.col(node) = friction_trial(loads.friction, node).value;
+    loads.friction.bound[node] = friction_bound(loads, node).value;
+  }
+  if (loads.slips.empty()) loads.slips = beyond_bound(loads);
+}
+
+FrictionTrial NodalLaws::friction_trial(const NodalFriction& friction, Index node) const {
+  const Vector3d n = friction.normal(node);
+  const Vector3d past = multipliers.friction.col(node) - friction_penalty(node) * friction.slip.col(node);
+  const Vector3d carried = friction.convection[node] * past;
+  return {n, past, carried, carried - n * n.dot(carried)};
+}
+
+FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) const {
+  const double pressure = loads.friction.pressure.size() > 0 ? loads.friction.pressure[node] : 0.0;
+  return mixture_contact::friction_bound(settings_.friction, loads.traction[node], pressure);
+}
+
+FrictionTraction NodalLaws::friction_law(const NodalLoads& loads, Index node) const {
+  const Vector3d trial = loads.friction.trial.col(node);
+  if (!loads.slips[node]) return stick(trial);
+  return slip(trial, loads.friction.bound[node], friction_reference(loads.friction, node));
+}
+
+Vector3d NodalLaws::friction_reference(const NodalFriction& friction, Index node) const {
+  return (friction.reference.size() > 0 ? friction.reference : friction.trial).col(node);
+}
+
+void NodalLaws::load_friction(NodalLoads& loads) const {
+  loads.friction.traction.setZero(3, nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (loads.in_contact[node]) loads.friction.traction.col(node) = friction_law(loads, node).value;
+  }
+}
+
+NodeFlags NodalLaws::beyond_bound(const NodalLoads& loads) const {
+  NodeFlags slips(nodes(), false);
+  const double rounding = traction_rounding(loads.size);
+  for (Index node = 0; node < nodes(); ++node) {
+    const double excess = loads.friction.trial.col(node).norm() - loads.friction.bound[node];
+    slips[node] = loads.in_contact[node] && excess > rounding;
+  }
+  return slips;
+}
+
+Matrix3Xd NodalLaws::friction_multipliers(const NodalFriction& friction) const {
+  Matrix3Xd lambda = Matrix3Xd::Zero(3, nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (friction.traction.col(node).isZero(0)) continue;
+    const Vector3d n = friction.normal(node);
+    const Eigen::Matrix3d to_present = friction.convection[node] - n * (n.transpose() * friction.convection[node]);
+    lambda.col(node) = to_present.completeOrthogonalDecomposition().solve(friction.traction.col(node));
+  }
+  return lambda;
+}
+
+void NodalLaws::take_friction(const NodalLoads& loads) {
+  multipliers.friction = friction_multipliers(loads.friction);
+  multipliers.slips = loads.slips;
 }
 
 double NodalLaws::traction_rounding(double surface_size) const {

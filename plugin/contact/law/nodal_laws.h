@@ -1,6 +1,7 @@
 /// The laws at the nodes of a surface: penalties, multipliers, and the loads that they make of gaps and jumps.
 #pragma once
 
+#include "law/friction.h"
 #include "law/nodal_loads.h"
 #include "law/penalty.h"
 
@@ -13,6 +14,18 @@ struct Multipliers {
   MatrixXd flux;                      ///< lambda per (field, node)
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
+  Matrix3Xd friction;  ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
+                       ///< friction
+  NodeFlags slips;     ///< which nodes slid when friction had these values
+  double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
+};
+
+/// A node's trial traction with what its variation needs.
+struct FrictionTrial {
+  Vector3d normal;   ///< n_a
+  Vector3d past;     ///< lambda_T - eps_T s_a, as the surfaces lay when the step began
+  Vector3d carried;  ///< F_a of it
+  Vector3d value;    ///< tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)
 };
 
 /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
@@ -35,6 +48,12 @@ class NodalLaws {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
   }
 
+  double friction_penalty(Index node) const {
+    return multipliers.friction_penalty_scale * settings_.friction.penalty_factor * penalties_.traction[node];
+  }
+  /// Of all nodes, before slow augmentations have built them up.
+  VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
+
   // The largest multiples of stiffness and conductance that augmentations may bring penalties to
   double largest_traction_factor() const {
     return (has_twin() ? two_pass_traction_factor : default_traction_factor) / settings_.traction_reduction;
@@ -49,6 +68,21 @@ class NodalLaws {
   /// Sets traction and fluxes of the nodes in contact to lambda + eps times gap or jump; without penalty, to lambda.
   void load(NodalLoads& loads, bool with_penalty) const;
 
+  FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
+  FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
+  /// The trial that an iteration began with; outside iterations the present one.
+  Vector3d friction_reference(const NodalFriction& friction, Index node) const;
+  /// Friction of a node in contact, as its status has it.
+  FrictionTraction friction_law(const NodalLoads& loads, Index node) const;
+  /// Sets the friction of the nodes in contact as their status has it.
+  void load_friction(NodalLoads& loads) const;
+  /// Which nodes in contact slide where nothing has been decided: those whose trial exceeds the bound.
+  NodeFlags beyond_bound(const NodalLoads& loads) const;
+  /// Multipliers of friction that have the present tractions for their trial where nothing slides any further.
+  Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
+  /// Takes the present friction and status over.
+  void take_friction(const NodalLoads& loads);
+
   /// What a large penalty makes of the rounding of gaps [MPa].
   double traction_rounding(double surface_size) const;
   /// Per field; values and jumps below this are rounding: of the field itself and, as the solvent's pressure comes from
@@ -58,6 +92,8 @@ class NodalLaws {
   Multipliers multipliers;
 
  private:
+  /// Sets trial and bound, and the status where it has not been decided.
+  void find_friction_limits(NodalLoads& loads) const;
   /// Whether the surface that these nodes face has conditions of its own.
   bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
 

@@ -16,15 +16,33 @@ struct NodalGaps {
   bool faces(Index node) const { return area[node] > 0; }
 };
 
-/// The status of nodes. Stick and slip of a tangential law belong here, beside open and closed.
+/// The status of nodes.
 struct ContactStatus {
   NodeFlags in_contact;
   NodeFlags flux_coupled;  ///< in contact, and so exchanging fluxes with the other side instead of with the ambient
+  NodeFlags slips = {};    ///< in contact, and sliding; empty where it has not been decided, and without friction
+};
+
+/// Averages around nodes in contact that friction depends on, and what its law says there; empty without friction.
+///
+/// The slip s_a is that of the surfaces as they lay when the step began, and F_a takes it to the present tangent plane.
+struct NodalFriction {
+  Matrix3Xd slip;                             ///< s_a [mm]
+  Matrix3Xd area_vector;                      ///< INT psi_a n da / INT psi_a da
+  VectorXd pressure;                          ///< p~ - p* [MPa]; empty where friction does not depend on it
+  IndexedVector<Eigen::Matrix3d> convection;  ///< F_a
+  Matrix3Xd trial;                            ///< tau_a [MPa]
+  Matrix3Xd reference;                        ///< tau_a where an iteration began; empty outside iterations
+  VectorXd bound;                             ///< T_max [MPa]
+  Matrix3Xd traction;                         ///< t_T [MPa]; 0 out of contact
+
+  bool empty() const { return slip.size() == 0; }
+  /// n_a
+  Vector3d normal(Index node) const { return area_vector.col(node).normalized(); }
 };
 
 /// What the laws (2.7)-(2.9) say at the nodes of the primary surface, from averages around each node: g_a and, alike,
-/// jumps. Traction and fluxes between nodes are interpolated with psi_a. The traction is normal; a tangential law would
-/// add its two components per node beside it, from the mean slip of the node.
+/// jumps and slips. Traction and fluxes between nodes are interpolated with psi_a.
 ///
 /// Laws at nodes instead of integration points: as many conditions as the surface has nodes can be met at once.
 /// Conditions at more points than that fight each other where meshes do not match, and some of them open and close in
@@ -34,6 +52,7 @@ struct NodalLoads : NodalGaps, ContactStatus {
   MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]
   MatrixXd jump;       ///< (fields, nodes)
   MatrixXd flux;       ///< (fields, nodes); 0 out of contact
+  NodalFriction friction;
 
   const ContactStatus& status() const { return *this; }
   /// Whether a node exchanges a field with the other side.

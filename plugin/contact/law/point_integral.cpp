@@ -56,6 +56,27 @@ MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariation
   return tangent;
 }
 
+void add_friction(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
+                  VectorXd& residual) {
+  const PairVector h = point.jump_weights();
+  const Vector3d force = loads.weight * point.area * loads.friction;
+  for (Index node = 0; node < layout.nodes(); ++node)
+    residual.segment<3>(layout.displacement(node, 0)) += h[node] * force;
+}
+
+void add_friction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                          const LocalLayout& layout, MatrixXd& tangent) {
+  // d[w |a| t_T h_a] = w [ h_a (t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha) + |a| t_T dh_a ]
+  const PairVector h = point.jump_weights();
+  const PairRows dh = weight_variation(point, vary);
+  const PairVariation<1> darea = vary.area + point.area * vary.weight;
+  const PairVariation<3> dforce = loads.weight *
+                                  (loads.friction * darea + point.area * (loads.friction_slope * vary.xi));
+  const Vector3d force = loads.weight * point.area * loads.friction;
+  for (Index node = 0; node < layout.nodes(); ++node)
+    tangent.middleRows<3>(layout.displacement(node, 0)) += h[node] * dforce + force * dh.row(node);
+}
+
 MatrixXd flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
                       const PairVector& values, const LocalLayout& layout) {
   // d[w dt |a| q h_a] = w dt [ h_a (q (d|a| + |a| dw/w) + |a| dq) + |a| q dh_a ],  dq = q' djump + q,alpha dxi_alpha

@@ -17,8 +17,10 @@ struct PointLoads {
   Eigen::Array<LawValue, Eigen::Dynamic, 1>
       flux;                     ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
   Eigen::MatrixX2d flux_slope;  ///< dq_n/dxi_alpha per exchanged field; empty where the point does not move
-  double weight = 0;            ///< quadrature weight: da1 = weight * |a|
-  double time_increment = 0;    ///< fluxes are integrated over the time step: their rows carry dt [s]
+  Vector3d friction{0, 0, 0};   ///< t_T [MPa]
+  Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();  ///< dt_T/dxi_alpha
+  double weight = 0;          ///< quadrature weight: da1 = weight * |a|
+  double time_increment = 0;  ///< fluxes are integrated over the time step: their rows carry dt [s]
 };
 
 /// Contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape (layout.size()).
@@ -31,6 +33,14 @@ VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, c
 /// `layout`, which has no fields.
 MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           const LocalLayout& layout);
+
+/// The part of friction: displacement rows w |a| h_a t_T. It acts at the two points that face each other, as the normal
+/// traction does: equal and opposite.
+void add_friction(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
+
+/// Exact derivative of it with the nodal positions, t_T of the nodes held; added to that of the traction.
+void add_friction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                          const LocalLayout& layout, MatrixXd& tangent);
 
 /// Exact derivative of the rows of field k of point_residual, one per node, with the nodal positions and that field's
 /// nodal values; columns in the order of `layout`, which has one field.

@@ -3,6 +3,7 @@
 #include "base/bytes.h"
 #include "base/parallel.h"
 #include "mortar/loaded_points.h"
+#include "mortar/slips.h"
 
 #include <algorithm>
 
@@ -22,15 +23,38 @@ IndexedVector<Index> dof_map(const Patch& pair, const Patch& patch) {
   return map;
 }
 
-NodeLinearisation zero_linearisation(const Patch& patch) {
+void set_zero(NodeLinearisation::Friction& friction, const LocalLayout& displacements, const Effects& effects) {
+  friction.slip_variation.setZero(3, displacements.size());
+  friction.area_vector_variation.setZero(3, displacements.size());
+  friction.work.setZero(displacements.nodes());
+  if (!effects.has_bearing_fluid()) return;
+  friction.pressure_field = effects.pressure_field();
+  friction.pressure_variation.setZero(displacements.size());
+  friction.pressure_weights.setZero(displacements.nodes());
+}
+
+NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patch) {
   NodeLinearisation linear;
   linear.patch = patch;
+  if (space.effects().has_friction()) set_zero(linear.friction, patch.of_displacements().layout(), space.effects());
   if (patch.displacements) linear.gap_variation.setZero(patch.of_displacements().layout().size());
   linear.traction_work = linear.gap_variation;
   for (const int field : patch.fields) {
     linear.jumps.push_back({linear.gap_variation, VectorXd::Zero(patch.of_field(field, false).layout().size())});
   }
   return linear;
+}
+
+void scatter(const NodeLinearisation::Friction& pair, const IndexedVector<Index>& place,
+             NodeLinearisation::Friction& sum) {
+  for (Index n = 0; n < place.count(); ++n) {
+    sum.slip_variation.middleCols<3>(3 * place[n]) += pair.slip_variation.middleCols<3>(3 * n);
+    sum.area_vector_variation.middleCols<3>(3 * place[n]) += pair.area_vector_variation.middleCols<3>(3 * n);
+    sum.work[place[n]] += pair.work[n];
+    if (!sum.has_fluid()) continue;
+    sum.pressure_variation.segment<3>(3 * place[n]) += pair.pressure_variation.segment<3>(3 * n);
+    sum.pressure_weights[place[n]] += pair.pressure_weights[n];
+  }
 }
 
 /// Adds what a pair of facets has around a node to the node's own.
@@ -46,6 +70,7 @@ void scatter(const NodeLinearisation& pair, NodeLinearisation& sum) {
   };
   add_variation(sum.gap_variation, pair.gap_variation);
   add_variation(sum.traction_work, pair.traction_work);
+  if (!sum.friction.empty()) scatter(pair.friction, place, sum.friction);
   for (Index f = 0; f < pair.patch.fields.count(); ++f) {
     NodeLinearisation::Jump& jump = sum.jumps[position_in(sum.patch.fields, pair.patch.fields[f])];
     add_variation(jump.projection_variation, pair.jumps[f].projection_variation);
@@ -89,12 +114,66 @@ void add_jump(NodeLinearisation& linear, Index k, const NodalLoads& loads, Index
   linear.jumps[k].projection_variation += mean_variation(varied, loads.jump(field, node), area);
 }
 
+/// What friction needs of a point, whichever of its nodes is looked at.
+struct SlidingPoint {
+  Vector3d slip;
+  PairVariation<3> slip_variation;
+  double pressure;
+  PairVariation<1> pressure_variation;
+  PairVector pressure_weights;
+};
+
+SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
+                           const VaryingPoint& point, const BearingPressure& pressure) {
+  const PointKinematics& kinematics = point.contact.kinematics;
+  const Facet& facet = space.facing().primary_facet(pair);
+  const PastPoint past = past_point(space, pair, kinematics);
+  const Eigen::Matrix3d curvature = facet_coordinates(facet, space.past().primary) *
+                                    shape_hessian(facet.type, place.xi);
+  return {slip(past), slip_variation(past, normal_slope(past, curvature), point.vary),
+          pressure_at(pressure, kinematics), pressure_variation(pressure, kinematics, point.vary),
+          pressure_weights(pressure, kinematics)};
+}
+
+/// Averages as in add_gap().
+void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads, Index node, const VaryingPoint& point,
+                 const SlidingPoint& sliding, const PointShare& share) {
+  const PointKinematics& kinematics = point.contact.kinematics;
+  const double part = share.value * kinematics.area;
+  const PairVariation<1> area = share.value * point.vary.area + kinematics.area * share.variation;
+  const double whole = loads.area[node];
+  const Vector3d slip = sliding.slip - loads.friction.slip.col(node);
+  friction.slip_variation += (part * sliding.slip_variation + slip * area) / whole;
+  friction.area_vector_variation += (share.value * point.vary.area_vector + kinematics.area_vector * share.variation -
+                                     loads.friction.area_vector.col(node) * area) /
+                                    whole;
+  friction.work += part * kinematics.jump_weights();
+  if (!friction.has_fluid()) return;
+  const double pressure = sliding.pressure - loads.friction.pressure[node];
+  friction.pressure_variation += (part * sliding.pressure_variation + pressure * area).transpose() / whole;
+  friction.pressure_weights += part / whole * sliding.pressure_weights;
+}
+
+void add_sliding(IndexedVector<NodeLinearisation>& corners, const MortarSpace& space, const FacetPair& pair,
+                 const std::vector<VaryingPoint>& points, const NodalLoads& loads, const FacingFields& fields) {
+  const BearingPressure pressure = bearing_pressure(space, pair, fields);
+  const Facet& facet = space.facing().primary_facet(pair);
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    const SlidingPoint sliding = sliding_point(space, pair, pair.points[q], points[q], pressure);
+    for (Index a = 0; a < corners.count(); ++a) {
+      const int node = facet.node(a);
+      if (!loads.in_contact[node]) continue;
+      add_sliding(corners[a].friction, loads, node, points[q], sliding, share_of(points[q], a));
+    }
+  }
+}
+
 /// What a pair of facets has around each node of its primary facet; nothing where it carries no load.
 IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, const FacetPair& pair,
                                                    const NodalLoads& loads, const FacingFields& fields) {
   if (!space.facing().has_node_among(pair, loads.in_contact)) return {};
   const Patch patch = space.facing().patch(pair);
-  IndexedVector<NodeLinearisation> corners(patch.primary.count(), zero_linearisation(patch));
+  IndexedVector<NodeLinearisation> corners(patch.primary.count(), zero_linearisation(space, patch));
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   const std::vector<VaryingPoint> points = varying_points(space, pair, loads, fields, 1.0);
   const auto for_each_corner_of_points = [&](const auto& use) {
@@ -111,6 +190,10 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
       add_gap(linear, loads, node, point, share);
     });
     laps.traction();
+  }
+  if (space.effects().has_friction()) {
+    add_sliding(corners, space, pair, points, loads, fields);
+    laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
     for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
@@ -132,13 +215,40 @@ VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
   return values;
 }
 
+/// Adds the changes of a node's averages.
+void predict(NodalFriction& friction, Index node, const NodeLinearisation& linear, const VectorXd& moved,
+             const FacingFields& change) {
+  friction.slip.col(node) += linear.friction.slip_variation * moved;
+  friction.area_vector.col(node) += linear.friction.area_vector_variation * moved;
+  friction.convection[node] += convection_change(linear, moved);
+  if (!linear.friction.has_fluid()) return;
+  friction.pressure[node] += linear.friction.pressure_variation.dot(moved);
+  const LocalLayout layout = linear.patch.of_displacements().layout();
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    const double weight = linear.friction.pressure_weights[n];
+    if (weight == 0) continue;
+    const SurfaceFields& surface = n < layout.primary_nodes() ? change.primary : change.secondary;
+    friction.pressure[node] += weight * surface.scalar(linear.patch.node(n), linear.friction.pressure_field);
+  }
+}
+
 SurfaceFields change(const SurfaceFields& from, const SurfaceFields& to) {
   return {to.position - from.position, to.scalar - from.scalar};
 }
 
+std::size_t bytes_of(const NodalFriction& friction) {
+  return bytes(friction.slip) + bytes(friction.area_vector) + bytes(friction.pressure) + bytes(friction.convection) +
+         bytes(friction.trial) + bytes(friction.reference) + bytes(friction.bound) + bytes(friction.traction);
+}
+
 std::size_t bytes_of(const NodalLoads& loads) {
   return bytes(loads.area) + bytes(loads.gap) + bytes(loads.traction) + bytes(loads.flux_area) + bytes(loads.jump) +
-         bytes(loads.flux);
+         bytes(loads.flux) + bytes_of(loads.friction);
+}
+
+std::size_t bytes_of(const NodeLinearisation::Friction& friction) {
+  return bytes(friction.slip_variation) + bytes(friction.area_vector_variation) + bytes(friction.convection) +
+         bytes(friction.work) + bytes(friction.pressure_variation) + bytes(friction.pressure_weights);
 }
 
 std::size_t bytes_of(const SurfaceFields& fields) { return bytes(fields.position) + bytes(fields.scalar); }
@@ -152,7 +262,10 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
   IndexedVector<NodeLinearisation> nodes(around.count());
   in_parallel(around.count(), [&](Index node) {
     if (around[node].empty() && !space.has_unknown_multipliers()) return;
-    nodes[node] = zero_linearisation(space.node_patch(node, around[node]));
+    nodes[node] = zero_linearisation(space, space.node_patch(node, around[node]));
+    if (nodes[node].friction.empty()) return;
+    nodes[node].friction.convection = convection_around(facing, space.past().primary, node, around[node],
+                                                        nodes[node].patch.primary);
   });
   const auto corners_of = [&](Index index) { return linearise_corners(space, facing.pairs()[index], loads, fields); };
   in_order(facing.pairs().count(), corners_of, [&](Index /*index*/, const IndexedVector<NodeLinearisation>& corners) {
@@ -187,6 +300,13 @@ VectorXd jump_row(const NodeLinearisation::Jump& jump, const Patch& columns) {
   return row;
 }
 
+Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorXd& moved) {
+  Eigen::Matrix3d change = Eigen::Matrix3d::Zero();
+  const Matrix3Xd& c = linear.friction.convection;
+  for (Index b = 0; b < c.cols(); ++b) change += moved.segment<3>(3 * b) * c.col(b).transpose();
+  return change;
+}
+
 NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) const {
   NodalLoads predicted = loads;
   const SurfaceFields first = change(primary, fields.primary);
@@ -196,6 +316,7 @@ NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) co
     if (linear.empty()) return;
     const VectorXd moved = displacements_at(linear.patch, {first, second});
     predicted.gap[node] += linear.gap_variation.dot(moved);
+    if (!linear.friction.empty()) predict(predicted.friction, node, linear, moved, {first, second});
     for (Index k = 0; k < linear.jumps.count(); ++k) {
       predicted.jump(linear.patch.fields[k], node) += linear.jumps[k].projection_variation.dot(moved) +
                                                       jump_of(linear, k, {first, second});
@@ -206,9 +327,10 @@ NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) co
 
 std::size_t LinearisationPoint::memory() const {
   std::size_t sum = bytes_of(loads) + bytes_of(primary) + bytes_of(secondary) + bytes(geometric_traction) +
-                    bytes(geometric_flux) + bytes(equation_weights) + bytes(nodes);
+                    bytes(geometric_flux) + bytes(geometric_friction) + bytes(equation_weights) + bytes(nodes);
   for (const NodeLinearisation& node : nodes) {
     sum += bytes(node.patch) + bytes(node.gap_variation) + bytes(node.traction_work) + bytes(node.jumps);
+    sum += bytes_of(node.friction);
     for (const NodeLinearisation::Jump& jump : node.jumps)
       sum += bytes(jump.projection_variation) + bytes(jump.weights);
   }

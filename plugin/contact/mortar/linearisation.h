@@ -13,10 +13,25 @@ struct NodeLinearisation {
     VectorXd projection_variation;  ///< djump/du, in the order of gap_variation
     VectorXd weights;               ///< with the field's nodal values, in the order of patch.of_field(field, false)
   };
+  /// Of what friction depends on; empty without friction. Rows are components.
+  struct Friction {
+    Matrix3Xd slip_variation;         ///< ds_a/du, columns in the order of gap_variation
+    Matrix3Xd area_vector_variation;  ///< d(NodalFriction::area_vector)/du, alike
+    Matrix3Xd convection;             ///< C_b: F_a = sum_b x_b C_b^T over the primary nodes of the patch
+    VectorXd work;                    ///< sum_q w psi_a |a| h, one per node of the patch: times t_T the virtual work
+    VectorXd pressure_variation;      ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
+    VectorXd pressure_weights;        ///< with the values of p~, one per node of the patch; empty without fluid
+
+    int pressure_field = 0;  ///< as Effects has it
+
+    bool empty() const { return work.size() == 0; }
+    bool has_fluid() const { return pressure_weights.size() > 0; }
+  };
   Patch patch;
   VectorXd gap_variation;     ///< dg_a/du, in the order of patch.of_displacements()
   VectorXd traction_work;     ///< sum_q w psi_a h a, in the same order
   IndexedVector<Jump> jumps;  ///< per field of the patch
+  Friction friction;
 
   bool empty() const { return patch.primary.empty() && !patch.multiplier_node; }
 };
@@ -32,6 +47,9 @@ double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fie
 /// Variation of a jump with displacements, if there are any, and values of its field, in the order of `columns`.
 VectorXd jump_row(const NodeLinearisation::Jump& jump, const Patch& columns);
 
+/// How F_a of a node varies with displacements given in the order of gap_variation.
+Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorXd& moved);
+
 /// Where an iteration linearises: within it and its line search averages are linear in the unknowns.
 struct LinearisationPoint {
   SurfaceFields primary;  ///< the state
@@ -40,6 +58,7 @@ struct LinearisationPoint {
   IndexedVector<NodeLinearisation> nodes;  ///< empty for nodes out of contact
   VectorXd geometric_traction;             ///< t_a for the geometric part of the tangent
   MatrixXd geometric_flux;                 ///< fluxes for it
+  Matrix3Xd geometric_friction;            ///< t_T for it; empty without friction
   VectorXd equation_weights;               ///< of the equations of unknown multipliers
 
   /// Its averages, with status and loads of the point, as they vary to another state.

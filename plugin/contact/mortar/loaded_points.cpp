@@ -20,6 +20,11 @@ PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, const
   const FacetVector traction = facet_values(facet, loads.traction);
   contact.loads.traction = {contact.psi.dot(traction), 0.0};
   contact.loads.traction_slope = contact.psi_gradient.transpose() * traction;
+  if (!loads.friction.empty()) {
+    const FacetCoordinates friction = facet_coordinates(facet, loads.friction.traction);
+    contact.loads.friction = friction * contact.psi;
+    contact.loads.friction_slope = friction * contact.psi_gradient;
+  }
   contact.loads.weight = place.weight;
   contact.loads.time_increment = dt;
   contact.loads.flux.resize(count);

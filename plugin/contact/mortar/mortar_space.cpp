@@ -1,6 +1,8 @@
 #include "mortar/mortar_space.h"
 
+#include "base/bytes.h"
 #include "base/parallel.h"
+#include "mortar/slips.h"
 
 #include <algorithm>
 #include <map>
@@ -53,6 +55,7 @@ MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondar
       unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
       symmetric_(settings.symmetric),
       offset_(settings.offset),
+      friction_(settings.friction),
       effect_times_(effects.scalar_fields()) {}
 
 FacetGapSums MortarSpace::gap_sums(const FacetPair& pair, const FacingPositions& x) const {
@@ -119,9 +122,14 @@ void MortarSpace::average_jumps(const FacingFields& fields, NodalLoads& loads) c
 }
 
 NodalLoads MortarSpace::averages(const FacingFields& fields, ContactStatus status) const {
-  NodalLoads loads{gaps(positions(fields)), std::move(status), {}, {}, {}, {}};
+  NodalLoads loads{gaps(positions(fields)), std::move(status), {}, {}, {}, {}, {}};
   average_jumps(fields, loads);
+  if (effects().has_friction()) loads.friction = average_slips(*this, loads, fields);
   return loads;
+}
+
+std::size_t MortarSpace::memory() const {
+  return facing_.memory() + weights_.memory() + bytes(past_[Side::primary]) + bytes(past_[Side::secondary]);
 }
 
 Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {

@@ -28,6 +28,11 @@ class MortarSpace {
     return weights_.shape(primary_facet, sub_facet, xi);
   }
 
+  /// Slips are measured from these positions, of an accepted state.
+  void measure_slips_from(const FacingPositions& past) { past_ = {{past.primary, past.secondary}}; }
+  FacingPositions past() const { return seen_from(Side::primary, past_); }
+  double ambient_pressure() const { return friction_.ambient_pressure; }
+
   NodalGaps gaps(const FacingPositions& x) const;
   /// Gaps, and the jumps of nodes of a status; without loads.
   NodalLoads averages(const FacingFields& fields, ContactStatus status) const;
@@ -45,7 +50,7 @@ class MortarSpace {
 
   /// What linearising and tangents spend on single effects; whoever times them takes it.
   EffectTimings& effect_times() const { return effect_times_; }
-  std::size_t memory() const { return facing_.memory() + weights_.memory(); }
+  std::size_t memory() const;
 
  private:
   FacetGapSums gap_sums(const FacetPair& pair, const FacingPositions& x) const;
@@ -57,6 +62,8 @@ class MortarSpace {
   bool unknown_multipliers_;
   bool symmetric_;
   double offset_;
+  const FrictionRule& friction_;
+  PerSide<Matrix3Xd> past_;             ///< primary and secondary positions as the step began, where there is friction
   mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
 };
 

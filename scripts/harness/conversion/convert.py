@@ -7,7 +7,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from harness.conversion import spans
-from harness.conversion.fates import DEFAULT, SEALED, SEALING, WRITTEN, Action, Change, fate, missing
+from harness.conversion.fates import (
+    DEFAULT,
+    SEALED,
+    SEALING,
+    SEALING_WITH_FRICTION,
+    WRITTEN,
+    Action,
+    Change,
+    fate,
+    missing,
+)
 from harness.conversion.refusals import refusals
 from harness.conversion.spans import Edit, Span
 from harness.errors import ModelError
@@ -84,7 +94,7 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
         name = contact.attributes.get("name") or f"number {number}"
         edits.append(spans.attribute(data, contact, "type", MIXTURE))
         own = [Change(Action.MAPPED, "type", contact.line, f"{kind} becomes {MIXTURE}")]
-        for edit, change in _parameters(data, contact, _sealed(model, contact)):
+        for edit, change in _parameters(data, contact, _joint(model, contact)):
             own.append(change)
             edits += edit
         changes[f'contact "{name}"'] = own
@@ -95,21 +105,26 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
     return edits, changes
 
 
-def _sealed(model: Model, contact: Span) -> bool:
+def _joint(model: Model, contact: Span) -> Joint:
+    """The contact of the model that stands in a line of the file."""
+    return next(Joint(model, known) for known in model.contacts if documents.place(known.tag).line == contact.line)
+
+
+def _sealed(joint: Joint) -> bool:
     """Whether a contact of FEBio's that knows traction alone stands between bodies one of which has fluid."""
-    joints = (Joint(model, known) for known in model.contacts if documents.place(known.tag).line == contact.line)
-    return any(not joint.contact.kind.solvent and any(side.porous for side in joint.sides) for joint in joints)
+    return not joint.contact.kind.solvent and any(side.porous for side in joint.sides)
 
 
-def _parameters(data: bytes, contact: Span, sealed: bool) -> Iterator[tuple[list[Edit], Change]]:
-    kind = TYPES[contact.attributes["type"]]
+def _parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
+    kind, sealed, rubs = TYPES[contact.attributes["type"]], _sealed(joint), joint.contact.has_friction
     for child in contact.children:
         value = data[slice(*child.inner)].decode("latin-1").strip()
-        change = fate(kind, child.tag, value)(child.line)
+        change = fate(kind, child.tag, value, rubs=rubs)(child.line)
         yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
     names = missing(kind, {child.tag for child in contact.children})
     written = [(name, DEFAULT, WRITTEN[name]) for name in names]
-    written += [(name, value, SEALED) for name, value in SEALING.items() if sealed]
+    sealing = SEALING_WITH_FRICTION if rubs else SEALING
+    written += [(name, value, SEALED) for name, value in sealing.items() if sealed]
     lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
     for place, (name, value, reason) in enumerate(written):
         change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")

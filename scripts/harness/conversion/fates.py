@@ -30,13 +30,12 @@ class Change:
 DROPPED = {
     "knmult": "the linearisation is always complete; it changes the iterations alone",
     "smooth_aug": "multipliers take the contact's own loads at nodes, which are smooth",
-    "smooth_fls": "acts with friction alone",
-    "contact_frac": "acts with friction alone",
+    "smooth_fls": "the part of the load that the fluid bears is always averaged around nodes",
     "penalty_sf": "acts between augmentations alone; penalties grow by themselves",
     "max_penalty_sf": "acts between augmentations alone; penalties grow by themselves",
     "dxtol": "a hidden parameter: the width within which FEBio softens the tangent at first touch",
-    "fric_penalty": "acts with friction alone",
-    "ktmult": "acts with friction alone",
+    "fric_penalty": "friction that sticks has the penalty of the traction, so that it hardly gives way",
+    "ktmult": "the linearisation is always complete; it changes the iterations alone",
 }
 """Parameters without a meaning in `sliding-mixture` that do not change the converged answer."""
 
@@ -49,6 +48,9 @@ KEPT = {
     "two_pass": "each pass has nodes and multipliers of its own",
     "search_radius": "always a length",
     "maxaug": "a warning where it ends a step",
+    "fric_coeff": "its bound holds at nodes instead of integration points, and is linear in traction and fluid "
+    "pressure instead of a coefficient with a quotient of both",
+    "contact_frac": "counts with what the effective pressure exceeds the ambient one by",
 }
 """What differs in parameters that stay."""
 NO_DIFFERENCE = "same meaning"
@@ -71,21 +73,36 @@ WRITTEN = {
     "search_radius": "FEBio's default, written out; without it the radius follows the size of the surfaces",
 }
 SEALING = {"effects": "traction", "free_draining": "0"}
+SEALING_WITH_FRICTION = {"effects": "traction,friction", "free_draining": "0", "contact_frac": "1"}
+NO_FRICTION = {
+    "sliding-facet-on-facet": "FEBio sets it to 0: sliding-facet-on-facet has no friction",
+    "sliding-node-on-facet": "without a <fric_penalty> above 0 sliding-node-on-facet has no friction",
+}
+"""Why a friction coefficient does nothing in FEBio."""
 SEALED = "written out: FEBio's type knows traction alone and leaves the surfaces of porous bodies to the model"
-"""What keeps fluid and solutes of the bodies where FEBio's type does, and why."""
+"""What keeps fluid and solutes of the bodies where FEBio's type does, and friction acting on all of the traction."""
 
 
-def fate(kind: ContactType, name: str, value: str) -> Callable[[int], Change]:
-    """What becomes of a parameter with a value, for a contact of a type, as a function of its line."""
-    action, reason = _fate(kind, name, value)
+def fate(kind: ContactType, name: str, value: str, *, rubs: bool = False) -> Callable[[int], Change]:
+    """What becomes of a parameter with a value, for a contact of a type, as a function of its line.
+
+    `rubs`: the contact has friction.
+    """
+    action, reason = _fate(kind, name, value) if rubs else _frictionless_fate(kind, name, value)
     return lambda line: Change(action, name, line, reason)
+
+
+def _frictionless_fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
+    if name in ("contact_frac", "smooth_fls", "fric_penalty", "ktmult"):
+        return Action.DROPPED, "acts with friction alone"
+    if name == "fric_coeff" and not is_zero(value):
+        return Action.DROPPED, NO_FRICTION[kind.name]
+    return _fate(kind, name, value)
 
 
 def _fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
     if name in DROPPED:
         return Action.DROPPED, DROPPED[name]
-    if name == "fric_coeff" and kind.name == "sliding-facet-on-facet":
-        return Action.DROPPED, "FEBio sets it to 0: sliding-facet-on-facet has no friction"
     if name in ZERO and is_zero(value):
         return Action.KEPT, _zero(kind, name)
     if name == "symmetric_stiffness" and value.lower() in ("1", "true"):

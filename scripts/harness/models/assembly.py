@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -81,3 +81,13 @@ def graded(length: float, elements: int, ratio: float) -> NDArray[np.float64]:
     """Positions of the nodes of a line from 0 to `length` (mm); each element is `ratio` times the one before."""
     sizes = ratio ** np.arange(elements)
     return np.asarray(length * np.concatenate([[0.0], np.cumsum(sizes)]) / sizes.sum())
+
+
+def box(low: tuple[float, float, float], high: tuple[float, float, float], elements: tuple[int, int, int]) -> Body:
+    """A box between two corners (mm)."""
+    return tensor([np.linspace(a, b, n + 1) for a, b, n in zip(low, high, elements, strict=True)])
+
+
+def tensor(lines: Sequence[NDArray[np.float64]]) -> Body:
+    """A box with a node at each combination of positions (mm) along x, y and z."""
+    return blocks.structured(np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1))

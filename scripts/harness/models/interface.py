@@ -21,6 +21,8 @@ class InterfaceType(str, Enum):
     """FEBio's interface for any number of solutes; it belongs to the module 'multiphasic'."""
     BIPHASIC = "sliding-biphasic"
     """FEBio's interface for solid and solvent."""
+    ELASTIC = "sliding-elastic"
+    """FEBio's interface for traction alone, with tension and friction at need."""
     UNSPLIT = "unsplit"
     """No interface: the nodes are merged, and what is left is one body."""
 
@@ -107,7 +109,18 @@ def default_settings(interface: InterfaceType) -> ContactSettings:
     if interface is InterfaceType.MIXTURE:
         return ContactSettings()
     settings = automatic(1000.0)
+    if interface is InterfaceType.ELASTIC:
+        return replace(settings, pressure_penalty=None, concentration_penalty=None)
     return replace(settings, concentration_penalty=None) if interface is InterfaceType.BIPHASIC else settings
+
+
+def with_friction(
+    interface: InterfaceType, coefficient: float, *, solid_fraction: float | None = None
+) -> ContactSettings:
+    """The default settings with a friction coefficient mu_eq and, between porous bodies, the solid fraction phi."""
+    given = default_settings(interface)
+    fraction = () if solid_fraction is None else (Param("contact_frac", solid_fraction),)
+    return replace(given, extra=(*given.extra, Param("fric_coeff", coefficient), *fraction))
 
 
 def column(

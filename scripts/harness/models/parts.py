@@ -252,6 +252,11 @@ def displace(where: str, axis: str, value: float, curve: int | None = None) -> C
     return Condition("bc", "prescribed displacement", where, params)
 
 
+def hold(where: str, axes: str) -> tuple[Condition, ...]:
+    """As `fix`, but as prescribed displacements of zero: of these alone FEBio logs the reactions."""
+    return tuple(displace(where, axis, 0.0) for axis in axes)
+
+
 def hold_rigid(material: str, dofs: str) -> Condition:
     """Hold a rigid body: translations x, y, z and rotations u, v, w about these axes, by the letters in `dofs`."""
     return Condition("rigid_bc", "rigid_fixed", material, tuple(Param(f"R{d}_dof", d in dofs) for d in "xyzuvw"))

@@ -12,6 +12,8 @@ from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.models.layers import Layers
 from harness.models.parts import Control
+from harness.models.plate_on_layer import PlateOnLayer
+from harness.models.sliding_joint import SlidingJoint
 from harness.pages.gallery import entries
 
 
@@ -28,6 +30,8 @@ def models() -> list[Model]:
         Composite(plot=True).model(),
         Layers(plot=True).model(),
         Confined(plot=True).model(),
+        PlateOnLayer(plot=True).model(),
+        SlidingJoint(plot=True).model(),
     ]
     names = {model.name for model in validated}
     return validated + [entry.model for entry in entries.entries() if entry.model.name not in names]

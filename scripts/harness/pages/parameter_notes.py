@@ -102,13 +102,17 @@ GROUPS = (
         ("symmetric_stiffness", "predictor", "non_negative_concentrations", "line_search_guard"),
     ),
     Group(
+        "Friction",
+        "Acts where `fric_coeff` is not 0; [theory](theory.md) has the law, [migration](migration.md#friction) what "
+        "differs from FEBio's.",
+        ("fric_coeff", "contact_frac", "tangential_penalty"),
+    ),
+    Group(
         "Accepted for the sake of old models",
         "They belong to physics or devices that are not part of this contact. Each is an error or a notice, as said. "
         "FEBio gives every contact two more, hidden parameters, `penalty_sf` and `max_penalty_sf`. They have no effect "
         "here; a notice says so.",
         (
-            "fric_coeff",
-            "contact_frac",
             "knmult",
             "smooth_aug",
             "smooth_fls",
@@ -270,8 +274,20 @@ NOTES = {
     ),
     "flip_primary": Note("Turn the primary surface inside out."),
     "flip_secondary": Note("Turn the secondary surface inside out."),
-    "fric_coeff": Note("No friction yet: other values are an error.", febio="friction"),
-    "contact_frac": Note("No effect, with a notice.", febio="used with friction"),
+    "fric_coeff": Note(
+        "Friction coefficient that is measured when the fluid pressure has subsided; a load curve may change it. Not "
+        "with `laugon` LAGMULT.",
+        febio="same",
+    ),
+    "contact_frac": Note(
+        "Part of the contact that is solid on solid, from 0 to 1: of what the effective pressure exceeds the ambient "
+        "one by, the rest bears load without friction. 1: fluid makes no difference.",
+        febio="same",
+    ),
+    "tangential_penalty": Note(
+        "Factor of the tangential penalty over that of the traction: how little what sticks gives way.",
+        febio="not there",
+    ),
     "offset": Note(
         "Distance of the surfaces, along the normal of the primary one, at which they touch: gaps are measured from "
         "it, in all output, too. Negative: an overlap that is let pass.",
@@ -291,6 +307,6 @@ NOTES = {
     "shell_bottom_secondary": Note("The same for the secondary surface.", febio="forces act on the front face"),
     "knmult": Note("No effect, with a notice: the linearisation is complete.", febio="factor on a part of the tangent"),
     "smooth_aug": Note("No effect, with a notice.", febio="smoothed augmentation"),
-    "smooth_fls": Note("No effect, with a notice.", febio="smoothed fluid load support"),
+    "smooth_fls": Note("No effect, with a notice: always averaged around nodes.", febio="smoothed fluid load support"),
     "extrapolation": Note("An error: the former name of `predictor`, which was on by default.", febio="not there"),
 }

@@ -74,6 +74,7 @@ MODULES = {
 _OWN = (
     "effects",
     "free_draining",
+    "tangential_penalty",
     "traction_tolerance",
     "solvent_tolerance",
     "solute_tolerance",

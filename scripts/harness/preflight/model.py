@@ -70,8 +70,12 @@ class Contact:
     @property
     def has_friction(self) -> bool:
         """Whether it resists sliding: a friction coefficient other than zero, a formula too, in a type that uses it."""
-        used = self.kind.name != "sliding-facet-on-facet"  # FEBio 4.11 sets its coefficient to zero
-        return used and self.given("fric_coeff") is not None and optional_number(self.tag, "fric_coeff") != 0.0
+        if self.kind.name == "sliding-facet-on-facet":  # FEBio 4.11 sets its coefficient to zero
+            return False
+        if self.kind.is_mixture and not self.asks_for("friction"):
+            return False
+        needed = ("fric_coeff", "fric_penalty") if self.kind.name == "sliding-node-on-facet" else ("fric_coeff",)
+        return all(self.given(name) is not None and optional_number(self.tag, name) != 0.0 for name in needed)
 
     @property
     def augmented(self) -> bool:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness.pages.gallery import entries, figures, page
+from harness.pages.gallery import entries, figures, friction, page
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 
@@ -39,5 +39,7 @@ def gallery(
         records[name] = page.record(result)
         taken = records[name]
         console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.cpu:g} s", markup=False)
+    if not only and not small:
+        friction.draw(runner, folder / page.IMAGES)
     written = page.write(folder, records)
     console.print("Written: " + ", ".join(str(path) for path in written))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from harness.errors import DataFileError
 from harness.models.document import Model
-from harness.pages.gallery import entries
+from harness.pages.gallery import entries, friction
 from harness.pages.gallery.entries import Entry
 from harness.run import provenance
 from harness.run.runner import RunResult
@@ -82,7 +82,8 @@ def _recorded(records: Mapping[str, Record]) -> list[Entry]:
 def page(records: Mapping[str, Record]) -> str:
     """The text of the page, with those models that have a record."""
     entries = _recorded(records)
-    return "\n\n".join([_INTRODUCTION, _table(entries, records), *(_section(entry) for entry in entries)]) + "\n"
+    sections = [*(_section(entry) for entry in entries), _friction()]
+    return "\n\n".join([_INTRODUCTION, _table(entries, records), *sections]) + "\n"
 
 
 _INTRODUCTION = """\
@@ -149,6 +150,18 @@ scripts/mixcontact run models/{name}.feb
 ![Effective concentration over the deformed bodies]({IMAGES}/{name}-section.png)
 
 ![{_curves(entry)}]({IMAGES}/{name}-curves.png)"""
+
+
+def _friction() -> str:
+    """The section on friction, whose pictures are of their own."""
+    shown = zip(friction.MODELS, friction.PICTURES.items(), strict=True)
+    return "\n\n".join(["## Friction", *(_pictured(model, picture, alt) for model, (picture, alt) in shown)])
+
+
+def _pictured(model: Model, picture: str, alt: str) -> str:
+    """A model with its one picture, and a description of that."""
+    run = f"```console\nscripts/mixcontact run models/{model.name}.feb\n```"
+    return f"{_about(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
 
 
 def _curves(entry: Entry) -> str:

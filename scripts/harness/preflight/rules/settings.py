@@ -14,6 +14,7 @@ from harness.preflight.xml_file import Element, children, place, text
 
 NOT_NEGATIVE = "a number that is not negative"
 COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
+FRACTION, POSITIVE = "a number from 0 to 1", "a number above 0"
 CHOICES = {"laugon": ("PENALTY", "AUGLAG", "LAGMULT"), "integration": ("gauss", "segments")}
 OWN_CHOICES = ("LAGMULT",)
 """Last of their list, and not in FEBio's sliding interfaces."""
@@ -24,16 +25,15 @@ ALLOWED = {
     **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
     **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
     **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
-    **dict.fromkeys(("tension", "flip_primary", "flip_secondary"), SWITCH),
+    **dict.fromkeys(("tension", "flip_primary", "flip_secondary", "smooth_aug", "smooth_fls"), SWITCH),
     **dict.fromkeys(("shell_bottom_primary", "shell_bottom_secondary"), SWITCH),
     "ambient_pressure": NUMBER,
     "offset": NUMBER,
+    "contact_frac": FRACTION,
+    "tangential_penalty": POSITIVE,
     "ambient_concentration": NOT_NEGATIVE,
 }
 """What each parameter may be, in words; the others may be anything."""
-UNSUPPORTED = {
-    "fric_coeff": "friction is not part of sliding-mixture",
-}
 LEFT_OUT = {
     "penalty": "the whole contact",
     "pressure_penalty": "the exchange of solvent",
@@ -44,8 +44,10 @@ RENAMED = {"extrapolation": "predictor"}
 FOLLOWED = (
     *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
     *("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol"),
+    "fric_coeff",
 )
 """Parameters whose load curves sliding-mixture follows."""
+NEVER_NEGATIVE = {"ambient_concentration": "a concentration", "fric_coeff": "a friction coefficient"}
 FEW_REFORMATIONS = 15
 SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")
 """FEBio's linear solvers for symmetric matrices alone."""
@@ -97,7 +99,12 @@ def _fits(tag: Element, name: str, allowed: str) -> bool:
         return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
     if not math.isfinite(value) or (allowed == COUNT and value != int(value)):
         return False
-    return allowed == NUMBER or value >= 0.0
+    return allowed == NUMBER or (value >= 0.0 and _in_bounds(value, allowed))
+
+
+def _in_bounds(value: float, allowed: str) -> bool:
+    """Whether a number that is not negative keeps a further bound, if there is one."""
+    return value <= 1.0 if allowed == FRACTION else value > 0.0 if allowed == POSITIVE else True
 
 
 def _number(tag: Element) -> float:
@@ -105,21 +112,6 @@ def _number(tag: Element) -> float:
         return float(text(tag))
     except ValueError:
         return math.nan
-
-
-def unsupported(joint: Joint) -> Iterator[Finding]:
-    """Physics that this plugin does not have."""
-    if not joint.contact.kind.is_mixture:
-        return
-    for name, why in UNSUPPORTED.items():
-        tag = joint.contact.given(name)
-        if tag is not None and _number(tag) != 0.0 and text(tag).lower() != "false":
-            yield error(
-                "unsupported",
-                tag,
-                f"<{name}> is set, but {why}; the run stops",
-                "Set it to 0, or keep FEBio's contact type.",
-            )
 
 
 def left_out(joint: Joint) -> Iterator[Finding]:
@@ -248,17 +240,17 @@ def ambient_solute(joint: Joint) -> Iterator[Finding]:
             )
 
 
-def negative_ambient(joint: Joint) -> Iterator[Finding]:
-    """Ambient concentrations that a load curve takes below zero."""
-    for tag in children(joint.contact.tag, "ambient_concentration"):
+def negative_in_time(joint: Joint) -> Iterator[Finding]:
+    """Ambient concentrations and friction coefficients that a load curve takes below zero."""
+    for tag in (tag for name in NEVER_NEGATIVE for tag in children(joint.contact.tag, name)):
         if tag.get("lc") in joint.model.curves and _number(tag) >= 0.0:
             least = float(joint.model.history(tag)[:, 1].min(initial=0.0))
             if least < 0.0:
                 yield error(
                     "bad-value",
                     tag,
-                    f"<ambient_concentration> times its load curve falls to {short(least)}; a concentration is never "
-                    "negative",
+                    f"<{tag.tag}> times its load curve falls to {short(least)}; {NEVER_NEGATIVE[str(tag.tag)]} is "
+                    "never negative",
                     "Correct the load curve.",
                 )
 
@@ -313,6 +305,36 @@ def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
         )
 
 
+def symmetric_friction(joint: Joint) -> Iterator[Finding]:
+    """Friction of FEBio's types with their symmetric tangent, which is their default; see also `symmetric_tangent`."""
+    contact = joint.contact
+    tag, rubbing = contact.given("symmetric_stiffness"), contact.given("fric_coeff")
+    symmetric = (
+        contact.on("symmetric_stiffness") if tag is not None else "symmetric_stiffness" in contact.kind.parameters
+    )
+    if rubbing is not None and contact.has_friction and symmetric and not contact.kind.is_mixture:
+        yield warning(
+            "symmetric-friction",
+            rubbing if tag is None else tag,
+            "friction makes the tangent non-symmetric; with the symmetric part of it, which is this type's default, "
+            "Newton's method takes many more iterations or fails",
+            "Write <symmetric_stiffness>0</symmetric_stiffness> in the contact, and 'non-symmetric' in the solver.",
+        )
+
+
+def without_friction(joint: Joint) -> Iterator[Finding]:
+    """Parameters of friction where there is none."""
+    for name in ("contact_frac", "smooth_fls", "fric_penalty", "tangential_penalty"):
+        tag = joint.contact.given(name)
+        if tag is not None and name in joint.contact.kind.parameters and not joint.contact.has_friction:
+            yield note(
+                "no-friction",
+                tag,
+                f"<{name}> has no effect: this contact has no friction",
+                "Give <fric_coeff>, or delete it.",
+            )
+
+
 def linear_solver(joint: Joint) -> Iterator[Finding]:
     """Linear solvers that cannot solve the matrix of a contact."""
     if not joint.contact.kind.is_mixture:
@@ -348,17 +370,18 @@ def reformations(joint: Joint) -> Iterator[Finding]:
 RULES = (
     unknown_parameter,
     bad_value,
-    unsupported,
     left_out,
     load_curve,
     module,
     material,
     not_exchanged,
     ambient_solute,
-    negative_ambient,
+    negative_in_time,
     given_twice,
     no_duration,
     symmetric_tangent,
+    symmetric_friction,
+    without_friction,
     linear_solver,
     reformations,
 )

@@ -8,13 +8,14 @@ from enum import Enum
 
 import numpy as np
 
+from harness.models.assembly import box
 from harness.models.document import Model
 from harness.models.interface import ContactSettings
 from harness.models.parts import Mixture, Param, Solid, Solute
 from harness.pages.plugin_parameters import registered
 from harness.studies.hard_cases.catalogue import on_corner, rotation, wedge
 from harness.studies.hard_cases.press import Press
-from harness.studies.hard_cases.pushed import Pushed, Shape, along, block, faces, slab, turned
+from harness.studies.hard_cases.pushed import Pushed, Shape, along, faces, slab, turned
 from harness.studies.hard_cases.scene import Fineness, Interface
 
 Random = np.random.Generator
@@ -118,7 +119,7 @@ def _shape(random: Random) -> tuple[Shape, bool]:
     if choice == 1:
         return on_corner(1), False
     n = int(random.integers(1, 5))
-    body = block((-0.4, -0.125, 0.0), (0.4, 0.125, 0.5), (n, 1, n))
+    body = box((-0.4, -0.125, 0.0), (0.4, 0.125, 0.5), (n, 1, n))
     flat = Shape(body, faces(body, "z", 0.0), np.unique(faces(body, "z", 0.5)))
     return turned(flat, rotation((0.0, 1.0, 0.0), random.uniform(-8.0, 8.0)), np.array([0.0, 0.0, 0.06])), True
 

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.models.assembly import box
 from harness.models.parts import Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
@@ -26,7 +27,6 @@ from harness.studies.hard_cases.pushed import (
     Shape,
     along,
     arc,
-    block,
     cube,
     faces,
     grip_force,
@@ -90,7 +90,7 @@ def rotation(axis: tuple[float, float, float], degrees: float) -> Array:
 def wedge(factor: int) -> Shape:
     """A prism on its edge, above the origin."""
     n = 3 * factor
-    body = block((0.0, 0.0, 0.0), (0.8, 0.25, 0.8), (n, 1, n))
+    body = box((0.0, 0.0, 0.0), (0.8, 0.25, 0.8), (n, 1, n))
     upright = Shape(body, faces(body, "xz", 0.0), np.unique(faces(body, "xz", 0.8)))
     return turned(upright, rotation((0.0, 1.0, 0.0), -45.0), np.array([0.0, 0.0, 0.01]))
 
@@ -106,14 +106,14 @@ def on_corner(factor: int) -> Shape:
 
 def slider(width: float, elements: int, start: float, deep: float = 0.25) -> Shape:
     """A block with its lower face at z = 0, from x = `start` (mm)."""
-    body = block((start, 0.0, 0.0), (start + width, deep, 0.5), (elements, 1, elements))
+    body = box((start, 0.0, 0.0), (start + width, deep, 0.5), (elements, 1, elements))
     return Shape(body, faces(body, "z", 0.0), np.unique(faces(body, "z", 0.5)))
 
 
 def spinner(factor: int) -> Shape:
     """A square block centred on the z axis."""
     n = 2 * factor
-    body = block((-0.4, -0.4, 0.0), (0.4, 0.4, 0.6), (n, n, n))
+    body = box((-0.4, -0.4, 0.0), (0.4, 0.4, 0.6), (n, n, n))
     return Shape(body, faces(body, "z", 0.0), np.unique(faces(body, "z", 0.6)))
 
 

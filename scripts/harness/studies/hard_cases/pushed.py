@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.models import blocks
+from harness.models.assembly import box
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.indentation_mesh import Grid, cylinder_body
@@ -43,12 +44,6 @@ class Shape:
     grip: Ids
 
 
-def block(low: tuple[float, float, float], high: tuple[float, float, float], elements: tuple[int, int, int]) -> Body:
-    """A box between two corners (mm)."""
-    axes = [np.linspace(a, b, n + 1) for a, b, n in zip(low, high, elements, strict=True)]
-    return blocks.structured(np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1))
-
-
 def faces(body: Body, axes: str, ends: float) -> Ids:
     """Outer facets of a box whose position along one of `axes` is `ends` (mm)."""
     return np.concatenate([_face(body, "xyz".index(axis), ends) for axis in axes])
@@ -65,7 +60,7 @@ def turned(shape: Shape, rotation: Array, shift: Array) -> Shape:
 
 def cube(size: float, elements: tuple[int, int, int], axes: str) -> Shape:
     """A cube from the origin; it touches with its lower faces across `axes` and is held by the opposite ones."""
-    body = block((0.0, 0.0, 0.0), (size, size, size), elements)
+    body = box((0.0, 0.0, 0.0), (size, size, size), elements)
     return Shape(body, faces(body, axes, 0.0), np.unique(faces(body, axes, size)))
 
 
@@ -94,7 +89,7 @@ def spinning(depth: float, pressed: float, end: float, degrees: float) -> Motion
 
 def slab(low: tuple[float, float, float], high: tuple[float, float, float], elements: tuple[int, int, int]) -> Shape:
     """A box that touches with its top and is held by its bottom."""
-    body = block(low, high, elements)
+    body = box(low, high, elements)
     return Shape(body, faces(body, "z", high[2]), np.unique(faces(body, "z", low[2])))
 
 

@@ -1,0 +1,41 @@
+/// Kinematics of sliding: how far the two material points that face each other now were apart, along the surface, when
+/// the time step began.
+#pragma once
+
+#include "geometry/kinematics.h"
+
+namespace mixture_contact {
+
+/// Two points that face each other now, where they were when the time step began: X1(xi) and X2(eta).
+struct PastPoint {
+  Vector3d distance;                               ///< D = X2 - X1
+  Vector3d normal;                                 ///< N1 at xi
+  Eigen::Matrix<double, 3, 2> primary_tangents;    ///< X1,alpha
+  Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< X2,beta
+};
+
+/// The same shape functions as now, with the nodal positions of both facets when the time step began.
+PastPoint past_point(const PointKinematics& point, const FacetCoordinates& past1, const FacetCoordinates& past2);
+
+/// Slip over the step of the primary side relative to the secondary one, r = (1 - N N) D, as the surfaces lay when the
+/// step began. It is zero in any rigid motion of both bodies, whatever the gap: then D = g N.
+Vector3d slip(const PastPoint& past);
+
+/// Derivative of the unit normal with xi. `curvature`: columns X1,11, X1,22, X1,12.
+Eigen::Matrix<double, 3, 2> normal_slope(const PastPoint& past, const Eigen::Matrix3d& curvature);
+
+/// First variation of the slip with the present nodal positions: the points that face each other change,
+/// dr = (1 - N N) (X2,beta deta_beta - X1,alpha dxi_alpha) - (dN N + N dN) D with dN = N,alpha dxi_alpha.
+PairVariation<3> slip_variation(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& normal_slope,
+                                const KinematicVariations& vary);
+
+/// How the surface around a node of a facet has moved since the step began, F = x,alpha (X) X^alpha: coefficients C_b,
+/// one column per node of the facet, with F = sum_b x_b C_b^T, linear in the present positions x_b. F takes a vector of
+/// the tangent plane then to what it is now, turned with the surface and stretched with it, and drops a normal part.
+/// Zero where the facet has no area there.
+FacetCoordinates convection(const Facet& facet, Index corner, const FacetCoordinates& past);
+
+/// |X,1 x X,2| at a node of a facet.
+double area_at_node(const Facet& facet, Index corner, const FacetCoordinates& x);
+
+}  // namespace mixture_contact

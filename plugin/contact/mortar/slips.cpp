@@ -1,0 +1,132 @@
+#include "mortar/slips.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+
+namespace mixture_contact {
+namespace {
+
+/// Of one pair, per node of its primary facet; empty where it carries no load.
+struct SlipSums {
+  FacetCoordinates slip;         ///< INT psi_a r da
+  FacetCoordinates area_vector;  ///< INT psi_a n da
+  FacetVector pressure;          ///< INT psi_a (p~ - p*) da
+};
+
+SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields,
+                   const NodeFlags& in_contact) {
+  const FacingPairs& facing = space.facing();
+  SlipSums sums;
+  if (!facing.has_node_among(pair, in_contact)) return sums;
+  const Index count = facing.primary_facet(pair).count();
+  const BearingPressure pressure = bearing_pressure(space, pair, fields);
+  sums = {FacetCoordinates::Zero(3, count), FacetCoordinates::Zero(3, count), FacetVector::Zero(count)};
+  for (const IntegrationPoint& place : pair.points) {
+    const PointKinematics point = facing.kinematics(pair, place, positions(fields));
+    const FacetVector share = place.weight * space.shape(pair.primary, place.sub_facet, place.xi).value;
+    sums.slip += point.area * slip(past_point(space, pair, point)) * share.transpose();
+    sums.area_vector += point.area_vector * share.transpose();
+    sums.pressure += pressure_at(pressure, point) * point.area * share;
+  }
+  return sums;
+}
+
+}  // namespace
+
+NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields) {
+  NodalFriction friction;
+  const Index nodes = space.nodes();
+  friction.slip.setZero(3, nodes);
+  friction.area_vector.setZero(3, nodes);
+  VectorXd pressure = VectorXd::Zero(nodes);
+  const IndexedVector<FacetPair>& pairs = space.facing().pairs();
+  const auto sums_of = [&](Index index) { return slip_sums(space, pairs[index], fields, loads.in_contact); };
+  in_order(pairs.count(), sums_of, [&](Index index, const SlipSums& sums) {
+    const Facet& facet = space.facing().primary_facet(pairs[index]);
+    for (Index a = 0; a < sums.pressure.size(); ++a) {
+      const int node = facet.node(a);
+      if (!loads.in_contact[node]) continue;
+      friction.slip.col(node) += sums.slip.col(a) / loads.area[node];
+      friction.area_vector.col(node) += sums.area_vector.col(a) / loads.area[node];
+      pressure[node] += sums.pressure[a] / loads.area[node];
+    }
+  });
+  if (space.effects().has_bearing_fluid()) friction.pressure = std::move(pressure);
+  set_convection(friction, space, loads.in_contact, fields.primary.position);
+  return friction;
+}
+
+void set_convection(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
+                    const Matrix3Xd& x1) {
+  const auto around = space.facing().around(in_contact);
+  friction.convection.fill(around.count(), Eigen::Matrix3d::Zero());
+  in_parallel(around.count(), [&](Index node) {
+    if (around[node].empty()) return;
+    const IndexedVector<int> primary = space.node_patch(node, around[node]).primary;
+    const Matrix3Xd c = convection_around(space.facing(), space.past().primary, node, around[node], primary);
+    for (Index b = 0; b < primary.count(); ++b) friction.convection[node] += x1.col(primary[b]) * c.col(b).transpose();
+  });
+}
+
+Matrix3Xd convection_around(const FacingPairs& facing, const Matrix3Xd& past, Index node,
+                            const std::vector<const FacetPair*>& pairs, const IndexedVector<int>& primary) {
+  Matrix3Xd sum = Matrix3Xd::Zero(3, primary.count());
+  double areas = 0;
+  int done = -1;
+  for (const FacetPair* pair : pairs) {
+    if (pair->primary == done) continue;  // pairs come in the order of their primary facets
+    done = pair->primary;
+    const Facet& facet = facing.primary_facet(*pair);
+    const FacetCoordinates x = facet_coordinates(facet, past);
+    const Index corner = std::find(facet.begin(), facet.end(), node) - facet.begin();
+    const double area = area_at_node(facet, corner, x);
+    const FacetCoordinates c = convection(facet, corner, x);
+    for (Index b = 0; b < c.cols(); ++b) {
+      const auto column = std::find(primary.begin(), primary.end(), facet.node(b)) - primary.begin();
+      sum.col(column) += area * c.col(b);
+    }
+    areas += area;
+  }
+  return areas > 0 ? Matrix3Xd(sum / areas) : sum;
+}
+
+PastPoint past_point(const MortarSpace& space, const FacetPair& pair, const PointKinematics& point) {
+  const FacingPositions past = space.past();
+  return past_point(point, facet_coordinates(space.facing().primary_facet(pair), past.primary),
+                    facet_coordinates(space.facing().secondary_facet(pair), past.secondary));
+}
+
+BearingPressure bearing_pressure(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields) {
+  const FacingPairs& facing = space.facing();
+  const std::optional<Side> side = facing.bearing_side(pair);
+  if (!side) return {};
+  const int field = space.effects().pressure_field();
+  const bool primary = *side == Side::primary;
+  const Facet& facet = primary ? facing.primary_facet(pair) : facing.secondary_facet(pair);
+  const SurfaceFields& surface = primary ? fields.primary : fields.secondary;
+  const FacetVector values = facet_values(facet, surface.scalar.col(field));
+  return {primary ? 0 : facing.primary_facet(pair).count(), values.array() - space.ambient_pressure()};
+}
+
+double pressure_at(const BearingPressure& pressure, const PointKinematics& point) {
+  if (pressure.empty()) return 0;
+  return (pressure.first == 0 ? point.primary_shape : point.secondary_shape).dot(pressure.value);
+}
+
+PairVariation<1> pressure_variation(const BearingPressure& pressure, const PointKinematics& point,
+                                    const KinematicVariations& vary) {
+  if (pressure.empty()) return PairVariation<1>::Zero(vary.gap.size());
+  if (pressure.first == 0) return (pressure.value.transpose() * point.primary_gradient) * vary.xi;
+  return (pressure.value.transpose() * point.secondary_gradient) * vary.eta;
+}
+
+PairVector pressure_weights(const BearingPressure& pressure, const PointKinematics& point) {
+  PairVector weights = PairVector::Zero(point.nodes());
+  if (pressure.empty()) return weights;
+  const FacetVector& shape = pressure.first == 0 ? point.primary_shape : point.secondary_shape;
+  weights.segment(pressure.first, shape.size()) = shape;
+  return weights;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,146 @@
+"""A cylinder pressed on a block of the same material and pushed sideways: stick in the middle, slip at the edges."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import log
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, tensor
+from harness.models.blocks import Body
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
+from harness.models.mesh import Mesh
+from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix, hold
+
+Height = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+"""Height of a surface (mm) at positions along x (mm)."""
+RADIUS = 10.0
+"""mm."""
+HALF_WIDTH = 0.02
+"""a of the contact, mm, for which the approach is chosen."""
+SIZE = 20.0 * HALF_WIDTH
+"""Half-width and height of each body, mm: a half space but for parts of (a/SIZE)^2."""
+FRICTION = 0.3
+FRICTION_COLUMNS = ("contact friction.x",)
+"""Means over facets, which FEBio's types do not have."""
+SOLID = Solid(1000.0, 0.3)
+COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))
+"""E*, MPa."""
+THICKNESS = 0.01
+"""Of the plane problem, mm."""
+GROWTH = 1.3
+"""Of the elements outside of the contact."""
+FINE = 1.25
+"""Half-width of the finest part of the mesh, relative to a."""
+PRESSING, SHEARING = 5, 10
+"""Steps."""
+APPROACH = HALF_WIDTH**2 / (2.0 * RADIUS) * (log(2.0 * SIZE / HALF_WIDTH) - 0.5 * SOLID.poisson / (1.0 - SOLID.poisson))
+"""mm, of a cylinder of that contact on a layer of height SIZE, twice: Johnson (1985), equation 5.59."""
+SHIFT = 0.64 * FRICTION * APPROACH
+"""mm along x; about that of Q/(mu P) = 0.64, a stick zone of 0.6 a."""
+ABOUT = """\
+A cylinder of radius 10 mm on a block, the same material, pressed and then pushed sideways by less than slides it
+(Cattaneo, Mindlin): the middle of the contact sticks, its edges slip."""
+
+
+@dataclass(frozen=True)
+class PartialSlip:
+    """Choices of this problem.
+
+    Attributes
+    ----------
+    elements : int
+        Over half the width of the contact.
+    interface : InterfaceType
+    settings : ContactSettings, optional
+        Default settings with friction without it.
+    name : str
+    """
+
+    elements: int = 10
+    interface: InterfaceType = InterfaceType.MIXTURE
+    settings: ContactSettings | None = None
+    name: str = "partial-slip"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        steps = PRESSING + SHEARING
+        press = Curve(((0.0, 0.0), (float(PRESSING), 1.0)))
+        shear = Curve(((0.0, 0.0), (float(PRESSING), 0.0), (float(steps), 1.0)))
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.interface),
+            "solid",
+            mesh,
+            {"block": Elastic(SOLID), "cylinder": Elastic(SOLID)},
+            (
+                fix("all", "y"),
+                *hold("block-outside", "xz"),
+                displace("cylinder-outside", "z", -APPROACH, 1),
+                displace("cylinder-outside", "x", SHIFT, 2),
+            ),
+            Control(steps, 1.0, displacement_tolerance=1e-6, energy_tolerance=1e-9, reformations=40),
+            contacts(self.interface, mesh, self.settings or with_friction(self.interface, FRICTION)),
+            (press, shear),
+            plot=self.plot,
+            further_columns=("Rx", "Rz"),
+            facet_columns=("contact pressure", *FRICTION_COLUMNS) if self.interface is InterfaceType.MIXTURE else (),
+        )
+
+    def _mesh(self) -> Mesh:
+        """Both bodies with nodes at the same x; the cylinder touches at x = 0."""
+        sets = {
+            "all": everywhere(),
+            "block-outside": Chosen("block", _outside),
+            "cylinder-outside": Chosen("cylinder", _outside),
+        }
+        surfaces = {
+            "block": Chosen("block", _near_contact(np.zeros_like)),
+            "cylinder": Chosen("cylinder", _near_contact(_profile)),
+        }
+        bodies = {"block": self._block(-1.0), "cylinder": _rounded(self._block(1.0))}
+        return assembled(bodies, sets, surfaces, {"contact": ("cylinder", "block")})
+
+    def _block(self, up: float) -> Body:
+        """A box above (1) or below (-1) z = 0, fine around the origin."""
+        size = HALF_WIDTH / self.elements
+        along = _refined(round(FINE * self.elements) * size, size)
+        x = np.concatenate([-along[:0:-1], along])
+        return tensor([x, np.array([0.0, THICKNESS]), up * _refined(0.0, size)])
+
+
+def _refined(even: float, size: float) -> NDArray[np.float64]:
+    """Positions from 0 to SIZE (mm): elements of `size` as far as `even`, then each `GROWTH` times the one before."""
+    first = np.linspace(0.0, even, round(even / size) + 1)
+    number = round(log(1.0 + (SIZE - even) * (GROWTH - 1.0) / size) / log(GROWTH))
+    return np.concatenate([first[:-1], even + graded(SIZE - even, number, GROWTH)])
+
+
+def _profile(x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Height of the cylinder over the block at first touch, mm."""
+    return np.asarray(x**2 / (2.0 * RADIUS))
+
+
+def _rounded(body: Body) -> Body:
+    """A box whose lower face follows the cylinder; its top stays."""
+    nodes = body.nodes.copy()
+    nodes[:, 2] += _profile(nodes[:, 0]) * (1.0 - nodes[:, 2] / SIZE)
+    return Body(nodes, body.elements)
+
+
+def _outside(x: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Sides and far ends: all outer faces but the one in contact."""
+    return np.asarray(np.maximum(np.abs(x[..., 0]), np.abs(x[..., 2])) > SIZE - NEAR)
+
+
+def _near_contact(height: Height) -> Inside:
+    """Positions on a surface of given height, within two half-widths of the contact."""
+    wide = 2.0 * HALF_WIDTH
+    return lambda x: np.asarray((np.abs(x[..., 2] - height(x[..., 0])) < NEAR) & (np.abs(x[..., 0]) < wide))

@@ -1,0 +1,131 @@
+"""A cartilage layer that drains under a sliding plate: friction grows as the fluid bears less of the load."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from harness.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
+from harness.models.mesh import Mesh
+from harness.models.parts import (
+    Control,
+    Curve,
+    Mixture,
+    Rigid,
+    Solid,
+    TimeStepper,
+    fix,
+    hold,
+    hold_rigid,
+    move_rigid,
+    pressure,
+    push_rigid,
+)
+
+HEIGHT = 1.0
+"""mm."""
+MODULUS = 1.0
+"""Aggregate modulus H (MPa): Young's modulus, since Poisson's ratio is 0."""
+PERMEABILITY = 1e-3
+"""mm^4/(N s)."""
+LOAD = 1e-4
+"""P0, MPa; small, so that strains are. The area is 1 mm^2."""
+FRICTION = 0.2
+OVERLAP = 1e-9
+"""mm by which the plate overlaps the layer at first, so that the load finds it in contact."""
+WAY = 2.0
+"""mm by which the plate slides."""
+DIFFUSION_TIME = HEIGHT**2 / (MODULUS * PERMEABILITY)
+"""h^2/(H k), s."""
+EVEN_STEPS, FIRST_STEP, GROWTH, STEPS = 10, 1e-3, 1.03, 220
+"""The first steps are of one size, tau = 0.001; then each is longer by 3 % of the time, up to tau = 5."""
+TIMES = tuple(
+    DIFFUSION_TIME * FIRST_STEP * (k if k <= EVEN_STEPS else EVEN_STEPS * GROWTH ** (k - EVEN_STEPS))
+    for k in range(1, STEPS + 1)
+)
+"""Ends of the steps, s."""
+ABOUT = """\
+A biphasic cartilage layer of 1 mm, confined, with a fixed, drained base, under an impermeable rigid plate that bears
+0.0001 MPa at once and slides. Friction acts on the part of the load that the solid bears, mu_eq = 0.2 of it, so that
+the effective friction coefficient grows from phi mu_eq to mu_eq as the layer drains, in about h^2/(H k) = 1000 s."""
+
+
+@dataclass(frozen=True)
+class PlateOnLayer:
+    """Choices of this problem.
+
+    Attributes
+    ----------
+    solid_fraction : float
+        phi, the fraction of the contact that is solid on solid.
+    interface : InterfaceType
+    settings : ContactSettings, optional
+        Default settings with friction without it.
+    layer_is_primary : bool
+    elements : int
+        Through the thickness.
+    name : str
+    """
+
+    solid_fraction: float = 0.1
+    interface: InterfaceType = InterfaceType.MIXTURE
+    settings: ContactSettings | None = None
+    layer_is_primary: bool = True
+    elements: int = 20
+    name: str = "plate-on-layer"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        settings = self.settings or with_friction(self.interface, FRICTION, solid_fraction=self.solid_fraction)
+        load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
+        slide = Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.interface),
+            "biphasic",
+            mesh,
+            {"layer": Mixture(Solid(MODULUS), PERMEABILITY), "plate": Rigid()},
+            (
+                *hold("layer", "x"),
+                fix("layer", "y"),
+                fix("base", "z"),
+                pressure("base", 0.0),
+                hold_rigid("plate", "yuvw"),
+                move_rigid("plate", "x", WAY, 2),
+                push_rigid("plate", "z", -LOAD, 1),
+            ),
+            _control(),
+            contacts(self.interface, mesh, settings),
+            (load, slide, Curve(tuple((time, TIMES[-1]) for time in TIMES), "STEP")),
+            plot=self.plot,
+            further_columns=("Rx", "Rz"),
+        )
+
+    def _mesh(self) -> Mesh:
+        """The plate is so long that it covers the layer all the way."""
+        heights = np.linspace(0.0, HEIGHT, self.elements + 1)
+        ends = np.array([0.0, 1.0])
+        bodies = {
+            "layer": tensor([ends, ends, heights]),
+            "plate": box((-WAY - 0.3, -0.3, HEIGHT - OVERLAP), (1.3, 1.3, HEIGHT + 0.3), (4, 1, 1)),
+        }
+        sets = {"layer": everywhere("layer"), "base": plane("z", 0.0, "layer")}
+        surfaces = {
+            "layer": plane("z", HEIGHT, "layer"),
+            "plate": Chosen("plate", lambda x: np.asarray(x[..., 2] < HEIGHT + NEAR)),
+        }
+        pair = ("layer", "plate") if self.layer_is_primary else ("plate", "layer")
+        return assembled(bodies, sets, surfaces, {"contact": pair})
+
+
+def _control() -> Control:
+    """Steps that end at `TIMES`; tolerances far below the first friction force, a small part of the load."""
+    stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=3, aggressive=True, force=True)
+    control = Control(STEPS, TIMES[0], 1e-5, 1e-8, 1e-5, reformations=25, stepper=stepper)
+    return replace(control, end=TIMES[-1])

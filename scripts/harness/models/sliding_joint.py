@@ -1,0 +1,138 @@
+"""Gallery: a section of a joint, cartilage on cartilage, pressed and then slid: stick and slip zones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, tensor
+from harness.models.blocks import Body
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
+from harness.models.mesh import Mesh
+from harness.models.parts import Control, Curve, Mixture, Solid, TimeStepper, displace, fix
+
+RADIUS = 15.0
+"""Radius of curvature of the upper cartilage, mm."""
+THICKNESS = 1.0
+"""Of each layer, mm."""
+HALF_WIDTHS = {"upper": 3.0, "lower": 3.6}
+"""mm."""
+DEPTH = 0.25
+"""mm, thickness of the plane problem."""
+GROWTH = 1.3
+"""Of the elements of a layer, from the surface of the joint to the bone."""
+APPROACH, WAY = 0.08, 0.06
+"""mm by which the upper bone approaches, and then slides."""
+PRESSED, DRAINED, END = 2.0, 60.0, 72.0
+"""s, when the bone has approached, begins to slide, and ends."""
+PRESSING, DRAINING, SLIDING = 4, 12, 24
+"""Steps."""
+FRICTION, SOLID_FRACTION = 0.2, 0.1
+FACET_COLUMNS = ("contact pressure", "contact friction.x", "contact friction.y", "contact friction coefficient")
+"""Means over facets."""
+CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3)
+ABOUT = """\
+Cartilage on cartilage, pressed and slid: a section of a joint with friction that depends on what the fluid bears.
+
+Two layers of 1 mm on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by 0.08 mm
+in 2 s, rests until 60 s, while the fluid leaves the contact at its edges first, and slides by 0.06 mm in 12 s.
+Friction (mu_eq = 0.2, phi = 0.1) acts on what the solid bears: slip begins at the edges and moves inwards, until all
+of the contact slides."""
+
+
+@dataclass(frozen=True)
+class SlidingJoint:
+    """Choices of the sliding joint.
+
+    Attributes
+    ----------
+    interface : InterfaceType
+    settings : ContactSettings, optional
+        Default settings with friction without it.
+    across, through : int
+        Elements along the width and through the thickness of each layer.
+    name : str
+    """
+
+    interface: InterfaceType = InterfaceType.MIXTURE
+    settings: ContactSettings | None = None
+    across: int = 48
+    through: int = 6
+    name: str = "sliding-joint"
+    plot: bool = False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        given = with_friction(self.interface, FRICTION, solid_fraction=SOLID_FRACTION)
+        press = Curve(((0.0, 0.0), (PRESSED, 1.0)))
+        slide = Curve(((0.0, 0.0), (DRAINED, 0.0), (END, 1.0)))
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.interface),
+            "biphasic",
+            mesh,
+            {"lower": CARTILAGE, "upper": CARTILAGE},
+            (
+                fix("all", "z"),
+                fix("lower-bone", "xy"),
+                displace("upper-bone", "y", -APPROACH, 1),
+                displace("upper-bone", "x", WAY, 2),
+            ),
+            _control(),
+            contacts(self.interface, mesh, self.settings or given),
+            (press, slide, Curve(tuple((time, END) for time in times()), "STEP")),
+            plot=self.plot,
+            further_columns=("Rx", "Ry"),
+            facet_columns=FACET_COLUMNS if self.interface is InterfaceType.MIXTURE else (),
+        )
+
+    def _mesh(self) -> Mesh:
+        """Both layers; the surfaces of the joint touch at x = 0."""
+        sets = {
+            "all": everywhere(),
+            "lower-bone": plane("y", -THICKNESS, "lower"),
+            "upper-bone": Chosen("upper", _above(THICKNESS)),
+        }
+        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", _above(0.0))}
+        bodies = {"lower": self._layer("lower", -1.0), "upper": _raised(self._layer("upper", 1.0))}
+        return assembled(bodies, sets, surfaces, {"joint": ("upper-cartilage", "lower-cartilage")})
+
+    def _layer(self, name: str, up: float) -> Body:
+        """A flat layer above (1) or below (-1) y = 0."""
+        x = np.linspace(-HALF_WIDTHS[name], HALF_WIDTHS[name], self.across + 1)
+        return tensor([x, up * graded(THICKNESS, self.through, GROWTH), np.array([0.0, DEPTH])])
+
+
+def times() -> tuple[float, ...]:
+    """Ends of the time steps, s."""
+    pressing = np.linspace(0.0, PRESSED, PRESSING + 1)[1:]
+    draining = PRESSED * (DRAINED / PRESSED) ** (np.arange(1, DRAINING + 1) / DRAINING)
+    sliding = np.linspace(DRAINED, END, SLIDING + 1)[1:]
+    return tuple(np.concatenate([pressing, draining, sliding]).tolist())
+
+
+def _control() -> Control:
+    stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=3, aggressive=True, force=True)
+    steps = times()
+    return Control(len(steps), steps[0], 1e-4, 1e-6, 1e-4, reformations=30, stepper=stepper, end=END)
+
+
+def _rise(x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Height of the upper cartilage's surface over that of the lower one at first touch, mm."""
+    return np.asarray(x**2 / (2.0 * RADIUS))
+
+
+def _raised(body: Body) -> Body:
+    nodes = body.nodes.copy()
+    nodes[:, 1] += _rise(nodes[:, 0])
+    return Body(nodes, body.elements)
+
+
+def _above(height: float) -> Inside:
+    """Positions at a height (mm) over the surface of the upper cartilage."""
+    return lambda x: np.asarray(np.abs(x[..., 1] - _rise(x[..., 0]) - height) < NEAR)

@@ -1,0 +1,146 @@
+"""A hollow hemisphere pressed into a block without friction, then turned on it with friction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models import blocks
+from harness.models.assembly import NEAR, Chosen, assembled, box, plane
+from harness.models.blocks import Body, Points
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings
+from harness.models.mesh import Mesh
+from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace, hold
+
+Array = NDArray[np.float64]
+OUTER, INNER, SIDE = 1.0, 0.5, 2.0
+"""Radii of the hemisphere and edge of the block, mm."""
+STIFF, SOFT = Solid(50.0, 0.3), Solid(10.0, 0.3)
+FRICTION = 0.5
+DEPTH = 1.0
+"""mm by which the hemisphere is pressed down."""
+TURN = 180.0
+"""Degrees."""
+PRESSED, END = 10.0, 100.0
+"""s."""
+ABOUT = """\
+A hollow hemisphere (radii 1 and 0.5 mm) is pressed by 1 mm into a block of 2 mm without friction, then turned by 180
+degrees with friction (mu = 0.5): example of Sauer and De Lorenzis (2015), Int J Numer Methods Eng 101(4):251-280, and
+of Zimmerman and Ateshian (2018), J Biomech Eng 140(8):081013. The contact sticks at first and slides in the end."""
+
+
+@dataclass(frozen=True)
+class TwistingHemisphere:
+    """Choices of this problem.
+
+    Attributes
+    ----------
+    elements : int
+        Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge.
+    turning : int
+        Steps of turning.
+    interface : InterfaceType
+    settings : ContactSettings, optional
+        Default settings without it; friction is added.
+    name : str
+    """
+
+    elements: int = 6
+    turning: int = 45
+    interface: InterfaceType = InterfaceType.MIXTURE
+    settings: ContactSettings | None = None
+    name: str = "twisting-hemisphere"
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        moved, curves = self._turned(mesh)
+        grip = {f"grip-{n}": np.array([n]) for n in mesh.node_sets["grip"].tolist()}
+        mesh = replace(mesh, node_sets=mesh.node_sets | grip)
+        rubbing = Curve(((0.0, 0.0), (PRESSED, 0.0), (PRESSED + 1e-6, 1.0), (END, 1.0)))
+        steps = Curve(tuple((time, END) for time in self.times), "STEP")
+        given = self.settings or default_settings(self.interface)
+        settings = replace(given, extra=(*given.extra, Param("fric_coeff", FRICTION, len(curves) + 1)))
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.interface),
+            "solid",
+            mesh,
+            {"block": Elastic(SOFT), "hemisphere": Elastic(STIFF)},
+            (*hold("base", "xyz"), *moved),
+            self._control(len(curves) + 2),
+            contacts(self.interface, mesh, settings),
+            (*curves, rubbing, steps),
+            further_columns=("Rx", "Ry", "Rz"),
+        )
+
+    @property
+    def times(self) -> tuple[float, ...]:
+        """Ends of the steps, s: ten of pressing, then those of turning."""
+        turning = np.linspace(PRESSED, END, self.turning + 1)[1:]
+        return (*(PRESSED * k / 10.0 for k in range(1, 11)), *turning.tolist())
+
+    def _control(self, must: int) -> Control:
+        stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=must, aggressive=True, force=True)
+        return Control(len(self.times), self.times[0], 1e-4, 1e-6, reformations=40, stepper=stepper, end=END)
+
+    def _turned(self, mesh: Mesh) -> tuple[list[Condition], tuple[Curve, ...]]:
+        """Each node of the hemisphere's flat rim along curves of its own, and those."""
+        conditions, curves = [], []
+        for number in mesh.node_sets["grip"].tolist():
+            start = mesh.nodes[number - 1]
+            way = np.stack([position(start, time) - start for time in (0.0, *self.times)])
+            for axis in range(3):
+                points = zip((0.0, *self.times), way[:, axis].tolist(), strict=True)
+                curves.append(Curve(tuple(points)))
+                conditions.append(displace(f"grip-{number}", "xyz"[axis], 1.0, len(curves)))
+        return conditions, tuple(curves)
+
+    def _mesh(self) -> Mesh:
+        n = self.elements + 2
+        bodies = {
+            "block": box((-SIDE / 2, -SIDE / 2, 0.0), (SIDE / 2, SIDE / 2, SIDE), (n, n, n)),
+            "hemisphere": _hemisphere(self.elements),
+        }
+        sets = {"base": plane("z", 0.0, "block"), "grip": plane("z", SIDE + OUTER, "hemisphere")}
+        surfaces = {"block": plane("z", SIDE, "block"), "hemisphere": Chosen("hemisphere", _outside)}
+        return assembled(bodies, sets, surfaces, {"contact": ("hemisphere", "block")})
+
+
+def position(start: Array, time: float) -> Array:
+    """Where a point of the rim is at a time (s)."""
+    down = DEPTH * min(1.0, time / PRESSED)
+    angle = np.radians(TURN) * max(0.0, (time - PRESSED) / (END - PRESSED))
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([c * start[0] - s * start[1], s * start[0] + c * start[1], start[2] - down])
+
+
+def _hemisphere(n: int) -> Body:
+    """A lowest patch of n x n facets and four of n x n/2 up to the rim, two elements thick; it touches z = SIDE."""
+    even, half = np.tan(np.linspace(-0.25, 0.25, n + 1) * np.pi), np.tan(np.linspace(0.0, 0.25, n // 2 + 1) * np.pi)
+    a, b = np.meshgrid(even, even, indexing="ij")
+    c, d = np.meshgrid(even, half, indexing="ij")
+    lowest = np.stack([a, b, -np.ones_like(a)], axis=-1)
+    sides = [np.stack([np.ones_like(c), c, -d], axis=-1) @ _quarter(k).T for k in range(4)]
+    body = blocks.merged([_thick(patch) for patch in (lowest, *sides)])
+    return replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER]))
+
+
+def _quarter(turns: int) -> Array:
+    c, s = np.round(np.cos(turns * np.pi / 2)), np.round(np.sin(turns * np.pi / 2))
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def _thick(directions: Points) -> Body:
+    """A patch of the shell from points on a cube around its centre."""
+    unit = directions / np.linalg.norm(directions, axis=-1, keepdims=True)
+    return blocks.structured(unit[:, :, None, :] * np.linspace(INNER, OUTER, 3)[:, None])
+
+
+def _outside(x: Array) -> NDArray[np.bool_]:
+    centre = np.array([0.0, 0.0, SIDE + OUTER])
+    return np.asarray(np.abs(np.linalg.norm(x - centre, axis=-1) - OUTER) < NEAR)

@@ -1,0 +1,274 @@
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace test;
+
+namespace {
+
+/// What a sliding contact is like.
+struct Sliders {
+  double coefficient;  ///< large: every node sticks
+  bool solvent;        ///< both sides exchange the solvent
+  bool fluid;          ///< friction depends on the fluid pressure
+  double contact_fraction = 0.2;
+  Integration integration = Integration::gauss;
+  bool two_pass = false;
+};
+
+Scene sliding_scene(FacetType one, FacetType two, const Sliders& sliding, int cells_two = 2) {
+  Effects effects = effects_of(sliding.solvent, sliding.solvent ? 1 : 0);
+  effects.friction = true;
+  effects.bearing_fluid = sliding.fluid;
+  Settings settings = explicit_settings(2.5, 1.5, 0.8);
+  settings.integration = sliding.integration;
+  settings.two_pass = sliding.two_pass;
+  settings.friction.coefficient = sliding.coefficient;
+  settings.friction.contact_fraction = sliding.contact_fraction;
+  settings.friction.ambient_pressure = 0.1;
+  settings.friction.penalty_factor = 0.7;
+  return {facing_grids(one, two, 0.08, 1, cells_two), effects, settings};
+}
+
+void turn_all(Scene& scene, double angle, const Vector3d& axis) {
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+  for (SurfaceFields& field : scene.fields) field.position = (rotation * field.position).eval();
+}
+
+/// A contact whose step began elsewhere: both bodies have turned since and slid along each other.
+struct SlidingStep {
+  Scene scene;
+  std::unique_ptr<ContactInterface> contact;
+
+  SlidingStep(Scene given, std::mt19937& random) : scene(std::move(given)) {
+    scene.disturb(0.02, random);
+    contact = scene.contact();
+    for (std::size_t pass = 0; pass < contact->passes(); ++pass) {
+      Matrix3Xd& lambda = contact->pass(pass).laws().multipliers.friction;
+      lambda = Matrix3Xd::NullaryExpr(3, lambda.cols(), [&] { return 0.03 * random_vector(1, random)[0]; });
+      contact->pass(pass).laws().multipliers.slips = NodeFlags(lambda.cols(), scene.settings.friction.coefficient < 1);
+    }
+    scene.disturb(0.02, random);
+    for (SurfaceFields& field : scene.fields) field.scalar *= 0.1;
+    scene.fields[Side::primary].position.row(0).array() += 0.04;
+    scene.fields[Side::primary].position.row(1).array() -= 0.03;
+    turn_all(scene, 0.4, Vector3d(1, -0.5, 0.3));
+    contact->project(scene.position());
+    contact->begin_iteration(scene.fields);
+  }
+
+  NodeFlags slips() const {
+    return contact->pass(0).nodal_loads({scene.fields[Side::primary], scene.fields[Side::secondary]}).slips;
+  }
+  VectorXd residual(const GlobalLayout& layout, const VectorXd& at) const {
+    const PerSide<SurfaceFields> fields = layout.unpack(at);
+    contact->project({{fields[Side::primary].position, fields[Side::secondary].position}});
+    return assembled_residual(*contact, layout, fields, 0.3);
+  }
+};
+
+/// The part of the tangent that a frictionless contact does not have, with differences: a much smaller error of the
+/// whole would hide it.
+double tangent_error(const SlidingStep& step) {
+  const GlobalLayout layout(step.scene);
+  const VectorXd q = layout.pack(step.scene.fields);
+  const MatrixXd approximate = differences([&](const VectorXd& at) { return step.residual(layout, at); }, q);
+  step.contact->project(step.scene.position());
+  const MatrixXd exact = assembled_tangent(*step.contact, layout, step.scene.fields, 0.3);
+  return (exact - approximate).norm() / exact.norm();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_in_stick_and_slip_for_every_pair_of_meshes) {
+  std::mt19937 random(21);  // no point so near to an edge of the secondary facets that a difference crosses it
+  double worst = 0;
+  for (const FacetType one : all_facets) {
+    for (const FacetType two : all_facets) {
+      for (const double coefficient : {10.0, 0.2}) {
+        const bool solvent = one == two;
+        const SlidingStep step(sliding_scene(one, two, {coefficient, solvent, true}, 1), random);
+        const NodeFlags slips = step.slips();
+        const auto sliding = std::count(slips.begin(), slips.end(), true);
+        if (coefficient > 1) BOOST_TEST(sliding == 0);
+        if (coefficient < 1) BOOST_TEST(sliding > 0);
+        worst = std::max(worst, tangent_error(step));
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE("largest relative difference " << worst);
+  BOOST_TEST(worst <= 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_without_fluid_on_segments_and_in_two_passes) {
+  std::mt19937 random(8);
+  for (const bool two_pass : {false, true}) {
+    for (const Integration integration : {Integration::gauss, Integration::segments}) {
+      for (const bool fluid : {false, true}) {
+        const Sliders sliding{0.2, false, fluid, 0.2, integration, two_pass};
+        const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, sliding, 1), random);
+        BOOST_TEST(tangent_error(step) <= 1e-7);
+      }
+    }
+  }
+}
+
+/// Only one side has fluid: its pressure is no exchanged field, but friction feels it.
+BOOST_AUTO_TEST_CASE(the_pressure_of_the_side_that_has_fluid_acts_on_friction) {
+  std::mt19937 random(9);
+  for (const Side side : both_sides) {
+    Scene scene = sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, true});
+    for (FieldMask& mask : scene.mesh[other(side)].permeable) mask = 0;
+    const SlidingStep step(std::move(scene), random);
+    BOOST_TEST(tangent_error(step) <= 1e-7);
+    const GlobalLayout layout(step.scene);
+    const MatrixXd tangent = assembled_tangent(*step.contact, layout, step.scene.fields, 0.3);
+    for (const Side columns : both_sides) {
+      double size = 0;
+      for (Index node = 0; node < layout.nodes[columns]; ++node)
+        size += tangent.col(layout.entry(columns, node, 3)).norm();
+      BOOST_TEST((size > 0) == (columns == side));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_depend_on_the_fluid_has_no_column_of_it) {
+  std::mt19937 random(10);
+  const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, false}), random);
+  step.contact->for_each_coupling(
+      [](const ContactInterface::Location& at) { BOOST_TEST(at.patch.fields.size() == 0u); });
+  // All load is the solid's: its derivative with the pressure is zero, and so is its block.
+  const SlidingStep dry(sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, true, 1.0}), random);
+  using Location = ContactInterface::Location;
+  dry.contact->tangent(dry.scene.fields, 0.3, [](const Location& /*rows*/, const Location& columns, const MatrixXd&) {
+    BOOST_TEST(columns.patch.fields.size() == 0u);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(every_block_of_the_tangent_is_in_the_profile) {
+  std::mt19937 random(11);
+  for (const bool solvent : {false, true}) {
+    const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {0.2, solvent, true}), random);
+    const GlobalLayout layout(step.scene);
+    MatrixXd profile = MatrixXd::Zero(layout.size(), layout.size());
+    step.contact->for_each_coupling([&](const ContactInterface::Location& at) {
+      const std::vector<Index> entries = layout.entries(at);
+      profile(entries, entries).setOnes();
+    });
+    const MatrixXd tangent = assembled_tangent(*step.contact, layout, step.scene.fields, 0.3);
+    BOOST_TEST((profile.array() == 0).select(tangent, 0.0).norm() == 0.0);
+    BOOST_TEST(tangent.norm() > 0.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(friction_of_both_sides_cancels) {
+  std::mt19937 random(12);
+  for (const bool two_pass : {false, true}) {
+    Sliders sliding{0.2, false, true};
+    sliding.two_pass = two_pass;
+    const SlidingStep step(sliding_scene(FacetType::quad8, FacetType::tri6, sliding), random);
+    const GlobalLayout layout(step.scene);
+    const VectorXd residual = assembled_residual(*step.contact, layout, step.scene.fields, 0.3);
+    PerSide<Vector3d> force{{Vector3d(0, 0, 0), Vector3d(0, 0, 0)}};
+    for (const Side side : both_sides) {
+      for (Index node = 0; node < layout.nodes[side]; ++node)
+        force[side] += residual.segment<3>(layout.entry(side, node, 0));
+    }
+    BOOST_TEST(force[Side::primary].norm() > 1e-3);
+    BOOST_TEST((force[Side::primary] + force[Side::secondary]).norm() <= 1e-12 * force[Side::primary].norm());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(slip_has_the_size_of_the_bound_and_points_against_the_slip) {
+  std::mt19937 random(13);
+  Scene scene = sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, true});
+  const SlidingStep step(std::move(scene), random);
+  step.contact->pass(0).laws().multipliers.friction.setZero();
+  step.contact->end_iterations();
+  step.contact->begin_iteration(step.scene.fields);
+  const NodalLoads loads = step.contact->pass(0).nodal_loads(
+      {step.scene.fields[Side::primary], step.scene.fields[Side::secondary]});
+  int sliding = 0;
+  for (Index node = 0; node < loads.gap.size(); ++node) {
+    if (!loads.in_contact[node] || !loads.slips[node]) continue;
+    ++sliding;
+    const Vector3d traction = loads.friction.traction.col(node);
+    BOOST_TEST(std::abs(traction.norm() - loads.friction.bound[node]) <= 1e-10 * loads.friction.bound[node]);
+    const Vector3d n = loads.friction.normal(node);
+    const Vector3d carried = loads.friction.convection[node] * loads.friction.slip.col(node);
+    const Vector3d slip = carried - n * n.dot(carried);
+    BOOST_TEST(std::abs(traction.dot(n)) <= rounding * traction.norm());
+    BOOST_TEST(traction.dot(slip) < 0.0);
+    BOOST_TEST(traction.cross(slip).norm() <= 1e-8 * traction.norm() * slip.norm());
+  }
+  BOOST_TEST(sliding > 0);
+}
+
+/// Both bodies turn together, by 90 degrees about any axis: no slip, and friction that turns with them.
+BOOST_AUTO_TEST_CASE(friction_turns_with_both_bodies) {
+  std::mt19937 random(14);
+  for (const Integration integration : {Integration::gauss, Integration::segments}) {
+    for (const Vector3d& axis : {Vector3d(0, 0, 1), Vector3d(1, 0, 0), Vector3d(1, 2, -1)}) {
+      Scene scene = sliding_scene(FacetType::quad4, FacetType::quad4, {10, false, false, 0.2, integration});
+      scene.disturb(0.02, random);
+      const auto contact = scene.contact();
+      const NodalLoads start = contact->pass(0).nodal_loads(
+          {scene.fields[Side::primary], scene.fields[Side::secondary]});
+      Matrix3Xd& lambda = contact->pass(0).laws().multipliers.friction;
+      for (Index node = 0; node < lambda.cols(); ++node)
+        lambda.col(node) = start.friction.normal(node).cross(random_vector(0.03, random));
+      contact->project(scene.position());
+      const NodalLoads before = contact->pass(0).nodal_loads(
+          {scene.fields[Side::primary], scene.fields[Side::secondary]});
+      turn_all(scene, 0.5 * 3.14159265358979, axis);
+      contact->project(scene.position());
+      const NodalLoads after = contact->pass(0).nodal_loads(
+          {scene.fields[Side::primary], scene.fields[Side::secondary]});
+      const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.5 * 3.14159265358979, axis.normalized()).toRotationMatrix();
+      BOOST_TEST(after.friction.slip.cwiseAbs().maxCoeff() <= 1e-12);
+      BOOST_TEST(before.friction.traction.norm() > 1e-3);
+      BOOST_TEST((after.friction.traction - rotation * before.friction.traction).norm() <= 1e-12);
+    }
+  }
+}
+
+/// An accepted step leaves its friction behind as what the next one begins with.
+BOOST_AUTO_TEST_CASE(an_accepted_step_keeps_its_friction_and_measures_slip_anew) {
+  std::mt19937 random(15);
+  for (const double coefficient : {10.0, 0.2}) {
+    const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {coefficient, false, true}), random);
+    const FacingFields fields{step.scene.fields[Side::primary], step.scene.fields[Side::secondary]};
+    const NodalLoads before = step.contact->pass(0).nodal_loads(fields);
+    step.contact->accept_step(step.scene.fields);
+    step.contact->begin_iteration(step.scene.fields);
+    const NodalLoads after = step.contact->pass(0).nodal_loads(fields);
+    BOOST_TEST(after.friction.slip.norm() <= 1e-14);
+    BOOST_TEST((after.slips == before.slips));
+    BOOST_TEST((after.friction.traction - before.friction.traction).norm() <= rounding);
+    // Twice the same
+    const ContactInterface::State state = step.contact->state();
+    step.contact->restore(state);
+    step.contact->begin_iteration(step.scene.fields);
+    const NodalLoads again = step.contact->pass(0).nodal_loads(fields);
+    BOOST_TEST((again.friction.traction == after.friction.traction));
+  }
+}
+
+/// Uzawa's update makes the present friction the trial of surfaces that do not slide any further.
+BOOST_AUTO_TEST_CASE(an_augmentation_takes_the_friction_over) {
+  std::mt19937 random(16);
+  const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {10, false, true}), random);
+  const FacingFields fields{step.scene.fields[Side::primary], step.scene.fields[Side::secondary]};
+  const NodalLoads before = step.contact->pass(0).nodal_loads(fields);
+  step.contact->augment(step.scene.fields);
+  const NodalLaws& laws = step.contact->pass(0).laws();
+  for (Index node = 0; node < before.gap.size(); ++node) {
+    if (!before.in_contact[node]) continue;
+    const Vector3d n = before.friction.normal(node);
+    const Vector3d carried = before.friction.convection[node] * laws.multipliers.friction.col(node);
+    const Vector3d trial = carried - n * n.dot(carried);
+    BOOST_TEST((trial - before.friction.traction.col(node)).norm() <= rounding);
+  }
+}
