@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from harness.pages import scene_results
 from harness.studies.real_models import comparison
 from harness.studies.real_models.collection_of_scenes import SCENES
 
@@ -29,6 +30,6 @@ def test_a_scene_runs_as_with_febios_interface(name, tmp_path):
         assert ours.ended, ours.why
         if not row.febio.ended:
             continue
-        assert ours.iterations <= comparison.MOST * row.febio.iterations
+        assert ours.iterations <= scene_results.MOST * row.febio.iterations
         if name not in PULLS_WHAT_IS_FAR_APART:
             assert ours.retries <= row.febio.retries

@@ -10,10 +10,9 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.pages import collection, plugin_parameters, verification
+from harness.pages import collection, plugin_parameters, scene_results, verification
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS, MODELS, RESULTS
-from harness.studies.real_models import page as real_models
 from harness.validate.checks import CHECKS
 
 console = Console(highlight=False, soft_wrap=True)
@@ -24,7 +23,7 @@ PAGES: dict[str, Callable[[], str]] = {
     plugin_parameters.PAGE: plugin_parameters.page,
     gallery.PAGE: lambda: gallery.page(gallery.read(DOCS)),
     verification.PAGE: lambda: verification.page(verification.read(DOCS)),
-    real_models.PAGE: lambda: real_models.page(real_models.read(DOCS / real_models.DATA)),
+    scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
 }
 """Generated pages, from code or from numbers in docs/; none of them needs a run."""
 

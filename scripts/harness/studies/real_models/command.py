@@ -12,11 +12,12 @@ import typer
 from rich.console import Console
 from rich.progress import track
 
+from harness.pages import scene_results
+from harness.pages.scene_results import Row
 from harness.paths import DOCS, REPOSITORY, RESULTS
 from harness.run import provenance
-from harness.studies.real_models import comparison, page
+from harness.studies.real_models import comparison
 from harness.studies.real_models.collection_of_scenes import SCENES
-from harness.studies.real_models.comparison import Row
 
 console = Console(highlight=False, soft_wrap=True)
 TIMEOUT = 120.0
@@ -44,20 +45,20 @@ def real_models(
 
     with ThreadPoolExecutor(jobs) as pool:
         rows = list(track(pool.map(compare, chosen), "scenes", total=len(chosen), console=console))
-    _write(page.Results(_febio(folder, chosen[0]), _commit(), timeout, rows), folder, docs)
+    _write(scene_results.Results(_febio(folder, chosen[0]), _commit(), timeout, rows), folder, docs)
     if any(row.febio.ended and not (row.converted.ended and row.defaults.ended) for row in rows):
         raise typer.Exit(1)
 
 
-def _write(results: page.Results, folder: Path, docs: bool) -> None:
-    text = f"{page.summary(results.rows)}\n\n{page.table(results.rows)}\n"
+def _write(results: scene_results.Results, folder: Path, docs: bool) -> None:
+    text = f"{scene_results.summary(results.rows)}\n\n{scene_results.table(results.rows)}\n"
     (folder / "real-models.md").write_text(text)
     console.print(text, markup=False)
     console.print(f"Written: {folder / 'real-models.md'}")
     if docs:
-        page.write(results, DOCS / page.DATA)
-        (DOCS / page.PAGE).write_text(page.page(results), encoding="utf-8")
-        console.print(f"Written: {DOCS / page.PAGE}, {DOCS / page.DATA}")
+        scene_results.write(results, DOCS / scene_results.DATA)
+        (DOCS / scene_results.PAGE).write_text(scene_results.page(results), encoding="utf-8")
+        console.print(f"Written: {DOCS / scene_results.PAGE}, {DOCS / scene_results.DATA}")
 
 
 def _febio(folder: Path, name: str) -> str:

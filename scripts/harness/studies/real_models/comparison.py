@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,57 +13,11 @@ from numpy.typing import NDArray
 from harness.conversion import convert
 from harness.errors import HarnessError
 from harness.models.document import Model
+from harness.pages.scene_results import Row, Took
 from harness.run import engine, febio_log, logdata
 
 PENALTIES = ("auto_penalty", "penalty", "pressure_penalty", "concentration_penalty")
 Array = NDArray[np.float64]
-MOST = 1.2
-"""Iterations over FEBio's, at most, in any scene."""
-
-
-@dataclass(frozen=True)
-class Took:
-    """What a run took.
-
-    Attributes
-    ----------
-    ended : bool
-    steps, iterations, retries : int
-    difference : float
-        Largest difference of the last state from that of FEBio's interface, of all logged values relative to the
-        largest of their kind; 0 for FEBio's interface itself, not a number where a run did not end.
-    why : str
-        Why there is no run, or why it failed.
-    """
-
-    ended: bool
-    steps: int = 0
-    iterations: int = 0
-    retries: int = 0
-    difference: float = math.nan
-    why: str = ""
-
-
-@dataclass(frozen=True)
-class Row:
-    """A scene and its three runs."""
-
-    name: str
-    about: str
-    febio: Took
-    converted: Took
-    defaults: Took
-
-    def worse(self, ours: Took) -> str:
-        """In what a run of ours is worse than FEBio's; empty where in nothing."""
-        if not self.febio.ended:
-            return ""
-        if not ours.ended:
-            return ours.why or "does not end"
-        found = ["more retries"] if ours.retries > self.febio.retries else []
-        if ours.iterations > MOST * self.febio.iterations:
-            found.append("more iterations")
-        return ", ".join(found)
 
 
 def compare(name: str, about: str, model: Model, folder: Path, timeout: float) -> Row:

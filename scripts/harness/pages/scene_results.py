@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from harness.errors import DataFileError
-from harness.studies.real_models.comparison import MOST, Row, Took
 
 PAGE = "real-models.md"
 DATA = Path("data", "real-models.json")
@@ -38,6 +38,55 @@ such as those across a cylinder, show it most. The predictor is off.
 
 {table}
 """
+
+
+MOST = 1.2
+"""Iterations over FEBio's, at most, in any scene."""
+
+
+@dataclass(frozen=True)
+class Took:
+    """What a run took.
+
+    Attributes
+    ----------
+    ended : bool
+    steps, iterations, retries : int
+    difference : float
+        Largest difference of the last state from that of FEBio's interface, of all logged values relative to the
+        largest of their kind; 0 for FEBio's interface itself, not a number where a run did not end.
+    why : str
+        Why there is no run, or why it failed.
+    """
+
+    ended: bool
+    steps: int = 0
+    iterations: int = 0
+    retries: int = 0
+    difference: float = math.nan
+    why: str = ""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A scene and its three runs."""
+
+    name: str
+    about: str
+    febio: Took
+    converted: Took
+    defaults: Took
+
+    def worse(self, ours: Took) -> str:
+        """In what a run of ours is worse than FEBio's; empty where in nothing."""
+        if not self.febio.ended:
+            return ""
+        if not ours.ended:
+            return ours.why or "does not end"
+        found = ["more retries"] if ours.retries > self.febio.retries else []
+        if ours.iterations > MOST * self.febio.iterations:
+            found.append("more iterations")
+        return ", ".join(found)
 
 
 @dataclass(frozen=True)
