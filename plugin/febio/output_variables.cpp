@@ -283,14 +283,6 @@ double component_of(const FEMixtureSurface& surface, int node) {
   return node < all.cols() ? all(component, node) : 0.0;
 }
 
-/// Three components of a vector at the nodes.
-template <mixture_contact::Matrix3Xd mixture_contact::FrictionOutput::* vectors>
-void offer_vector_logs(const std::string& name) {
-  offer<FELogMeanOfNodes<component_of<vectors, 0>>>(name + ".x");
-  offer<FELogMeanOfNodes<component_of<vectors, 1>>>(name + ".y");
-  offer<FELogMeanOfNodes<component_of<vectors, 2>>>(name + ".z");
-}
-
 // ---------------------------------------------------------------------------------------------------------
 // registration
 
@@ -324,8 +316,12 @@ void register_output_variables() {
   offer<FELogFrictionForce<1>>("friction_force.y");
   offer<FELogFrictionForce<2>>("friction_force.z");
   offer<FELogFrictionPower>("friction power");
-  offer_vector_logs<&FrictionOutput::traction>("contact friction");
-  offer_vector_logs<&FrictionOutput::slip>("contact slip");
+  offer<FELogMeanOfNodes<component_of<&FrictionOutput::traction, 0>>>("contact friction.x");
+  offer<FELogMeanOfNodes<component_of<&FrictionOutput::traction, 1>>>("contact friction.y");
+  offer<FELogMeanOfNodes<component_of<&FrictionOutput::traction, 2>>>("contact friction.z");
+  offer<FELogMeanOfNodes<component_of<&FrictionOutput::slip, 0>>>("contact slip.x");
+  offer<FELogMeanOfNodes<component_of<&FrictionOutput::slip, 1>>>("contact slip.y");
+  offer<FELogMeanOfNodes<component_of<&FrictionOutput::slip, 2>>>("contact slip.z");
   offer<FELogMeanOfNodes<slip_status>>("contact slip status");
   offer<FELogMeanOfNodes<effective_friction>>("contact friction coefficient");
   offer<FELogMeanOfNodes<fluid_load_support>>("contact fluid load support");
