@@ -86,7 +86,8 @@ double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n
 double modulus_of(FEDomain& domain) {
   if (dynamic_cast<FESolidDomain*>(&domain) == nullptr || domain.Elements() == 0) return 0;
   FEMaterial& material = *domain.GetMaterial();
-  if (const auto* rigid = dynamic_cast<const FERigidMaterial*>(&material)) return rigid->m_E / (1 - rigid->m_v * rigid->m_v);
+  if (const auto* rigid = dynamic_cast<const FERigidMaterial*>(&material))
+    return rigid->m_E / (1 - rigid->m_v * rigid->m_v);
   if (material.ExtractProperty<FEElasticMaterial>() == nullptr) return 0;
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(*domain.ElementRef(0).GetMaterialPoint(0));
   const double modulus = stiffness_of(material, *point, {1, 0, 0});

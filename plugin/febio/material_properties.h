@@ -18,8 +18,8 @@ std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FE
                                             std::string& problem);
 
 /// What stands in for the stiffness of rigid bodies that touch each other, for lack of any element that could be
-/// measured: Young's modulus over 1 - nu^2 of a rigid material, which FEBio's own interfaces take, too, but no less than
-/// the largest modulus of the deformable materials [MPa].
+/// measured: Young's modulus over 1 - nu^2 of a rigid material, which FEBio's own interfaces take, too, but no less
+/// than the largest modulus of the deformable materials [MPa].
 double modulus_of_rigid_bodies(FEModel& fem);
 
 /// Names of the model's solutes, in the order of their concentrations.

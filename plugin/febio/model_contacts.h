@@ -66,8 +66,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
   mixture_contact::PenaltyReduction reduction_;
-  AcceptedOverlap accepted_overlap_;  ///< the deepest one under reduced penalties
-  bool said_reduction_ = false;       ///< in this run
+  AcceptedOverlap accepted_overlap_;               ///< the deepest one under reduced penalties
+  bool said_reduction_ = false;                    ///< in this run
   std::vector<FEMixtureContact*> contacts_;        ///< in the order of the model
   std::set<const FEMixtureContact*> unactivated_;  ///< whose state is not known to the core yet
   mixture_contact::Round dumps_;

@@ -38,9 +38,10 @@ std::string overlap_warning(const std::string& contact, const std::string& prima
 
 std::string reduction_line(double time) {
   std::ostringstream text;
-  text << "sliding-mixture: the step to time " << time << " has failed. The next attempt has automatic penalties of the "
-       << "traction divided by ten, as has each one after another failure; they recover over accepted steps. A <penalty> "
-       << "that is set stays as it is. This is said once in a run.";
+  text
+      << "sliding-mixture: the step to time " << time << " has failed. The next attempt has automatic penalties of the "
+      << "traction divided by ten, as has each one after another failure; they recover over accepted steps. A <penalty> "
+      << "that is set stays as it is. This is said once in a run.";
   return text.str();
 }
 

@@ -27,8 +27,8 @@ void read_parameters(const Tag& tag, ContactParameters& parameters) {
   });
   // What only febio4 can do.
   tag.must_be("laugon", {"PENALTY", "AUGLAG", "0", "1"});
-  for (const char* name : {"predictor", "node_reloc", "seg_up", "flip_primary", "flip_secondary", "shell_bottom_primary",
-                           "shell_bottom_secondary"})
+  for (const char* name : {"predictor", "node_reloc", "seg_up", "flip_primary", "flip_secondary",
+                           "shell_bottom_primary", "shell_bottom_secondary"})
     tag.must_be(name, {"0"});
   const std::vector<std::string> wrong = complaints(parameters);
   if (!wrong.empty()) tag.fail(wrong.front());

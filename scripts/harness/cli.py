@@ -9,6 +9,7 @@ from harness.studies.cost import command as cost
 from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
 from harness.studies.hard_cases import rubbing_command
+from harness.studies.hertz import command as hertz
 from harness.studies.predictor import command as predictor
 from harness.studies.price import command as price
 from harness.studies.real_models import command as real_models
@@ -34,6 +35,7 @@ _OF_THE_REPOSITORY = (
     predictor.predictor,
     real_models.real_models,
     robustness.robustness,
+    hertz.biphasic_hertz,
     gallery.gallery,
     pages.pages,
     pages.report,

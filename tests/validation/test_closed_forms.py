@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.linalg import toeplitz
 from scipy.special import erfc
 
 from harness.closed_forms import (
+    biphasic_layers,
     cattaneo_mindlin,
     composite_slab,
     confined_compression,
@@ -228,3 +230,108 @@ def test_friction_under_a_plate_at_its_limits(phi):
     early, late = sliding_plate.relative_friction([1e-3, 10.0], phi)
     assert early == pytest.approx(phi, abs=1e-12)
     assert late == pytest.approx(1.0, abs=1e-9)
+
+
+def test_hertz_sphere_carries_the_force_and_has_no_gap():
+    """The displacement below the middle of the pressure, (1/(pi E*)) INT p/s dA, is the approach."""
+    force, radius, modulus = 0.1, 3.0, hertz.combined_modulus((1.0, 0.3), (2.0, 0.4))
+    a, p0 = hertz.sphere_radius(force, radius, modulus), hertz.sphere_peak_pressure(force, radius, modulus)
+    angle = np.linspace(0.0, np.pi / 2, 2001)
+    r, p = a * np.sin(angle), p0 * np.cos(angle)
+    assert np.trapezoid(p * 2.0 * np.pi * r, r) == pytest.approx(force, rel=1e-5)
+    sunk = np.trapezoid(p * 2.0, r) / modulus
+    assert sunk == pytest.approx(hertz.sphere_approach(force, radius, modulus), rel=1e-5)
+
+
+LAYERS = (biphasic_layers.Layer(1.0, 0.5, 1e-3), biphasic_layers.Layer(0.7, 0.8, 4e-3))
+SHAPES = list(biphasic_layers.Shape)
+
+
+def layers_over_time(shape, steps=4000):
+    """A ramp and then a constant force: contact, times, force, half-width."""
+    contact = biphasic_layers.Contact(LAYERS, 40.0, shape)
+    times = np.linspace(0.0, 1.5 / contact.rate, steps + 1)
+    force = 2e-3 * np.minimum(1.0, times / times[steps // 4])
+    return contact, times, force, contact.half_width(biphasic_layers.accumulated_load(times, force, contact.rate))
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_equal_biphasic_layers_have_the_rate_of_one(shape):
+    h, mu, k = 1.0, 0.5, 1e-3
+    contact = biphasic_layers.Contact((LAYERS[0], LAYERS[0]), 40.0, shape)
+    assert contact.rate == pytest.approx(3.0 * mu * k / h**2, rel=1e-14)
+    assert contact.compliance == pytest.approx(2.0 * h**3 / (3.0 * mu), rel=1e-14)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_biphasic_layers_have_no_gap_and_no_slope_at_the_edge(shape):
+    """-m lap P = delta - r^2/(2R) inside, P = 0 and grad P = 0 at the edge."""
+    contact, a, s = biphasic_layers.Contact(LAYERS, 40.0, shape), 9.0, 1e-2
+    r = np.linspace(0.5, 8.5, 17)
+    p = lambda r: contact.accumulated_pressure(r, a)  # noqa: E731
+    laplacian = (p(r + s) - 2.0 * p(r) + p(r - s)) / s**2
+    if shape is biphasic_layers.Shape.SPHERE:
+        laplacian = laplacian + (p(r + s) - p(r - s)) / (2.0 * s * r)
+    gap = contact.approach(a) - r**2 / (2.0 * contact.radius)
+    np.testing.assert_allclose(-contact.compliance * laplacian, gap, atol=1e-4 * gap.max())
+    assert p(a) == 0.0
+    assert p(a - s) < 5.0 * (s / a) ** 2 * p(0.0)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_biphasic_layers_obey_the_equation_of_their_half_width(shape):
+    """The rate: n a^(n-1) a' = factor m R (F' + chi F)."""
+    contact, times, force, a = layers_over_time(shape)
+    middle, n = slice(100, -1), shape.power
+    rate = np.gradient(a, times)
+    loaded = shape.load * contact.compliance * contact.radius * (np.gradient(force, times) + contact.rate * force)
+    off = np.abs(n * a ** (n - 1) * rate / loaded - 1.0)[middle]
+    assert np.median(off) < 1e-6
+    assert np.sum(off > 1e-3) <= 3, "where the ramp ends"
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_the_pressure_of_biphasic_layers_carries_the_force(shape):
+    contact, times, force, a = layers_over_time(shape, steps=1000)
+    r = np.linspace(0.0, float(a[-1]), 301)
+    p = np.array([biphasic_layers.pressure(x, times, force, contact) for x in r])
+    weight = 2.0 * np.pi * r if shape is biphasic_layers.Shape.SPHERE else 2.0 * np.ones_like(r)
+    for step in (250, 600, 1000):
+        assert np.trapezoid(p[:, step] * weight, r) == pytest.approx(force[step], rel=2e-3)
+
+
+@pytest.mark.parametrize(("shape", "factor"), list(zip(SHAPES, (15.0 / 16.0, 3.0 / np.pi), strict=True)))
+def test_biphasic_layers_at_first_and_under_a_constant_load(shape, factor):
+    contact, force = biphasic_layers.Contact(LAYERS, 40.0, shape), 3e-3
+    a = contact.half_width(force)
+    assert contact.load(float(a)) == pytest.approx(force, rel=1e-13)
+    area = a if shape is biphasic_layers.Shape.LINE else a**2
+    assert contact.accumulated_pressure(0.0, a) == pytest.approx(factor * force / area, rel=1e-13)
+    times = np.linspace(0.0, 2.0 / contact.rate, 5)
+    load = biphasic_layers.accumulated_load(times, np.full(5, force), contact.rate)
+    np.testing.assert_allclose(contact.half_width(load), a * (1.0 + contact.rate * times) ** (1.0 / shape.power))
+
+
+def elastic_layer_edge(half_width: int, per_thickness: int) -> float:
+    """Distance of the edge of contact from that of thin layers, in thicknesses, for an incompressible elastic layer.
+
+    The surface compliance of a layer that is fixed below and free of shear above is, over 2 mu s/h,
+    (sinh 2s - 2s)/(cosh 2s + 1 + 2 s^2), with s the wave number times h. The pressure has hats for shape functions
+    and leaves no gap at nodes.
+    """
+    n, step, points = half_width * per_thickness, 1.0 / per_thickness, 1 << 13
+    s = 2.0 * np.pi * np.abs(np.fft.fftfreq(points, step))[1:]
+    low = np.minimum(s, 30.0)
+    compliance = np.zeros(points)
+    compliance[1:] = (np.sinh(2 * low) - 2 * low) / (np.cosh(2 * low) + 1 + 2 * low**2) / (2.0 * s)
+    compliance[1:] *= np.sinc(s * step / (2.0 * np.pi)) ** 2
+    influence = np.fft.ifft(compliance).real
+    x = step * np.arange(-n, n + 1)
+    system = np.column_stack([toeplitz(influence[: 2 * n + 1])[:-1, 1:-1], -np.ones(2 * n)])
+    pressure = np.linalg.solve(system, -(x[:-1] ** 2) / 2.0)[:-1]
+    layer = biphasic_layers.Contact((biphasic_layers.Layer(1.0, 1.0, 0.0),), 1.0)
+    return float(layer.half_width(pressure.sum() * step)) - half_width
+
+
+def test_the_edge_of_thin_layers_is_that_of_the_integral_equation():
+    assert elastic_layer_edge(32, 8) == pytest.approx(biphasic_layers.EDGE, abs=0.02)

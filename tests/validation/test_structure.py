@@ -19,7 +19,7 @@ ROOMS = (
     *("indentation", "validate", "pages", "studies", "user_commands", "cli", "__main__"),
 )
 """Folders and files directly in the harness, the lowest first."""
-STUDIES = ("files", "timing", "hard_cases", "fuzz", "cost", "predictor", "price", "real_models", "robustness")
+STUDIES = ("files", "timing", "hard_cases", "fuzz", "cost", "predictor", "price", "real_models", "robustness", "hertz")
 """Rooms within studies, the lowest first."""
 ROLES = {"__init__", "command", "figures", "page"}
 """Names of files that say what a file is to its room, and so may stand in several rooms."""

@@ -77,9 +77,8 @@ IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3X
     Ray ray = normal_ray(primary_[point.facet], x1, point.xi, radius, tolerance_);
     ray.overlap = self_.largest_overlap(point.facet);
     ray.opposition = self_.opposition();
-    std::optional<SurfaceHit> hit = moving_.nearest_facing(ray, neighbours_[q], [&](std::vector<int>& facets) {
-      self_.keep_visible(point.facet, facets);
-    });
+    std::optional<SurfaceHit> hit = moving_.nearest_facing(
+        ray, neighbours_[q], [&](std::vector<int>& facets) { self_.keep_visible(point.facet, facets); });
     if (hit || !histories_[q].is_kept()) return hit;
     ray.tolerance = widest_miss;
     return facing_hit(histories_[q].last, secondary_, x2, ray);
@@ -94,7 +93,8 @@ IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3X
 }
 
 std::size_t GaussPoints::memory() const {
-  std::size_t sum = self_.memory() + points_.size() * (sizeof(Point) + sizeof(ProjectionHistory) + sizeof(RayNeighbours));
+  std::size_t sum = self_.memory() +
+                    points_.size() * (sizeof(Point) + sizeof(ProjectionHistory) + sizeof(RayNeighbours));
   for (const RayNeighbours& ray : neighbours_) sum += ray.facets.capacity() * sizeof(int);
   return sum;
 }

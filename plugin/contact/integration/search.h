@@ -101,8 +101,8 @@ class MovingSurface {
   void move_to(const Matrix3Xd& positions);
 
   /// As nearest_facing() in the present configuration; nothing before the first. `neighbours` are those of this ray
-  /// from earlier calls, and are renewed where it has moved too far; `keep_visible`, if given, leaves those that it may see. Rays
-  /// with neighbours of their own may be searched for at once.
+  /// from earlier calls, and are renewed where it has moved too far; `keep_visible`, if given, leaves those that it may
+  /// see. Rays with neighbours of their own may be searched for at once.
   std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours,
                                            const std::function<void(std::vector<int>&)>& keep_visible = {}) const;
 

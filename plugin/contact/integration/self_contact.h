@@ -40,8 +40,8 @@ class SelfContact {
   VectorXd largest_overlap_;                    ///< per primary facet
 };
 
-/// The largest overlap that counts at each node of a surface [mm]: the smallest of the facets around it. Empty where the
-/// surface does not meet itself.
+/// The largest overlap that counts at each node of a surface [mm]: the smallest of the facets around it. Empty where
+/// the surface does not meet itself.
 VectorXd largest_overlaps_of_nodes(const SurfaceMesh& mesh);
 
 }  // namespace mixture_contact

@@ -1,7 +1,8 @@
-"""Hertz's contact of a cylinder with a half space along a line, without friction.
+"""Hertz's contact of a cylinder along a line, and of a sphere, with a half space, without friction.
 
-Source: Johnson (1985), Contact Mechanics, section 4.2(c). The pressure p0 sqrt(1 - x^2/a^2) carries F = pi a p0/2 per
-length.
+Source: Johnson (1985), Contact Mechanics, sections 4.2(a) and (c). The pressure p0 sqrt(1 - x^2/a^2) of a line carries
+F = pi a p0/2 per length. Over a circle the same pressure carries F = (2/3) pi a^2 p0 and lowers the surface by
+pi p0 (2 a^2 - r^2)/(4 E* a), which has to be delta - r^2/(2R): p0 = 2 E* a/(pi R) and delta = a^2/R.
 """
 
 from __future__ import annotations
@@ -31,3 +32,18 @@ def pressure(x: ArrayLike, force: float, radius: float, modulus: float) -> NDArr
     """Contact pressure (MPa) at the distances `x` (mm) from the middle; 0 outside the contact."""
     inside = np.maximum(0.0, 1.0 - (np.asarray(x, dtype=float) / half_width(force, radius, modulus)) ** 2)
     return np.asarray(peak_pressure(force, radius, modulus) * np.sqrt(inside))
+
+
+def sphere_radius(force: float, radius: float, modulus: float) -> float:
+    """Contact radius a = (3 F R/(4 E*))^(1/3), mm, of a sphere under the force F (N); other arguments as above."""
+    return float((3.0 * force * radius / (4.0 * modulus)) ** (1.0 / 3.0))
+
+
+def sphere_peak_pressure(force: float, radius: float, modulus: float) -> float:
+    """Peak pressure p0 = 3 F/(2 pi a^2), MPa."""
+    return 1.5 * force / (pi * sphere_radius(force, radius, modulus) ** 2)
+
+
+def sphere_approach(force: float, radius: float, modulus: float) -> float:
+    """Approach delta = a^2/R, mm, of points far from the contact."""
+    return sphere_radius(force, radius, modulus) ** 2 / radius

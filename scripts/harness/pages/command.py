@@ -13,6 +13,7 @@ from harness.errors import HarnessError
 from harness.pages import collection, plugin_parameters, verification
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS, MODELS, RESULTS
+from harness.studies.real_models import page as real_models
 from harness.validate.checks import CHECKS
 
 console = Console(highlight=False, soft_wrap=True)
@@ -23,6 +24,7 @@ PAGES: dict[str, Callable[[], str]] = {
     plugin_parameters.PAGE: plugin_parameters.page,
     gallery.PAGE: lambda: gallery.page(gallery.read(DOCS)),
     verification.PAGE: lambda: verification.page(verification.read(DOCS)),
+    real_models.PAGE: lambda: real_models.page(real_models.read(DOCS / real_models.DATA)),
 }
 """Generated pages, from code or from numbers in docs/; none of them needs a run."""
 
@@ -30,7 +32,7 @@ PAGES: dict[str, Callable[[], str]] = {
 def pages(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation anew: parameters, gallery and verification report."""
+    """Write the generated pages of the documentation anew: parameters, gallery, verification report, real models."""
     for name, text in PAGES.items():
         path = DOCS / name
         made = text()

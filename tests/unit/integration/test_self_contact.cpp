@@ -92,7 +92,8 @@ Scene folded_strip(int cells, double angle, Integration integration) {
 BOOST_AUTO_TEST_CASE(a_surface_with_itself_does_what_two_passes_do_for_its_parts) {
   for (const Integration integration : {Integration::gauss, Integration::segments}) {
     const Both both(0.0625, integration);
-    const VectorXd expected = assembled_residual(*both.apart.contact(), GlobalLayout(both.apart), both.apart.fields, dt);
+    const VectorXd expected = assembled_residual(*both.apart.contact(), GlobalLayout(both.apart), both.apart.fields,
+                                                 dt);
     const VectorXd found = added_up(both.self);
     BOOST_TEST_REQUIRE(found.size() == expected.size());
     BOOST_TEST(expected.cwiseAbs().maxCoeff() > 0);

@@ -12,6 +12,8 @@ from harness.pages.gallery import entries, figures, friction, page
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 
+COVER, COVER_PICTURE = "joint", "images/joint-readme.png"
+"""The model whose picture stands in README."""
 console = Console(highlight=False, soft_wrap=True)
 
 
@@ -32,9 +34,11 @@ def gallery(
         entry = chosen[name]
         result = runner(entry.small if small else entry.model)
         figures.draw(entry, result, entries.curves(entry, result), folder / page.IMAGES)
+        if name == COVER and not small:
+            figures.draw_cover(entry, result, folder / COVER_PICTURE)
         records[name] = page.record(result)
         taken = records[name]
-        console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.wall:g} s", markup=False)
+        console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.cpu:g} s", markup=False)
     if not only and not small:
         friction.draw(runner, folder / page.IMAGES)
     written = page.write(folder, records)

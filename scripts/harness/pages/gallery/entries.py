@@ -162,9 +162,15 @@ def curves(entry: Entry, result: RunResult) -> Curves:
     contents = {
         part.name: np.array([solute_balance.content(result.model, part, state) for state in states]) for part in porous
     }
-    surfaces = {name: np.unique(mesh.surfaces[name]) for pair in mesh.pairs.values() for name in pair}
+    names = [name for pair in mesh.pairs.values() for name in pair]
+    surfaces = {name: np.unique(mesh.surfaces[name]) for name in sorted(names, key=lambda name: _part(mesh, name))}
     sides = {name: history["c1"][:, ids - 1].mean(axis=1) for name, ids in surfaces.items() if np.isin(ids, wet).all()}
     return Curves(history.times, contents, sides, _force(entry, history, mesh))
+
+
+def _part(mesh: Mesh, surface: str) -> int:
+    """Which part a surface belongs to: surfaces are listed, and coloured, in the order of the parts."""
+    return next(n for n, part in enumerate(mesh.parts) if np.isin(mesh.surfaces[surface], part.elements).all())
 
 
 def _has_solute(model: Model, material: str) -> bool:

@@ -8,17 +8,21 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from harness.models.document import Model
+from harness.models.mesh import Mesh
 from harness.models.parts import Mixture
 from harness.pages.gallery.entries import Curves, Entry
-from harness.post.section_figures import draw_bodies
+from harness.post.section_figures import Section, draw_bodies
 from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
 DPI = 110
+ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+"""Lengths of a scale bar, mm."""
 
 
 def draw(entry: Entry, result: RunResult, curves: Curves, folder: Path) -> list[Path]:
@@ -49,10 +53,72 @@ def draw_section(entry: Entry, result: RunResult, path: Path) -> Path:
         values = np.where(_without_solute(result.model), np.nan, history["c1"][state])
         drawn = draw_bodies(axes, result.model.mesh, entry.section, positions, values) or drawn
         axes.set_title(f"{time:g} s", fontsize=10)
+        if state == states[0]:
+            _names(axes, result.model.mesh, entry.section, positions)
+            _scale(axes)
     if drawn is not None:
         figure.colorbar(drawn, ax=places.tolist(), label=r"$\tilde c$ [mM]", shrink=0.9, extend="both")
     figure.savefig(path, dpi=DPI)
     return path
+
+
+def draw_cover(entry: Entry, result: RunResult, path: Path) -> Path:
+    """The picture of README: the joint after its first cycle and at its end, with names and scale."""
+    history = result.nodes
+    figure = Figure(figsize=(9.0, 2.1), layout="constrained", facecolor="white")
+    places = figure.subplots(1, 2, sharey=True)
+    drawn = None
+    for axes, time in zip(places, (entry.times[0], entry.times[-1]), strict=True):
+        state = history.at(time)
+        positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
+        drawn = draw_bodies(axes, result.model.mesh, entry.section, positions, history["c1"][state])
+        axes.set_title(f"after {time:g} s", fontsize=10)
+        axes.set_ylim(-1.6, 1.7)
+    _name(places[0], "upper cartilage", (0.0, 0.65), "white")
+    _name(places[0], "lower cartilage", (0.0, -0.5), "white")
+    _name(places[0], "synovial fluid\n(1 mM)", (-6.3, 0.55), "black", (-4.1, 0.12))
+    _name(places[1], "contact", (0.0, 0.6), "white", (0.0, 0.0))
+    places[1].plot([2.5, 4.5], [-1.25, -1.25], "k-", linewidth=2.0)
+    places[1].text(2.3, -1.25, "2 mm", ha="right", va="center", fontsize=8)
+    if drawn is not None:
+        figure.colorbar(drawn, ax=places.tolist(), label="solute [mM]", shrink=0.9)
+    figure.savefig(path, dpi=DPI)
+    return path
+
+
+def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
+    """The name of each part at its middle."""
+    outlined = [withStroke(linewidth=2.0, foreground="black")]
+    for part in mesh.parts:
+        x, y = positions[np.unique(section.facets(mesh, part.elements))][:, [section.across, section.up]].T
+        middle = 0.0 if section.mirrored else 0.5 * (x.min() + x.max())
+        near = y[np.abs(x - middle) <= np.abs(x - middle).min() + 0.05 * np.ptp(x)]
+        axes.text(
+            middle,
+            0.5 * (near.min() + near.max()),
+            part.name,
+            color="white",
+            fontsize=7,
+            ha="center",
+            va="center",
+            path_effects=outlined,
+        )
+
+
+def _scale(axes: Axes) -> None:
+    """A bar of a round length, below the bodies."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    length = max(step for step in ROUND if step <= 0.4 * (right - left))
+    level = low - 0.04 * (high - low)
+    axes.plot([right - length, right], [level, level], "k-", linewidth=1.8, solid_capstyle="butt")
+    axes.text(right - 0.5 * length, level - 0.02 * (high - low), f"{length:g} mm", fontsize=7, ha="center", va="top")
+    axes.set_ylim(low - 0.16 * (high - low), high)
+
+
+def _name(axes: Axes, text: str, at: tuple[float, float], colour: str, of: tuple[float, float] | None = None) -> None:
+    """A name in the picture, with an arrow to what it is of where it stands beside it."""
+    arrow = {"arrowstyle": "->", "color": colour, "linewidth": 0.8} if of else None
+    axes.annotate(text, of or at, xytext=at, ha="center", va="center", fontsize=8, color=colour, arrowprops=arrow)
 
 
 def _without_solute(model: Model) -> NDArray[np.bool_]:

@@ -27,8 +27,8 @@ class Record:
     plugin, engine : str
         Versions.
     nodes, elements, steps, iterations, retries : int
-    wall : float
-        s, one thread.
+    cpu : float
+        Processor time, s, one thread.
     """
 
     plugin: str
@@ -38,7 +38,7 @@ class Record:
     steps: int
     iterations: int
     retries: int
-    wall: float
+    cpu: float
 
 
 def record(result: RunResult) -> Record:
@@ -47,7 +47,7 @@ def record(result: RunResult) -> Record:
     elements = sum(len(part.elements) for part in mesh.parts)
     versions = provenance.plugin_version(), provenance.engine_version(result.log)
     counts = (len(mesh.nodes), elements, report.steps, report.iterations, report.retries)
-    return Record(*versions, *counts, round(result.wall, 1))
+    return Record(*versions, *counts, round(result.cpu, 1))
 
 
 def read(folder: Path) -> dict[str, Record]:
@@ -110,12 +110,15 @@ scripts/mixcontact gallery --small
 
 
 def _table(entries: list[Entry], records: Mapping[str, Record]) -> str:
-    lines = ["| model | nodes | elements | steps | iterations | retries | time [s] |", "|---|---|---|---|---|---|---|"]
+    lines = [
+        "| model | nodes | elements | steps | iterations | retries | processor time [s] |",
+        "|---|---|---|---|---|---|---|",
+    ]
     for entry in entries:
         r = records[entry.model.name]
         lines.append(
             f"| [{entry.title}](#{_anchor(entry.title)}) | {r.nodes} | {r.elements} | {r.steps} | {r.iterations} | "
-            f"{r.retries} | {r.wall:g} |"
+            f"{r.retries} | {r.cpu:g} |"
         )
     versions = sorted({f"plugin {r.plugin}, {r.engine}" for r in records.values()})
     lines += [

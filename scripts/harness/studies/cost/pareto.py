@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
+from harness.models import indentation_mesh
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import Parameter, Problem
 
@@ -27,6 +28,8 @@ MARKERS = {
     Parameter.DEFAULT: "*",
 }
 DISCRETISATION = (Parameter.MESH, Parameter.STEP)
+SAME_MESH = (Problem.INDENTATION.value, Parameter.MESH.value)
+"""The runs among which one has the mesh of the reference, the medium one."""
 
 
 def error_of(datum: Datum) -> float:
@@ -142,9 +145,17 @@ def _total(axes: Axes, data: Sequence[Datum]) -> None:
             )
         for datum in (d for d in data if d.interface == interface and d.parameter == Parameter.DEFAULT.value):
             axes.plot(datum.cpu, datum.error, "*", color=colour, markersize=14, markeredgecolor="black")
+    _flattered(axes, data)
     styles = ((Parameter.MESH, "-", "mesh"), (Parameter.STEP, "--", "time step"))
     handles = [axes.plot([], [], MARKERS[k], linestyle=s, color="grey", label=n)[0] for k, s, n in styles]
     axes.legend(handles=handles, fontsize=6, loc="best")
+
+
+def _flattered(axes: Axes, data: Sequence[Datum]) -> None:
+    """Say of each run of 3.3 on the mesh of its reference that the mesh is not in its error."""
+    for datum in data:
+        if (datum.problem, datum.parameter, datum.value) == (*SAME_MESH, indentation_mesh.LEVELS[1].across):
+            axes.annotate("mesh of the reference  ", (datum.cpu, datum.error), fontsize=7, ha="right", va="center")
 
 
 LEVELS = tuple(10.0**-k for k in range(1, 8))

@@ -158,15 +158,25 @@ def _cell(record: Record | None) -> str:
     """RunResult, and steps / iterations / retries."""
     if record is None:
         return "not run"
+    if _timed_out(record):
+        return f"ended by its limit, {record.steps} / - / {record.retries}"
     result = "passes" if record.passed else f"misses {len(record.missed)}" if record.ended else "fails"
     return f"{result}, {record.steps} / {record.iterations} / {record.retries}"
 
 
+def _timed_out(record: Record) -> bool:
+    """Whether the run was ended by its limit of time: FEBio then writes no summary with the number of iterations."""
+    return not record.ended and record.iterations == 0
+
+
 def summary(records: Sequence[Record]) -> str:
-    """How many runs end and pass, and how many steps were tried again, for each interface."""
-    lines = ["| interface | runs | end | pass all checks | retries |", "|---|---|---|---|---|"]
+    """How many runs end, fail, are ended by their limit and pass, and the steps tried again, for each interface."""
+    columns = ("interface", "runs", "end", "fail", "ended by the limit", "pass all checks", "retries")
+    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
     for interface, heading in HEADINGS.items():
         own = [record for record in records if record.interface == interface]
-        ended, passed = sum(r.ended for r in own), sum(r.passed for r in own)
-        lines.append(f"| {heading} | {len(own)} | {ended} | {passed} | {sum(r.retries for r in own)} |")
+        ended, limited, passed = sum(r.ended for r in own), sum(map(_timed_out, own)), sum(r.passed for r in own)
+        failed = len(own) - ended - limited
+        counts = (len(own), ended, failed, limited, passed, sum(r.retries for r in own))
+        lines.append(f"| {heading} | " + " | ".join(map(str, counts)) + " |")
     return "\n".join(lines)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Annotated
@@ -11,9 +12,11 @@ import typer
 from rich.console import Console
 from rich.progress import track
 
-from harness.paths import RESULTS
-from harness.studies.real_models import comparison
+from harness.paths import DOCS, REPOSITORY, RESULTS
+from harness.run import provenance
+from harness.studies.real_models import comparison, page
 from harness.studies.real_models.collection_of_scenes import SCENES
+from harness.studies.real_models.comparison import Row
 
 console = Console(highlight=False, soft_wrap=True)
 TIMEOUT = 120.0
@@ -25,19 +28,44 @@ def real_models(
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "real-models",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Run each scene with FEBio's interface, converted, and converted with the penalties deleted; write the table.
 
     Exit code 0: what FEBio's interface ends, sliding-mixture ends in both ways.
     """
     chosen = [name for name in SCENES if not only or any(part in name for part in only)]
+    if docs and only:
+        raise typer.BadParameter("--docs needs all scenes; leave --only out")
+
+    def compare(name: str) -> Row:
+        scene = SCENES[name]
+        return comparison.compare(name, scene.about, scene.model(name), folder, timeout)
+
     with ThreadPoolExecutor(jobs) as pool:
-        done = pool.map(lambda name: comparison.compare(name, SCENES[name].model(name), folder, timeout), chosen)
-        rows = list(track(done, "scenes", total=len(chosen), console=console))
-    text = f"{comparison.summary(rows)}\n\n{comparison.table(rows)}\n"
-    folder.mkdir(parents=True, exist_ok=True)
+        rows = list(track(pool.map(compare, chosen), "scenes", total=len(chosen), console=console))
+    _write(page.Results(_febio(folder, chosen[0]), _commit(), timeout, rows), folder, docs)
+    if any(row.febio.ended and not (row.converted.ended and row.defaults.ended) for row in rows):
+        raise typer.Exit(1)
+
+
+def _write(results: page.Results, folder: Path, docs: bool) -> None:
+    text = f"{page.summary(results.rows)}\n\n{page.table(results.rows)}\n"
     (folder / "real-models.md").write_text(text)
     console.print(text, markup=False)
     console.print(f"Written: {folder / 'real-models.md'}")
-    if any(row.febio.ended and not (row.converted.ended and row.defaults.ended) for row in rows):
-        raise typer.Exit(1)
+    if docs:
+        page.write(results, DOCS / page.DATA)
+        (DOCS / page.PAGE).write_text(page.page(results), encoding="utf-8")
+        console.print(f"Written: {DOCS / page.PAGE}, {DOCS / page.DATA}")
+
+
+def _febio(folder: Path, name: str) -> str:
+    return provenance.engine_version((folder / name / "febio" / f"{name}.log").read_text(errors="replace"))
+
+
+def _commit() -> str:
+    """The commit of the checkout, with a + where files have changed since."""
+    command = ["git", "describe", "--always", "--dirty=+", "--exclude=*"]
+    described = subprocess.run(command, cwd=REPOSITORY, capture_output=True, text=True, check=False)
+    return described.stdout.strip() or "unknown"

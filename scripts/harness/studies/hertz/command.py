@@ -1,0 +1,36 @@
+"""The command `biphasic-hertz`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run import provenance
+from harness.run.runner import Runner
+from harness.studies import files
+from harness.studies.hertz import figures, growth_records
+
+console = Console(highlight=False, soft_wrap=True)
+DATA, PICTURE = "data/biphasic-hertz.csv", "images/biphasic-hertz.svg"
+
+
+def biphasic_hertz(
+    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS / "hertz",
+) -> None:
+    """Press two thin biphasic layers together, on two meshes, and compare with the closed form."""
+    runner = Runner(RESULTS / "runs")
+    rows = []
+    for problem in growth_records.PROBLEMS:
+        own = growth_records.records(problem, runner)
+        rows += own
+        errors = growth_records.largest_errors(own, problem.load.points[1][0])
+        console.print(f"{problem.name}: " + ", ".join(f"{name} {error:.2%}" for name, error in errors.items()))
+    (folder / "data").mkdir(parents=True, exist_ok=True)
+    engine = provenance.engine_version(runner(growth_records.PROBLEMS[0].model()).log)
+    stamp = f"plugin {provenance.plugin_version()}, {engine}; mm, MPa, s; written by `biphasic-hertz`"
+    files.write_csv(rows, growth_records.Record, folder / DATA, stamp)
+    console.print(f"Written: {folder / DATA}, {figures.draw(rows, folder / PICTURE)}")
