@@ -163,8 +163,6 @@ def test_hertz_pressure_carries_the_force():
     assert hertz.pressure(1.1 * a, 0.1, 3.0, modulus) == 0.0
 
 
-<<<<<<< HEAD
-=======
 @pytest.mark.parametrize(("slope", "friction"), [(0.1, 0.3), (0.0, 0.3), (0.5, 0.0), (-0.1, 0.3)])
 def test_block_on_an_incline_is_in_balance(slope, friction):
     angle = np.arctan(slope)
@@ -234,7 +232,6 @@ def test_friction_under_a_plate_at_its_limits(phi):
     assert late == pytest.approx(1.0, abs=1e-9)
 
 
->>>>>>> friction-models
 def test_hertz_sphere_carries_the_force_and_has_no_gap():
     """The displacement below the middle of the pressure, (1/(pi E*)) INT p/s dA, is the approach."""
     force, radius, modulus = 0.1, 3.0, hertz.combined_modulus((1.0, 0.3), (2.0, 0.4))
@@ -338,75 +335,3 @@ def elastic_layer_edge(half_width: int, per_thickness: int) -> float:
 
 def test_the_edge_of_thin_layers_is_that_of_the_integral_equation():
     assert elastic_layer_edge(32, 8) == pytest.approx(biphasic_layers.EDGE, abs=0.02)
-<<<<<<< HEAD
-
-
-@pytest.mark.parametrize(("slope", "friction"), [(0.1, 0.3), (0.0, 0.3), (0.5, 0.0), (-0.1, 0.3)])
-def test_block_on_an_incline_is_in_balance(slope, friction):
-    angle = np.arctan(slope)
-    force, normal = (form(slope, friction) for form in (incline.force_over_weight, incline.normal_over_weight))
-    along, upward = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
-    total = np.array([force, -1.0]) + normal * (upward - friction * along)
-    np.testing.assert_allclose(total, 0.0, atol=1e-15)
-
-
-def test_block_on_an_incline_as_published():
-    assert incline.force_over_weight(0.1, 0.3) == pytest.approx(0.412371, abs=5e-7)
-    with pytest.raises(ValueError, match="stuck"):
-        incline.force_over_weight(2.0, 0.5)
-
-
-@pytest.mark.parametrize("ratio", [0.0, 0.3, 0.75, 1.0])
-def test_partial_slip_carries_the_tangential_force_within_the_bound(ratio):
-    a, bound = 0.2, 0.3
-    x = a * np.sin(np.linspace(-np.pi / 2, np.pi / 2, 20001))
-    q = cattaneo_mindlin.shear(x, a, ratio, bound)
-    assert np.trapezoid(q, x) == pytest.approx(ratio * np.pi * a * bound / 2.0, rel=1e-5, abs=1e-12)
-    assert np.all(q <= bound * np.sqrt(1.0 - (x / a) ** 2) + 1e-15)
-    assert q.max() == pytest.approx(cattaneo_mindlin.peak_shear(ratio, bound), rel=1e-3, abs=1e-12)
-
-
-def test_partial_slip_leaves_the_stick_zone_undeformed():
-    """The surface strain of a shear q is proportional to the principal value of INT q(s)/(x - s) ds, here by modes:
-    with x = a cos(t), q = a sum of sin(n t), that integral is -pi times the sum of cos(n t).
-    """
-    a, ratio = 1.0, 0.51
-    c = cattaneo_mindlin.stick_half_width(a, ratio)
-    points = 4000
-    s = a * np.cos(np.pi * (np.arange(points) + 0.5) / points)
-    q = cattaneo_mindlin.shear(s, a, ratio, 1.0)
-    x = np.linspace(-0.8, 0.8, 9) * c
-    modes = np.arange(1, 801)
-    weights = 2.0 / points * q @ np.sin(np.outer(np.arccos(s / a), modes))
-    strain = np.cos(np.outer(np.arccos(x / a), modes)) @ weights
-    np.testing.assert_allclose(strain, 0.0, atol=2e-3)
-    outside = np.cos(modes * np.arccos(0.9 * a)) @ weights
-    assert abs(outside) > 0.1
-
-
-def test_partial_slip_refuses_more_than_slides():
-    with pytest.raises(ValueError, match="from 0 to 1"):
-        cattaneo_mindlin.stick_half_width(1.0, 1.1)
-
-
-def test_friction_under_a_plate_follows_the_drainage():
-    """An independent solution of p_tau = p_zz, drained at z = 0 and sealed at z = 1: Crank-Nicolson after Euler."""
-    n, steps, end = 100, 400, 0.4
-    dt, h = end / steps, 1.0 / n
-    laplace = (np.diag(np.full(n, -2.0)) + np.diag(np.ones(n - 1), 1) + np.diag(np.ones(n - 1), -1)) / h**2
-    laplace[-1, -2] *= 2.0
-    p = np.ones(n)
-    for step in range(steps):
-        implicit = 1.0 if step < 4 else 0.5
-        p = np.linalg.solve(np.eye(n) - implicit * dt * laplace, p + (1.0 - implicit) * dt * laplace @ p)
-    assert sliding_plate.load_support(end) == pytest.approx(p[-1], abs=1e-4)
-    assert sliding_plate.relative_friction(end, 0.1) == pytest.approx(1.0 - 0.9 * p[-1], abs=1e-4)
-
-
-@pytest.mark.parametrize("phi", [0.0, 0.1, 0.5, 1.0])
-def test_friction_under_a_plate_at_its_limits(phi):
-    early, late = sliding_plate.relative_friction([1e-3, 10.0], phi)
-    assert early == pytest.approx(phi, abs=1e-12)
-    assert late == pytest.approx(1.0, abs=1e-9)
-=======
->>>>>>> friction-models
