@@ -76,7 +76,7 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
                   loads.flux(k, node), fields.primary.scalar(node, k));
     }
   }
-  GapReport report{traction.field_gap(), slip.field_gap(), {}};
+  GapReport report{traction.field_gap(), {}, slip.field_gap()};
   for (const GapSums& sums : flux) report.flux.push_back(sums.field_gap());
   return report;
 }

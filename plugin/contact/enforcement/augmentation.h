@@ -14,11 +14,11 @@ struct FieldGap {
   double largest = 0;   ///< largest |gap| or |jump| in contact, in the field's unit
 };
 
-/// Gaps of all fields: traction, friction, then each exchanged scalar field in the order of Effects.
+/// Gaps of all fields: traction, each exchanged scalar field in the order of Effects, friction.
 struct GapReport {
   FieldGap traction;
-  FieldGap slip;  ///< of nodes that stick
   IndexedVector<FieldGap> flux;
+  FieldGap slip = {};  ///< of nodes that stick
 };
 
 /// The larger of two values; not a number if one of them is none, so that a failed evaluation never looks converged.

@@ -213,7 +213,7 @@ void ContactInterface::for_each_coupling(const std::function<void(const Location
 
 GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  GapReport worst{{}, {}, IndexedVector<FieldGap>(effects_.scalar_fields())};
+  GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields())};
   for (const SidedPass& pass : passes_) {
     // Beside unknown multipliers penalties leave gaps of their own, which no augmentation closes.
     if (settings_.enforcement != pass.integral->enforcement()) continue;
