@@ -77,3 +77,14 @@ def test_restart_with_noticed_nodes(runner, tmp_path):
     assert "have contact conditions of their own" not in again.output  # known from the archive
     part = logdata.read_history(folder / model.node_file, model.node_columns)
     np.testing.assert_allclose(part.values, whole.nodes.values[13:], atol=1e-10, rtol=0.0)
+
+
+def test_a_run_that_was_ended_by_its_limit_is_no_failure_of_its_own():
+    """FEBio writes no number of iterations then; one that fails by itself has them."""
+    made = [
+        record.Record("touch-gap-element", mesh, "febio-1", False, 5, iterations, 0, 2, "", [])
+        for mesh, iterations in (("coarse", 0), ("fine", 30))
+    ]
+    assert "| FEBio, factor 1 | 2 | 0 | 1 | 1 | 0 | 4 |" in record.summary(made)
+    assert "ended by its limit, 5 / - / 2" in record.table(made)
+    assert "fails, 5 / 30 / 2" in record.table(made)
