@@ -258,7 +258,8 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
 }
 
 FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
-  return {has_friction(parameters_), dofs_.pressure(false) >= 0 && parameters_.contact_frac < 1 && has_fluid(materials)};
+  return {has_friction(parameters_),
+          dofs_.pressure(false) >= 0 && parameters_.contact_frac < 1 && has_fluid(materials)};
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {

@@ -122,11 +122,6 @@ def test_empty_surface(complaint):
     assert complaint(_model(), empty)
 
 
-def test_one_surface_against_itself(complaint):
-    said = complaint(_model(), lambda text: text.replace("<secondary>upper-bottom", "<secondary>lower-top"))
-    assert "surface" in said.lower()
-
-
 def test_inverted_facets(complaint):
     model = _model()
     mesh = model.mesh

@@ -93,7 +93,7 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
     const double band = rounding + (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
     const Vector3d trial = predicted.friction.trial.col(node);
     const double excess = slips[node]
-                              ? slip_excess(trial, bound[node], laws_.friction_reference(predicted.friction, node))
+                              ? slip_excess(trial, bound[node], predicted.friction.reference_of(node))
                               : trial.norm() - bound[node];
     if (std::abs(excess) > band) slips[node] = excess > 0;
   }

@@ -75,7 +75,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
 }
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
-  const NodeFlags open(space_.nodes(), false);
+  NodeFlags open(space_.nodes(), false);
   active_set_.start_counting();
   LinearisationPoint point = linearised_at(fields, {open, open, {}}, [&](const NodalLoads&) { return open; });
   point.geometric_traction = point.loads.traction;

@@ -71,11 +71,7 @@ FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) con
 FrictionTraction NodalLaws::friction_law(const NodalLoads& loads, Index node) const {
   const Vector3d trial = loads.friction.trial.col(node);
   if (!loads.slips[node]) return stick(trial);
-  return slip(trial, loads.friction.bound[node], friction_reference(loads.friction, node));
-}
-
-Vector3d NodalLaws::friction_reference(const NodalFriction& friction, Index node) const {
-  return (friction.reference.size() > 0 ? friction.reference : friction.trial).col(node);
+  return slip(trial, loads.friction.bound[node], loads.friction.reference_of(node));
 }
 
 void NodalLaws::load_friction(NodalLoads& loads) const {

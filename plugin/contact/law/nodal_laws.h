@@ -70,8 +70,6 @@ class NodalLaws {
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
-  /// The trial that an iteration began with; outside iterations the present one.
-  Vector3d friction_reference(const NodalFriction& friction, Index node) const;
   /// Friction of a node in contact, as its status has it.
   FrictionTraction friction_law(const NodalLoads& loads, Index node) const;
   /// Sets the friction of the nodes in contact as their status has it.

@@ -20,7 +20,8 @@ struct NodalGaps {
 struct ContactStatus {
   NodeFlags in_contact;
   NodeFlags flux_coupled;  ///< in contact, and so exchanging fluxes with the other side instead of with the ambient
-  NodeFlags slips = {};    ///< in contact, and sliding; empty where it has not been decided, and without friction
+  /// In contact, and sliding; empty where it has not been decided, and without friction.
+  NodeFlags slips = {};  // NOLINT(readability-redundant-member-init): so that lists of initial values may leave it out
 };
 
 /// Averages around nodes in contact that friction depends on, and what its law says there; empty without friction.
@@ -37,6 +38,8 @@ struct NodalFriction {
   Matrix3Xd traction;                         ///< t_T [MPa]; 0 out of contact
 
   bool empty() const { return slip.size() == 0; }
+  /// The trial that an iteration began with; outside iterations the present one.
+  Vector3d reference_of(Index node) const { return (reference.size() > 0 ? reference : trial).col(node); }
   /// n_a
   Vector3d normal(Index node) const { return area_vector.col(node).normalized(); }
 };
