@@ -60,7 +60,7 @@ bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector
 }
 
 /// What a mesh holds where a body may meet itself.
-void set_identity(SurfaceMesh& mesh, FESurface& surface, const std::vector<FacetMaterial>& materials) {
+void set_identity(SurfaceMesh& mesh, const FESurface& surface, const std::vector<FacetMaterial>& materials) {
   for (int i = 0; i < surface.Nodes(); ++i) mesh.node_ids.push_back(surface.NodeIndex(i));
   mesh.thickness.resize(count_of(materials));
   for (Index f = 0; f < mesh.thickness.size(); ++f) mesh.thickness[f] = mixture_contact::at(materials, f).thickness;

@@ -85,12 +85,13 @@ double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n
 /// The modulus along x of the first element of a domain; 0 where it has none.
 double modulus_of(FEDomain& domain) {
   if (dynamic_cast<FESolidDomain*>(&domain) == nullptr || domain.Elements() == 0) return 0;
-  FEMaterial& material = *domain.GetMaterial();
-  if (const auto* rigid = dynamic_cast<const FERigidMaterial*>(&material))
+  FEMaterial* const material = domain.GetMaterial();
+  if (material == nullptr) return 0;
+  if (const auto* rigid = dynamic_cast<const FERigidMaterial*>(material))
     return rigid->m_E / (1 - rigid->m_v * rigid->m_v);
-  if (material.ExtractProperty<FEElasticMaterial>() == nullptr) return 0;
+  if (material->ExtractProperty<FEElasticMaterial>() == nullptr) return 0;
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(*domain.ElementRef(0).GetMaterialPoint(0));
-  const double modulus = stiffness_of(material, *point, {1, 0, 0});
+  const double modulus = stiffness_of(*material, *point, {1, 0, 0});
   return std::isfinite(modulus) ? modulus : 0;
 }
 

@@ -66,10 +66,12 @@ void complain_of_unknown(std::vector<std::string>& list, const ContactParameters
 
 void complain_of_friction(std::vector<std::string>& list, const ContactParameters& p) {
   require_not_negative(list, "fric_coeff", p.fric_coeff);
-  if (!(p.contact_frac >= 0 && p.contact_frac <= 1)) {
+  const bool is_part = p.contact_frac >= 0 && p.contact_frac <= 1;
+  if (!is_part) {
     list.emplace_back("<contact_frac> is " + std::to_string(p.contact_frac) + "; it must lie between 0 and 1.");
   }
-  if (!(std::isfinite(p.tangential_penalty) && p.tangential_penalty > 0)) {
+  const bool is_positive = std::isfinite(p.tangential_penalty) && p.tangential_penalty > 0;
+  if (!is_positive) {
     list.emplace_back(
         "<tangential_penalty> is " + std::to_string(p.tangential_penalty) +
         "; it must be a positive number, the factor of the tangential penalty over that of the traction.");

@@ -189,7 +189,8 @@ def test_what_is_left_out_is_not_exchanged(runner, effects):
         ("s2", '<effects> asks for s2, which this contact cannot exchange: "upper-bottom" does not have it'),
         (
             "solvent, salt",
-            '<effects> names "salt"; allowed: "all", or names out of traction, friction, solutes, solvent, solute 1 (s1)',
+            '<effects> names "salt"; allowed: "all", or names out of traction, friction, solutes, solvent, '
+            "solute 1 (s1)",
         ),
         ("solvent,,s1", '<effects> names ""; allowed'),
     ],

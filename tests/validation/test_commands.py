@@ -48,6 +48,8 @@ SMALL = {
     "scripts/mixcontact price": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
     "scripts/mixcontact engines": "scripts/mixcontact engines --help",
+    "scripts/mixcontact friction-cases": "{harness} friction-cases --help",
+    "scripts/mixcontact friction-cases --only reversal --mesh coarse --no-febio": "{harness} friction-cases --help",
     "scripts/mixcontact hard-cases": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",

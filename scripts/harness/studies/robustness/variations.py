@@ -73,6 +73,20 @@ def watched(model: Feb) -> Feb:
     return made
 
 
+def with_given_penalty(model: Feb) -> Feb:
+    """The same model with the factor on the traction that the plugin chooses by itself.
+
+    An automatic one is reduced after a failed step, one that is given never.
+    """
+    made = model.copy()
+    for contact in made.root.iter("contact"):
+        if contact.get("type") == "sliding-mixture" and contact.find("penalty") is None:
+            two_pass = xml.number(contact, "two_pass", 0.0) != 0.0
+            xml.put(contact, "auto_penalty", 1)
+            xml.put(contact, "penalty", 100 if two_pass else 1000)
+    return made
+
+
 def cut_back(model: Feb, step: float) -> Feb:
     """The same model in steps of equal size, each third of which cannot converge at the time that it first aims at.
 
@@ -90,7 +104,7 @@ def cut_back(model: Feb, step: float) -> Feb:
 
 def starved(model: Feb, matrices: int) -> Feb:
     """The same model with so few matrices in a step that steps which need more iterations are cut back."""
-    made = model.copy()
+    made = with_given_penalty(model)
     for control in made.controls:
         xml.put(xml.only(control, "solver"), "max_refs", matrices)
         if control.find("time_stepper") is None:
