@@ -6,7 +6,7 @@ import pytest
 
 from harness.pages import scene_results
 from harness.studies.real_models import comparison
-from harness.studies.real_models.collection_of_scenes import SCENES
+from harness.studies.real_models.all_scenes import SCENES
 
 QUICK = ("material-Mooney-Rivlin", "elements-tet10", "two-pass-augmented", "rigid-free", "multiphasic")
 TIMEOUT = 300.0
@@ -25,7 +25,7 @@ def test_there_are_scenes_of_every_kind():
     "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in SCENES]
 )
 def test_a_scene_runs_as_with_febios_interface(name, tmp_path):
-    row = comparison.compare(name, SCENES[name].about, SCENES[name].model(name), tmp_path, TIMEOUT)
+    row = comparison.compare(name, SCENES[name], tmp_path, TIMEOUT)
     for ours in (row.converted, row.defaults):
         assert ours.ended, ours.why
         if not row.febio.ended:
