@@ -259,6 +259,7 @@ def _loads() -> dict[str, Scene]:
         "sphere-tet4": replace(
             basic, about="spherical block of tetrahedra", shape=Shape.SPHERE, elements=Elements.TET4
         ),
+        "finer": replace(basic, about="bodies of hex8, twice as fine", fineness=2),
         "slab-primary": replace(basic, about="the slab as primary surface", primary="slab"),
         "sliding": replace(basic, about="the block slides after it is pressed", slides=True),
         "sliding-tet10": replace(basic, about="sliding, tet10", slides=True, elements=Elements.TET10),
@@ -306,6 +307,7 @@ def _mixtures() -> dict[str, Scene]:
     )
     return {
         "biphasic": wet,
+        "biphasic-finer": replace(wet, about="biphasic bodies, twice as fine", fineness=2),
         "biphasic-sliding": replace(wet, about="biphasic bodies, sliding", slides=True),
         "biphasic-two-pass": replace(wet, about="biphasic, two passes", params=(*wet.params, TWO_PASS)),
         "biphasic-tet4": replace(wet, about="biphasic tetrahedra", elements=Elements.TET4),

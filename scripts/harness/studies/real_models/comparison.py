@@ -18,8 +18,11 @@ from harness.pages.scene_results import Row, Took
 from harness.run import engine, febio_log, logdata
 
 POSITIONS, DISPLACEMENTS = ("x", "y", "z"), ("ux", "uy", "uz")
+DISPLACEMENT = "displacement"
 PENALTIES = ("auto_penalty", "penalty", "pressure_penalty", "concentration_penalty")
-State = dict[str, NDArray[np.float64]]
+Array = NDArray[np.float64]
+State = dict[str, Array]
+"""By kind."""
 
 
 class Written(Protocol):
@@ -56,7 +59,7 @@ def _converted(original: Path, timeout: float, state: State | None, kept: bool) 
         return Took(ended=False, why=f"not converted: {error}")
     if not kept:
         without_penalties(path)
-    return replace(_run(path, timeout, plugin=True), difference=_difference(state, _state(path)))
+    return _compared(_run(path, timeout, plugin=True), state, _state(path))
 
 
 def without_penalties(path: Path) -> None:
@@ -75,13 +78,17 @@ def _run(path: Path, timeout: float, plugin: bool) -> Took:
     return Took(report.normal, report.steps, report.iterations, report.retries, why=why)
 
 
-def _difference(febio: State | None, ours: State | None) -> float:
+def _compared(took: Took, febio: State | None, ours: State | None) -> Took:
     if febio is None or ours is None or febio.keys() != ours.keys():
-        return math.nan
-    size = {kind: np.abs(febio[kind]).max() for kind in febio}
-    return max(
-        (float(np.abs(ours[kind] - febio[kind]).max() / size[kind]) for kind in febio if size[kind] > 0), default=0.0
-    )
+        return took
+    apart = {kind: _difference(febio[kind], ours[kind]) for kind in febio}
+    displacement = apart.pop(DISPLACEMENT, math.nan)
+    return replace(took, difference=displacement, of_fields=max(apart.values(), default=math.nan))
+
+
+def _difference(febio: Array, ours: Array) -> float:
+    size = np.abs(febio).max()
+    return float(np.abs(ours - febio).max() / size) if size > 0 else 0.0
 
 
 def _reason(report: febio_log.Report) -> str:
@@ -98,7 +105,7 @@ def _state(path: Path) -> State | None:
         history = logdata.read_history(path.parent / str(logged.get("file")), columns)
     except HarnessError:
         return None
-    kinds = {column: "displacement" if column in DISPLACEMENTS else column for column in columns}
+    kinds = {column: DISPLACEMENT if column in DISPLACEMENTS else column for column in columns}
     return {
         kind: np.stack([history[column][-1] for column in columns if kinds[column] == kind], axis=-1)
         for kind in dict.fromkeys(kinds.values())
