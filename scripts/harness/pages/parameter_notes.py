@@ -301,7 +301,7 @@ NOTES = {
     ),
     "shell_bottom_primary": Note(
         "The back faces of the shells that the primary surface lies on: a thickness behind their nodes, along the "
-        "director. An error on solid elements.",
+        "director. Facets may be listed as either face has them. An error on solid elements.",
         febio="forces act on the front face",
     ),
     "shell_bottom_secondary": Note("The same for the secondary surface.", febio="forces act on the front face"),

@@ -166,6 +166,8 @@ def facing(joint: Joint) -> Iterator[Finding]:
     """Surfaces that do not face each other anywhere."""
     if not all(len(side.surface.corners) for side in joint.sides) or any(side.inverted.any() for side in joint.sides):
         return
+    if any(side.at_back for side in joint.sides):
+        return
     if any(_sees(side, other)[1].any() for side, other in (joint.sides, joint.sides[::-1])):
         return
     pair = joint.contact.pair
