@@ -207,8 +207,8 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
                 "side-faces",
                 side.surface.facet_tags[facets[0]],
                 f"surface '{side.surface.name}' has {_facets(len(facets))} beyond a sharp edge or on another side, "
-                "facing away from the other body. There it may find the far side of a thin body, and the bath wets it",
-                "Leave side and far faces out of the surface, unless the bath is meant to wet them.",
+                "facing away from the other body. There it may find a thin body's far side, or is at ambient values",
+                "Leave side and far faces out of the surface, unless they are meant to have the ambient values.",
             )
 
 

@@ -314,7 +314,7 @@ def _mixtures() -> dict[str, Scene]:
         "biphasic-hex20": replace(wet, about="biphasic hex20", elements=Elements.HEX20),
         "biphasic-under-rigid": replace(wet, about="a rigid block on a biphasic slab", block=Rigid(), primary="slab"),
         "biphasic-creep": replace(wet, about="a free rigid block on a biphasic slab", block=Rigid(), force=0.05),
-        "biphasic-sealed": replace(
+        "biphasic-impermeable": replace(
             wet, about="porous bodies behind sliding-elastic", contact="sliding-elastic", params=_penalty(10.0)
         ),
         "solute": replace(solute, about="a solute crosses"),
