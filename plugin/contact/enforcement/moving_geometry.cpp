@@ -54,6 +54,7 @@ std::size_t bytes_of(const IndexedVector<std::vector<TangentBlock>>& pairs) {
 }  // namespace
 
 void MovingGeometry::update(const FacingPositions& x) {
+  geometric_.reset();
   if (!point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
 }
@@ -77,7 +78,7 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Cont
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
   // Both parts of the tangent are of the same points, whose variations cost more than what is made of them.
   const IndexedVector<FacetPair>& pairs = space_.facing().pairs();
-  IndexedVector<std::vector<TangentBlock>> geometric(pairs.count());
+  GeometricPart geometric(pairs.count());
   const auto use = [&](Index pair, const std::vector<VaryingPoint>& points) {
     geometric[pair] = geometric_tangent(space_, pairs[pair], points);
   };
@@ -86,9 +87,8 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   point_ = std::move(point);
 }
 
-bool MovingGeometry::is_at_point(const FacingFields& fields) const {
-  return point_ && point_->primary.position == fields.primary.position &&
-         point_->secondary.position == fields.secondary.position;
+bool MovingGeometry::holds_geometric(const FacingPositions& x) const {
+  return geometric_ && point_->primary.position == x.primary && point_->secondary.position == x.secondary;
 }
 
 NodeFlags MovingGeometry::updated_status(const FacingFields& fields) const {
@@ -144,7 +144,7 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
 
 void MovingGeometry::end_iterations() {
   point_.reset();
-  geometric_ = {};
+  geometric_.reset();
   space_.boundary_weights().settle();
   space_.facing().end_iterations();
 }
@@ -209,8 +209,8 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlo
   if (!point_) present = linearise(space_, now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, point_ ? point_->nodes : present, now, weights, dt, add);
-  if (is_at_point(fields)) {
-    for (const std::vector<TangentBlock>& blocks : geometric_) add_geometric(blocks, dt, add);
+  if (holds_geometric(positions(fields))) {
+    for (const std::vector<TangentBlock>& blocks : *geometric_) add_geometric(blocks, dt, add);
   } else {
     geometric_tangents(space_, point_ ? geometric_loads(*point_) : now, fields, dt, add);
   }
@@ -227,7 +227,8 @@ void MovingGeometry::for_each_coupling(const FacingPositions& x, const UsePatch&
 }
 
 std::size_t MovingGeometry::memory() const {
-  return point_ ? point_->memory() + bytes_of(geometric_) + active_set_.memory() : 0;
+  const std::size_t geometric = geometric_ ? bytes_of(*geometric_) : 0;
+  return point_ ? point_->memory() + geometric + active_set_.memory() : 0;
 }
 
 }  // namespace mixture_contact
