@@ -6,6 +6,7 @@
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
 #include "host/linear_solvers.h"
+#include "host/parameter_groups.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
@@ -36,18 +37,31 @@ const char* unit_of(Unit unit) {
   return UNIT_NONE;
 }
 
+/// Opens the group that the parameter belongs to; what has none is hidden.
+template <class Add>
+FEParam* in_its_group(FEParamContainer& owner, const char* name, const Add& add) {
+  const char* const heading = parameter_group(name);
+  owner.BeginParameterGroup(heading);
+  FEParam* const parameter = add();
+  owner.EndParameterGroup();
+  if (heading == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
+  return parameter;
+}
+
 }  // namespace
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) {
-    FEParam* parameter = AddParameter(value, tag.name);
+    FEParam* parameter = in_its_group(*this, tag.name, [&] { return AddParameter(value, tag.name); });
     parameter->setLongName(tag.long_name)->setUnits(unit_of(tag.unit));
     parameter->SetWatchVariable(tag.given);
     if (tag.choices != nullptr) parameter->setEnums(tag.choices);
   });
+  BEGIN_PARAM_GROUP(parameter_group("ambient_pressure"));
   ADD_PARAMETER(parameters_.ambient_pressure, "ambient_pressure")
       ->setUnits(UNIT_PRESSURE)
       ->setLongName("ambient pressure");
+  END_PARAM_GROUP();
   ADD_PROPERTY(ambient_concentrations_, "ambient_concentration", FEProperty::Optional)
       ->SetDefaultType("mixture_ambient_concentration")
       .SetLongName("ambient concentration");

@@ -72,7 +72,7 @@ GROUPS = (
         ),
     ),
     Group(
-        "Bath",
+        "Ambient values",
         "What wets the nodes that are not in contact; see [ambient conditions](user-guide.md#ambient-conditions).",
         ("free_draining", "ambient_pressure", "ambient_concentration"),
     ),
