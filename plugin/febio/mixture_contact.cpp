@@ -10,6 +10,7 @@
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
+#include <FECore/FECoreKernel.h>
 #include <FECore/FEException.h>
 #include <FECore/FELinearConstraintManager.h>
 #include <FECore/FEModel.h>
@@ -174,10 +175,12 @@ void FEMixtureContact::judge_linear_solver() const {
   FEModel& model = *GetFEModel();
   for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
     auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
-    LinearSolver* const linear = solver == nullptr ? nullptr : solver->GetLinearSolver();
-    if (linear == nullptr) continue;
+    if (solver == nullptr) continue;
+    LinearSolver* const chosen = solver->GetLinearSolver();
+    const std::string type =
+        chosen == nullptr ? FECoreKernel::GetInstance().GetLinearSolverType() : chosen->GetTypeStr();
     const MatrixKind matrix{solver->m_msymm == REAL_SYMMETRIC, core().pass(0).has_unknown_multipliers()};
-    const std::string complaint = linear_solver_complaint(linear->GetTypeStr(), matrix);
+    const std::string complaint = linear_solver_complaint(type, matrix);
     if (!complaint.empty()) return log_.say(complaint);
   }
 }

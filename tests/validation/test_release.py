@@ -83,8 +83,9 @@ def test_models_and_licence_are_installed(prefix):
     } <= installed
 
 
-def test_the_archive_is_named_by_plugin_and_sdk(archive):
-    name = rf"FEBioMixtureContact-{re.escape(provenance.plugin_version())}-febio-sdk-\d+\.\d+\.\d+-\w+-\w+\.tar\.gz"
+def test_the_archive_is_named_by_plugin_febio_and_sdk(archive):
+    febio = r"febio-\d+\.\d+\.\d+-sdk-\d+\.\d+\.\d+"
+    name = rf"FEBioMixtureContact-{re.escape(provenance.plugin_version())}-{febio}-\w+-\w+\.tar\.gz"
     assert re.fullmatch(name, archive.name)
 
 
