@@ -34,7 +34,7 @@ PAGES: dict[str, Callable[[], str]] = {
 def pages(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation anew: parameters, gallery, verification report, real models, linear solvers."""
+    """Write the generated pages of the documentation anew: parameters, gallery, report, real models, linear solvers."""
     for name, text in PAGES.items():
         path = DOCS / name
         made = text()
