@@ -43,6 +43,21 @@ def test_solvers_end_as_in_the_table(scene, enforcement, runner, tmp_path):
         assert warned == (trial.solver in SYMMETRIC_ONLY)
 
 
+@pytest.mark.mixture_only
+def test_the_log_judges_the_solver_that_febio_takes_by_default(runner, tmp_path):
+    model = MODELS["creep"]("PENALTY").write(tmp_path)
+    settings = tmp_path / "febio.xml"
+    settings.write_text(
+        '<?xml version="1.0" encoding="ISO-8859-1"?>\n<febio_config version="3.0">\n'
+        '<default_linear_solver type="skyline"></default_linear_solver>\n</febio_config>\n'
+    )
+    command = engine.command(model, engine.required_plugin(), ["-config", settings.name])
+    assert (
+        "the linear solver 'skyline' solves symmetric matrices only"
+        in engine.execute(command, tmp_path, check=False).output
+    )
+
+
 def ended(output: str, normal: bool = False) -> engine.Run:
     return engine.Run(DOCS, Report(normal, 0, 0, 0, 0, 0, 0), output, 0.0, 0.0)
 
