@@ -30,9 +30,11 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  /// Decides which nodes slide from the loads at a state.
-  using DecideSlip = std::function<NodeFlags(const NodalLoads& now)>;
-  LinearisationPoint linearised_at(const FacingFields& fields, ContactStatus status, const DecideSlip& slip) const;
+  /// Decides about friction from the loads at a state.
+  using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
+  LinearisationPoint linearised_at(const FacingFields& fields, ContactStatus status, const DecideFriction& decide,
+                                   const NodalLoads* predicted) const;
+  IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
   NodeFlags updated_status(const FacingFields& fields) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
