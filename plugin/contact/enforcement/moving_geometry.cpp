@@ -3,6 +3,7 @@
 #include "base/bytes.h"
 #include "base/parallel.h"
 #include "enforcement/virtual_work.h"
+#include "mortar/trial_variation.h"
 #include "mortar/varying_pairs.h"
 
 #include <algorithm>
@@ -60,13 +61,15 @@ void MovingGeometry::update(const FacingPositions& x) {
 }
 
 LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, ContactStatus status,
-                                                const DecideSlip& slip) const {
+                                                const DecideFriction& decide, const NodalLoads* predicted) const {
   LinearisationPoint point;
   point.loads = space_.averages(fields, std::move(status));
   method_.load(point.loads);
   if (!point.loads.friction.empty()) {
-    point.loads.slips = slip(point.loads);
-    point.loads.friction.reference = point.loads.friction.trial;
+    FrictionStatus decided = decide(point.loads);
+    point.loads.slips = std::move(decided.slips);
+    point.loads.rubs = std::move(decided.rubs);
+    laws_.refer_friction(point.loads, predicted);
     laws_.load_friction(point.loads);
   }
   point.primary = fields.primary;
@@ -83,12 +86,19 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
     geometric[pair] = geometric_tangent(space_, pairs[pair], points);
   };
   point.nodes = linearise(space_, point.loads, fields, geometric_loads(point), use);
+  vary_trials(laws_, point.loads, point.nodes);
   geometric_ = std::move(geometric);
   point_ = std::move(point);
 }
 
 bool MovingGeometry::holds_geometric(const FacingPositions& x) const {
   return geometric_ && point_->primary.position == x.primary && point_->secondary.position == x.secondary;
+}
+
+IndexedVector<NodeLinearisation> MovingGeometry::linearised(const NodalLoads& loads, const FacingFields& fields) const {
+  IndexedVector<NodeLinearisation> nodes = linearise(space_, loads, fields);
+  vary_trials(laws_, loads, nodes);
+  return nodes;
 }
 
 NodeFlags MovingGeometry::updated_status(const FacingFields& fields) const {
@@ -103,11 +113,12 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   space_.update_boundary_weights(positions(fields));
   const NodalLoads before = loads(fields);
   if (!predicted) active_set_.start_counting();
-  const auto slip = [&](const NodalLoads& now) {
-    return predicted ? active_set_.next_slip(before, now) : active_set_.initial_slip(now);
+  const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
+    if (!predicted) return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
+    return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
   LinearisationPoint next = evaluated_at(fields, active_set_.next(before.in_contact, updated_status(fields), predicted),
-                                         slip);
+                                         decide, predicted ? &before : nullptr);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
   const bool augmented = std::exchange(augmented_, false);
@@ -116,6 +127,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
                        before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||
+                       (predicted && before.rubs != next.loads.rubs) ||
                        differ(before, next.loads, active_set_.options().same_load, fields);
   hold(std::move(next), fields);
   return changed;
@@ -124,7 +136,8 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
 void MovingGeometry::start_inactive(const FacingFields& fields) {
   NodeFlags open(space_.nodes(), false);
   active_set_.start_counting();
-  LinearisationPoint point = evaluated_at(fields, {open, open, {}}, [&](const NodalLoads&) { return open; });
+  LinearisationPoint point = evaluated_at(
+      fields, {open, open, {}}, [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
   point.geometric_traction = point.loads.traction;
   point.geometric_flux = point.loads.flux;
   point.geometric_friction = point.loads.friction.traction;
@@ -133,9 +146,11 @@ void MovingGeometry::start_inactive(const FacingFields& fields) {
 
 void MovingGeometry::relinearise(const FacingFields& fields) {
   if (!point_) return;
-  const auto slip = [&](const NodalLoads& now) { return active_set_.moved_slip(point_->loads, now); };
+  const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
+    return {active_set_.moved_slip(point_->loads, now), active_set_.moved_rubs(point_->loads, now)};
+  };
   LinearisationPoint next = evaluated_at(fields, active_set_.moved(point_->loads, space_.gaps(positions(fields))),
-                                         slip);
+                                         decide, &point_->loads);
   next.geometric_traction = point_->loads.traction;
   next.geometric_flux = point_->loads.flux;
   next.geometric_friction = point_->loads.friction.traction;
@@ -155,6 +170,7 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
+  if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
   NodalLoads now = space_.averages(fields, point_->loads.status());
   method_.load(now);
   return !differ(predicted, now, active_set_.options().solution_load, fields);
@@ -177,7 +193,7 @@ bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, doub
 NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
   if (point_) return method_.predicted_loads(*point_, fields);
   const NodeFlags status = initial_status(positions(fields));
-  NodalLoads loads = space_.averages(fields, {status, status, {}});
+  NodalLoads loads = space_.averages(fields, {status, status});
   method_.load(loads);
   loads.traction = laws_.admissible(loads.traction);
   return loads;
@@ -206,7 +222,7 @@ void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVe
 void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
   const NodalLoads now = loads(fields);
   IndexedVector<NodeLinearisation> present;
-  if (!point_) present = linearise(space_, now, fields);
+  if (!point_) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, point_ ? point_->nodes : present, now, weights, dt, add);
   if (holds_geometric(positions(fields))) {

@@ -217,6 +217,7 @@ VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
 void predict(NodalFriction& friction, Index node, const NodeLinearisation& linear, const VectorXd& moved,
              const FacingFields& change) {
   friction.slip.col(node) += linear.friction.slip_variation * moved;
+  friction.trial.col(node) += linear.friction.trial_variation * moved;
   friction.area_vector.col(node) += linear.friction.area_vector_variation * moved;
   friction.convection[node] += convection_change(linear, moved);
   if (!linear.friction.has_fluid()) return;
@@ -236,7 +237,8 @@ SurfaceFields change(const SurfaceFields& from, const SurfaceFields& to) {
 
 std::size_t bytes_of(const NodalFriction& friction) {
   return bytes(friction.slip) + bytes(friction.area_vector) + bytes(friction.pressure) + bytes(friction.convection) +
-         bytes(friction.trial) + bytes(friction.reference) + bytes(friction.bound) + bytes(friction.traction);
+         bytes(friction.trial) + bytes(friction.reference) + bytes(friction.reference_bound) +
+         bytes(friction.geometric) + bytes(friction.bound) + bytes(friction.traction);
 }
 
 std::size_t bytes_of(const NodalLoads& loads) {
@@ -245,8 +247,9 @@ std::size_t bytes_of(const NodalLoads& loads) {
 }
 
 std::size_t bytes_of(const NodeLinearisation::Friction& friction) {
-  return bytes(friction.slip_variation) + bytes(friction.area_vector_variation) + bytes(friction.convection) +
-         bytes(friction.work) + bytes(friction.pressure_variation) + bytes(friction.pressure_weights);
+  return bytes(friction.slip_variation) + bytes(friction.area_vector_variation) + bytes(friction.trial_variation) +
+         bytes(friction.convection) + bytes(friction.work) + bytes(friction.pressure_variation) +
+         bytes(friction.pressure_weights);
 }
 
 std::size_t bytes_of(const SurfaceFields& fields) { return bytes(fields.position) + bytes(fields.scalar); }
