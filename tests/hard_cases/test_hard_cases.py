@@ -82,7 +82,7 @@ def test_restart_with_noticed_nodes(runner, tmp_path):
 def test_a_run_that_was_ended_by_its_limit_is_no_failure_of_its_own():
     """FEBio writes no number of iterations then; one that fails by itself has them."""
     made = [
-        record.Record("touch-gap-element", mesh, "febio-1", False, 5, iterations, 0, 2, "", [])
+        record.Record("touch-gap-element", mesh, "febio-1", False, 0.3, 5, iterations, 0, 2, "", [])
         for mesh, iterations in (("coarse", 0), ("fine", 30))
     ]
     assert "| FEBio, factor 1 | 2 | 0 | 1 | 1 | 0 | 4 |" in record.summary(made)

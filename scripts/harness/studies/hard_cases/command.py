@@ -19,8 +19,8 @@ from harness.studies.hard_cases.record import Record
 from harness.studies.hard_cases.scene import Fineness, Interface
 
 console = Console(highlight=False, soft_wrap=True)
-TIMEOUT = 120.0
-"""s of wall time for one run."""
+LIMIT = 120.0
+"""s of processor time for one run, the same for all interfaces."""
 
 
 def hard_cases(
@@ -29,7 +29,7 @@ def hard_cases(
     interface: Annotated[list[Interface] | None, typer.Option(help="With this interface alone.")] = None,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "hard-cases",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
     """Run the hard cases on two meshes with sliding-mixture and FEBio's interfaces, and write the table.
@@ -46,8 +46,8 @@ def hard_cases(
             made.value,
             "--interface",
             each.value,
-            "--timeout",
-            str(timeout),
+            "--limit",
+            str(limit),
         )
         for made, case, each in product(mesh or Fineness, only or CASES, interface or Interface)
     }
@@ -68,10 +68,10 @@ def hard_case(
     mesh: Annotated[Fineness, typer.Argument(help="Which mesh.")] = Fineness.COARSE,
     interface: Annotated[list[Interface] | None, typer.Option(help="This interface alone; may be repeated.")] = None,
     out: Annotated[Path | None, typer.Option(help="Where the records go, as JSON.")] = None,
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
 ) -> None:
     """Run one hard case on one mesh and print its checks."""
-    runner = Runner(RESULTS / "hard-cases" / "runs", timeout=timeout)
+    runner = Runner(RESULTS / "hard-cases" / "runs", processor_limit=limit)
     made = [record.make(runner, name, mesh, each) for each in interface or Interface]
     for entry in made:
         _tell(entry)

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from harness.errors import DataFileError, HarnessError
 from harness.post.compare import Measure
-from harness.run import diagnosis
-from harness.run.runner import Runner
+from harness.run import diagnosis, febio_log
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases import invariants
 from harness.studies.hard_cases.catalogue import CASES
 from harness.studies.hard_cases.scene import Fineness, Interface
@@ -27,6 +27,8 @@ class Record:
     case, mesh, interface : str
     ended : bool
         Whether the run ended normally.
+    reached : float
+        Part of the case's time that was reached.
     steps, iterations, residuals, retries : int
     failures : str
         How attempts failed.
@@ -38,6 +40,7 @@ class Record:
     mesh: str
     interface: str
     ended: bool
+    reached: float
     steps: int
     iterations: int
     residuals: int
@@ -86,6 +89,7 @@ def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Rec
         mesh.value,
         interface.value,
         report.normal,
+        _reached(run),
         report.steps,
         report.iterations,
         report.residuals,
@@ -93,6 +97,13 @@ def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Rec
         diagnosis.summary(run.log),
         measures,
     )
+
+
+def _reached(run: RunResult) -> float:
+    """Part of a run's time after which a step last converged."""
+    times = febio_log.CONVERGED.findall(run.log)
+    control = run.model.control
+    return min(1.0, float(times[-1]) / (control.end or control.steps * control.step)) if times else 0.0
 
 
 def write(records: Sequence[Record], path: Path) -> None:
