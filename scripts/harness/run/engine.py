@@ -19,9 +19,6 @@ from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoun
 from harness.paths import PLUGIN_NAME, PLUGIN_VARIABLE, is_checkout, plugin_library
 from harness.run import febio_log
 
-if sys.platform == "linux":
-    import resource
-
 Progress = Callable[[float], None]
 """Called with the time (s) that a run has reached."""
 _THREADS = "OMP_NUM_THREADS"
@@ -159,6 +156,22 @@ def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()
     return [str(find_engine()), "-i", model.name, *options, *load]
 
 
+def limited(command: Sequence[str], seconds: float | None) -> list[str]:
+    """The same command line, ended by the system after so much processor time, which other work does not change.
+
+    Raises
+    ------
+    EngineFailedError
+        Where the system has no ``prlimit`` for it.
+    """
+    if seconds is None:
+        return list(command)
+    program = shutil.which("prlimit")
+    if program is None:
+        raise EngineFailedError("a limit of processor time needs the program prlimit (util-linux), which is not here")
+    return [program, f"--cpu={math.ceil(seconds)}", *command]
+
+
 def restart(archive: Path, *, plugin: Path | None = None, check: bool = True, timeout: float | None = None) -> Run:
     """Continue from a dump file, in its folder; data and plot files are continued as well.
 
@@ -191,12 +204,10 @@ def execute(
     progress: Progress | None = None,
     check: bool = True,
     timeout: float | None = None,
-    processor_limit: float | None = None,
 ) -> Run:
     """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise; see `run`.
 
-    A run that takes longer than `timeout` s, or more than `processor_limit` s of processor time, is ended, and then
-    did not end normally. The latter is the same on a busy machine.
+    A run that takes longer than `timeout` s is ended, and then did not end normally.
     """
     environment = {_THREADS: "1", **os.environ}
     start = time.perf_counter()
@@ -210,8 +221,6 @@ def execute(
         text=True,
         errors="replace",
     ) as process:
-        if processor_limit is not None:
-            _limit_processor_time(process.pid, processor_limit)
         watch = threading.Timer(timeout, process.kill) if timeout is not None else None
         if watch:
             watch.start()
@@ -223,19 +232,6 @@ def execute(
     if check and (code != 0 or not finished.report.normal):
         raise EngineFailedError(_complaint(command, finished, code))
     return finished
-
-
-if sys.platform == "linux":
-
-    def _limit_processor_time(process: int, seconds: float) -> None:
-        """The system ends a process that has taken so much."""
-        resource.prlimit(process, resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds)))
-
-else:
-
-    def _limit_processor_time(process: int, seconds: float) -> None:
-        """Limits of processor time of another process are there on Linux alone."""
-        raise EngineFailedError(f"process {process}: a limit of {seconds:g} s of processor time needs Linux")
 
 
 if sys.platform == "win32":

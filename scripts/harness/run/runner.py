@@ -134,16 +134,9 @@ class Runner:
         with suppress(FileNotFoundError):
             shutil.rmtree(folder)
         path = model.write(folder)
-        command = self.host.command(path, needs_plugin(model), options)
+        command = engine.limited(self.host.command(path, needs_plugin(model), options), self.processor_limit)
         progress = self._progress(model)
-        finished = engine.execute(
-            command,
-            folder,
-            progress=progress,
-            check=False,
-            timeout=self.timeout,
-            processor_limit=self.processor_limit,
-        )
+        finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
         done = {"report": asdict(finished.report), "wall": finished.wall, "cpu": finished.cpu}
         (folder / "done.json").write_text(json.dumps(done))

@@ -31,7 +31,7 @@ class Fineness(str, Enum):
 
 
 class Interface(str, Enum):
-    """What joins the bodies: the plugin's, as it comes or with its predictor, or FEBio's with a factor on its penalties.
+    """What joins the bodies: the plugin's interface, without or with its predictor, or FEBio's with a factor.
 
     FEBio's interfaces need such a factor, because their default is the number 1 in the units of the model. 1 is what
     runs most easily, 1000 what is about as accurate as the plugin's default.
