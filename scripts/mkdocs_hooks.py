@@ -23,6 +23,6 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 
 def on_page_markdown(markdown: str, page: Page, **_: object) -> str:
     """CONTRIBUTING.md as a page of the site, which stands a folder deeper."""
-    if page.file.src_uri != "contributing.md":
+    if page.file.src_uri != "development/contributing.md":
         return markdown
-    return (REPOSITORY / "CONTRIBUTING.md").read_text(encoding="utf-8").replace("](docs/", "](")
+    return (REPOSITORY / "CONTRIBUTING.md").read_text(encoding="utf-8").replace("](docs/", "](../")

@@ -9,6 +9,7 @@ import pytest
 
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
+from harness.run.provenance import Stamp
 from harness.studies import files
 from harness.studies.cost import command, interleaved, pareto
 from harness.studies.cost.interleaved import Timing
@@ -44,13 +45,13 @@ def test_the_answer_is_the_cheapest_that_is_good_enough():
 
 
 def test_a_table_is_read_back(tmp_path):
-    files.write_csv(DATA, Datum, tmp_path / "cost.csv", "a comment")
+    files.write_csv(DATA, Datum, tmp_path / "cost.csv", Stamp("0.1.0", "abc", "FEBio 4.11.0"))
     found = files.read_csv(tmp_path / "cost.csv", Datum)
     assert [replace(d, contact_error=0.0, ratio=0.0) for d in found] == [
         replace(d, contact_error=0.0, ratio=0.0) for d in DATA
     ]
     (tmp_path / "bad.csv").write_text("problem,parameter\n3.1,default\n")
-    with pytest.raises(DataFileError, match=r"bad\.csv is no table of `cost`"):
+    with pytest.raises(DataFileError, match=r"bad\.csv is no table of Datum"):
         files.read_csv(tmp_path / "bad.csv", Datum)
 
 

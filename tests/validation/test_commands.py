@@ -19,7 +19,7 @@ from harness.models.parts import Control
 from harness.paths import DOCS, REPOSITORY, plugin_library
 from harness.run import engine
 
-PAGES = [REPOSITORY / "README.md", *sorted(DOCS.glob("*.md"))]
+PAGES = [REPOSITORY / "README.md", *sorted(DOCS.rglob("*.md"))]
 BLOCK = re.compile(r"^( *)```(\w*)\n(.*?)^\1```$", re.MULTILINE | re.DOTALL)
 VENV = REPOSITORY / ".venv" / "bin"
 PROGRAMS = ("scripts/mixcontact", "febio4", "cmake", "cpack", "ctest", "export", "git", "sed", ".ci/run")
@@ -108,7 +108,7 @@ def scratch(runner, tmp_path) -> Path:
 @pytest.mark.mixture_only
 def pages():
     """Every page with commands; two of them are quick and the first that a reader meets."""
-    quick = ("README.md", "check.md")
+    quick = ("README.md", "first-model.md")
     slow = {page: [] if page.name in quick else [pytest.mark.slow] for page in PAGES if blocks(page)}
     return [pytest.param(page, marks=marks) for page, marks in slow.items()]
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from harness.errors import DataFileError
 
-PAGE = "real-models.md"
+PAGE = "evidence/real-models.md"
 DATA = Path("data", "real-models.json")
 """Below docs/."""
 

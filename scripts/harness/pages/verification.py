@@ -16,7 +16,7 @@ from harness.run.runner import Runner, RunResult
 from harness.validate.checks import Check, Context
 from harness.validate.results import measures_as_data, measures_from_data
 
-PAGE, DATA = "verification-report.md", "verification.json"
+PAGE, DATA = "evidence/verification-report.md", "data/verification.json"
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from harness.errors import DataFileError
 from harness.paths import REPOSITORY, is_checkout
+from harness.run.engine import find_engine
 
 _PROJECT = re.compile(r"^  VERSION (\d+\.\d+\.\d+)$", re.MULTILINE)
 _FEBIO = re.compile(r"^\s*version (\d+\.\d+\.\d+)\s*$", re.MULTILINE)
@@ -68,9 +69,12 @@ class Stamp:
         return f"{self.engine}, plugin {self.plugin} at commit {self.commit}, one thread{limit}"
 
 
-def stamp(log: str, limit: float = 0.0) -> Stamp:
-    """The stamp of results of this checkout; `log` is that of one of the runs."""
-    return Stamp(plugin_version(), plugin_commit(), engine_version(log), limit)
+def stamp(limit: float = 0.0) -> Stamp:
+    """The stamp of what febio4 and the plugin of this checkout give now."""
+    said = subprocess.run(
+        [find_engine(), "-info"], capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL
+    )
+    return Stamp(plugin_version(), plugin_commit(), engine_version(said.stdout), limit)
 
 
 def plugin_commit() -> str:

@@ -15,7 +15,7 @@ from harness.pages.gallery.entries import Entry
 from harness.run import provenance
 from harness.run.runner import RunResult
 
-PAGE, DATA, IMAGES = "gallery.md", "gallery.json", "images/gallery"
+PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
 
 
 @dataclass(frozen=True)

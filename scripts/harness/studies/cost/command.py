@@ -14,7 +14,7 @@ from rich.console import Console
 from harness.errors import HarnessError
 from harness.models.interface import InterfaceType
 from harness.paths import REPOSITORY, RESULTS
-from harness.run import workflow
+from harness.run import provenance, workflow
 from harness.run.runner import Runner
 from harness.studies import files
 from harness.studies.cost import interleaved, pareto, point_runs
@@ -25,9 +25,8 @@ from harness.studies.cost.points import INTERFACES, Parameter, Problem, points
 console = Console(highlight=False, soft_wrap=True)
 DATA = REPOSITORY / "docs" / "data" / "cost.csv"
 """What was measured, as it comes with the documentation."""
-COMMENT = "FEBio 4.11, one thread; scripts/mixcontact cost; columns are explained in docs/cost.md"
-TIMEOUT = 120.0
-"""s of wall time for one run."""
+LIMIT = 60.0
+"""s of processor time for one run, the same for all interfaces."""
 
 
 class Part(str, Enum):
@@ -82,7 +81,7 @@ def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
         }
     )
     found = [datum for path in paths for datum in files.read_json(path, Datum)]
-    files.write_csv(found, Datum, folder / "cost.csv", COMMENT)
+    files.write_csv(found, Datum, folder / "cost.csv", provenance.stamp(LIMIT))
     (folder / "cost.md").write_text(f"{pareto.comparison(found)}\n\n{pareto.table(found)}\n")
     written = [folder / "cost.csv", folder / "cost.md", *pareto.draw(found, folder)]
     console.print(pareto.comparison(found), markup=False)
@@ -106,7 +105,7 @@ def _turns(chosen: list[Problem], number: int, data: Path, folder: Path, start: 
     }
     paths = start(wanted)
     found = [timing for path in paths for timing in files.read_json(path, Timing)]
-    files.write_csv(found, Timing, folder / "cost-turns.csv", COMMENT)
+    files.write_csv(found, Timing, folder / "cost-turns.csv", provenance.stamp(LIMIT))
     text = interleaved.ratio_table(found)
     (folder / "cost-turns.md").write_text(text + "\n")
     console.print(text, markup=False)
@@ -126,7 +125,7 @@ def cost_sweep(
     out: Annotated[Path, typer.Option(help="Where the data go, as JSON.")] = Path("sweep.json"),
 ) -> None:
     """Measure one problem with one interface, one parameter varied."""
-    runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
+    runner = Runner(RESULTS / "cost" / "runs", processor_limit=LIMIT)
     chosen = [point for point in points([problem]) if (point.interface, point.parameter) == (interface, parameter)]
     files.write_json([point_runs.measure(point, runner) for point in chosen], out)
 
@@ -141,7 +140,7 @@ def cost_turn(
     """Time the interfaces once, one after the other, on one of the problems 3.1 and 3.2."""
     if problem not in interleaved.PROBLEMS:
         raise HarnessError(f"problem {problem.value} is not timed in turn; {', '.join(interleaved.PROBLEMS)} are")
-    runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
+    runner = Runner(RESULTS / "cost" / "runs", processor_limit=LIMIT)
     chosen = interleaved.contenders(files.read_csv(data, Datum), problem)
     short = kind is interleaved.Kind.SHORT
     files.write_json(

@@ -10,11 +10,15 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness.paths import RESULTS
-from harness.run import workflow
+from harness.pages.evidence import DATA
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance, workflow
+from harness.run.provenance import Stamp
 from harness.run.runner import Runner
-from harness.studies.hard_cases import record
+from harness.studies import files
+from harness.studies.hard_cases import heat_map, outcomes, page, record
 from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.outcomes import End, Outcome
 from harness.studies.hard_cases.record import Record
 from harness.studies.hard_cases.scene import Fineness, Interface
 
@@ -30,6 +34,7 @@ def hard_cases(
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "hard-cases",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
     """Run the hard cases on two meshes with sliding-mixture and FEBio's interfaces, and write the table.
@@ -52,15 +57,29 @@ def hard_cases(
         for made, case, each in product(mesh or Fineness, only or CASES, interface or Interface)
     }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=snakemake or ())
-    records = [entry for path in paths for entry in record.read(path)]
-    text = f"{record.summary(records)}\n\n{record.table(records)}\n"
+    found = [entry.outcome for path in paths for entry in record.read(path)]
+    _write(found, provenance.stamp(limit), folder)
+    if docs:
+        _write_docs(found, provenance.stamp(limit))
+    own = [outcome for outcome in found if outcome.interface == Interface.MIXTURE.value]
+    if len(paths) < len(wanted) or not all(outcome.end is End.PASSES for outcome in own):
+        raise typer.Exit(1)
+
+
+def _write(found: list[Outcome], stamp: Stamp, folder: Path) -> None:
+    about = {name: case.about for name, case in CASES.items()}
+    text = f"{stamp}\n\n{outcomes.summary(found)}\n\n{outcomes.table(found, about)}\n"
     console.print(text, markup=False)
     (folder / "hard-cases.md").write_text(text)
-    record.write_csv(records, folder / "hard-cases.csv")
+    files.write_csv(found, Outcome, folder / "hard-cases.csv", stamp)
     console.print(f"Written: {folder / 'hard-cases.md'}, {folder / 'hard-cases.csv'}")
-    own = [entry for entry in records if entry.interface == Interface.MIXTURE.value]
-    if len(paths) < len(wanted) or not all(entry.passed for entry in own):
-        raise typer.Exit(1)
+
+
+def _write_docs(found: list[Outcome], stamp: Stamp) -> None:
+    files.write_csv(found, Outcome, DATA / page.SOURCE, stamp)
+    heat_map.draw(found, DOCS / page.PICTURE)
+    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+    console.print(f"Written: {DOCS / page.PAGE.name}")
 
 
 def hard_case(

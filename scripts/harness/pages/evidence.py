@@ -1,0 +1,97 @@
+"""Pages of evidence: text without figures, and figures from stamped files alone.
+
+A file of results below docs/data says what it was made with (`Stamp`), in its first line or under "stamp". A page has
+its figures from such files, all with one stamp; its own text holds none.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from harness.errors import DataFileError
+from harness.paths import DOCS
+from harness.run.provenance import Stamp
+
+DATA = DOCS / "data"
+_CODE = re.compile(r"```.*?```|`[^`]*`|<!--.*?-->|\]\([^)]*\)|https?://\S+", re.DOTALL)
+_NAMES = re.compile(
+    r"\b(?:problems? )?3\.[1-4]\b|\b\w+-\d\b|\bs?\d?R1\b|FEBio 4\b"  # names that hold digits
+    r"|\(\d{4}\)|\b(?:J|Comput)\b[^.;\n]*\d+(?:\(\d+\))?:\S+"  # years and places of articles
+)
+_FIGURE = re.compile(r"\d")
+
+
+@dataclass(frozen=True)
+class EvidencePage:
+    """A page of evidence.
+
+    Attributes
+    ----------
+    name : str
+        Below docs/.
+    sources : tuple of str
+        Files below docs/data that its figures come from.
+    text : str
+        Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with.
+    figures : callable
+        Reads the sources and says what goes where.
+    """
+
+    name: str
+    sources: tuple[str, ...]
+    text: str
+    figures: Callable[[], Mapping[str, str]]
+
+    def __call__(self) -> str:
+        """The page.
+
+        Raises
+        ------
+        DataFileError
+            Where sources have different stamps, or its text holds a figure of its own.
+        """
+        own = figures_in(self.text)
+        if own:
+            raise DataFileError(f"{self.name}: {own} stands in no file of results")
+        return self.text.format(stamp=one_stamp([DATA / source for source in self.sources]), **self.figures())
+
+
+def figures_in(text: str) -> str:
+    """The first line of a text that holds a figure: a digit outside code, links and names."""
+    bare = _NAMES.sub("", _CODE.sub("", re.sub(r"\{\w+\}", "", text)))
+    return next((line.strip() for line in bare.splitlines() if _FIGURE.search(line)), "")
+
+
+def stamp_of(path: Path) -> Stamp:
+    """What a file of results was made with.
+
+    Raises
+    ------
+    DataFileError
+        For a file without a stamp.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+        data = json.loads(text)["stamp"] if path.suffix == ".json" else json.loads(text.splitlines()[0].lstrip("# "))
+        return Stamp(**data)
+    except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
+        raise DataFileError(f"{path} says not what it was made with ({error})") from error
+
+
+def one_stamp(paths: list[Path]) -> Stamp:
+    """The stamp that files have in common.
+
+    Raises
+    ------
+    DataFileError
+        Where they differ.
+    """
+    found = {path: stamp_of(path) for path in paths}
+    if len(set(found.values())) != 1:
+        told = "; ".join(f"{path.name}: {stamp}" for path, stamp in found.items())
+        raise DataFileError(f"results of one page were made with different things: {told}")
+    return next(iter(found.values()))
