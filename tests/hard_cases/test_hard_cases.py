@@ -9,9 +9,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from harness.pages.evidence import DATA
 from harness.post.compare import missed
 from harness.run import engine, logdata
-from harness.pages.evidence import DATA
 from harness.studies import files
 from harness.studies.hard_cases import heat_map, outcomes, page, record, variants
 from harness.studies.hard_cases.catalogue import CASES

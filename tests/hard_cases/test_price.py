@@ -9,7 +9,7 @@ import pytest
 from harness.errors import DataFileError
 from harness.models import pairs
 from harness.models.interface import InterfaceType
-from harness.studies.price import page, paired_runs, table
+from harness.studies.price import bars, paired_runs, table
 from harness.studies.price.paired_runs import Timed
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
@@ -53,15 +53,15 @@ def test_a_log_without_a_table_has_no_times():
 
 def test_times_are_drawn_and_tabulated(tmp_path):
     (times,) = table.read(LOG)
-    assert page.draw({"one": times, "two": times}, tmp_path / "times.png").stat().st_size > 0
-    text = page.scenes_table({"one": times})
+    assert bars.draw({"one": times, "two": times}, tmp_path / "times.png").stat().st_size > 0
+    text = bars.scenes_table({"one": times})
     assert "| one | 45.0 | 40.0 | 12.0 | 3.0 | 100.0 | 51.0 | 8.0% | 345 |" in text
 
 
 def test_what_bodies_take_is_not_the_contacts():
-    whole = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2)
+    whole = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2, unknowns=9, entries=40)
     # twice the iterations and evaluations: 1 s of stiffness and 0.6 s of update and residual are the bodies'
-    joined = Timed(True, 10, 20, 2.0, update=0.25, profile=0.3, stiffness=1.4, residual=0.5)
+    joined = Timed(True, 10, 20, 2.0, update=0.25, profile=0.3, stiffness=1.4, residual=0.5, unknowns=9, entries=60)
     assert paired_runs.contact_time(joined, whole) == pytest.approx(0.3 + 0.4 + 0.15)
 
 

@@ -13,6 +13,7 @@ from harness.errors import HarnessError
 from harness.pages import collection, plugin_parameters, scene_results, verification
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS, MODELS, RESULTS
+from harness.run import provenance
 from harness.validate.checks import CHECKS
 
 console = Console(highlight=False, soft_wrap=True)
@@ -25,13 +26,13 @@ PAGES: dict[str, Callable[[], str]] = {
     verification.PAGE: lambda: verification.page(verification.read(DOCS)),
     scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
 }
-"""Generated pages, from code or from numbers in docs/; none of them needs a run."""
+"""Generated pages, from code or from results in docs/data, without a run. `harness.cli` adds those of studies."""
 
 
 def pages(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation anew: parameters, gallery, verification report, real models."""
+    """Write the generated pages of the documentation anew, from the code and from the results in docs/data."""
     for name, text in PAGES.items():
         path = DOCS / name
         made = text()
@@ -50,13 +51,12 @@ def report(
     for name in only or []:
         if name not in known:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}", param_hint="--only")
-    sections, versions = [], ""
-    for section, made_with in verification.make(RESULTS / "runs", [known[name] for name in only] if only else CHECKS):
+    sections = []
+    for section in verification.make(RESULTS / "runs", [known[name] for name in only] if only else CHECKS):
         sections.append(section)
-        versions = made_with
         missed = sum(not measure.passed for measure in section.measures)
         console.print(f"{section.name}: {len(section.measures)} figures, {missed} missed")
-    written = verification.write(folder, verification.Report(versions, sections))
+    written = verification.write(folder, verification.Report(provenance.stamp(), sections))
     console.print("Written: " + ", ".join(str(path) for path in written))
     if any(not measure.passed for section in sections for measure in section.measures):
         raise typer.Exit(MISSED)

@@ -76,13 +76,14 @@ def _row(parameter: inspect.Parameter, hint: object) -> str:
     if choices:
         text.append(f"One of {', '.join(f'`{choice}`' for choice in choices)}.")
     name = parameter.name.replace("_", "-")
-    if isinstance(told, ArgumentInfo):
-        shown = name
-    else:
-        shown = (
-            next((each for each in (told.param_decls or ()) if each.startswith("--")), f"--{name}") if told else name
-        )
+    shown = name if told is None or isinstance(told, ArgumentInfo) else _option(told, name, kind)
     return f"| `{shown}` | {_default(parameter.default)} | {' '.join(text)} |"
+
+
+def _option(told: OptionInfo, name: str, kind: object) -> str:
+    """An option as one types it, with what turns it off."""
+    named = told.default if isinstance(told.default, str) else f"--{name}"
+    return f"{named}`, `--no-{name}" if kind is bool and not isinstance(told.default, str) else named
 
 
 def _choices(kind: object) -> list[str]:
@@ -96,7 +97,9 @@ def _default(value: object) -> str:
     """The default as one would type it; paths below the repository without it, enumerations by their values."""
     if value is inspect.Parameter.empty:
         return "required"
-    if value is None or value is False or value == ():
+    if value in (None, False, ()):
         return ""
+    if value is True:
+        return "on"
     text = str(getattr(value, "value", value))
     return f"`{text.removeprefix(f'{REPOSITORY}/')}`"

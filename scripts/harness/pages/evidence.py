@@ -13,14 +13,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from harness.errors import DataFileError
-from harness.paths import DOCS
+from harness.paths import DOCS, REPOSITORY
 from harness.run.provenance import Stamp
 
 DATA = DOCS / "data"
+WRITTEN = "<!-- Written by `scripts/mixcontact pages`: change {} instead. -->"
+PLACE = re.compile(r"\{(\w+)\}")
 _CODE = re.compile(r"```.*?```|`[^`]*`|<!--.*?-->|\]\([^)]*\)|https?://\S+", re.DOTALL)
 _NAMES = re.compile(
-    r"\b(?:problems? )?3\.[1-4]\b|\b\w+-\d\b|\bs?\d?R1\b|FEBio 4\b"  # names that hold digits
-    r"|\(\d{4}\)|\b(?:J|Comput)\b[^.;\n]*\d+(?:\(\d+\))?:\S+"  # years and places of articles
+    r"\bproblems? 3\.[1-4]\b|\b3\.[1-4] and 3\.[1-4]\b|\bFEBio 4\b"  # of problems and programs
+    r"|\(\d{4}\)|\b\d+\(\d+\):\d+-\d+",  # years and places of articles
+    re.IGNORECASE,
 )
 _FIGURE = re.compile(r"\d")
 
@@ -35,7 +38,7 @@ class EvidencePage:
         Below docs/.
     sources : tuple of str
         Files below docs/data that its figures come from.
-    text : str
+    template : Path
         Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with.
     figures : callable
         Reads the sources and says what goes where.
@@ -43,7 +46,7 @@ class EvidencePage:
 
     name: str
     sources: tuple[str, ...]
-    text: str
+    template: Path
     figures: Callable[[], Mapping[str, str]]
 
     def __call__(self) -> str:
@@ -54,15 +57,32 @@ class EvidencePage:
         DataFileError
             Where sources have different stamps, or its text holds a figure of its own.
         """
-        own = figures_in(self.text)
+        text = self.template.read_text(encoding="utf-8")
+        own = figures_in(text)
         if own:
-            raise DataFileError(f"{self.name}: {own} stands in no file of results")
-        return self.text.format(stamp=one_stamp([DATA / source for source in self.sources]), **self.figures())
+            raise DataFileError(f"{self.template}: a figure that stands in no file of results: {own}")
+        stamp = one_stamp([DATA / source for source in self.sources])
+        places = {"written": WRITTEN.format(self.template.relative_to(REPOSITORY)), "stamp": str(stamp)}
+        return filled(text, {**places, **self.figures()})
+
+
+def filled(text: str, figures: Mapping[str, str]) -> str:
+    """A template with its places filled in; braces in code stay.
+
+    Raises
+    ------
+    DataFileError
+        Where a place has no figure, or a figure no place.
+    """
+    places = set(PLACE.findall(text))
+    if places != set(figures):
+        raise DataFileError(f"places and figures do not agree on {', '.join(sorted(places ^ set(figures)))}")
+    return PLACE.sub(lambda place: figures[place[1]], text)
 
 
 def figures_in(text: str) -> str:
     """The first line of a text that holds a figure: a digit outside code, links and names."""
-    bare = _NAMES.sub("", _CODE.sub("", re.sub(r"\{\w+\}", "", text)))
+    bare = _NAMES.sub("", _CODE.sub("", PLACE.sub("", text)))
     return next((line.strip() for line in bare.splitlines() if _FIGURE.search(line)), "")
 
 

@@ -96,14 +96,15 @@ GROUPS = (
     ),
     Group(
         "Solution",
-        "What the solver gets. The last three switch [what helps the solver](../how-to/solver.md#what-helps-the-solver). "
+        "What the solver gets. The last three switch "
+        "[what helps the solver](../how-to/solver.md#what-helps-the-solver). "
         "They act on the whole model: contacts that give one must give the same value.",
         ("symmetric_stiffness", "predictor", "non_negative_concentrations", "line_search_guard"),
     ),
     Group(
         "Friction",
-        "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, [migration](from-febio.md#friction) what "
-        "differs from FEBio's.",
+        "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
+        "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
         ("fric_coeff", "contact_frac", "tangential_penalty"),
     ),
     Group(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from functools import partial
@@ -13,17 +14,18 @@ from rich.console import Console
 
 from harness.errors import HarnessError
 from harness.models.interface import InterfaceType
-from harness.paths import REPOSITORY, RESULTS
+from harness.pages.evidence import DATA as RESULTS_OF_THE_PAGES
+from harness.paths import DOCS, RESULTS
 from harness.run import provenance, workflow
 from harness.run.runner import Runner
 from harness.studies import files
-from harness.studies.cost import interleaved, pareto, point_runs
+from harness.studies.cost import interleaved, page, pareto, point_runs
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import INTERFACES, Parameter, Problem, points
 
 console = Console(highlight=False, soft_wrap=True)
-DATA = REPOSITORY / "docs" / "data" / "cost.csv"
+DATA = RESULTS_OF_THE_PAGES / "cost.csv"
 """What was measured, as it comes with the documentation."""
 LIMIT = 60.0
 """s of processor time for one run, the same for all interfaces."""
@@ -46,6 +48,7 @@ def cost(
     number: Annotated[int, typer.Option("--turns", min=1, help="How often interfaces are timed in turn.")] = 9,
     folder: Annotated[Path, typer.Option(help="Where measurements and pictures go.")] = RESULTS / "cost",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
     """Measure error and cost over all parameters, problems and interfaces; with --error say what to set at what cost.
@@ -59,12 +62,22 @@ def cost(
     start = partial(workflow.run, folder=folder.resolve(), cores=jobs, options=snakemake or ())
     if only is None or Part.SWEEP in only:
         _sweep(chosen, folder, start)
+        if docs:
+            _write_docs(folder)
     if only is None or Part.TURNS in only:
         _turns(chosen, number, data.resolve(), folder, start)
 
 
 Start = Callable[[Mapping[str, Sequence[str]]], list[Path]]
 """Does jobs of the harness, by their names, and returns the files that they wrote."""
+
+
+def _write_docs(folder: Path) -> None:
+    """The page of the documentation, with what the sweep left in `folder`."""
+    shutil.copy(folder / DATA.name, DATA)
+    pareto.draw(files.read_csv(DATA, Datum), DOCS / page.PICTURE)
+    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+    console.print(f"Written: {DATA}, {DOCS / page.PICTURE}, {DOCS / page.PAGE.name}")
 
 
 def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
@@ -83,7 +96,7 @@ def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
     found = [datum for path in paths for datum in files.read_json(path, Datum)]
     files.write_csv(found, Datum, folder / "cost.csv", provenance.stamp(LIMIT))
     (folder / "cost.md").write_text(f"{pareto.comparison(found)}\n\n{pareto.table(found)}\n")
-    written = [folder / "cost.csv", folder / "cost.md", *pareto.draw(found, folder)]
+    written = [folder / "cost.csv", folder / "cost.md", pareto.draw(found, folder / "cost.svg")]
     console.print(pareto.comparison(found), markup=False)
     _finish(written, len(paths) == len(sweeps))
 

@@ -44,8 +44,8 @@ class Datum:
     wall, cpu : float
         Wall and processor time of one thread, s; medians of some runs, of one for 3.3. On an idle machine they agree.
     ratio, ratio_low, ratio_high : float
-        Median, least and largest of the ratios of this run's processor time and the unsplit body's, run in turn; nan for
-        3.3.
+        Median, least and largest of the ratios of this run's processor time and the unsplit body's, run in turn; nan
+        for 3.3.
     """
 
     problem: str
@@ -120,7 +120,7 @@ def _error_33(run: RunResult, reference: RunResult) -> float:
 
 
 def _pairs(model: Model, whole: Model) -> tuple[float, float, tuple[float, float, float]]:
-    """Median wall and processor time (s) of a model; median, least and largest ratio of the latter to the unsplit one."""
+    """Median wall and processor time (s) of a model; median, least and largest ratio of the latter to the unsplit."""
     runs = {name: partial(timing.execute, each) for name, each in (("own", model), ("whole", whole))}
     own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
     ratios = [a.cpu / b.cpu for a, b in zip(own, other, strict=True)]

@@ -11,17 +11,18 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
+from numpy.typing import NDArray
 
-from harness.models.mesh import Mesh
+from harness.models.mesh import Ids, Mesh
 from harness.studies.hard_cases.catalogue import CASES
 from harness.studies.hard_cases.outcomes import End, Outcome, arranged
 from harness.studies.hard_cases.scene import Fineness, Interface
 
 LOOKS = {
-    End.PASSES: ("#eef2f7", "black", ""),
-    End.MISSES: ("#b3c6dd", "black", ""),
-    End.FAILS: ("#4f74a3", "white", ""),
-    End.LIMIT: ("#1d2f49", "white", ""),
+    End.PASSES: ("#eef2f7", "black"),
+    End.MISSES: ("#b3c6dd", "black"),
+    End.FAILS: ("#4f74a3", "white"),
+    End.LIMIT: ("#1d2f49", "white"),
 }
 """Colour of a cell, from light to dark also in grey, and of the text in it."""
 COLUMNS = {
@@ -30,6 +31,8 @@ COLUMNS = {
     "febio-1": "FEBio,\nfactor 1",
     "febio-1000": "FEBio,\nfactor 1000",
 }
+INKS = ("#1d2f49", "#8a5a2b", "#4f74a3")
+"""Of the bodies of a scene."""
 ROW = 0.36
 """Height of a row, inches."""
 BOXES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
@@ -54,14 +57,14 @@ def draw(outcomes: Sequence[Outcome], path: Path) -> Path:
                 _cell(axes, column, number, row[name])
     for column, text in enumerate(COLUMNS.values()):
         axes.text(column + 0.5, -0.15, text, ha="center", va="bottom", fontsize=9)
-    handles = [Patch(facecolor=colour, edgecolor="black", label=end.value) for end, (colour, _, _) in LOOKS.items()]
+    handles = [Patch(facecolor=colour, edgecolor="black", label=end.value) for end, (colour, _) in LOOKS.items()]
     figure.legend(handles=handles, loc="lower center", ncols=4, fontsize=9, frameon=False)
     figure.savefig(path)
     return path
 
 
 def _cell(axes: Axes, column: int, row: int, outcome: Outcome) -> None:
-    colour, ink, _ = LOOKS[outcome.end]
+    colour, ink = LOOKS[outcome.end]
     axes.add_patch(Rectangle((column + 0.02, row + 0.04), 0.96, 0.92, facecolor=colour, edgecolor="#555555", lw=0.5))
     axes.text(column + 0.5, row + 0.5, outcome.short, ha="center", va="center", fontsize=9, color=ink)
 
@@ -90,8 +93,8 @@ def _wrapped(about: str, mesh: str) -> str:
     return "\n".join(lines)
 
 
-def _edges(mesh: Mesh, elements: np.ndarray) -> np.ndarray:
+def _edges(mesh: Mesh, elements: Ids) -> list[NDArray[np.float64]]:
     """Edges of the elements of a part that lie on its outline, as seen obliquely: those of one or two elements."""
     pairs = np.sort(np.concatenate([elements[:, list(pair)] for pair in BOXES]), axis=1)
     found, counts = np.unique(pairs, axis=0, return_counts=True)
-    return (mesh.nodes[found[counts <= 2] - 1]) @ VIEW  # type: ignore[no-any-return]
+    return list(mesh.nodes[found[counts <= 2] - 1] @ VIEW)
