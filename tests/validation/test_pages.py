@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from harness import cli  # noqa: F401 - its commands know the pages of studies
 from harness.errors import DataFileError
 from harness.pages import command, plugin_parameters, verification
 from harness.paths import DOCS

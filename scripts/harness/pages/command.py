@@ -10,7 +10,7 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.pages import collection, plugin_parameters, scene_results, verification
+from harness.pages import collection, plugin_parameters, scene_results, sketches, verification
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS, MODELS, RESULTS
 from harness.run import provenance
@@ -40,6 +40,8 @@ def pages(
             path.write_text(made, encoding="utf-8")
         elif not path.is_file() or path.read_text(encoding="utf-8") != made:
             raise HarnessError(f"{path} is not what `pages` writes; it writes it anew")
+    if not check:
+        sketches.draw(DOCS)
 
 
 def report(
