@@ -1,4 +1,6 @@
-"""Pages that MkDocs makes as it builds the site (mkdocs.yml): the API reference of the core, CONTRIBUTING.md; and a look at the generated ones."""
+"""What MkDocs does as it builds the site (mkdocs.yml): makes the API reference of the core and the page of
+CONTRIBUTING.md, and refuses generated pages that are out of date.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +21,7 @@ from harness.pages.command import pages
 from harness.paths import REPOSITORY
 
 
-def on_pre_build(config: MkDocsConfig) -> None:
+def on_pre_build(**_: object) -> None:
     """Fails where a generated page is not what the code and the results in docs/data say, or mixes their stamps."""
     try:
         pages(check=True)

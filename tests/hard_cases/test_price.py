@@ -9,7 +9,7 @@ import pytest
 from harness.errors import DataFileError
 from harness.models import pairs
 from harness.models.interface import InterfaceType
-from harness.studies.price import bars, paired_runs, table
+from harness.studies.price import bars, effect_costs, page, paired_runs, table
 from harness.studies.price.paired_runs import Timed
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
@@ -101,3 +101,24 @@ def test_memory_does_not_know_of_solutes_that_are_not_shared(runner):
         return times.memory
 
     assert memory((1,)) == memory((1, 2, 3)) > 0
+
+
+def test_costs_are_those_of_the_run_that_was_disturbed_least(tmp_path):
+    slow = LOG.replace("2.500e-02", "9.500e-02")
+    costs = effect_costs.costs("solid", [slow, LOG, slow])
+    assert [cost.effect for cost in costs] == ["shared", "traction", "solvent", "solute 2"]
+    assert sum(cost.seconds for cost in costs) == pytest.approx(costs[0].least) == pytest.approx(0.1)
+    assert costs[0].most == pytest.approx(0.17)
+    assert "<svg" in page.draw(costs, tmp_path / "price.svg").read_text()
+
+
+def test_the_table_says_where_febio_adds_less():
+    def price(kind: str, factor: float, added: float, *, ended: bool = True) -> paired_runs.Price:
+        return paired_runs.Price("biphasic", kind, factor, ended, 10, 10, 0.1, added, added, added, 500, 9000)
+
+    ours = price("sliding-mixture", 0.0, 0.5)
+    rows = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4), price("sliding-biphasic", 10.0, 0.6)])
+    assert [row.split(" | ")[-1] for row in rows.splitlines()[3:]] == ["`sliding-biphasic` |", "`sliding-mixture` |"]
+    failed = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4, ended=False)])
+    assert "does not end" in failed
+    assert failed.endswith("`sliding-mixture` |")

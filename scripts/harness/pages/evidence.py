@@ -21,7 +21,7 @@ WRITTEN = "<!-- Written by `scripts/mixcontact pages`: change {} instead. -->"
 PLACE = re.compile(r"\{(\w+)\}")
 _CODE = re.compile(r"```.*?```|`[^`]*`|<!--.*?-->|\]\([^)]*\)|https?://\S+", re.DOTALL)
 _NAMES = re.compile(
-    r"\bproblems? 3\.[1-4]\b|\b3\.[1-4] and 3\.[1-4]\b|\bFEBio 4\b"  # of problems and programs
+    r"\bproblems? 3\.[1-4]\b(?: and 3\.[1-4]\b)?|\bFEBio 4\b"  # of problems and programs
     r"|\(\d{4}\)|\b\d+\(\d+\):\d+-\d+",  # years and places of articles
     re.IGNORECASE,
 )

@@ -72,10 +72,10 @@ def _normal(axes: Axes) -> None:
     axes.plot(*np.array([foot, head]).T, ":", color=DARK, lw=1)
     axes.annotate("", foot + 0.7 * normal, foot, arrowprops=ARROW)
     axes.plot(*np.array([foot, head]).T, "o", color=DARK, ms=4)
-    axes.text(*(foot + (0.12, -0.22)), "$\\mathbf{x}_1$", fontsize=9)
-    axes.text(*(head + (0.1, 0.12)), "$\\mathbf{x}_2$", fontsize=9)
-    axes.text(*(foot + 0.62 * normal + (0.1, 0.0)), "$\\mathbf{n}_1$", fontsize=9)
-    axes.text(*(head + (-0.38, -0.42)), "$g$", fontsize=9)
+    axes.text(*np.add(foot, (0.12, -0.22)), "$\\mathbf{x}_1$", fontsize=9)
+    axes.text(*np.add(head, (0.1, 0.12)), "$\\mathbf{x}_2$", fontsize=9)
+    axes.text(*np.add(foot + 0.62 * normal, (0.1, 0.0)), "$\\mathbf{n}_1$", fontsize=9)
+    axes.text(*np.add(head, (-0.38, -0.42)), "$g$", fontsize=9)
 
 
 def averages() -> Figure:

@@ -19,7 +19,7 @@ from harness.studies import timing
 from harness.studies.cost.points import TIMES_33, Parameter, Point, Problem, finest
 from harness.validate import checks
 
-PAIRS = 5
+PAIRS = 3
 """How often a run of 3.1 or 3.2 and that of the unsplit body are timed, in turn."""
 FINEST_LIMIT = 1800.0
 """s of processor time for the finest run of 3.3, which all others are compared with and so must end."""

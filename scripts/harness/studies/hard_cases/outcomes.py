@@ -95,7 +95,9 @@ def summary(outcomes: Sequence[Outcome]) -> str:
 
 def better(row: dict[str, Outcome]) -> list[Outcome]:
     """FEBio's runs that pass where ours does not, or pass with fewer iterations or fewer steps tried again."""
-    ours = row[OURS]
+    ours = row.get(OURS)
+    if ours is None:
+        return []
     passing = [row[name] for name in FEBIO if name in row and row[name].end is End.PASSES]
     return [
         run

@@ -77,7 +77,7 @@ def draw(costs: Sequence[EffectCost], path: Path) -> Path:
         _bar(left, row, own)
         right.barh(row, own[0].entries / 1e3, color="#8aa3c2", edgecolor="black", linewidth=0.5, height=0.6)
         right.text(own[0].entries / 1e3, row, f" {own[0].unknowns} unknowns", va="center", fontsize=8)
-    left.set_yticks(range(len(scenes)), [xml.replace("$", "") for xml in ASKED], family="monospace", fontsize=8)
+    left.set_yticks(range(len(scenes)), ASKED[: len(scenes)], family="monospace", fontsize=8)
     left.invert_yaxis()
     left.set_xlabel("time in the contact [ms]")
     right.set_xlabel("matrix entries [thousands]")
