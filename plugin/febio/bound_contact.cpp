@@ -37,11 +37,11 @@ bool BoundContact::begin_iteration() {
 }
 
 bool BoundContact::finds_overlap() {
-  const UndetectedPenetration noticed = core_->check_penetration(fields());
-  if (noticed.nodes == 0) return false;
+  const UndetectedPenetration undetected = core_->check_penetration(fields());
+  if (undetected.nodes == 0) return false;
   const PerSide<std::string> names = surfaces_.names();
   if (!std::exchange(said_overlap_, true))
-    log_.line(noticed_line(log_.name(), names[Side::primary], names[Side::secondary], noticed));
+    log_.line(penetration_line(log_.name(), names[Side::primary], names[Side::secondary], undetected));
   return !is_solution();
 }
 

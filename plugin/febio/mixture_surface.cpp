@@ -84,9 +84,21 @@ void FEMixtureSurface::turn_round() {
   }
 }
 
+bool FEMixtureSurface::faces_front() {
+  double along = 0;  // the director, in which the front face lies
+  for (int face = 0; face < Elements(); ++face) {
+    const FESurfaceElement& element = Element(face);
+    const auto& nodes = element.m_lnode;
+    const vec3d& first = Node(nodes[0]).m_r0;
+    const vec3d normal = (Node(nodes[1]).m_r0 - first) ^ (Node(nodes[2]).m_r0 - first);
+    along += normal * Node(nodes[0]).m_d0;
+  }
+  return along > 0;
+}
+
 void FEMixtureSurface::take_shell_bottoms() {
   has_shell_bottoms_ = true;
-  turn_round();
+  if (faces_front()) turn_round();
 }
 
 vec3d FEMixtureSurface::position(int node) {

@@ -28,8 +28,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Totals as they act on this surface; flows out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
 
-  /// Takes the back faces of shells for this surface: the nodes' positions less their directors. Facets are turned
-  /// round.
+  /// Takes the back faces of shells for this surface: the nodes' positions less their directors. Facets that are listed
+  /// as those of the front face are turned round.
   void take_shell_bottoms();
   bool has_shell_bottoms() const { return has_shell_bottoms_; }
   /// The present position of a node on this surface.
@@ -54,6 +54,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   void Serialize(DumpStream& ar) override;
 
  private:
+  /// Whether the facets are listed as those of the front faces of shells.
+  bool faces_front();
   void store_friction(FESurfaceElement& element);
   /// Over the points of a facet.
   double mean(int face, const std::function<double(const FEBiphasicContactPoint&)>& value);

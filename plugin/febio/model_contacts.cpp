@@ -247,7 +247,15 @@ MatrixUse ModelContacts::matrix_use() {
   return kept ? MatrixUse::kept : MatrixUse::each_iteration;
 }
 
-void ModelContacts::limit_rejections(int n) {
+void ModelContacts::rejected(int n) {
+  if (!solver_.is_newton()) return;
+  FENewtonSolver& solver = *solver_.febio();
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-  if (solver_.is_newton() && n > solver_.febio()->m_maxref) throw MaxStiffnessReformations();
+  if (n > solver.m_maxref) throw MaxStiffnessReformations();
+  // Other nodes are in contact now: quasi-Newton methods would go on with the matrix of those that were.
+  if (!reform_augment_) reform_augment_ = std::exchange(solver.m_breformAugment, true);
+}
+
+void ModelContacts::accepted() {
+  if (reform_augment_) solver_.febio()->m_breformAugment = *std::exchange(reform_augment_, std::nullopt);
 }

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -46,7 +47,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void evaluate_residual() override;
   mixture_contact::MatrixUse matrix_use() override;
   void request_matrix() override;
-  void limit_rejections(int n) override;
+  void rejected(int n) override;
+  void accepted() override;
 
  private:
   template <class Helper>
@@ -71,4 +73,5 @@ class ModelContacts : public mixture_contact::SteppedModel {
   std::vector<FEMixtureContact*> contacts_;        ///< in the order of the model
   std::set<const FEMixtureContact*> unactivated_;  ///< whose state is not known to the core yet
   mixture_contact::Round dumps_;
+  std::optional<bool> reform_augment_;  ///< the solver's own setting, while converged states are rejected
 };

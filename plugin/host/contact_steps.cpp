@@ -121,9 +121,10 @@ bool ContactSteps::accepts(const void* told) {
   }
   if (accepted && !helpers_.reject()) {
     stepper_.accept();
+    model_.accepted();
     return true;
   }
-  model_.limit_rejections(stepper_.reject());
+  model_.rejected(stepper_.reject());
   return false;
 }
 

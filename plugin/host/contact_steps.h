@@ -59,8 +59,9 @@ class SteppedModel {
   virtual void evaluate_residual() = 0;
   virtual MatrixUse matrix_use() = 0;
   virtual void request_matrix() = 0;
-  /// A converged state has been rejected for the n-th time in a step.
-  virtual void limit_rejections(int n) = 0;
+  /// A converged state has been rejected for the n-th time in a step: the next iteration needs a matrix of its own.
+  virtual void rejected(int n) = 0;
+  virtual void accepted() = 0;
 };
 
 class ContactSteps {

@@ -20,11 +20,12 @@ std::ostringstream nodes_inside(const std::string& contact, const std::string& p
 
 }  // namespace
 
-std::string noticed_line(const std::string& contact, const std::string& primary, const std::string& secondary,
-                         const UndetectedPenetration& overlap) {
+std::string penetration_line(const std::string& contact, const std::string& primary, const std::string& secondary,
+                             const UndetectedPenetration& overlap) {
   std::ostringstream text = nodes_inside(contact, primary, secondary, overlap);
-  text << "away from contact: primary facets do not notice what is smaller than they are. From now on these nodes, and "
-       << "others like them, have contact conditions of their own. This is said once in a run.";
+  text
+      << "away from contact: primary facets do not resolve what is smaller than they are. From now on these nodes, and "
+      << "others like them, have contact conditions of their own. This is said once in a run.";
   return text.str();
 }
 

@@ -5,10 +5,10 @@
 
 #include <string>
 
-/// Says that secondary nodes which primary facets do not notice have conditions of their own from now on; a contact's
+/// Says that secondary nodes which primary facets do not resolve have conditions of their own from now on; a contact's
 /// name and those of its surfaces.
-std::string noticed_line(const std::string& contact, const std::string& primary, const std::string& secondary,
-                         const mixture_contact::UndetectedPenetration& overlap);
+std::string penetration_line(const std::string& contact, const std::string& primary, const std::string& secondary,
+                             const mixture_contact::UndetectedPenetration& overlap);
 
 /// Says that automatic penalties are reduced from the next attempt at a step on.
 std::string reduction_line(double time);
@@ -22,7 +22,7 @@ struct AcceptedOverlap {
 /// `divisor`: of the penalties at the end of the run.
 std::string accepted_overlap_line(const AcceptedOverlap& accepted, double divisor);
 
-/// Says that a contact does not notice an overlap, and what a user can do about it; a contact's name and those of its
+/// Says that a contact does not resolve an overlap, and what a user can do about it; a contact's name and those of its
 /// surfaces.
 std::string overlap_warning(const std::string& contact, const std::string& primary, const std::string& secondary,
                             const mixture_contact::UndetectedPenetration& overlap);

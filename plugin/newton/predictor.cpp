@@ -15,7 +15,7 @@ namespace {
 
 /// Load curves turn where the prediction of a change differs from it by more than this part.
 constexpr double largest_turn = 1.0 / 3.0;
-/// Of the differences of load values of 1, extrapolated.
+/// Of the differences of load values of 1, predicted.
 constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
 /// Newton's method takes no more for a linear step that starts at the end of the last one: one to solve it, and one in
 /// which the solver compares the increment with it.

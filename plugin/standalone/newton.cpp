@@ -30,12 +30,12 @@ class ContactAtState : public mixture_contact::SteppedContact {
   void linearise_at() override { contact_.core().linearise_at(fields()); }
   bool is_solution() override { return contact_.core().is_solution(fields()); }
   bool finds_overlap() override {
-    const mixture_contact::UndetectedPenetration noticed = contact_.core().check_penetration(fields());
-    if (noticed.nodes == 0) return false;
+    const mixture_contact::UndetectedPenetration undetected = contact_.core().check_penetration(fields());
+    if (undetected.nodes == 0) return false;
     const ContactDefinition& definition = contact_.definition();
     const auto& surfaces = definition.surfaces;
     if (!std::exchange(said_overlap_, true))
-      log_.print("%s\n", noticed_line(definition.name, surfaces.front(), surfaces.back(), noticed).c_str());
+      log_.print("%s\n", penetration_line(definition.name, surfaces.front(), surfaces.back(), undetected).c_str());
     return !is_solution();
   }
 

@@ -60,7 +60,8 @@ class Newton : private mixture_contact::SteppedModel {
   void evaluate_residual() override;
   mixture_contact::MatrixUse matrix_use() override { return mixture_contact::MatrixUse::each_iteration; }
   void request_matrix() override {}
-  void limit_rejections(int /*n*/) override {}  // the limit on reformations holds
+  void rejected(int /*n*/) override {}  // the limit on reformations holds
+  void accepted() override {}
 
   Problem& problem_;
   Log& log_;

@@ -152,7 +152,7 @@ void effects(int facets, int iterations) {
   for (const int solutes : {1, 2, 4}) {
     Effects transport = effects_of(true, solutes);
     transport.traction = false;
-    cases.emplace_back("frozen, solvent, solutes " + std::to_string(solutes), facets, transport);
+    cases.emplace_back("fixed geometry, solvent, solutes " + std::to_string(solutes), facets, transport);
   }
   measure_in_turn(cases, iterations);
 }

@@ -28,8 +28,8 @@ STEADY = 1e-6
 JUMP, JUMP_TWO_PASSES = 1e-4, 1e-3
 """Jump over the difference across the bodies: 1e-5 of the drop over the adjoining elements, by the default
 penalty; with two passes 1e-3 of it."""
-SEALED = 1e-9
-"""Flux through a sealed contact over the one that the difference would drive."""
+IMPERMEABLE = 1e-9
+"""Flux through an impermeable contact over the one that the difference would drive."""
 
 
 def shared_solutes(pair):
@@ -93,7 +93,7 @@ def check_fluxes(run, pair, shared=None):
         if isinstance(body, Mixture):
             for what, flux in upward_fluxes(run, name, body).items():
                 np.testing.assert_allclose(
-                    flux * AREA, below[what], rtol=STEADY, atol=SEALED * driven(what), err_msg=f"{name}: {what}"
+                    flux * AREA, below[what], rtol=STEADY, atol=IMPERMEABLE * driven(what), err_msg=f"{name}: {what}"
                 )
 
 

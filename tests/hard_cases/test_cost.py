@@ -94,7 +94,7 @@ def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
     chosen = interleaved.contenders([*DATA, *febio], Problem.CONVECTION)
     named = {(p.interface.value, p.parameter.value, p.value) for p in chosen}
     assert named == {
-        ("unsplit", "default", 0.0),
+        ("conforming", "default", 0.0),
         ("sliding-mixture", "default", 0.0),
         ("sliding-mixture", "predictor", 1.0),
         ("sliding-mixture", "integration", 0.0),

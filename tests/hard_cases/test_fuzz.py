@@ -11,7 +11,7 @@ FOUND: dict[Kind, tuple[int, ...]] = {Kind.SCENES: (), Kind.PARAMETERS: ()}
 """Seeds with faults. A flip whose message named the element alone stands in `test_bad_input.py`."""
 
 MENDED = (1479, 4666, 20478, 21266, 21445, 21458, 23155)
-"""Scenes that did not converge: two passes held nodes that face contact at the bath (the first two); nodes closed and
+"""Scenes that did not converge: two passes held facing nodes at ambient values (the first two); nodes closed and
 opened in circles (20478, 21458); contact hung on Gauss points that saw the other surface in every second iteration.
 """
 

@@ -58,24 +58,24 @@ def test_the_data_of_the_page_are_what_the_code_gives(runner, name, interface):
     )
 
 
-def _noticed(run):
-    """What the log says of nodes that primary facets do not notice."""
+def _said_of_penetration(run):
+    """What the log says of nodes that primary facets do not resolve."""
     return re.findall(r".*have contact conditions of their own.*", (run.folder / "screen.txt").read_text())
 
 
 @pytest.mark.parametrize("name", ["corner-on-face", "curved-1-to-8"])
-def test_a_feature_that_primary_facets_miss_is_noticed(runner, name):
+def test_a_feature_that_primary_facets_do_not_resolve_is_reported(runner, name):
     swapped = variants.swapped(CASES[name].scene.model(Fineness.COARSE, Interface.MIXTURE))
     missed_by, surface = swapped.mesh.pairs["pair"]
-    (said,) = _noticed(runner(swapped))
+    (said,) = _said_of_penetration(runner(swapped))
     assert f'secondary surface "{surface}" inside the body of "{missed_by}"' in said
 
 
 @pytest.mark.parametrize("name", ["curved-1-to-8", "slide-off-edge", "curved-two-pass"])
-def test_where_it_is_noticed_nothing_is_said(runner, name):
+def test_where_it_is_resolved_nothing_is_said(runner, name):
     run = runner(CASES[name].scene.model(Fineness.COARSE, Interface.MIXTURE))
     assert not [text for text in run.report.warnings if "without any load" in text]
-    assert not _noticed(run)
+    assert not _said_of_penetration(run)
 
 
 def test_what_both_sides_leave_open_is_warned_of(runner):
@@ -83,10 +83,10 @@ def test_what_both_sides_leave_open_is_warned_of(runner):
     assert len([text for text in run.report.warnings if "without any load" in text]) == 1
 
 
-def test_restart_with_noticed_nodes(runner, tmp_path):
+def test_restart_with_penetration_check_nodes(runner, tmp_path):
     """From the archive after 12 of 20 steps. febio4 cannot continue a run that logs data of surfaces or facets."""
     swapped = variants.swapped(CASES["curved-1-to-8"].scene.model(Fineness.COARSE, Interface.MIXTURE))
-    model = replace(swapped, name="noticed-dump", surface_columns=(), facet_columns=(), plot=True)
+    model = replace(swapped, name="penetration-dump", surface_columns=(), facet_columns=(), plot=True)
     whole = runner(model, options=("-dump=1", "-dump_stride=12"))
     folder = shutil.copytree(whole.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()

@@ -59,10 +59,10 @@ def test_times_are_drawn_and_tabulated(tmp_path):
 
 
 def test_what_bodies_take_is_not_the_contacts():
-    whole = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2, unknowns=9, entries=40)
+    reference = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2, unknowns=9, entries=40)
     # twice the iterations and evaluations: 1 s of stiffness and 0.6 s of update and residual are the bodies'
     joined = Timed(True, 10, 20, 2.0, update=0.25, profile=0.3, stiffness=1.4, residual=0.5, unknowns=9, entries=60)
-    assert paired_runs.contact_time(joined, whole) == pytest.approx(0.3 + 0.4 + 0.15)
+    assert paired_runs.contact_time(joined, reference) == pytest.approx(0.3 + 0.4 + 0.15)
 
 
 @pytest.mark.parametrize("name", effects_added())
@@ -76,7 +76,7 @@ def test_a_scene_lists_its_effects_and_their_times(name, runner):
     assert 0.0 < times.host < times.total
     assert 0.0 < times.share < 1.0
     # Bodies with fluid widen differently, and each facet is cut by the edges of those beside the one opposite.
-    differ = scene.kind is not Kind.ELASTIC and not scene.frozen
+    differ = scene.kind is not Kind.ELASTIC and not scene.fixed
     pieces = (2 * scene.section - 1) ** 2 if differ else scene.section**2
     assert times.points == 4 * pieces
 
@@ -84,12 +84,12 @@ def test_a_scene_lists_its_effects_and_their_times(name, runner):
 def test_contacts_are_compared_on_the_same_model():
     scenes = paired_runs.compared(Scene(Kind.BIPHASIC))
     assert [scene.contact for scene in scenes.values()] == [
-        "unsplit",
+        "conforming",
         InterfaceType.MIXTURE.value,
         "sliding-biphasic",
         "sliding-biphasic",
     ]
-    assert len({scene.model().mesh.nodes.shape for scene in scenes.values() if scene.contact != "unsplit"}) == 1
+    assert len({scene.model().mesh.nodes.shape for scene in scenes.values() if scene.contact != "conforming"}) == 1
 
 
 def test_memory_does_not_know_of_solutes_that_are_not_shared(runner):

@@ -12,7 +12,7 @@ from harness.conversion.convert import convert
 from harness.conversion.fates import DROPPED, Action
 from harness.errors import ModelError
 from harness.models import pairs
-from harness.models.bath import Apart
+from harness.models.ambient import Apart
 from harness.models.confined import Confined
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
@@ -200,7 +200,7 @@ def test_contacts_in_steps(converted):
     assert b'type="sliding-mixture"' in converted(old).data
 
 
-def test_nodes_held_at_the_value_of_the_bath_are_spoken_of(converted):
+def test_nodes_held_at_the_ambient_value_are_spoken_of(converted):
     made = converted(Apart(InterfaceType.SOLUTE, held=(pressure("lower-top", -1e-3, 1),)).model().text())
     assert [change.name for change in made.changes["boundary conditions"]] == ["fluid pressure"]
     assert "4 nodes" in made.changes["boundary conditions"][0].reason
@@ -215,7 +215,7 @@ def test_nodes_held_at_another_value_stay_and_are_spoken_of(converted):
     ]
     for change in made.changes["boundary conditions"]:
         assert change.action is Action.KEPT
-        assert "sets the bath's value where they are open" in change.reason
+        assert "sets the ambient value where they are open" in change.reason
 
 
 def test_the_plot_file_is_spoken_of(converted):
@@ -250,7 +250,7 @@ REFUSED = {
         .text(),
         "fric_coeff",
     ),
-    "solutes behind sliding-biphasic": (in_module(SOLUTE, "sliding-biphasic"), "leaves its solutes sealed"),
+    "solutes behind sliding-biphasic": (in_module(SOLUTE, "sliding-biphasic"), "impermeable to solutes"),
     "a material that the type takes for a solid": (
         in_module(SOLUTE, "sliding-biphasic-solute").replace(' type="biphasic-solute">', ' type="multiphasic">'),
         "takes it for a solid without fluid",

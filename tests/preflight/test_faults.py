@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from harness.errors import ModelError
-from harness.models.bath import Apart
+from harness.models.ambient import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic
 from harness.models.mesh import Box, assemble
@@ -133,10 +133,10 @@ def text_of(model, *changes):
     return text
 
 
-BATH = (Param("ambient_concentration", 1.0),)
+AMBIENT = (Param("ambient_concentration", 1.0),)
 
 
-def bath(solute, value):
+def ambient_at(solute, value):
     return Param("ambient_concentration", value, None, {"sol": solute})
 
 
@@ -189,21 +189,25 @@ FAULTS = {
     "stiff penalty": (lambda: with_params(Param("penalty", 1e9)), "stiff-penalty", "open and close"),
     "Peclet number": (with_peclet, "peclet", "element Peclet number"),
     "short step": (lambda: diffusion(InterfaceType.SOLUTE, control=Control(100, 1.0)), "time-step", "often stalls"),
-    "bath without pressure": (lambda: with_params(*BATH), "bath-pressure", "-0.0024776"),
-    "bath of the wrong sign": (
-        lambda: with_params(*BATH, Param("ambient_pressure", 2.4776e-3)),
-        "bath-pressure",
+    "ambient pressure missing": (lambda: with_params(*AMBIENT), "ambient-pressure", "-0.0024776"),
+    "ambient pressure of the wrong sign": (
+        lambda: with_params(*AMBIENT, Param("ambient_pressure", 2.4776e-3)),
+        "ambient-pressure",
         "-0.0024776",
     ),
-    "bath in Pa": (lambda: with_params(*BATH, Param("ambient_pressure", -2477.6)), "bath-pressure", "-0.0024776"),
+    "ambient pressure in Pa": (
+        lambda: with_params(*AMBIENT, Param("ambient_pressure", -2477.6)),
+        "ambient-pressure",
+        "-0.0024776",
+    ),
     "prescribed pressure": (
         lambda: text_of(diffusion(), ("<value>-0.002477572</value>", "<value>0</value>")),
-        "bath-pressure",
+        "ambient-pressure",
         "prescribed",
     ),
-    "nodes held against the bath": (
+    "nodes held against ambient values": (
         lambda: Apart(InterfaceType.SOLUTE, held=(pressure("lower-top", 1.0),)).model(),
-        "held-nodes",
+        "prescribed-nodes",
         "of 4 nodes",
     ),
     "body not held before touch": (
@@ -282,9 +286,9 @@ FAULTS = {
         "no module of FEBio",
     ),
     "solute": (lambda: with_params(Param("ambient_concentration", 1.0, None, {"sol": "3"})), "ambient-solute", "3"),
-    "name of no solute": (lambda: with_params(bath("Na", 1.0)), "ambient-solute", "solute Na"),
-    "ambient concentration nan": (lambda: with_params(bath("s1", "nan")), "bad-value", "not negative"),
-    "ambient concentration below zero": (lambda: with_params(bath("s1", -1.0)), "bad-value", "not negative"),
+    "name of no solute": (lambda: with_params(ambient_at("Na", 1.0)), "ambient-solute", "solute Na"),
+    "ambient concentration nan": (lambda: with_params(ambient_at("s1", "nan")), "bad-value", "not negative"),
+    "ambient concentration below zero": (lambda: with_params(ambient_at("s1", -1.0)), "bad-value", "not negative"),
     "load curve below zero": (
         lambda: replace(
             with_params(Param("ambient_concentration", 2.0, 1)), curves=(Curve(((0, 0), (1, 1), (2, -1))),)
@@ -293,12 +297,12 @@ FAULTS = {
         "falls to -2",
     ),
     "ambient concentration twice": (
-        lambda: with_params(bath("s1", 1.0), bath("1", 2.0)),
+        lambda: with_params(ambient_at("s1", 1.0), ambient_at("1", 2.0)),
         "given-twice",
         "of solute 1 is given twice",
     ),
     "ambient concentration twice, once without sol": (
-        lambda: with_params(*BATH, bath("s1", 2.0)),
+        lambda: with_params(*AMBIENT, ambient_at("s1", 2.0)),
         "given-twice",
         "of solute 1 is given twice",
     ),
@@ -437,9 +441,9 @@ def test_conditions_name_solutes_by_number_or_name(findings, named):
     """A zero concentration on nodes of the contact is found, whatever the solute is called."""
     tag = '<bc name="held" type="zero concentration" node_set="@surface:lower-top">'
     condition = f"{tag}<c_dof>{named}</c_dof></bc></Boundary>"
-    model = with_params(*BATH, interface=InterfaceType.SOLUTE)
+    model = with_params(*AMBIENT, interface=InterfaceType.SOLUTE)
     found = findings(model, ("</Boundary>", condition))
-    assert any(finding.rule == "held-nodes" and "solute 1" in finding.message for finding in found)
+    assert any(finding.rule == "prescribed-nodes" and "solute 1" in finding.message for finding in found)
 
 
 def coarse_primary():
@@ -460,14 +464,14 @@ NOTES = {
     "itself": (itself, "self-contact"),
     "coarse primary": (coarse_primary, "finer-primary"),
     "a penalty of zero": (lambda: with_params(Param("penalty", 0.0)), "left-out"),
-    "a bath that wets nothing": (
+    "ambient values without open nodes": (
         lambda: with_params(Param("free_draining", 0.0), Param("ambient_pressure", 0.0)),
         "not-drained",
     ),
     "a solid fraction without friction": (lambda: with_params(Param("contact_frac", 0.1)), "no-friction"),
     "few reformations": (lambda: text_of(diffusion(), ("<max_refs>15<", "<max_refs>5<")), "max-refs"),
-    "sealed solutes": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-biphasic")), "sealed"),
-    "sealed fluid": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-elastic")), "sealed"),
+    "solutes not exchanged": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-biphasic")), "impermeable"),
+    "fluid not exchanged": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-elastic")), "impermeable"),
     "a property that is a formula": (
         lambda: text_of(diffusion(), ("<perm>0.0001<", '<perm type="math">1e-4*X<')),
         "not-compared",

@@ -9,7 +9,7 @@ import pytest
 
 from harness.conversion.convert import convert
 from harness.errors import ModelError
-from harness.models.bath import Apart
+from harness.models.ambient import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType
 from harness.preflight.check import check

@@ -79,7 +79,7 @@ def test_an_effect_left_out_agrees(runs, effects):
 
 def test_a_body_without_contact_agrees(runs):
     found = differences(
-        *runs(strict(Diffusion(InterfaceType.UNSPLIT, control=Control(20, 50.0)).model(), FLOORS[10.0]))
+        *runs(strict(Diffusion(InterfaceType.CONFORMING, control=Control(20, 50.0)).model(), FLOORS[10.0]))
     )
     assert max(found.values()) <= BAR, found
 

@@ -57,7 +57,7 @@ def test_it_ends_balanced_and_with_nothing_undefined(runner, name):
     assert "Sanitizer" not in said
 
 
-def test_a_feature_that_primary_facets_miss_is_noticed(runner):
+def test_a_feature_that_primary_facets_do_not_resolve_is_reported(runner):
     made = CASES["corner-on-face"].scene.model(Fineness.COARSE, Interface.MIXTURE)
     runs = [runner(replace(m, surface_columns=(), facet_columns=())) for m in (made, variants.swapped(made))]
     sharp, blunt = (float(np.abs(run.nodes["Rz"][-1]).sum()) for run in runs)

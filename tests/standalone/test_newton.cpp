@@ -20,14 +20,15 @@ MatrixXd solve(const Model& model, double end, int steps) {
   return problem.values();
 }
 
-/// u(H)/h of a layer after a step load P0, sealed below: (P0/H_A) [1 - 2/pi^2 SUM (n+1/2)^-2 exp(-(n+1/2)^2 pi^2 tau)].
+/// u(H)/h of a layer after a step load P0, impermeable below: (P0/H_A) [1 - 2/pi^2 SUM (n+1/2)^-2 exp(-(n+1/2)^2 pi^2
+/// tau)].
 double consolidation(double tau) {
   double sum = 0;
   for (int n = 0; n < terms; ++n) sum += std::pow(n + 0.5, -2) * std::exp(-std::pow((n + 0.5) * M_PI, 2) * tau);
   return 1 - 2 / (M_PI * M_PI) * sum;
 }
 
-/// c/c* at height z of a layer of height 1 that is sealed at z = 1, in a bath at z = 0, at tau = d t/h^2.
+/// c/c* at height z of a layer of height 1 that is impermeable at z = 1 and at c* at z = 0, at tau = d t/h^2.
 double diffusion(double z, double tau) {
   double sum = 0;
   for (int n = 0; n < terms; ++n)

@@ -169,7 +169,7 @@ def pressure_beside_contact(folder):
 
 
 def test_the_nodes_of_a_contact_that_has_ended_are_free(solve):
-    """Beside contact the pressure is the ambient one; once the contact's step has ended the slab is sealed there."""
+    """Beside contact the pressure is the ambient one; after the contact's step the slab is impermeable there."""
     always = pressure_beside_contact(solve("always", biphasic_steps({1, 2}, 2))[0])
     assert np.all(always == 0.0)
     ended = pressure_beside_contact(solve("ended", biphasic_steps({1}, 2))[0])

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from harness.models.bath import Apart
+from harness.models.ambient import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Param

@@ -54,7 +54,7 @@ def test_without_febio_the_rest_is_done_and_the_reason_given(tmp_path):
         (("run", "README.md"), "a model file ends in .feb"),
         (("plot", "none.json"), "cannot read none.json"),
         (("validate", "--only", "everything"), "'everything' is not one of closed-forms, diffusion"),
-        (("validate", "--interface", "unsplit"), "'unsplit' is what the others are compared with"),
+        (("validate", "--interface", "conforming"), "'conforming' is what the others are compared with"),
         (("validate", "--interface", "glue"), "'glue'"),
     ],
 )
@@ -89,7 +89,7 @@ def test_run_reports_what_a_run_took(runner, interface, tmp_path):
 
 
 def test_run_quotes_febio_where_it_fails(runner, tmp_path):
-    path = Diffusion(InterfaceType.UNSPLIT, elements=1, control=Control(5, 200.0)).model().write(tmp_path)
+    path = Diffusion(InterfaceType.CONFORMING, elements=1, control=Control(5, 200.0)).model().write(tmp_path)
     path.write_text(path.read_text().replace("<E>10</E>", "<modulus>10</modulus>"))
     finished = harness("run", path)
     assert finished.returncode == 2

@@ -36,7 +36,7 @@ def test_transient_diffusion_obeys_its_equation():
 
 
 def test_transient_diffusion_at_its_boundaries_and_limits():
-    assert transient_diffusion.concentration(-1.0, 700.0, bath=2.0, **SLAB) == pytest.approx(2.0, abs=1e-14)
+    assert transient_diffusion.concentration(-1.0, 700.0, ambient=2.0, **SLAB) == pytest.approx(2.0, abs=1e-14)
     inside, face = transient_diffusion.concentration([1.0 - 1e-5, 1.0], 700.0, **SLAB)
     assert inside - face == pytest.approx(0.0, abs=1e-9)
     assert transient_diffusion.concentration(1.0, 1e6, **SLAB) == pytest.approx(1.0, abs=1e-12)
@@ -212,7 +212,7 @@ def test_partial_slip_refuses_more_than_slides():
 
 
 def test_friction_under_a_plate_follows_the_drainage():
-    """An independent solution of p_tau = p_zz, drained at z = 0 and sealed at z = 1: Crank-Nicolson after Euler."""
+    """An independent solution of p_tau = p_zz, drained at z = 0, impermeable at z = 1: Crank-Nicolson after Euler."""
     n, steps, end = 100, 400, 0.4
     dt, h = end / steps, 1.0 / n
     laplace = (np.diag(np.full(n, -2.0)) + np.diag(np.ones(n - 1), 1) + np.diag(np.ones(n - 1), -1)) / h**2

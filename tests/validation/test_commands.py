@@ -44,7 +44,7 @@ SMALL = {
     "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
     "scripts/mixcontact cost --error 1e-3 --problem 3.2": "{harness} cost --error 1e-3 --problem 3.2",
     "scripts/mixcontact cost": "{harness} cost --help",
-    "scripts/mixcontact cost --only turns": "{harness} cost --help",
+    "scripts/mixcontact cost --only interleaved": "{harness} cost --help",
     "scripts/mixcontact biphasic-hertz --folder docs": "{harness} biphasic-hertz --help",
     "scripts/mixcontact price": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",

@@ -98,8 +98,8 @@ def elastic(model, tolerance=1e-6, kind="sliding-elastic"):
     return Case(text, columns, model.node_file, tolerance)
 
 
-def sealed(model, kind, tolerance):
-    """A biphasic model with a type that leaves its fluid alone: sealed in contact and outside."""
+def traction_alone(model, kind, tolerance):
+    """A biphasic model with a type that leaves its fluid alone: impermeable in contact and outside."""
     made = case(model, tolerance)
     return replace(made, text=made.text.replace('"sliding-biphasic"', f'"{kind}"'), gauss=True)
 
@@ -114,8 +114,8 @@ CASES = {
     "facet on facet": elastic(confined(ELASTIC), kind="sliding-facet-on-facet"),
     "facet on facet, value": elastic(confined(ContactSettings(penalty=50.0)), kind="sliding-facet-on-facet"),
     "node on facet": elastic(confined(ELASTIC), kind="sliding-node-on-facet"),
-    "biphasic bodies, sealed": sealed(punch(ELASTIC), "sliding-elastic", 5e-3),
-    "biphasic bodies, facet on facet": sealed(confined(ELASTIC), "sliding-facet-on-facet", 1e-6),
+    "biphasic bodies, traction alone": traction_alone(punch(ELASTIC), "sliding-elastic", 5e-3),
+    "biphasic bodies, facet on facet": traction_alone(confined(ELASTIC), "sliding-facet-on-facet", 1e-6),
     "elastic, automatic": elastic(confined(ELASTIC)),
     "elastic, value": elastic(confined(ContactSettings(penalty=50.0))),
     "elastic, two passes": elastic(confined(replace(ELASTIC, two_pass=True))),

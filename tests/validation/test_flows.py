@@ -8,7 +8,7 @@ import pytest
 from harness.closed_forms import steady_convection
 from harness.models import convection
 from harness.models.convection import Convection
-from harness.models.diffusion import BATH, CLOSING, DIFFUSIVITY, Diffusion
+from harness.models.diffusion import AMBIENT, CLOSING, DIFFUSIVITY, Diffusion
 from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented
 from harness.models.mesh import Section
 from harness.models.parts import Control
@@ -81,5 +81,5 @@ def test_the_upper_cube_gains_what_passes(run):
     stretch = height / height[0]
     content = ((0.8 - 1.0 + stretch) * height[0] * c.mean(axis=2)).sum(axis=1)
     gained = np.abs(below[1:, 4]).cumsum() * step
-    assert content[-1] > 0.1 * BATH
+    assert content[-1] > 0.1 * AMBIENT
     np.testing.assert_allclose(gained, content[1:], rtol=2 * CLOSING, atol=1e-6)

@@ -216,14 +216,14 @@ def test_summary_counts_failed_attempts_and_names_the_unmet_norm():
     assert diagnosis.summary(converged) == "no failed attempt"
 
 
-def test_a_node_off_the_other_body_has_to_be_at_the_bath():
+def test_a_node_off_the_other_body_has_to_be_at_ambient():
     model = Indentation().model()
     lines, n = measures.contact_lines(model), len(model.mesh.nodes)
-    bath = State(model.mesh.nodes, np.zeros(n), np.zeros((1, n)))
-    assert measures.not_at_bath(bath, lines) == 0
+    empty = State(model.mesh.nodes, np.zeros(n), np.zeros((1, n)))
+    assert measures.not_at_ambient(empty, lines) == 0
     outermost = lines[0][-1]
     apart = State(model.mesh.nodes, np.zeros(n), np.eye(n)[[outermost]])
-    assert measures.not_at_bath(apart, lines) == 1
+    assert measures.not_at_ambient(apart, lines) == 1
 
 
 def test_means_over_the_contact_are_of_what_is_closed():
@@ -256,11 +256,11 @@ def test_overshoot_of_a_sudden_front():
 
 def test_extremes_are_compared_on_the_same_mesh_and_steps():
     made = cases()
-    whole, cut = made["no contact"], made["contact"]
-    assert not whole.contacts
-    assert whole.control == cut.control
-    np.testing.assert_array_equal(whole.mesh.nodes, cut.mesh.nodes)
+    without, with_contact = made["no contact"], made["contact"]
+    assert not without.contacts
+    assert without.control == with_contact.control
+    np.testing.assert_array_equal(without.mesh.nodes, with_contact.mesh.nodes)
     assert (
         made["contact, d0 = d"].mixture("slab").solutes[0].free_diffusivity
-        == cut.mixture("slab").solutes[0].diffusivity
+        == with_contact.mixture("slab").solutes[0].diffusivity
     )

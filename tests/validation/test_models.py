@@ -9,10 +9,10 @@ import pytest
 from lxml import etree
 
 from harness.errors import ModelError
-from harness.models.bath import Apart, HalfWet
+from harness.models.ambient import Apart, HalfWet
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType, automatic
-from harness.models.mesh import Layer, Section, cut_column, glued_column
+from harness.models.mesh import Layer, Section, conforming_column, split_column
 from harness.models.parts import Control, Param, fix
 from harness.models.patches import Patches
 from harness.pages import collection
@@ -31,7 +31,7 @@ def volumes(mesh):
     return np.concatenate(found)
 
 
-@pytest.mark.parametrize("build", [cut_column, glued_column])
+@pytest.mark.parametrize("build", [split_column, conforming_column])
 def test_columns_fill_their_space(build):
     mesh = build(LAYERS, bottom=-1.0, section=SECTION)
     assert np.all(volumes(mesh) > 0.0)
@@ -40,7 +40,7 @@ def test_columns_fill_their_space(build):
     assert mesh.nodes[:, 2].max() == pytest.approx(2.5)
 
 
-@pytest.mark.parametrize("build", [cut_column, glued_column])
+@pytest.mark.parametrize("build", [split_column, conforming_column])
 def test_surfaces_face_outwards(build):
     mesh = build(LAYERS, bottom=0.0, section=SECTION)
     for name, facets in mesh.surfaces.items():
@@ -49,18 +49,18 @@ def test_surfaces_face_outwards(build):
         assert np.all(normal[:, 2] > 0.0) == name.endswith("top"), name
 
 
-def test_a_glued_column_has_the_nodes_of_the_cut_one():
-    cut, glued = (build(LAYERS, bottom=0.0, section=SECTION) for build in (cut_column, glued_column))
-    same = compare.counterparts(cut, glued)
-    np.testing.assert_allclose(cut.nodes, glued.nodes[same], atol=1e-12)
-    assert len(cut.nodes) - len(glued.nodes) == 2 * 12
-    assert set(same) == set(range(len(glued.nodes)))
+def test_a_conforming_column_has_the_nodes_of_the_split_one():
+    split, conforming = (build(LAYERS, bottom=0.0, section=SECTION) for build in (split_column, conforming_column))
+    same = compare.counterparts(split, conforming)
+    np.testing.assert_allclose(split.nodes, conforming.nodes[same], atol=1e-12)
+    assert len(split.nodes) - len(conforming.nodes) == 2 * 12
+    assert set(same) == set(range(len(conforming.nodes)))
     for name in ("bottom", "top", "b-top", "c-bottom"):
-        assert set(same[cut.node_sets[name] - 1] + 1) == set(glued.node_sets[name])
+        assert set(same[split.node_sets[name] - 1] + 1) == set(conforming.node_sets[name])
 
 
 def test_facing_nodes_are_at_one_place():
-    mesh = cut_column(LAYERS, bottom=0.0, section=SECTION)
+    mesh = split_column(LAYERS, bottom=0.0, section=SECTION)
     below, above = compare.facing(mesh, "a/b")
     np.testing.assert_allclose(mesh.nodes[below - 1], mesh.nodes[above - 1])
 
@@ -68,7 +68,7 @@ def test_facing_nodes_are_at_one_place():
 @pytest.mark.parametrize(("thickness", "elements"), [(0.0, 1), (-1.0, 2), (1.0, 0)])
 def test_a_layer_needs_a_size(thickness, elements):
     with pytest.raises(ModelError, match="'thin' needs a size"):
-        cut_column([Layer("thin", "m", thickness, elements)], bottom=0.0)
+        split_column([Layer("thin", "m", thickness, elements)], bottom=0.0)
 
 
 def test_committed_models_are_what_the_generator_writes():

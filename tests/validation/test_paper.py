@@ -1,4 +1,4 @@
-"""Problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012) against closed forms and against the body that is not cut."""
+"""Problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012) against closed forms and against the conforming reference."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ OPTIONS = {
 }
 
 
-def test_diffusion_is_that_of_the_whole_body_in_as_many_iterations(context):
-    assert compare.missed(checks.diffusion_against_whole(context)) == []
+def test_diffusion_is_that_of_the_conforming_reference_in_as_many_iterations(context):
+    assert compare.missed(checks.diffusion_against_reference(context)) == []
 
 
-def test_diffusion_follows_the_closed_form_as_well_as_the_whole_body(context):
+def test_diffusion_follows_the_closed_form_as_well_as_the_conforming_reference(context):
     assert compare.missed(checks.diffusion_against_closed_form(context)) == []
 
 
-def test_convection_follows_the_closed_form_as_well_as_the_whole_body(context):
+def test_convection_follows_the_closed_form_as_well_as_the_conforming_reference(context):
     assert compare.missed(checks.convection_against_closed_form(context)) == []
 
 
@@ -95,7 +95,7 @@ def test_orders_of_convergence_across_the_contact(context):
 @pytest.mark.mixture_only
 @pytest.mark.parametrize("option", OPTIONS)
 @pytest.mark.parametrize("module", ["solute", "multiphasic"])
-def test_the_cut_is_not_seen_whatever_the_options(context, module, option):
+def test_the_split_body_is_its_reference_whatever_the_options(context, module, option):
     """Short runs with 2 x 2 facets in both modules.
 
     Closing the contact in one step presses the fluid up; there the pressure sees that the contact gives, by 1/factor of
@@ -103,12 +103,12 @@ def test_the_cut_is_not_seen_whatever_the_options(context, module, option):
     """
     stiffness, conductance = (1e2, 1e3) if option.startswith("two passes") else (1e3, 1e5)
     data = {"elements": 10, "control": SHORT, "section": Section((1.0, 1.0), (2, 2)), "module": module}
-    cut = context.runner(Diffusion(context.interface, OPTIONS[option], name="diffusion-short", **data).model())
-    whole = context.runner(Diffusion(InterfaceType.UNSPLIT, name="diffusion-short-whole", **data).model())
-    assert compare.largest_difference(cut, whole, "c1") <= 0.1 / conductance
-    assert compare.largest_difference(cut, whole, "p") <= np.abs(whole.nodes["p"]).max() / stiffness
+    split = context.runner(Diffusion(context.interface, OPTIONS[option], name="diffusion-short", **data).model())
+    reference = context.runner(Diffusion(InterfaceType.CONFORMING, name="diffusion-short-conforming", **data).model())
+    assert compare.largest_difference(split, reference, "c1") <= 0.1 / conductance
+    assert compare.largest_difference(split, reference, "p") <= np.abs(reference.nodes["p"]).max() / stiffness
     allowed = {"augmented": 1.25, "two passes, augmented": 1.25, "symmetric": 2.0}.get(option, 1.05)
-    assert cut.report.iterations <= allowed * whole.report.iterations
+    assert split.report.iterations <= allowed * reference.report.iterations
 
 
 @pytest.mark.mixture_only

@@ -78,12 +78,12 @@ def test_a_penalty_of_zero_has_no_effect_in_the_log_and_no_entries(runner):
     assert nonzeroes(run) < nonzeroes(sound)
 
 
-def test_without_a_pressure_penalty_the_solvent_is_sealed_in(runner):
+def test_without_a_pressure_penalty_the_surfaces_are_impermeable_to_solvent(runner):
     """As with <effects> that leave it out."""
     pair = pairs.of_kinds(Kind.BIPHASIC, Kind.BIPHASIC)
     runs = [
         runner(replace(pair, name=name, settings=ContactSettings(extra=(given,))).model())
-        for name, given in (("sealed", Param("effects", "traction")), ("zero", Param("pressure_penalty", 0.0)))
+        for name, given in (("traction", Param("effects", "traction")), ("zero", Param("pressure_penalty", 0.0)))
     ]
     assert "exchanges traction. No solvent: <pressure_penalty> is 0." in runs[1].log
     np.testing.assert_array_equal(runs[0].nodes["p"], runs[1].nodes["p"])
@@ -91,12 +91,12 @@ def test_without_a_pressure_penalty_the_solvent_is_sealed_in(runner):
 
 
 @pytest.mark.parametrize("settings", [ContactSettings(laugon="LAGMULT"), ContactSettings()])
-def test_under_tension_a_cut_layer_is_drawn_out_as_a_whole_one(runner, settings):
-    """With multipliers to rounding and the overlap that the cut scene begins with; with the default penalty to 1e-3."""
+def test_under_tension_a_split_layer_is_drawn_out_as_its_reference(runner, settings):
+    """With multipliers to rounding and the overlap at the start; with the default penalty to 1e-3."""
     tension = replace(settings, extra=(Param("tension", True),))
     runs = [
         runner(_drawn_out(kind, chosen))
-        for kind, chosen in ((InterfaceType.MIXTURE, tension), (InterfaceType.UNSPLIT, None))
+        for kind, chosen in ((InterfaceType.MIXTURE, tension), (InterfaceType.CONFORMING, None))
     ]
     bar = 1e-7 if settings.laugon == "LAGMULT" else 1e-3
     for column in ("uz", "p"):
@@ -107,7 +107,7 @@ def test_under_tension_a_cut_layer_is_drawn_out_as_a_whole_one(runner, settings)
 
 
 def _drawn_out(interface, settings):
-    """A biphasic layer, cut in two, that a load pulls at."""
+    """A biphasic layer, split in two, that a load pulls at."""
     name = f"drawn-{interface.value}-{getattr(settings, 'laugon', '')}"
     model = Confined(interface, settings, elements=5, control=Control(5, 200.0), name=name).model()
     kept = tuple(condition for condition in model.conditions if condition != normal_load("top", LOAD))

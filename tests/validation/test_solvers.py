@@ -77,7 +77,7 @@ def test_multipliers_need_a_matrix(runner, tmp_path):
     assert "CG-solid" in " ".join(finished.report.errors)
 
 
-def test_a_step_in_which_overlap_was_first_noticed_is_cut_back(runner, tmp_path):
+def test_a_step_in_which_overlap_was_first_found_is_cut_back(runner, tmp_path):
     """Two reformations do not suffice for a step that gains nodes of the other surface: each is tried again shorter."""
     path = tmp_path / "model.feb"
     path.write_text((MODELS / "blunt-corner.feb").read_text())

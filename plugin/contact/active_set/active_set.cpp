@@ -92,9 +92,8 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
     const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
     const double band = rounding + (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
     const Vector3d trial = predicted.friction.trial.col(node);
-    const double excess = slips[node]
-                              ? slip_excess(trial, bound[node], predicted.friction.reference_of(node))
-                              : trial.norm() - bound[node];
+    const double excess = slips[node] ? slip_excess(trial, bound[node], predicted.friction.reference_of(node))
+                                      : trial.norm() - bound[node];
     if (std::abs(excess) > band) slips[node] = excess > 0;
   }
   return slips;

@@ -13,7 +13,7 @@ NodalLoads PenaltyMethod::predicted_loads(const LinearisationPoint& point, const
 void PenaltyMethod::add_friction(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                  MatrixXd& tangent, std::vector<TangentBlock>& blocks) const {
   if (!loads.in_contact[node]) return;
-  const FrictionTraction law = laws().friction_law(loads, node);
+  const FrictionTraction law = friction_law(loads, node);
   const FrictionBound bound = laws().friction_bound(loads, node);
   const NodeLinearisation::Friction& friction = linear.friction;
   Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();

@@ -1,4 +1,4 @@
-/// Secondary nodes inside the primary body that the laws at primary nodes do not feel.
+/// Secondary nodes inside the primary body that the laws at primary nodes do not resolve.
 #pragma once
 
 #include "interface/facing_nodes.h"
@@ -7,7 +7,7 @@ namespace mixture_contact {
 
 /// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
 /// contact. The laws hold as averages around primary nodes: what is smaller than a primary facet may overlap it without
-/// any load, unless a second pass notices it. Beside facets in contact the average reaches that far: an overlap there
+/// any load, unless a second pass resolves it. Beside facets in contact the average reaches that far: an overlap there
 /// is the error of the edge of contact, which no second law mends.
 struct UndetectedPenetration {
   int nodes = 0;     ///< how many lie deeper than penetration_tolerance

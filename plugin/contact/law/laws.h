@@ -14,7 +14,7 @@ struct LawValue {
 /// Normal traction t_n = min(0, lambda_n + eps_n g), eq (2.7). g < 0 where the bodies overlap, t_n < 0 is compression.
 ///
 /// lambda in MPa, eps in N/mm^3, gap in mm. Within `touch` [mm] of the kink the derivative is that of contact, so that
-/// surfaces which touch to rounding feel each other; the value is exact everywhere.
+/// surfaces which touch to rounding act on each other; the value is exact everywhere.
 inline LawValue normal_traction(double lambda, double penalty, double gap, double touch) {
   const double trial = lambda + penalty * gap;
   if (trial > penalty * touch) return {0.0, 0.0};

@@ -68,7 +68,7 @@ FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) con
   return mixture_contact::friction_bound(settings_.friction, loads.traction[node], pressure);
 }
 
-FrictionTraction NodalLaws::friction_law(const NodalLoads& loads, Index node) const {
+FrictionTraction friction_law(const NodalLoads& loads, Index node) {
   const Vector3d trial = loads.friction.trial.col(node);
   if (!loads.slips[node]) return stick(trial);
   return slip(trial, loads.friction.bound[node], loads.friction.reference_of(node));

@@ -28,6 +28,9 @@ struct FrictionTrial {
   Vector3d value;    ///< tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)
 };
 
+/// Friction of a node in contact, as its status has it.
+FrictionTraction friction_law(const NodalLoads& loads, Index node);
+
 /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
 inline constexpr double rounding_fraction = 1e-13;
 
@@ -70,8 +73,6 @@ class NodalLaws {
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
-  /// Friction of a node in contact, as its status has it.
-  FrictionTraction friction_law(const NodalLoads& loads, Index node) const;
   /// Sets the friction of the nodes in contact as their status has it.
   void load_friction(NodalLoads& loads) const;
   /// Which nodes in contact slide where nothing has been decided: those whose trial exceeds the bound.

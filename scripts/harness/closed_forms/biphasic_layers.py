@@ -25,7 +25,7 @@ Where this ends. Within some h of the edge the layer is not thin. For an elastic
 mixture is at first, the integral equation of the layer (Johnson 1985, Contact Mechanics, section 5.8, for the problem)
 gives an edge that lies 1.45 h inside of a, for large a/h (`EDGE`). Peak pressure and approach differ far less, with
 (h/a)^2: at a = 16 h by 1.2 % and 1.6 %. The time is to be short against a^2/(H k), in which solvent drains from the
-contact, H being the aggregate modulus. And the free surface beside the contact is sealed: where it drains, solvent that
+contact, H being the aggregate modulus. And the free surface is impermeable: where it drains, solvent that
 reaches the last h of the contact leaves through it, a part of some h/a that grows with chi t.
 """
 

@@ -1,8 +1,8 @@
 """Diffusion into two layers in series, joined by an interface of finite or infinite conductance.
 
 Derivation. In each layer K c~_t = G c~_zz, with K = phi_w kappa~ (capacity) and G = K d (conductance). With
-u = 1 - c~/c* and z from the bath, the modes X1 = sin(lambda z/sqrt(d1)) and X2 = B cos(lambda (L - z)/sqrt(d2)) satisfy
-u = 0 at the bath and u' = 0 at the sealed face L = L1 + L2. With a = lambda L1/sqrt(d1), b = lambda L2/sqrt(d2) and
+u = 1 - c~/c* and z from the ambient face, the modes X1 = sin(lambda z/sqrt(d1)) and X2 = B cos(lambda (L - z)/sqrt(d2))
+satisfy u = 0 there, and u' = 0 at the impermeable face L. With a = lambda L1/sqrt(d1), b = lambda L2/sqrt(d2) and
 g_i = K_i sqrt(d_i), at z = L1
 
 - the flux is continuous:        g1 cos a = g2 B sin b;
@@ -58,16 +58,16 @@ class Layer:
 def concentration(
     z: ArrayLike, t: float, first: Layer, second: Layer, conductance: float = np.inf
 ) -> NDArray[np.float64]:
-    """Effective concentration c~/c* at a time, in two layers that were empty at t = 0, with a bath c* at z = 0.
+    """Effective concentration c~/c* at a time, in two layers that were empty at t = 0, with c* at z = 0.
 
     Parameters
     ----------
     z : array_like
-        Distance from the bath, mm; at z = L1 itself the value of the first layer.
+        Distance from the ambient face, mm; at z = L1 itself the value of the first layer.
     t : float
         Time, s, positive.
     first, second : Layer
-        The layer at the bath, and the one that is sealed behind.
+        The layer at the ambient face, and the one behind it, whose far face is impermeable.
     conductance : float
         eps_c of the interface, mm/s.
 

@@ -1,6 +1,6 @@
 """Confined creep of a biphasic layer under a step load on its free-draining face.
 
-Source: Mow, Kuei, Lai, Armstrong (1980), J Biomech Eng 102(1):73-84. Derivation: with zeta = z/h from the sealed and
+Source: Mow, Kuei, Lai, Armstrong (1980), J Biomech Eng 102(1):73-84. With zeta = z/h from the impermeable and
 fixed face, the displacement u towards that face follows u_tau = u_zeta,zeta with tau = H k t/h^2, u(0) = 0 and
 u_zeta(1) = (P0/H) h. Steady: (P0/H) h zeta; the rest in the modes sin(mu_n zeta), mu_n = (n + 1/2) pi, with
 INT zeta sin(mu zeta) = sin(mu)/mu^2. From the momentum balance p = P0 - H u_zeta/h.

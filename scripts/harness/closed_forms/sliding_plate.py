@@ -20,7 +20,7 @@ from harness.closed_forms import confined_compression
 def load_support(tau: ArrayLike) -> NDArray[np.float64]:
     """Part of the load that the fluid under the plate bears, p/P0; `tau` = H k t/h^2 must be positive.
 
-    It is that at the sealed base of a layer that drains through its loaded face: the same problem upside down.
+    It is that at the impermeable base of a layer that drains through its loaded face: the same problem upside down.
     """
     return confined_compression.fluid_pressure(0.0, tau, load=1.0)
 

@@ -1,7 +1,7 @@
-"""Diffusion into a slab from a bath on one face, the other face sealed.
+"""Diffusion into a slab from one face at the ambient concentration, the other face impermeable.
 
 Source: Ateshian, Maas, Weiss (2012), J Biomech 45(6):1023-1027, section 3.1. Derivation: with xi = 1/2 - z/h, which is
-1 at the bath and 0 at the sealed face, c_t = d c_zz has the modes cos(mu_n xi) exp(-mu_n^2 d t/h^2) with
+1 at the ambient face and 0 at the impermeable one, c_t = d c_zz has the modes cos(mu_n xi) exp(-mu_n^2 d t/h^2) with
 mu_n = (n - 1/2) pi, and 1 = SUM a_n cos(mu_n xi) gives a_n = 2 sin(mu_n)/mu_n = -(4/pi) (-1)^n/(2n - 1).
 """
 
@@ -16,7 +16,7 @@ _MOST_TERMS = 20_000
 
 
 def concentration(
-    z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: float, bath: float = 1.0
+    z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: float, ambient: float = 1.0
 ) -> NDArray[np.float64]:
     """Concentration in a slab -h/2 <= z <= h/2 that was empty at t = 0.
 
@@ -24,8 +24,8 @@ def concentration(
     ----------
     z, t : array_like
         Position (mm) and time (s, > 0); broadcast against each other.
-    height, diffusivity, bath : float
-        h (mm), d (mm^2/s), and the bath concentration c* (mM) at z = -h/2.
+    height, diffusivity, ambient : float
+        h (mm), d (mm^2/s), and the ambient concentration c* (mM) at z = -h/2.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def concentration(
     xi = (0.5 - position / height)[..., None]
     decay = np.exp(-(mu**2) * diffusivity * time[..., None] / height**2)
     series = np.sum((-1.0) ** n / (2 * n - 1) * np.cos(mu * xi) * decay, axis=-1)
-    return np.asarray(bath * (1.0 + 4.0 / np.pi * series))
+    return np.asarray(ambient * (1.0 + 4.0 / np.pi * series))
 
 
 def _terms(tau: float) -> int:

@@ -9,9 +9,9 @@ from pathlib import Path
 from harness.conversion import spans
 from harness.conversion.fates import (
     DEFAULT,
-    SEALED,
-    SEALING,
-    SEALING_WITH_FRICTION,
+    IMPERMEABLE,
+    IMPERMEABLE_WITH_FRICTION,
+    TRACTION_ALONE,
     WRITTEN,
     Action,
     Change,
@@ -26,8 +26,8 @@ from harness.preflight import xml_file as documents
 from harness.preflight.check import check
 from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.preflight.finding import Severity
-from harness.preflight.held_nodes import held_nodes
 from harness.preflight.model import Model
+from harness.preflight.prescribed_nodes import prescribed_nodes
 from harness.preflight.sides import Joint
 
 NOT_OURS = {
@@ -98,7 +98,7 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
             own.append(change)
             edits += edit
         changes[f'contact "{name}"'] = own
-    for change in _held(model):
+    for change in _prescribed(model):
         changes.setdefault("boundary conditions", []).append(change)
     for change in _output(root):
         changes.setdefault("output", []).append(change)
@@ -110,38 +110,36 @@ def _joint(model: Model, contact: Span) -> Joint:
     return next(Joint(model, known) for known in model.contacts if documents.place(known.tag).line == contact.line)
 
 
-def _sealed(joint: Joint) -> bool:
+def _impermeable(joint: Joint) -> bool:
     """Whether a contact of FEBio's that knows traction alone stands between bodies one of which has fluid."""
     return not joint.contact.kind.solvent and any(side.porous for side in joint.sides)
 
 
 def _parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
-    kind, sealed, rubs = TYPES[contact.attributes["type"]], _sealed(joint), joint.contact.has_friction
+    kind, impermeable, rubs = TYPES[contact.attributes["type"]], _impermeable(joint), joint.contact.has_friction
     for child in contact.children:
         value = data[slice(*child.inner)].decode("latin-1").strip()
         change = fate(kind, child.tag, value, rubs=rubs)(child.line)
         yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
     names = missing(kind, {child.tag for child in contact.children})
     written = [(name, DEFAULT, WRITTEN[name]) for name in names]
-    sealing = SEALING_WITH_FRICTION if rubs else SEALING
-    written += [(name, value, SEALED) for name, value in sealing.items() if sealed]
+    parameters = IMPERMEABLE_WITH_FRICTION if rubs else IMPERMEABLE
+    written += [(name, value, TRACTION_ALONE) for name, value in parameters.items() if impermeable]
     lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
     for place, (name, value, reason) in enumerate(written):
         change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
         yield spans.insertion(data, contact, lines) if place == 0 else [], change
 
 
-def _held(model: Model) -> Iterator[Change]:
+def _prescribed(model: Model) -> Iterator[Change]:
     """Nodes that a boundary condition holds: they stay so in contact and outside."""
     for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
-        for held in held_nodes(Joint(model, contact)):
-            where = (
-                f"{held.nodes} nodes of the contact are held by this condition, which sliding-mixture keeps everywhere"
-            )
-            why = f"{contact.kind.name} does so in contact, and sets the bath's value where they are open"
-            if held.as_the_bath:
-                why = "its value is the bath's"
-            yield Change(Action.KEPT, held.field, documents.place(held.tag).line, f"{where}: {why}")
+        for prescribed in prescribed_nodes(Joint(model, contact)):
+            where = f"{prescribed.nodes} nodes of the contact have this condition; sliding-mixture keeps it"
+            why = f"{contact.kind.name} does so in contact, and sets the ambient value where they are open"
+            if prescribed.as_ambient:
+                why = "it is the ambient value"
+            yield Change(Action.KEPT, prescribed.field, documents.place(prescribed.tag).line, f"{where}: {why}")
 
 
 def _output(root: Span) -> Iterator[Change]:

@@ -72,14 +72,14 @@ WRITTEN = {
     "concentration_penalty": _PENALTY,
     "search_radius": "FEBio's default, written out; without it the radius follows the size of the surfaces",
 }
-SEALING = {"effects": "traction", "free_draining": "0"}
-SEALING_WITH_FRICTION = {"effects": "traction,friction", "free_draining": "0", "contact_frac": "1"}
+IMPERMEABLE = {"effects": "traction", "free_draining": "0"}
+IMPERMEABLE_WITH_FRICTION = {"effects": "traction,friction", "free_draining": "0", "contact_frac": "1"}
 NO_FRICTION = {
     "sliding-facet-on-facet": "FEBio sets it to 0: sliding-facet-on-facet has no friction",
     "sliding-node-on-facet": "without a <fric_penalty> above 0 sliding-node-on-facet has no friction",
 }
 """Why a friction coefficient does nothing in FEBio."""
-SEALED = "written out: FEBio's type knows traction alone and leaves the surfaces of porous bodies to the model"
+TRACTION_ALONE = "written out: FEBio's type knows traction alone and leaves the surfaces of porous bodies to the model"
 """What keeps fluid and solutes of the bodies where FEBio's type does, and friction acting on all of the traction."""
 
 

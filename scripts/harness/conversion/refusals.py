@@ -27,7 +27,7 @@ def refusals(model: Model) -> Iterator[str]:
 
 
 def _of_materials(joint: Joint) -> Iterator[str]:
-    """FEBio's types seal what they do not know; `sliding-mixture` would exchange it."""
+    """To FEBio's types a surface is impermeable to what they do not know; `sliding-mixture` would exchange it."""
     kind, where = joint.contact.kind, place(joint.contact.tag)
     for side in joint.sides:
         name = side.surface.name
@@ -35,8 +35,8 @@ def _of_materials(joint: Joint) -> Iterator[str]:
             seen = f"surface '{name}' has material '{material.name}' ({material.kind})"
             if material.solutes and kind.solvent and not kind.solutes:
                 yield (
-                    f"{where}: {seen}: {kind.name} leaves its solutes sealed everywhere, sliding-mixture would "
-                    "exchange them and hold them at the bath's concentration where the surface is open"
+                    f"{where}: {seen}: {kind.name} leaves its surfaces impermeable to solutes, sliding-mixture would "
+                    "exchange them and hold them at the ambient concentration where the surface is open"
                 )
             elif kind.name == "sliding-biphasic-solute" and material.porous and _unknown_to_solute(material.kind):
                 yield f"{where}: {seen}: {kind.name} takes it for a solid without fluid, sliding-mixture does not"
@@ -47,7 +47,7 @@ def _unknown_to_solute(kind: str) -> bool:
 
 
 def _of_neighbours(model: Model) -> Iterator[str]:
-    """Two kinds of contact that set the bath's values on the same nodes."""
+    """Two kinds of contact that set the ambient values on the same nodes."""
     stay = [c for c in model.contacts if c.kind.name not in (*CONVERTIBLE, MIXTURE) and c.kind.solvent]
     for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE and c.kind.solvent):
         own = np.union1d(contact.pair.primary.corners, contact.pair.secondary.corners)
@@ -56,5 +56,5 @@ def _of_neighbours(model: Model) -> Iterator[str]:
             if len(np.intersect1d(own, nodes)):
                 yield (
                     f"{place(contact.tag)}: shares nodes with {place(other.tag)} of type {other.kind.name}, which "
-                    "cannot be converted; both would set the bath's values there"
+                    "cannot be converted; both would set the ambient values there"
                 )

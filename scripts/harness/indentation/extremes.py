@@ -1,4 +1,4 @@
-"""Concentrations below those of the bath and above the initial one in problem 3.3: where they come from."""
+"""Concentrations below the ambient one and above the initial one in problem 3.3: where they come from."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from harness.run.runner import Runner
 
 Array = NDArray[np.float64]
 END = 100.0
-"""s; later all concentrations lie between those of the baths."""
+"""s; later all concentrations lie between the ambient ones."""
 TIMES = (0.01, 0.1, 1.0, 10.0, END)
 """Times of the table, s; the last step up to each is shown."""
 OVERSHOOT = 2.0 - np.sqrt(3.0)

@@ -30,17 +30,17 @@ class Curves:
     force : ndarray
         Force by which the round body's flat top is pressed down, N (of the modelled half or quarter).
     half_width : ndarray
-        Of the contact in the plane z = 0, along x, mm: midway between the slab's last node that is sealed and the first
-        one that the bath wets.
+        Of the contact in the plane z = 0, along x, mm: midway between the slab's last node in contact and the first
+        one at ambient values.
     slab, cylinder : ndarray
         Solute in each body, nmol.
     outflow : ndarray
-        Solute that has left into the bath, nmol: what has left at the nodes of both contact surfaces, because what
+        Solute that has left the bodies, nmol: what has left at the nodes of both contact surfaces, because what
         contact takes from one surface it gives to the other.
     exchanged : ndarray
         Solute that has entered the round body at nodes in contact, nmol.
     edge : ndarray
-        Part of the outflow that contact has handed to nodes held by the bath, at facets that straddle the edge of the
+        Part of the outflow that contact has handed to nodes at ambient values, at facets that straddle the edge of the
         contact, nmol. A contact that does not conserve solute would show here, too.
     residue : ndarray
         Solute that has appeared at all other nodes, which should balance, nmol.
@@ -132,19 +132,19 @@ def _flows(model: Model, states: list[State], times: Array) -> dict[str, Array]:
 
 
 def is_open(state: State) -> NDArray[np.bool_]:
-    """Nodes at the bath's p~ = 0 and c~ = 0, to the last digit."""
+    """Nodes at the ambient p~ = 0 and c~ = 0, to the last digit."""
     return np.asarray((state.pressure == 0.0) & (state.concentration == 0.0))
 
 
 def _split(entered: dict[str, Array], surface: dict[str, Ids], open_: NDArray[np.bool_]) -> dict[str, float]:
     """Inflows of a step by the kind of node at which they enter."""
-    through_bath = sum(float(entered[body][ids[open_[ids]]].sum()) for body, ids in surface.items())
+    through_ambient = sum(float(entered[body][ids[open_[ids]]].sum()) for body, ids in surface.items())
     contact = {body: float(entered[body][ids[~open_[ids]]].sum()) for body, ids in surface.items()}
     everything = sum(float(values.sum()) for values in entered.values())
     straddling = sum(contact.values())
     return {
-        "outflow": -through_bath - straddling,
+        "outflow": -through_ambient - straddling,
         "exchanged": contact["cylinder"],
         "edge": -straddling,
-        "residue": everything - through_bath - straddling,
+        "residue": everything - through_ambient - straddling,
     }

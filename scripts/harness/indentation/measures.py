@@ -23,20 +23,22 @@ DISCRETE = 0.01
 
 
 def of_a_run(result: RunResult, curves: Curves) -> list[Measure]:
-    """Balance and direction of the flow of solute, bounds, the bath, and the contact conditions on average."""
+    """Balance and direction of the flow of solute, bounds, ambient values, and the contact conditions on average."""
     late = curves.times >= RESOLVED
     total = curves.slab + curves.cylinder
     outside = max(0.0, -float(curves.lowest[late].min()), float(curves.highest[late].max()) - CONCENTRATION)
     history, lines = result.nodes, contact_lines(result.model)
     states = solute_balance.states(history)[1:]
-    strays = sum(not_at_bath(state, lines) for state in states)
+    strays = sum(not_at_ambient(state, lines) for state in states)
     gaps, jumps = np.abs([mean_gap_and_jump(state, lines) for state in states])[late[1:]].max(axis=0)
     sagitta = _sagitta(result.model)
     return [
         Measure("3.3 solute: contents and outflow less the start", float(np.abs(curves.imbalance).max()), BALANCE),
-        Measure("3.3 solute that comes in from the empty bath", float(np.diff(total).max() / total[0]), BALANCE),
-        Measure("3.3 c outside of bath and start", outside / CONCENTRATION, DISCRETE, note=f"from {RESOLVED:g} s on"),
-        Measure("3.3 nodes off the other body that are not at the bath's values", strays, 0.0),
+        Measure("3.3 solute that comes in from outside", float(np.diff(total).max() / total[0]), BALANCE),
+        Measure(
+            "3.3 c outside of ambient and start", outside / CONCENTRATION, DISCRETE, note=f"from {RESOLVED:g} s on"
+        ),
+        Measure("3.3 nodes off the other body that are not at the ambient values", strays, 0.0),
         Measure(
             "3.3 mean gap in contact [mm]", float(gaps), sagitta, note="tolerance: sagitta of the cylinder's facets"
         ),
@@ -85,8 +87,8 @@ def _sagitta(model: Model) -> float:
     return float(lengths.max() ** 2 / (8.0 * Grid().radius))
 
 
-def not_at_bath(state: State, lines: tuple[Ids, Ids]) -> int:
-    """How many nodes farther than a facet's length from the other body are not at the bath's values."""
+def not_at_ambient(state: State, lines: tuple[Ids, Ids]) -> int:
+    """How many nodes farther than a facet's length from the other body are not at the ambient values."""
     found = 0
     for mine, other in (lines, lines[::-1]):
         shapes = [state.positions[nodes, :2] for nodes in (mine, other)]

@@ -55,7 +55,7 @@ class BiphasicHertz:
     ----------
     interface : InterfaceType
     draining : bool
-        Whether solvent leaves through the surfaces that are not in contact; the closed form has them sealed.
+        Whether solvent leaves through the surfaces that are not in contact; the closed form has them impermeable.
     across, through : int
         Elements along the modelled half and through each layer.
     """

@@ -1,4 +1,4 @@
-"""A composite slab: diffusion from a bath through two layers of different material, solubility included."""
+"""A composite slab: diffusion from one face through two layers of different material, solubility included."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from harness.models.parts import (
     pressure,
 )
 
-BATH = 1.0
+AMBIENT = 1.0
 """mM."""
 CLOSING = 1e-4
-"""mm by which the sealed face is moved."""
+"""mm by which the impermeable face is moved."""
 FIRST = composite_slab.Layer(thickness=1.0, diffusivity=5e-4, porosity=0.8, solubility=1.0)
 SECOND = composite_slab.Layer(thickness=0.75, diffusivity=1e-3, porosity=0.6, solubility=0.5)
 STIFFNESS = (100.0, 50.0)
@@ -35,7 +35,7 @@ PERMEABILITY = (1e-3, 5e-4)
 ABOUT = """\
 Diffusion into a composite slab: two layers of different material in contact at z = 1 mm.
 
-A bath of 1 mM at z = 0, the face z = 1.75 mm sealed and moved by -0.0001 mm, which closes the contact. The upper
+The face z = 0 is at 1 mM, the face z = 1.75 mm impermeable and moved by -0.0001 mm, which closes the contact. The upper
 layer has another diffusivity, porosity, stiffness, permeability and half the solubility: the effective concentration
 is continuous over an ideal interface, the actual one jumps by the ratio of the solubilities."""
 
@@ -71,13 +71,13 @@ class Composite(Layered):
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """Bath below, sealed above."""
+        """Ambient below, impermeable above."""
         return (
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -CLOSING),
-            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * BATH),
-            concentration("bottom", BATH),
+            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * AMBIENT),
+            concentration("bottom", AMBIENT),
         )
 
     @property

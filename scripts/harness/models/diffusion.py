@@ -1,4 +1,4 @@
-"""Problem 3.1: a solute diffuses through two cubes in contact, from a bath on one face, the other face sealed."""
+"""Problem 3.1: a solute diffuses through two cubes in contact, from one face to an impermeable other one."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from harness.models.parts import (
 
 HEIGHT = 2.0
 """mm, both cubes together."""
-BATH = 1.0
-"""Bath concentration c*, mM."""
+AMBIENT = 1.0
+"""Ambient concentration c*, mM."""
 DIFFUSIVITY = 5e-4
 """mm^2/s."""
 CLOSING = 1e-3
-"""mm by which the sealed face is moved, so that the cubes are in contact."""
+"""mm by which the impermeable face is moved, so that the cubes are in contact."""
 
 MATERIAL = Mixture(Solid(10.0), permeability=1e-4, solutes=(Solute(1, DIFFUSIVITY, DIFFUSIVITY),))
 ABOUT = """\
 Transient diffusion across a contact interface: problem 3.1 of Ateshian, Maas and Weiss (2012),
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
 
-Two cubes of 1 mm, in contact at z = 0. A bath of 1 mM at z = -1 mm; the face z = +1 mm is sealed and moved
-by -0.001 mm, which closes the contact. The solute diffuses from the bath into both cubes. With an ideal
-interface its concentration follows the closed form of one slab of 2 mm, bath on one face, sealed on the other."""
+Two cubes of 1 mm, in contact at z = 0. The face z = -1 mm is at 1 mM; the face z = +1 mm is impermeable
+and moved by -0.001 mm, which closes the contact. The solute diffuses from the lower face into both cubes. With an
+ideal interface its concentration follows the closed form of one slab of 2 mm, c* on one face, no flux on the other."""
 
 
 @dataclass(frozen=True)
@@ -48,8 +48,8 @@ class Diffusion(Layered):
     ----------
     lower, upper : Mixture
         Materials of the two cubes.
-    bath : tuple of float
-        Concentration of each solute in the bath, mM.
+    ambient : tuple of float
+        Ambient concentration of each solute, mM.
     upper_divided : tuple of int, optional
         Elements of the upper cube along x and y, where they differ from those of the section.
     """
@@ -58,7 +58,7 @@ class Diffusion(Layered):
     name: str = "diffusion"
     lower: Mixture = MATERIAL
     upper: Mixture = MATERIAL
-    bath: tuple[float, ...] = (BATH,)
+    ambient: tuple[float, ...] = (AMBIENT,)
     upper_divided: tuple[int, int] | None = None
 
     BOTTOM = -HEIGHT / 2
@@ -86,11 +86,11 @@ class Diffusion(Layered):
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """Bath below, sealed above."""
+        """Ambient below, impermeable above."""
         return (
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -CLOSING),
-            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * sum(self.bath)),
-            *(concentration("bottom", value, sol=number) for number, value in enumerate(self.bath, 1)),
+            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * sum(self.ambient)),
+            *(concentration("bottom", value, sol=number) for number, value in enumerate(self.ambient, 1)),
         )

@@ -44,8 +44,8 @@ HOST = Mixture(Solid(1.0, 0.2), permeability=1e-3, solutes=(Solute(1, diffusivit
 GRAFT = Mixture(
     Solid(0.3, 0.2), permeability=5e-3, porosity=0.9, solutes=(Solute(1, 8e-4, free_diffusivity=1e-3, solubility=0.9),)
 )
-BATH = -GAS_CONSTANT * TEMPERATURE * HOST.osmotic * CONCENTRATION
-"""Effective pressure of a bath of this concentration without fluid pressure, MPa."""
+AMBIENT_PRESSURE = -GAS_CONSTANT * TEMPERATURE * HOST.osmotic * CONCENTRATION
+"""Effective pressure at this concentration without fluid pressure, MPa."""
 GROWTH = 1.3
 """Of the elements of the host, from the wall of the defect outwards."""
 
@@ -54,10 +54,10 @@ A graft in a defect of cartilage, fed by the host across its contact.
 
 A cylindrical graft, 2.02 mm in radius and 2 mm high, is pressed into a defect 2 mm in radius that reaches to the bone.
 The host holds 1 mM of a nutrient, and its top and outer side (radius 5 mm) are kept at 1 mM without fluid pressure, so
-that the effective fluid pressure there is -R T c = -0.0024776 MPa. The graft holds none at first, and a membrane seals
-its top: the nutrient enters across the wall alone; only the rim, where it protrudes, is in the bath. The graft is
+that the effective fluid pressure there is -R T c = -0.0024776 MPa. The graft holds none at first, and a membrane closes
+its top: the nutrient enters across the wall alone; only the rim, where it protrudes, is at ambient values. The graft is
 softer, more permeable and has a solubility of 0.9, so that the actual concentration jumps at the wall while the
-effective one does not. The bone below is sealed; the top is free of load. By symmetry a quarter is modelled."""
+effective one does not. The bone below is impermeable; the top is free of load. By symmetry a quarter is modelled."""
 
 
 @dataclass(frozen=True)
@@ -88,16 +88,16 @@ class Graft:
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()
-        settings = replace(self.settings, extra=(*self.settings.extra, *ambient(BATH, CONCENTRATION)))
+        settings = replace(self.settings, extra=(*self.settings.extra, *ambient(AMBIENT_PRESSURE, CONCENTRATION)))
         conditions = (
             fix("symmetry-x", "x"),
             fix("symmetry-y", "y"),
             fix("bone", "z"),
             fix("host-side", "xy"),
-            *(pressure(where, BATH) for where in ("host-side", "host-top")),
+            *(pressure(where, AMBIENT_PRESSURE) for where in ("host-side", "host-top")),
             *(concentration(where, CONCENTRATION) for where in ("host-side", "host-top")),
             initial_concentration("host", CONCENTRATION),
-            initial_pressure("host", BATH),
+            initial_pressure("host", AMBIENT_PRESSURE),
         )
         return Model(
             self.name,

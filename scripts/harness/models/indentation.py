@@ -1,4 +1,4 @@
-"""Problem 3.3: a semi-cylinder is driven into a slab in a bath, and solute leaves the slab into both."""
+"""Problem 3.3: a semi-cylinder is driven into a slab, and solute leaves the slab into it and into the surroundings."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from harness.models.parts import (
 )
 
 CONCENTRATION = 1.0
-"""Initial concentration of the slab, mM; the cylinder and the bath have none."""
+"""Initial concentration of the slab, mM; the cylinder and the surroundings have none."""
 DEPTH = 2.0
 """mm by which the cylinder's flat top is driven down."""
 RAMP = 1.0
@@ -53,7 +53,7 @@ Transient contact with solute transport: problem 3.3 and figure 3.4 of Ateshian,
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
 
 A {body} of radius {radius:g} mm is driven {depth:g} mm into a slab 3 mm wide and 2 mm high in 1 s, and held to
-6000 s. Solute diffuses and is squeezed from the slab (1 mM) into the {body} and into the bath (both 0 mM),
+6000 s. Solute diffuses and is squeezed from the slab (1 mM) into the {body} and the surroundings (both 0 mM),
 which wets what is not in contact.
 By symmetry half of it is modelled{plane}."""
 
@@ -122,7 +122,7 @@ class Indentation:
         return ABOUT.format(body=body, radius=self.grid.radius, depth=DEPTH, plane=plane)
 
     def _conditions(self) -> tuple[Condition, ...]:
-        """With the initial p~ = -R T Phi c the actual fluid pressure is zero at the start, as in the bath."""
+        """With the initial p~ = -R T Phi c the actual fluid pressure is zero at the start, as in the surroundings."""
         plane = fix("symmetry-z", "z") if self.grid.solid else fix("all", "z")
         grip = (fix("top", "xz"),) if self.gripped else ()
         return (

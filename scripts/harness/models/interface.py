@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from harness.models.mesh import Layer, Mesh, Section, cut_column, glued_column
+from harness.models.mesh import Layer, Mesh, Section, conforming_column, split_column
 from harness.models.parts import Contact, Param
 
 
@@ -23,13 +23,13 @@ class InterfaceType(str, Enum):
     """FEBio's interface for solid and solvent."""
     ELASTIC = "sliding-elastic"
     """FEBio's interface for traction alone, with tension and friction at need."""
-    UNSPLIT = "unsplit"
+    CONFORMING = "conforming"
     """No interface: the nodes are merged, and what is left is one body."""
 
     @property
     def is_contact(self) -> bool:
         """Whether there is an interface at all."""
-        return self is not InterfaceType.UNSPLIT
+        return self is not InterfaceType.CONFORMING
 
     @property
     def module(self) -> str:
@@ -131,10 +131,10 @@ def column(
     section: Section | None = None,
     gap: float = 0.0,
 ) -> Mesh:
-    """The column of layers, cut where `interface` is a contact and glued where it is not."""
+    """The column of layers, split where `interface` is a contact, conforming where it is not."""
     if interface.is_contact:
-        return cut_column(layers, bottom=bottom, section=section, gap=gap)
-    return glued_column(layers, bottom=bottom, section=section)
+        return split_column(layers, bottom=bottom, section=section, gap=gap)
+    return conforming_column(layers, bottom=bottom, section=section)
 
 
 def contacts(interface: InterfaceType, mesh: Mesh, settings: ContactSettings | None) -> tuple[Contact, ...]:

@@ -42,7 +42,7 @@ GROWTH = 1.25
 """Of the elements of a layer, from the surface of the joint to the bone."""
 PERIOD = 20.0
 """s."""
-BATH = 1.0
+AMBIENT = 1.0
 """Concentration of the synovial fluid, mM, reached at the end of the first cycle."""
 CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),))
 LOADING, FILLING = 1, 2
@@ -54,9 +54,9 @@ Cartilage on cartilage: a section of a joint that takes up solute from the synov
 Two layers of 1 mm on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by
 0.05 to 0.15 mm and back, with a period of 20 s. The layers hold no solute at first. The synovial fluid wets what is
 not in contact; within the first cycle its concentration rises to 1 mM, and its effective pressure falls to
--R T c = -0.0024776 MPa with it, as in a bath without fluid pressure. The edge of the contact moves with each cycle:
-what was wet is sealed, and solute is handed from layer to layer. By symmetry half is modelled, as a layer of one
-element with no displacement along z."""
+-R T c = -0.0024776 MPa with it, so that its fluid pressure is 0. The edge of the contact moves with each cycle: what
+was at ambient values is in contact, and solute is handed from layer to layer. By symmetry half is modelled, as a
+layer of one element with no displacement along z."""
 
 
 @dataclass(frozen=True)
@@ -94,8 +94,8 @@ class Joint:
             fix("symmetry", "x"),
             displace("upper-bone", "y", -MOST, LOADING),
         )
-        bath = ambient(-GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * BATH, BATH, FILLING)
-        settings = replace(self.settings, extra=(*self.settings.extra, *bath))
+        outside = ambient(-GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * AMBIENT, AMBIENT, FILLING)
+        settings = replace(self.settings, extra=(*self.settings.extra, *outside))
         return Model(
             self.name,
             header(self.name, ABOUT, self.interface),

@@ -1,4 +1,4 @@
-"""Structured hexahedral columns, cut into bodies or glued, with the sets that a model refers to."""
+"""Structured hexahedral columns, split into bodies or in one piece, with the sets that a model refers to."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class Mesh:
 class Layer:
     """One slab of a column: its name, material, thickness (mm) and number of elements through the thickness.
 
-    `divided`: its own numbers of elements along x and y where the column is cut; those of the section without it.
+    `divided`: its own numbers of elements along x and y where the column is split; those of the section without it.
     """
 
     name: str
@@ -157,7 +157,7 @@ def assemble(boxes: Sequence[Box]) -> Mesh:
     return Mesh(np.concatenate(nodes), tuple(parts), everything | sets, surfaces)
 
 
-def cut_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0) -> Mesh:
+def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0) -> Mesh:
     """Stack layers along z as separate bodies, with a contact pair between each two neighbours.
 
     Parameters
@@ -195,10 +195,10 @@ def cut_column(layers: Sequence[Layer], *, bottom: float, section: Section | Non
     return replace(mesh, node_sets=sets, surfaces=surfaces, pairs=pairs)
 
 
-def glued_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None) -> Mesh:
-    """Stack layers along z as one body: the same mesh as `cut_column`, its coincident nodes merged.
+def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None) -> Mesh:
+    """Stack layers along z as one body: the same mesh as `split_column`, its coincident nodes merged.
 
-    Parameters and sets are those of `cut_column`; there are no contact pairs.
+    Parameters and sets are those of `split_column`; there are no contact pairs.
 
     Raises
     ------

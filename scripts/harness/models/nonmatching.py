@@ -20,7 +20,7 @@ from harness.models.quadratic import quadratic
 
 CLOSING = 1e-3
 """mm by which the upper block's top is pressed down."""
-BATH = 1.0
+AMBIENT = 1.0
 """Effective concentration at the bottom of the lower block, mM; 0 at the top of the upper one."""
 STEADY = Control(
     1,
@@ -95,9 +95,9 @@ class NonMatching:
             fix("all", "xy"),
             fix("lower" if self.held else "lower-bottom", "z"),
             displace("upper-top", "z", -CLOSING),
-            *_bath("lower-bottom", BATH),
-            *_bath("upper-top", 0.0),
-            *(_bath("lower-top", BATH / 2) if self.held else ()),
+            *_ambient_at("lower-bottom", AMBIENT),
+            *_ambient_at("upper-top", 0.0),
+            *(_ambient_at("lower-top", AMBIENT / 2) if self.held else ()),
         )
         return Model(
             self.name,
@@ -112,12 +112,12 @@ class NonMatching:
 
     def exact(self, z: Nodes) -> dict[str, Nodes]:
         """The exact field at heights `z` (mm) in the undeformed state: ``uz`` (mm), ``p`` (MPa), ``c1`` (mM)."""
-        c = BATH * (1.0 - z) / 2.0
+        c = AMBIENT * (1.0 - z) / 2.0
         uz = -CLOSING * np.clip(z, 0.0, None) if self.held else -CLOSING * (1.0 + z) / 2.0
         return {"uz": uz, "p": -GAS_CONSTANT * TEMPERATURE * c, "c1": c}
 
 
-def _bath(where: str, c: float) -> tuple[Condition, Condition]:
+def _ambient_at(where: str, c: float) -> tuple[Condition, Condition]:
     """Given concentration without fluid pressure."""
     return concentration(where, c), pressure(where, -GAS_CONSTANT * TEMPERATURE * c)
 

@@ -42,7 +42,7 @@ RIGID_PENALTY = 10.0
 PRESSURE = 0.02
 """Effective fluid pressure at the lower end, MPa; 0 at the upper end."""
 BELOW, ABOVE = 2.0, 1.0
-"""Effective concentrations at the two ends, mM, the same for all solutes so that the ions' baths are neutral."""
+"""Effective concentrations at the two ends, mM, the same for all solutes so that the ions are neutral there."""
 CHARGES = (0, 1, -1)
 """Charge numbers of the solutes of the models: neutral, cation, anion."""
 STEP = 2e4
@@ -116,7 +116,7 @@ class Pair:
         One of FEBio's that has both.
     name : str
     settings : ContactSettings
-        Beside the bath's values, which are those of the upper end.
+        Beside the ambient values, which are those of the upper end.
     charges : tuple of int
         Charge numbers of solutes 1, 2, ...
     primary : str
@@ -140,8 +140,8 @@ class Pair:
         layers = [Layer(body, body, HEIGHT, 2) for body in bodies]
         mesh = _prepared(column(InterfaceType.MIXTURE, layers, bottom=-HEIGHT), self.primary)
         sols = sorted({solute.sol for body in bodies.values() for solute in body.solutes})
-        bath = tuple(Param("ambient_concentration", ABOVE, attributes={"sol": str(sol)}) for sol in sols)
-        settings = replace(self.settings, extra=(*self.settings.extra, *bath))
+        outside = tuple(Param("ambient_concentration", ABOVE, attributes={"sol": str(sol)}) for sol in sols)
+        settings = replace(self.settings, extra=(*self.settings.extra, *outside))
         flows = tuple(f"contact solute flow {sol}" for sol in sols)
         return Model(
             name=self.name,

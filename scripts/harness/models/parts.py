@@ -301,7 +301,7 @@ def normal_load(where: str, value: float, curve: int | None = None) -> Condition
 
 
 def ambient(pressure: float, concentration: float, curve: int | None = None) -> tuple[Param, ...]:
-    """The bath that wets what is not in contact: effective pressure p~ (MPa) and effective concentration c~ (mM)."""
+    """Ambient values of what is not in contact: effective pressure p~ (MPa) and effective concentration c~ (mM)."""
     return (Param("ambient_pressure", pressure, curve), Param("ambient_concentration", concentration, curve))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from harness.models.bath import two_patches
+from harness.models.ambient import two_patches
 from harness.models.diffusion import CLOSING, MATERIAL
 from harness.models.document import Model
 from harness.models.header import header
@@ -15,7 +15,7 @@ from harness.models.parts import Control, concentration, displace, fix, pressure
 
 @dataclass(frozen=True)
 class Patches:
-    """A bath that differs from left to right, so that solute also moves along the interface.
+    """Ambient values that differ from left to right, so that solute also moves along the interface.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Gallery: confined compression between a permeable and an impermeable platen, in a bath."""
+"""Gallery: confined compression between a permeable and an impermeable platen."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ SAMPLE, PLATEN = 1.0, 0.5
 COMPRESSION = 0.1
 """mm by which the upper platen is driven down."""
 RAMP = 100.0
-"""s in which it is driven, and in which the bath's concentration rises."""
-BATH = 1.0
+"""s in which it is driven, and in which the ambient concentration rises."""
+AMBIENT = 1.0
 """mM."""
 OVERLAP = 1e-10
 """mm by which neighbours overlap at first: the sample is held by its contacts alone, so they must be closed."""
@@ -38,11 +38,11 @@ POROUS = Mixture(Solid(1000.0), permeability=1.0, porosity=0.4, solutes=(Solute(
 STEEL = Elastic(Solid(1e5, 0.3))
 
 ABOUT = """\
-Confined compression in a bath: a permeable platen against an impermeable one.
+Confined compression: a permeable platen against an impermeable one.
 
 A sample of cartilage 1 mm high stands in a confining chamber on an impermeable platen of steel, below a permeable
 platen of sintered metal (porosity 0.4), each 0.5 mm high. The upper platen is driven down by 0.1 mm in 100 s and held.
-Its upper face is in the bath: no fluid pressure, and a concentration that rises to 1 mM in the same time, so that the
+Its upper face has no fluid pressure, and a concentration that rises to 1 mM in the same time, so that the
 effective fluid pressure there is -R T c, down to -0.0024776 MPa. Solvent leaves and solute enters through the
 permeable platen alone. The same contact type joins all: across the upper contact it hands on traction, solvent and
 solute, across the lower one traction alone."""
@@ -84,8 +84,8 @@ class Platens:
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -COMPRESSION, 1),
-            pressure("top", -GAS_CONSTANT * TEMPERATURE * POROUS.osmotic * BATH, 1),
-            concentration("top", BATH, 1),
+            pressure("top", -GAS_CONSTANT * TEMPERATURE * POROUS.osmotic * AMBIENT, 1),
+            concentration("top", AMBIENT, 1),
         )
         return Model(
             self.name,

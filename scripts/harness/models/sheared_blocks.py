@@ -1,4 +1,4 @@
-"""A block that is pressed and sheared, cut in two: friction that sticks gives back the block that is not cut."""
+"""A block that is pressed and sheared, split in two: friction that sticks gives back the conforming reference."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ PRESSING, SHEARING = 4, 8
 STEP = 10.0
 """s."""
 THICKNESS = (0.75, 1.25)
-"""Of the two parts, mm: the cut is not at half height, so that shear bends it."""
+"""Of the two parts, mm: they meet off half height, so that shear bends it."""
 SECTION = Section((2.0, 1.0), (4, 2))
 SOLID = Solid(1.0, 0.3)
 SOLUTE = Solute(1, diffusivity=5e-4, free_diffusivity=8e-4)
@@ -45,9 +45,9 @@ BELOW, ABOVE = 1.0, 0.0
 """Effective concentrations at the two ends, mM."""
 MODULES = {Kind.ELASTIC: "solid", Kind.BIPHASIC: "biphasic", Kind.SOLUTE: "multiphasic"}
 ABOUT = """\
-A block of 2 mm x 1 mm x 2 mm, cut in two at a height of 0.75 mm, pressed by 0.1 mm and then sheared by 0.05 mm. With
-friction that is high enough (mu = 2) nothing slips, and the cut is not felt: displacements, pressure and concentration
-are those of the whole block. Both ends drain."""
+A block of 2 mm x 1 mm x 2 mm, split at a height of 0.75 mm, pressed by 0.1 mm and then sheared by 0.05 mm. With
+friction that is high enough (mu = 2) nothing slips: displacements, pressure and concentration are those of
+the same block in one piece. Both ends drain."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The bodies of problem 3.3 at rest and apart, each with a bath on the face that would be in contact."""
+"""The bodies of problem 3.3 at rest and apart, each at ambient values on the face that would be in contact."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from harness.models.parts import pressure as prescribed_pressure
 
 ABOUT = """\
 The bodies of problem 3.3 by themselves: undeformed and without contact, with the same meshes, materials and time
-steps. The slab is at 1 mM in a bath of 0 mM on its top, the cylinder at 0 mM in a bath of 1 mM on its arc."""
+steps. The slab is at 1 mM with 0 mM on its top, the cylinder at 0 mM with 1 mM on its arc."""
 
 
 def soaked(base: Indentation) -> Model:
-    """The bodies of `base`, uncut and at rest: the front that its meshes and time steps make without any contact."""
+    """The bodies of `base`, without contact and at rest: the front that its meshes and time steps make alone."""
     made = base.model()
     osmotic = GAS_CONSTANT * TEMPERATURE * base.gel.osmotic
     mesh = made.mesh
@@ -38,7 +38,7 @@ def soaked(base: Indentation) -> Model:
     return replace(
         made,
         name=name,
-        header=header(name, ABOUT, InterfaceType.UNSPLIT),
+        header=header(name, ABOUT, InterfaceType.CONFORMING),
         mesh=bare,
         conditions=conditions,
         contacts=(),

@@ -71,7 +71,7 @@ GROUPS = (
         ),
     ),
     Group(
-        "Bath",
+        "Ambient values",
         "What wets the nodes that are not in contact; see [ambient conditions](../how-to/ambient.md).",
         ("free_draining", "ambient_pressure", "ambient_concentration"),
     ),
@@ -143,9 +143,9 @@ NOTES = {
     ),
     "effects": Note(
         "`all`, or names with commas between them: `traction`, `solvent`, `solutes`, `solute 1` or the solute's own "
-        "name. What is left out is sealed: no flux, no memory, no matrix entries. Traction may be left out only where "
-        "every displacement of both surfaces is fixed; there it is never exchanged. Asking for what cannot be is an "
-        "error that says why.",
+        "name. What is left out does not cross: no flux, no memory, no matrix entries. Traction may be left out only "
+        "where every displacement of both surfaces is fixed; there it is never exchanged. Asking for what cannot be is "
+        "an error that says why.",
         "none; fewer effects cost less",
         "not there",
     ),
@@ -262,13 +262,13 @@ NOTES = {
         febio="same; there without a warning",
     ),
     "free_draining": Note(
-        "Whether nodes that are not in contact have the values of the bath. 0: they are left to the model, and sealed "
+        "Whether nodes that are not in contact have the ambient values. 0: they are left to the model, and impermeable "
         "where it says nothing of them.",
         febio="not there: 1 in effect in the types that exchange fluid, 0 in the others",
     ),
-    "ambient_pressure": Note("Effective pressure of the bath; may have a load curve.", unit="MPa"),
+    "ambient_pressure": Note("Ambient effective pressure; may have a load curve.", unit="MPa"),
     "ambient_concentration": Note(
-        "Effective concentration of the bath, per solute; may have a load curve.",
+        "Ambient effective concentration, per solute; may have a load curve.",
         febio="same, both spellings",
         unit="mM",
     ),
@@ -301,7 +301,7 @@ NOTES = {
     ),
     "shell_bottom_primary": Note(
         "The back faces of the shells that the primary surface lies on: a thickness behind their nodes, along the "
-        "director. An error on solid elements.",
+        "director. Facets may be listed as either face has them. An error on solid elements.",
         febio="forces act on the front face",
     ),
     "shell_bottom_secondary": Note("The same for the secondary surface.", febio="forces act on the front face"),

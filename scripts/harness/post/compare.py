@@ -55,7 +55,7 @@ def missed(measures: Iterable[Measure]) -> list[str]:
 
 
 def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:
-    """For each node of a cut mesh, the index (from 0) of the node of the glued mesh at the same place.
+    """For each node of a split mesh, the index (from 0) of the node of the conforming mesh at the same place.
 
     Parameters
     ----------
@@ -75,23 +75,23 @@ def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:
     return np.asarray(index, dtype=np.int64)
 
 
-def largest_difference(split: RunResult, whole: RunResult, column: str) -> float:
+def largest_difference(split: RunResult, reference: RunResult, column: str) -> float:
     """Largest of `differences`."""
-    return float(np.max(differences(split, whole, column)))
+    return float(np.max(differences(split, reference, column)))
 
 
-def differences(split: RunResult, whole: RunResult, column: str) -> Array:
-    """Differences of one nodal variable between a cut body and the whole one, shape (n_times, n_nodes).
+def differences(split: RunResult, reference: RunResult, column: str) -> Array:
+    """Differences of one nodal variable between a split body and the conforming reference, shape (n_times, n_nodes).
 
     Raises
     ------
     ModelError
         Where the times differ.
     """
-    a, b = split.nodes, whole.nodes
+    a, b = split.nodes, reference.nodes
     if a.times.shape != b.times.shape or not np.allclose(a.times, b.times, rtol=1e-8, atol=0.0):
-        raise ModelError(f"'{split.model.name}' and '{whole.model.name}' were not written at the same times")
-    same = counterparts(split.model.mesh, whole.model.mesh)
+        raise ModelError(f"'{split.model.name}' and '{reference.model.name}' were not written at the same times")
+    same = counterparts(split.model.mesh, reference.model.mesh)
     return np.abs(a[column] - b[column][:, same])
 
 

@@ -27,7 +27,7 @@ class Level:
     history : ndarray, shape (n, 2)
         Time and value; empty where it is a formula.
     nodes : ndarray of int, optional
-        Where it is; None for the bath of a contact.
+        Where it is; None for the ambient values of a contact.
     """
 
     tag: Element
@@ -94,7 +94,7 @@ def _solute_of(model: Model, name: str) -> int:
 
 
 def ambient_concentrations(model: Model, contact: Contact) -> dict[int, Element]:
-    """Tags of the bath's concentrations, by the number of the solute; without `sol` it is that of all."""
+    """Tags of the ambient concentrations, by the number of the solute; without `sol` it is that of all."""
     found: dict[int, Element] = {}
     for tag in children(contact.tag, "ambient_concentration"):
         named = tag.get("sol")
@@ -104,7 +104,7 @@ def ambient_concentrations(model: Model, contact: Contact) -> dict[int, Element]
 
 
 def start_concentrations(joint: Joint, solute: int) -> set[float]:
-    """Concentrations that meet at the start at or in the bodies of a contact: initial, prescribed, in the bath."""
+    """Concentrations that meet at the start at or in the bodies of a contact: initial, prescribed, ambient."""
     model = joint.model
     values = {level.first for level in prescribed_concentrations(model, solute)}
     initial = list(initial_concentrations(model, solute))
@@ -113,9 +113,9 @@ def start_concentrations(joint: Joint, solute: int) -> set[float]:
     own = np.isin(model.mesh.bodies, list(joint.primary.bodies | joint.secondary.bodies))
     if not np.isin(np.flatnonzero(own), covered).all():
         values.add(0.0)
-    bath = ambient_concentrations(model, joint.contact).get(solute)
-    if bath is not None and len(model.history(bath)):
-        values.add(float(model.history(bath)[0, 1]))
+    ambient = ambient_concentrations(model, joint.contact).get(solute)
+    if ambient is not None and len(model.history(ambient)):
+        values.add(float(model.history(ambient)[0, 1]))
     return {value for value in values if np.isfinite(value)}
 
 
@@ -147,17 +147,17 @@ def at(history: Array, when: Array) -> Array:
 
 
 def fluid_pressures(joint: Joint) -> Array:
-    """Fluid pressures p = p~ + R T Phi sum c that the model prescribes, over time, in the bath too."""
+    """Fluid pressures p = p~ + R T Phi sum c that the model prescribes, over time, ambient ones too."""
     model = joint.model
     known = [list(prescribed_concentrations(model, number)) for number in model.solute_numbers]
     values = []
     for pressure in prescribed_pressures(model):
         there = [match for group in known if (match := covering(pressure, group)) is not None]
         values.append(_fluid_pressure(joint, pressure.history, [level.history for level in there]))
-    bath = joint.contact.given("ambient_pressure")
-    if bath is not None:
+    ambient = joint.contact.given("ambient_pressure")
+    if ambient is not None:
         tags = ambient_concentrations(model, joint.contact).values()
-        values.append(_fluid_pressure(joint, model.history(bath), [model.history(tag) for tag in tags]))
+        values.append(_fluid_pressure(joint, model.history(ambient), [model.history(tag) for tag in tags]))
     every = np.concatenate([np.empty(0), *values])
     return np.asarray(every[np.isfinite(every)])
 

@@ -53,7 +53,7 @@ class Contact:
 
     @property
     def drains(self) -> bool:
-        """Whether open nodes have the values of the bath."""
+        """Whether open nodes have the ambient values."""
         return self.given("free_draining") is None or self.on("free_draining")
 
     def lacks(self, penalty: str) -> bool:

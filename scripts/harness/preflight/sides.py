@@ -36,10 +36,16 @@ class Side:
     ----------
     model : Model
     surface : Surface
+    turned : bool
+        Whether the contact turns its facets round.
+    at_back : bool
+        Whether it is the back faces of shells, which lie a thickness behind these nodes.
     """
 
     model: Model
     surface: Surface
+    turned: bool = False
+    at_back: bool = False
 
     @cached_property
     def corners(self) -> Array:
@@ -48,8 +54,8 @@ class Side:
 
     @cached_property
     def areas(self) -> Array:
-        """Area vectors in the order of the nodes, shape (n_facets, 3)."""
-        return elements.area_vectors(self.corners)
+        """Area vectors in the order of the nodes that the contact takes, shape (n_facets, 3)."""
+        return elements.area_vectors(self.corners) * (-1.0 if self.turned else 1.0)
 
     @cached_property
     def area(self) -> Array:
@@ -227,12 +233,16 @@ class Joint:
     @cached_property
     def primary(self) -> Side:
         """Side of the primary surface."""
-        return Side(self.model, self.contact.pair.primary)
+        return self._side(self.contact.pair.primary, "primary")
 
     @cached_property
     def secondary(self) -> Side:
         """Side of the secondary surface."""
-        return Side(self.model, self.contact.pair.secondary)
+        return self._side(self.contact.pair.secondary, "secondary")
+
+    def _side(self, surface: Surface, which: str) -> Side:
+        on = self.contact.on
+        return Side(self.model, surface, on(f"flip_{which}"), on(f"shell_bottom_{which}"))
 
     @property
     def sides(self) -> tuple[Side, Side]:

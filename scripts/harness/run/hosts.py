@@ -30,7 +30,7 @@ def engines(chosen: Engine | None, interface: InterfaceType) -> tuple[engine.Hos
     if chosen is Engine.STANDALONE:
         return (STANDALONE,)
     if (
-        interface in (InterfaceType.MIXTURE, InterfaceType.UNSPLIT)
+        interface in (InterfaceType.MIXTURE, InterfaceType.CONFORMING)
         and why_not_febio(interface)
         and _is_there(STANDALONE)
     ):

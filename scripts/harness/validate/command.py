@@ -50,8 +50,8 @@ def validate(
     Without febio4 the embedded engine runs the models. Exit code 0: every tolerance is met; 1: one is missed; 3: none
     is missed, but checks were left out.
     """
-    if interface is InterfaceType.UNSPLIT:
-        raise typer.BadParameter("'unsplit' is what the others are compared with", param_hint="--interface")
+    if interface is InterfaceType.CONFORMING:
+        raise typer.BadParameter("'conforming' is what the others are compared with", param_hint="--interface")
     checks = _selected(only)
     engines = hosts.engines(chosen, interface)
     if chosen is None and engines == (hosts.STANDALONE,):

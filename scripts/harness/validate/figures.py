@@ -25,17 +25,17 @@ COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8", "#c77d0a", "#4a4e52")
 
 def diffusion_profiles(context: Context) -> list[Profile]:
     """Concentration along the column of problem 3.1 at `TIMES`."""
-    cut, _ = diffusion_pair(context)
-    history = cut.nodes
-    return [_profile(DIFFUSION, time, cut, history["c1"][history.at(time)]) for time in TIMES]
+    split, _ = diffusion_pair(context)
+    history = split.nodes
+    return [_profile(DIFFUSION, time, split, history["c1"][history.at(time)]) for time in TIMES]
 
 
 def convection_profiles(context: Context) -> list[Profile]:
     """Steady concentration along the column of problem 3.2 at each Peclet number."""
     found = []
     for peclet in convection.PRESSURES:
-        cut, _ = convection_pair(context, peclet)
-        found.append(_profile(CONVECTION, peclet, cut, cut.nodes["c1"][-1]))
+        split, _ = convection_pair(context, peclet)
+        found.append(_profile(CONVECTION, peclet, split, split.nodes["c1"][-1]))
     return found
 
 
@@ -72,7 +72,7 @@ def _diffusion(profiles: dict[float, Profile], folder: Path) -> Path:
     def exact(z: NDArray[np.float64], time: float) -> NDArray[np.float64]:
         return transient_diffusion.concentration(z, time, height=diffusion.HEIGHT, diffusivity=diffusion.DIFFUSIVITY)
 
-    figure, axes = _canvas("Diffusion from a bath through two cubes in contact", "$c/c^*$")
+    figure, axes = _canvas("Diffusion through two cubes in contact", "$c/c^*$")
     _curves(axes, TIMES, exact, profiles, lambda time: f"{time:g} s")
     return _save(figure, axes, folder / f"{DIFFUSION}.png")
 

@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(fields_that_meet_their_tolerance_keep_their_penalty) {
   BOOST_TEST(contact->pass(0).laws().multipliers.flux_penalty_scale[1] == 10.0);
 }
 
-BOOST_AUTO_TEST_CASE(sealed_facets_do_not_keep_the_others_from_growing) {
+BOOST_AUTO_TEST_CASE(impermeable_facets_do_not_keep_the_others_from_growing) {
   Scene scene = loaded_scene();
   scene.settings = Settings{};
   scene.settings.solute = {true, 1e-4};

@@ -17,7 +17,7 @@ Scene overlapping(FacetType one, FacetType two, Settings settings = {}) {
   return scene;
 }
 
-Scene frozen(Scene scene) {
+Scene with_fixed_geometry(Scene scene) {
   scene.effects.traction = false;
   return scene;
 }
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(fluxes_are_those_of_surfaces_that_could_move) {
       const GlobalLayout layout(scene);
       const std::vector<Index> fields = field_entries(layout);
       const auto moving = scene.contact();
-      const auto fixed = frozen(scene).contact();
+      const auto fixed = with_fixed_geometry(scene).contact();
       const VectorXd expected = assembled_residual(*moving, layout, scene.fields, dt);
       const VectorXd residual = assembled_residual(*fixed, layout, scene.fields, dt);
       BOOST_TEST(VectorXd(expected(fields)).norm() > 0);
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(fluxes_are_those_of_surfaces_that_could_move) {
 }
 
 BOOST_AUTO_TEST_CASE(nothing_of_displacements_is_handed_out) {
-  const Scene scene = frozen(overlapping(FacetType::quad4, FacetType::tri3));
+  const Scene scene = with_fixed_geometry(overlapping(FacetType::quad4, FacetType::tri3));
   const auto contact = scene.contact();
   const auto is_free_of_them = [](const ContactInterface::Location& at) {
     return !at.patch.displacements && at.patch.layout().per_node() == static_cast<Index>(at.patch.fields.size());
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_just_touch_exchange_and_those_apart_do_not) {
 BOOST_AUTO_TEST_CASE(traction_comes_back_when_surfaces_are_freed) {
   const Scene scene = overlapping(FacetType::quad8, FacetType::quad4);
   const GlobalLayout layout(scene);
-  const auto contact = frozen(scene).contact();
+  const auto contact = with_fixed_geometry(scene).contact();
   contact->begin_iteration(scene.fields);
   contact->augment(scene.fields);
   const auto fresh = scene.contact();
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(traction_comes_back_when_surfaces_are_freed) {
 BOOST_AUTO_TEST_CASE(unknown_multipliers_of_fluxes_have_an_exact_tangent) {
   Settings settings;
   settings.enforcement = Enforcement::lagrange_multipliers;
-  Scene scene = frozen(overlapping(FacetType::quad4, FacetType::tri3, settings));
+  Scene scene = with_fixed_geometry(overlapping(FacetType::quad4, FacetType::tri3, settings));
   const GlobalLayout layout(scene);
   const auto contact = scene.contact();
   BOOST_TEST(layout.multipliers.size() == layout.nodes[Side::primary] * layout.fields);

@@ -17,13 +17,13 @@ Settings lagrange_settings() {
   return settings;
 }
 
-/// A contact with multipliers as unknowns at a state, with status held, as a function of all unknowns.
-struct Held {
+/// A contact with multipliers as unknowns at a state, with fixed status, as a function of all unknowns.
+struct AtFixedStatus {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
   GlobalLayout layout;
 
-  explicit Held(Scene what) : scene(std::move(what)), contact(scene.contact()), layout(scene) {}
+  explicit AtFixedStatus(Scene what) : scene(std::move(what)), contact(scene.contact()), layout(scene) {}
 
   VectorXd residual(const VectorXd& q) {
     const PerSide<SurfaceFields> fields = layout.unpack(q);
@@ -54,11 +54,12 @@ VectorXd random_values(Index size, double low, double high, std::mt19937& random
 /// Relative error of the tangent of a facet's contact with what it faces, fields and multipliers at random.
 double tangent_error(Scene scene, std::mt19937& random) {
   scene.disturb(0.02, random);
-  Held held(scene);
-  set_unknown_multipliers(*held.contact, random_values(held.layout.multipliers.size(), -0.5, 0, random));
-  held.contact->begin_iteration(scene.fields);
-  const VectorXd q = held.unknowns();
-  return relative_error(held.tangent(q), differences([&](const VectorXd& at) { return held.residual(at); }, q));
+  AtFixedStatus at_status(scene);
+  set_unknown_multipliers(*at_status.contact, random_values(at_status.layout.multipliers.size(), -0.5, 0, random));
+  at_status.contact->begin_iteration(scene.fields);
+  const VectorXd q = at_status.unknowns();
+  return relative_error(at_status.tangent(q),
+                        differences([&](const VectorXd& at) { return at_status.residual(at); }, q));
 }
 
 }  // namespace
@@ -92,25 +93,25 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_with_some_nodes_out_of_cont
   // Tilted, so that the overlap ends within the surface.
   scene.fields[Side::primary].position.row(2) -= 0.15 * scene.fields[Side::primary].position.row(0);
   scene.disturb(0.002, random);
-  Held held(scene);
-  set_unknown_multipliers(*held.contact, random_values(held.layout.multipliers.size(), -0.5, 0, random));
-  held.contact->begin_iteration(scene.fields);
-  const NodalLoads loads = held.contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields));
+  AtFixedStatus at_status(scene);
+  set_unknown_multipliers(*at_status.contact, random_values(at_status.layout.multipliers.size(), -0.5, 0, random));
+  at_status.contact->begin_iteration(scene.fields);
+  const NodalLoads loads = at_status.contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields));
   const auto touching = std::count(loads.in_contact.begin(), loads.in_contact.end(), true);
   BOOST_TEST(touching > 0);
   BOOST_TEST(touching < scene.mesh[Side::primary].nodes);
-  const VectorXd q = held.unknowns();
-  const MatrixXd approximate = differences([&](const VectorXd& at) { return held.residual(at); }, q);
-  BOOST_TEST(relative_error(held.tangent(q), approximate) <= difference_tolerance);
+  const VectorXd q = at_status.unknowns();
+  const MatrixXd approximate = differences([&](const VectorXd& at) { return at_status.residual(at); }, q);
+  BOOST_TEST(relative_error(at_status.tangent(q), approximate) <= difference_tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(rows_and_columns_of_multipliers_are_alike_on_flat_surfaces) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad8, 0.0, 3, 2), effects_of(true, 1), lagrange_settings());
-  Held held(scene);
-  held.contact->begin_iteration(scene.fields);
-  const MatrixXd tangent = held.tangent(held.unknowns());
-  const Index nodal = held.layout.nodal_size();
-  const Index own = held.layout.multipliers.size();
+  AtFixedStatus at_status(scene);
+  at_status.contact->begin_iteration(scene.fields);
+  const MatrixXd tangent = at_status.tangent(at_status.unknowns());
+  const Index nodal = at_status.layout.nodal_size();
+  const Index own = at_status.layout.multipliers.size();
   BOOST_TEST(relative_error(tangent.bottomLeftCorner(own, nodal), tangent.topRightCorner(nodal, own).transpose()) <=
              rounding);
 }
@@ -120,11 +121,11 @@ BOOST_AUTO_TEST_CASE(the_symmetric_tangent_is_symmetric) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.05, 2, 3), effects_of(true, 1), lagrange_settings());
   scene.settings.symmetric = true;
   scene.disturb(0.02, random);
-  Held held(scene);
-  held.contact->begin_iteration(scene.fields);
-  const MatrixXd tangent = held.tangent(held.unknowns());
+  AtFixedStatus at_status(scene);
+  at_status.contact->begin_iteration(scene.fields);
+  const MatrixXd tangent = at_status.tangent(at_status.unknowns());
   BOOST_TEST(relative_error(tangent, tangent.transpose()) <= rounding);
-  BOOST_TEST(held.layout.multipliers.size() > 0);
+  BOOST_TEST(at_status.layout.multipliers.size() > 0);
 }
 
 namespace {
@@ -134,10 +135,10 @@ namespace {
 /// space.
 double inf_sup_constant(FacetType one, FacetType two, std::pair<int, int> cells, const Settings& settings) {
   Scene scene(facing_grids(one, two, 0.0, cells.first, cells.second), effects_of(false, 1), settings);
-  Held held(scene);
-  held.contact->begin_iteration(scene.fields);
-  const MatrixXd tangent = held.tangent(held.unknowns());
-  const GlobalLayout& layout = held.layout;
+  AtFixedStatus at_status(scene);
+  at_status.contact->begin_iteration(scene.fields);
+  const MatrixXd tangent = at_status.tangent(at_status.unknowns());
+  const GlobalLayout& layout = at_status.layout;
   const auto mass = [&](Side side, bool of_multipliers) {
     const SurfaceMesh& mesh = scene.mesh[side];
     MatrixXd sum = MatrixXd::Zero(mesh.nodes, mesh.nodes);

@@ -137,7 +137,8 @@ class FakeHost : public SteppedModel {
   void evaluate_residual() override { notes.emplace_back("residual"); }
   MatrixUse matrix_use() override { return matrices; }
   void request_matrix() override { notes.emplace_back("matrix please"); }
-  void limit_rejections(int n) override {
+  void accepted() override {}
+  void rejected(int n) override {
     if (n > 2) throw TooManyRejections("too many");
   }
 

@@ -39,7 +39,7 @@ constexpr double half = 0.5;  // of a square: what its first two points lie beyo
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_point_that_loses_sight_twice_in_a_step_is_kept_beyond_the_edge) {
+BOOST_AUTO_TEST_CASE(a_point_whose_projection_is_lost_twice_in_a_step_is_kept_beyond_the_edge) {
   Squares squares;
   for (int loss = 1; loss <= 2; ++loss) {
     BOOST_TEST(squares.seen(0).size() == 4);

@@ -378,7 +378,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_exact_for_turned_and_partly_covered_surfaces
   BOOST_TEST(tangent_error(scene) <= difference_tolerance);
 }
 
-BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_the_bath_from_the_nodes_beyond_it) {
+BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_ambient_values_from_the_nodes_beyond_it) {
   // The other surface ends where facets end, but for a slip. The nodes on that line are flux-coupled, those beyond are
   // not.
   for (const double slip : {1e-12, 1e-7, 1e-2}) {

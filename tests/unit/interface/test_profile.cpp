@@ -135,12 +135,12 @@ BOOST_AUTO_TEST_CASE(a_field_has_entries_only_where_both_surfaces_know_it) {
   for (const FieldMask partly : {only(0), only(2), only(1) | only(2)}) check(matching(effects, partly), partly);
 }
 
-BOOST_AUTO_TEST_CASE(a_sealed_surface_adds_displacements_alone) {
-  Scene sealed = matching(effects_of(true, 1));
-  for (FieldMask& mask : sealed.mesh[Side::secondary].permeable) mask = 0;
+BOOST_AUTO_TEST_CASE(an_impermeable_surface_adds_displacements_alone) {
+  Scene impermeable = matching(effects_of(true, 1));
+  for (FieldMask& mask : impermeable.mesh[Side::secondary].permeable) mask = 0;
   const std::size_t pairs = 4 * near_pairs_on_a_line * near_pairs_on_a_line;
-  BOOST_TEST(in_profile(sealed).size() == pairs * 9);
-  BOOST_TEST(in_tangent(sealed).size() == pairs * 9);
+  BOOST_TEST(in_profile(impermeable).size() == pairs * 9);
+  BOOST_TEST(in_tangent(impermeable).size() == pairs * 9);
 }
 
 BOOST_AUTO_TEST_CASE(apart_there_are_no_entries) {

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(without_a_solvent_the_first_field_is_a_solute) {
   BOOST_TEST((sides.result().flux.array() == 3).all());
 }
 
-BOOST_AUTO_TEST_CASE(sealed_facets_of_the_other_side_do_not_lower_the_penalty) {
+BOOST_AUTO_TEST_CASE(impermeable_facets_of_the_other_side_do_not_lower_the_penalty) {
   Sides sides;
   sides.secondary.conductance.row(0) << 0, 24;
   check_close(sides.result().conductance(0, 0), in_series(4, 24));

@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_without_fluid_on_segments_a
   }
 }
 
-/// Only one side has fluid: its pressure is no exchanged field, but friction feels it.
+/// Only one side has fluid: its pressure is no exchanged field, but friction depends on it.
 BOOST_AUTO_TEST_CASE(the_pressure_of_the_side_that_has_fluid_acts_on_friction) {
   std::mt19937 random(9);
   for (const Side side : both_sides) {

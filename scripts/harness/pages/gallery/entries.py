@@ -83,7 +83,7 @@ def entries() -> tuple[Entry, ...]:
 def _diffusion() -> Entry:
     return Entry(
         "Diffusion through two layers (problem 3.1)",
-        "Two tissues on each other and a bath on one side: change the layers' thickness and materials, and the bath.",
+        "Two tissues on each other and a solution on one side: change layers, materials and concentration.",
         diffusion.Diffusion(plot=True).model(),
         diffusion.Diffusion(elements=5, control=Control(10, 200.0)).model(),
         UPRIGHT,
@@ -107,7 +107,7 @@ def _indentation() -> Entry:
     short = replace(indentation.CONTROL, steps=round(indentation.RAMP / indentation.CONTROL.step))
     return Entry(
         "A semi-cylinder driven into a slab (problem 3.3)",
-        "Large deformation and a contact that grows: indenters, condyles; the bath wets what is not in contact.",
+        "Large deformation and a contact that grows: indenters, condyles; open nodes have the ambient values.",
         replace(problem, plot=True).model(),
         replace(problem, grid=LEVELS[0], control=short).model(),
         Section(mirrored=True),

@@ -1,4 +1,4 @@
-"""Rules on the bath: effective pressures against effective concentrations."""
+"""Rules on ambient values: effective pressures against effective concentrations."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from harness.preflight import levels
 from harness.preflight.finding import Finding
-from harness.preflight.held_nodes import held_nodes
 from harness.preflight.levels import Level
+from harness.preflight.prescribed_nodes import prescribed_nodes
 from harness.preflight.rules.tools import note, short, warning
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element
@@ -36,7 +36,7 @@ def without_effect(joint: Joint) -> Iterator[Finding]:
 
 
 def ambient(joint: Joint) -> Iterator[Finding]:
-    """Bath of a contact whose effective pressure does not go with its concentrations."""
+    """Ambient pressure of a contact that does not go with its ambient concentrations."""
     model, contact = joint.model, joint.contact
     if not contact.drains:
         return
@@ -98,7 +98,7 @@ def _against(joint: Joint, pressure: Level, there: Sequence[Level], what: str) -
 
 
 def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> Iterator[Finding]:
-    """At the time of the largest R T Phi c: p~ is to be -R T Phi c, plus the bath's own pressure if it has one.
+    """At the time of the largest R T Phi c: p~ is to be -R T Phi c, plus the ambient fluid pressure if there is one.
 
     p~ = 0 and p~ = +R T Phi c are the usual slips, and a pressure far beyond R T Phi c is one of units.
     """
@@ -112,11 +112,11 @@ def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> 
         return
     have = f"is {short(value)}" if given else "is not set, so it is 0"
     yield warning(
-        "bath-pressure",
+        "ambient-pressure",
         tag,
-        f"{what} {have}, but with these concentrations R T Phi c is {short(-expected)}: that is a bath under a fluid "
+        f"{what} {have}, but with these concentrations R T Phi c is {short(-expected)}: that is an ambient fluid "
         f"pressure of {short(fluid)}, and every node that meets it swells or shrinks at once",
-        f"For a bath without pressure set it to {expected:.5g}, that is -R T Phi c"
+        f"For no fluid pressure set it to {expected:.5g}, that is -R T Phi c"
         + (", with the load curve of the concentration." if _has_curve(tag) or len(own) > 1 else "."),
     )
 
@@ -126,16 +126,16 @@ def _has_curve(tag: Element) -> bool:
 
 
 def overwritten(joint: Joint) -> Iterator[Finding]:
-    """Prescribed values at nodes of the contact, which FEBio's interfaces replace by the bath's."""
+    """Prescribed values at nodes of the contact, which FEBio's interfaces replace by the ambient ones."""
     if joint.contact.kind.is_mixture:
         return
-    for held in held_nodes(joint):
-        if not held.as_the_bath:
+    for prescribed in prescribed_nodes(joint):
+        if not prescribed.as_ambient:
             yield warning(
-                "held-nodes",
-                held.tag,
-                f"this condition holds the {held.field} of {held.nodes} nodes of the contact, but "
-                f"{joint.contact.kind.name} writes the bath's value over it where they do not touch",
+                "prescribed-nodes",
+                prescribed.tag,
+                f"this condition holds the {prescribed.field} of {prescribed.nodes} nodes of the contact, but "
+                f"{joint.contact.kind.name} writes the ambient value over it where they do not touch",
                 "Leave these nodes out of the condition, or use sliding-mixture, which keeps it.",
             )
 

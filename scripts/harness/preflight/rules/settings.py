@@ -199,27 +199,27 @@ def material(joint: Joint) -> Iterator[Finding]:
 
 
 def not_exchanged(joint: Joint) -> Iterator[Finding]:
-    """Fluid or solutes on both sides that the type seals against each other."""
+    """Fluid or solutes on both sides that the type does not exchange."""
     kind = joint.contact.kind
     if not kind.solvent and all(side.porous for side in joint.sides):
         what = "fluid and solutes" if joint.primary.solutes & joint.secondary.solutes else "fluid"
         yield note(
-            "sealed",
+            "impermeable",
             joint.contact.tag,
-            f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are sealed",
+            f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are impermeable",
             "If they are to exchange it, use sliding-mixture.",
         )
     elif kind.solvent and not kind.solutes and joint.primary.solutes & joint.secondary.solutes:
         yield note(
-            "sealed",
+            "impermeable",
             joint.contact.tag,
-            f"both bodies hold solutes, and {kind.name} exchanges fluid alone: the surfaces are sealed for solutes",
+            f"both bodies hold solutes, and {kind.name} exchanges fluid alone: the surfaces are impermeable to solutes",
             "If they are to exchange them, use sliding-mixture.",
         )
 
 
 def ambient_solute(joint: Joint) -> Iterator[Finding]:
-    """Bath concentrations that do not say which solute they are for."""
+    """Ambient concentrations that do not say which solute they are for."""
     model = joint.model
     for tag in children(joint.contact.tag, "ambient_concentration"):
         named = tag.get("sol")

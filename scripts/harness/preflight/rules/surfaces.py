@@ -166,6 +166,8 @@ def facing(joint: Joint) -> Iterator[Finding]:
     """Surfaces that do not face each other anywhere."""
     if not all(len(side.surface.corners) for side in joint.sides) or any(side.inverted.any() for side in joint.sides):
         return
+    if any(side.at_back for side in joint.sides):
+        return
     if any(_sees(side, other)[1].any() for side, other in (joint.sides, joint.sides[::-1])):
         return
     pair = joint.contact.pair
@@ -205,8 +207,8 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
                 "side-faces",
                 side.surface.facet_tags[facets[0]],
                 f"surface '{side.surface.name}' has {_facets(len(facets))} beyond a sharp edge or on another side, "
-                "facing away from the other body. There it may find the far side of a thin body, and the bath wets it",
-                "Leave side and far faces out of the surface, unless the bath is meant to wet them.",
+                "facing away from the other body. There it may find a thin body's far side, or is at ambient values",
+                "Leave side and far faces out of the surface, unless they are meant to have the ambient values.",
             )
 
 

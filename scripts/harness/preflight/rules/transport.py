@@ -89,7 +89,7 @@ def _undershoot(joint: Joint, control: Element, step: Element, solute: int, wors
     )
     cure = (
         f"Begin with steps of at least {short(size * SMALLEST_STEP / fourier)}, or use elements of at most "
-        f"{short(h * math.sqrt(fourier / SMALLEST_STEP))} at the front, or give the bath a load curve over some steps."
+        f"{short(h * math.sqrt(fourier / SMALLEST_STEP))} at the front, or give the value a load curve over some steps."
     )
     if joint.contact.kind.is_mixture:
         after = "; sliding-mixture solves the clamp of concentrations as an inequality, so Newton's method goes on"

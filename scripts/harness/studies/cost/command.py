@@ -36,7 +36,7 @@ class Part(str, Enum):
 
     SWEEP = "sweep"
     """Error and cost over all parameters."""
-    TURNS = "turns"
+    INTERLEAVED = "interleaved"
     """Longer runs of 3.1 and 3.2 by all interfaces in turn, with the settings that reach each error at least cost."""
 
 
@@ -64,8 +64,8 @@ def cost(
         _sweep(chosen, folder, start)
         if docs:
             _write_docs(folder)
-    if only is None or Part.TURNS in only:
-        _turns(chosen, number, data.resolve(), folder, start)
+    if only is None or Part.INTERLEAVED in only:
+        _interleaved(chosen, number, data.resolve(), folder, start)
 
 
 Start = Callable[[Mapping[str, Sequence[str]]], list[Path]]
@@ -101,7 +101,7 @@ def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
     _finish(written, len(paths) == len(sweeps))
 
 
-def _turns(chosen: list[Problem], number: int, data: Path, folder: Path, start: Start) -> None:
+def _interleaved(chosen: list[Problem], number: int, data: Path, folder: Path, start: Start) -> None:
     wanted = {
         f"turn-{problem.value}-{kind.value}-{turn}": (
             "cost-turn",
@@ -118,11 +118,11 @@ def _turns(chosen: list[Problem], number: int, data: Path, folder: Path, start: 
     }
     paths = start(wanted)
     found = [timing for path in paths for timing in files.read_json(path, Timing)]
-    files.write_csv(found, Timing, folder / "cost-turns.csv", provenance.stamp(LIMIT))
+    files.write_csv(found, Timing, folder / "cost-interleaved.csv", provenance.stamp(LIMIT))
     text = interleaved.ratio_table(found)
-    (folder / "cost-turns.md").write_text(text + "\n")
+    (folder / "cost-interleaved.md").write_text(text + "\n")
     console.print(text, markup=False)
-    _finish([folder / "cost-turns.csv", folder / "cost-turns.md"], len(paths) == len(wanted))
+    _finish([folder / "cost-interleaved.csv", folder / "cost-interleaved.md"], len(paths) == len(wanted))
 
 
 def _finish(written: list[Path], complete: bool) -> None:

@@ -1,4 +1,4 @@
-"""Longer runs of 3.1 and 3.2 by all interfaces in turn, whose ratios of processor time stand out of the scatter."""
+"""Longer runs of 3.1 and 3.2 by all interfaces, interleaved: ratios of processor time above the scatter."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Timing:
     turn : int
         From 1; 0 where instructions were counted.
     contact_error : float
-        Largest difference of c from the unsplit body, relative to the bath; nan for a run that failed.
+        Largest difference of c from the conforming reference, relative to c*; nan for a run that failed.
     iterations, residuals : int
     cpu : float
         Processor time of one thread, s.
@@ -84,13 +84,13 @@ class Timing:
 
 
 def contenders(data: Sequence[Datum], problem: Problem) -> list[Point]:
-    """The unsplit body; ours by default, with the predictor, and with Gauss points; and what reached each error.
+    """The conforming reference; ours by default, with the predictor, with Gauss points; and what reached each error.
 
     Of settings that reached it the one that took the fewest iterations.
     """
     own = comparable(data, problem)
     best = (_fewest([d for d in own if d.interface == i.value], e) for i in INTERFACES for e in LEVELS)
-    chosen = [(InterfaceType.UNSPLIT, Parameter.DEFAULT, 0.0)]
+    chosen = [(InterfaceType.CONFORMING, Parameter.DEFAULT, 0.0)]
     chosen += [(InterfaceType.MIXTURE, parameter, value) for parameter, value in OTHERWISE]
     chosen += [(InterfaceType(d.interface), Parameter(d.parameter), d.value) for d in best if d]
     return [Point(problem, *one) for one in dict.fromkeys(chosen)]
@@ -108,7 +108,7 @@ def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> li
     Raises
     ------
     HarnessError
-        Without an engine or plugin, or where the unsplit body does not run.
+        Without an engine or plugin, or where the conforming reference does not run.
     """
     sized = [replace(point, size=SIZES[kind]) for point in points]
     runs = [execute(point.model(), check=False, processor_limit=runner.processor_limit)[0] for point in sized]
@@ -126,8 +126,8 @@ def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
 
 
 def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runner) -> Timing:
-    kept, whole = runner(point.model(), check=False), runner(point.model(InterfaceType.UNSPLIT))
-    error = compare.largest_difference(kept, whole, "c1") if kept.report.normal else math.nan
+    kept, reference = runner(point.model(), check=False), runner(point.model(InterfaceType.CONFORMING))
+    error = compare.largest_difference(kept, reference, "c1") if kept.report.normal else math.nan
     counted = _COUNT.search(run.output)
     return Timing(
         point.problem.value,
@@ -156,7 +156,9 @@ def ratio_table(timings: Sequence[Timing]) -> str:
     ]
     for problem, size in dict.fromkeys((t.problem, t.size) for t in timings):
         own = [
-            t for t in timings if (t.problem, t.size) == (problem, size) and t.interface != InterfaceType.UNSPLIT.value
+            t
+            for t in timings
+            if (t.problem, t.size) == (problem, size) and t.interface != InterfaceType.CONFORMING.value
         ]
         reached: dict[str, list[float]] = {}  # the errors at which a row holds
         for error in LEVELS:
@@ -191,7 +193,7 @@ def costs(timings: Sequence[Timing], setting: Setting) -> dict[int, float]:
 
 
 def ratios(timings: Sequence[Timing], ours: Setting, theirs: Setting) -> tuple[float, float, float]:
-    """Quartiles of the ratio of costs in the turns that both were run in."""
+    """Quartiles of the ratio of costs in the rounds that both were run in."""
     own, other = costs(timings, ours), costs(timings, theirs)
     found = [own[n] / other[n] for n in own if n in other]
     low, middle, high = quantiles(found, n=4, method="inclusive") if len(found) > 1 else found * 3

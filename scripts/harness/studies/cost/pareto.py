@@ -43,7 +43,7 @@ def error_of(datum: Datum) -> float:
 
 
 def cost_of(datum: Datum) -> float:
-    """Processor time: relative to the unsplit body for 3.1 and 3.2, in s for 3.3."""
+    """Processor time: relative to the conforming reference for 3.1 and 3.2, in s for 3.3."""
     return datum.cpu if datum.problem == Problem.INDENTATION.value else datum.ratio
 
 

@@ -20,7 +20,7 @@ from harness.studies.cost.points import TIMES_33, Parameter, Point, Problem, fin
 from harness.validate import checks
 
 PAIRS = 3
-"""How often a run of 3.1 or 3.2 and that of the unsplit body are timed, in turn."""
+"""How often a run of 3.1 or 3.2 and that of the conforming reference are timed, in turn."""
 FINEST_LIMIT = 1800.0
 """s of processor time for the finest run of 3.3, which all others are compared with and so must end."""
 
@@ -35,17 +35,17 @@ class Datum:
     value : float
     ended : bool
     contact_error : float
-        3.1, 3.2: largest difference of c from the unsplit body of the same mesh and steps, relative to the bath; nan
+        3.1, 3.2: largest difference of c from the conforming reference of the same mesh and steps, relative to c*; nan
         for 3.3.
     error : float
-        3.1, 3.2: largest error of c against the closed form, relative to the bath. 3.3: largest relative difference
+        3.1, 3.2: largest error of c against the closed form, relative to c*. 3.3: largest relative difference
         from the finest run, of the force and of the solute in both bodies at 1 and 100 s.
     steps, iterations, residuals, retries : int
     wall, cpu : float
         Wall and processor time of one thread, s; medians of some runs, of one for 3.3. On an idle machine they agree.
     ratio, ratio_low, ratio_high : float
-        Median, least and largest of the ratios of this run's processor time and the unsplit body's, run in turn; nan
-        for 3.3.
+        Median, least and largest of the ratios of this run's processor time and the conforming reference's, run in
+        turn; nan for 3.3.
     """
 
     problem: str
@@ -80,10 +80,10 @@ def measure(point: Point, runner: Runner) -> Datum:
     if ended and point.problem is Problem.INDENTATION:
         error = _error_33(run, replace(runner, processor_limit=FINEST_LIMIT)(finest()))
     elif ended:
-        whole = runner(point.model(InterfaceType.UNSPLIT))
-        contact_error = compare.largest_difference(run, whole, "c1")
+        reference = runner(point.model(InterfaceType.CONFORMING))
+        contact_error = compare.largest_difference(run, reference, "c1")
         error = _error_closed(point, run)
-        wall, cpu, ratios = _pairs(run.model, whole.model)
+        wall, cpu, ratios = _pairs(run.model, reference.model)
     report = run.report
     return Datum(
         point.problem.value,
@@ -119,9 +119,9 @@ def _error_33(run: RunResult, reference: RunResult) -> float:
     return float(np.max(np.abs(errors)))
 
 
-def _pairs(model: Model, whole: Model) -> tuple[float, float, tuple[float, float, float]]:
-    """Median wall and processor time (s) of a model; median, least and largest ratio of the latter to the unsplit."""
-    runs = {name: partial(timing.execute, each) for name, each in (("own", model), ("whole", whole))}
+def _pairs(model: Model, reference: Model) -> tuple[float, float, tuple[float, float, float]]:
+    """Median wall and processor time (s) of a model; median, least, largest ratio of the latter to its reference's."""
+    runs = {name: partial(timing.execute, each) for name, each in (("own", model), ("conforming", reference))}
     own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
     ratios = [a.cpu / b.cpu for a, b in zip(own, other, strict=True)]
     return median(r.wall for r in own), median(r.cpu for r in own), (median(ratios), min(ratios), max(ratios))

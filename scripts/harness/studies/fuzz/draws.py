@@ -83,7 +83,7 @@ def _pressed(random: Random) -> Model:
         width=(random.uniform(0.2, 2.0), random.uniform(0.2, 2.0)),
         across=(int(random.integers(1, 4)), int(random.integers(1, 4))),
         warp=random.uniform(0.0, 0.1) if random.random() < 0.3 else 0.0,
-        bath=(random.uniform(0.0, 2.0),),
+        below=(random.uniform(0.0, 2.0),),
         above=(random.uniform(0.0, 2.0),),
     )
     return scene.model(Fineness.COARSE, Interface.MIXTURE)

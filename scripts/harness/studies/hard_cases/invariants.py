@@ -36,7 +36,7 @@ def of_any_run(run: RunResult, case: Case) -> list[Measure]:
 
 def of_the_plugin(run: RunResult, rerun: Runner, case: Case) -> list[Measure]:
     """Further checks, which need the plugin's output, or more runs."""
-    return [*cancellation(run), *off_the_bath(run), *invariance(run, rerun, case.swap)]
+    return [*cancellation(run), *off_ambient(run), *invariance(run, rerun, case.swap)]
 
 
 def cancellation(run: RunResult) -> list[Measure]:
@@ -70,14 +70,14 @@ def finite_and_bounded(run: RunResult, undershoot: float) -> list[Measure]:
 
 
 def _given(model: Model, sol: int) -> tuple[float, float]:
-    """Smallest and largest concentration that a model prescribes, starts with (0 where not said) or has in its bath."""
+    """Smallest and largest concentration that a model prescribes, starts with (0 where not said) or has outside."""
     values = [0.0]
     for condition in model.conditions:
         params = {param.tag: param.value for param in condition.params}
         if params.get("dof") == f"c{sol}":
             values.append(float(params["value"]))  # type: ignore[arg-type]
-    baths = (p for contact in model.contacts for p in contact.params if p.tag == "ambient_concentration")
-    values += [float(p.value) for p in baths if p.attributes.get("sol", "1") == str(sol)]  # type: ignore[arg-type]
+    ambient = (p for contact in model.contacts for p in contact.params if p.tag == "ambient_concentration")
+    values += [float(p.value) for p in ambient if p.attributes.get("sol", "1") == str(sol)]  # type: ignore[arg-type]
     return min(values), max(values)
 
 
@@ -107,17 +107,17 @@ def _resolution(model: Model, history: History, found: float) -> float:
 def _appeared(model: Model, history: History) -> float:
     """Amount of a solute that enters at nodes which nothing feeds, relative to its largest content.
 
-    Nodes of a contact surface at exactly nothing are held there by the bath. The others count together: what one side
-    loses there the other one gains. In steps in which the bath holds some of them, they are left out, as the contact
-    also feeds the bath at its edge.
+    Nodes of a contact surface at exactly nothing are at ambient values. The others count together: what one side
+    loses there the other one gains. In steps in which some of them are at ambient, all are left out, as the
+    contact also exchanges with the surroundings at its edge.
     """
     fed, contact = _nodes_fed(model), _nodes_in(model, (model.mesh.surfaces[name] for name in model.contact_surfaces))
     states, parts = solute_balance.states(history), model.mesh.parts
     appeared, most = np.zeros(model.n_solutes), np.zeros(model.n_solutes)
     for before, after, step in zip(states, states[1:], np.diff(history.times), strict=False):
         entered = np.sum([solute_balance.inflows(model, part, before, after, float(step)) for part in parts], axis=0)
-        bath = contact & (after.pressure == 0.0) & (after.concentrations == 0.0).all(axis=0)
-        counted = ~fed & ~bath if not bath.any() else ~fed & ~contact
+        ambient = contact & (after.pressure == 0.0) & (after.concentrations == 0.0).all(axis=0)
+        counted = ~fed & ~ambient if not ambient.any() else ~fed & ~contact
         appeared += entered[:, counted].sum(axis=1)
         most = np.maximum(most, np.sum([solute_balance.contents(model, part, after) for part in parts], axis=0))
     return max(_ratio(abs(amount), whole) for amount, whole in zip(appeared, most, strict=True))
@@ -157,8 +157,8 @@ def contact_conditions(run: RunResult, tolerance: float) -> list[Measure]:
     ]
 
 
-def off_the_bath(run: RunResult) -> list[Measure]:
-    """Open nodes are at the bath, which is empty in all cases, at each accepted step.
+def off_ambient(run: RunResult) -> list[Measure]:
+    """Open nodes are at the ambient values, which are 0 in all cases, at each accepted step.
 
     Open is a primary node all of whose facets bear exactly nothing.
     """
@@ -181,7 +181,7 @@ def off_the_bath(run: RunResult) -> list[Measure]:
         for name in names:
             values = np.abs(history[name])
             found = max(found, _ratio(float(values[free].max(initial=0.0)), float(values.max())))
-    return [Measure("open nodes off the bath, relative", found, 0.0)]
+    return [Measure("open nodes off ambient, relative", found, 0.0)]
 
 
 def _inner(facets: Ids, loaded: Mask) -> Mask:

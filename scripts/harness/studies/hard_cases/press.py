@@ -1,6 +1,6 @@
 """Two confined blocks, pressed together along a load curve: the scene of most hard cases, with its closed form.
 
-Laterally confined, with a bath of 1 mM below and of nothing above, both without fluid pressure, the steady state is
+Laterally confined, with 1 mM below and nothing above, both without fluid pressure, the steady state is
 known: equal stress and equal fluxes in both blocks, uniform strain and a linear concentration in each.
 """
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from harness.models.document import Model
-from harness.models.mesh import Box, Layer, Mesh, Section, assemble, glued_column
+from harness.models.mesh import Box, Layer, Mesh, Section, assemble, conforming_column
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
@@ -60,8 +60,8 @@ def stretches(below: Solid, above: Solid, shortening: float) -> tuple[float, flo
     return float(found), float(other(found))
 
 
-def bath(where: str, values: tuple[float, ...], fluid: float = 0.0) -> list[Condition]:
-    """A bath on a node set: fluid pressure (MPa) and concentrations (mM), so p~ = p - R T Phi c."""
+def ambient_at(where: str, values: tuple[float, ...], fluid: float = 0.0) -> list[Condition]:
+    """Ambient fluid pressure (MPa) and concentrations (mM) on a node set, so p~ = p - R T Phi c."""
     held = [pressure(where, fluid - GAS_CONSTANT * TEMPERATURE * sum(values))]
     return held + [concentration(where, value, sol=number) for number, value in enumerate(values, 1)]
 
@@ -88,7 +88,7 @@ class Press:
         Elements along x and y on both meshes; by default 2 x 2, and 4 x 4 on 3 x 3.
     warp : float
         Height (mm) by which the surfaces in contact are warped.
-    bath, above : tuple of float
+    below, above : tuple of float
         Concentration of each solute below and above, mM.
     initial : tuple of float
         Concentration of each solute at the start, mM; without it none.
@@ -118,7 +118,7 @@ class Press:
     width: tuple[float, float] = (1.0, 1.0)
     across: tuple[int, int] | None = None
     warp: float = 0.0
-    bath: tuple[float, ...] = (1.0,)
+    below: tuple[float, ...] = (1.0,)
     above: tuple[float, ...] = (0.0,)
     initial: tuple[float, ...] = ()
     newton: float = NEWTON
@@ -132,7 +132,7 @@ class Press:
     name: str = "press"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
-        """The model; its conditions hold the bath values at both ends."""
+        """The model; its conditions hold the ambient values at both ends."""
         made = self._mesh(mesh)
         top = -(self.shortening + self._gap(mesh))
         control, steps = timed(self.times, 2, self.newton)
@@ -141,8 +141,8 @@ class Press:
             fix("all", "xy"),
             fix("lower-bottom", "z"),
             displace("upper-top", "z", top, 1),
-            *bath("lower-bottom", self.bath, self.inlet),
-            *bath("upper-top", self.above),
+            *ambient_at("lower-bottom", self.below, self.inlet),
+            *ambient_at("upper-top", self.above),
             *(initial_concentration("all", value, sol=number) for number, value in enumerate(self.initial, 1)),
         )
         same = self.lower == self.upper
@@ -182,14 +182,14 @@ class Press:
         """The mesh of a run."""
         return next(m for m in Fineness if len(self._mesh(m).nodes) == len(run.model.mesh.nodes))
 
-    def whole(self, mesh: Fineness) -> Model:
+    def reference(self, mesh: Fineness) -> Model:
         """The same two blocks as one body; their facets must match and their surfaces must be flat."""
         (x, y, below), (_, _, above) = self._elements(mesh)
         layers = [Layer("lower", "lower", 1.0, below), Layer("upper", "upper", 1.0, above)]
-        glued = glued_column(layers, bottom=-1.0, section=Section(self.width, (x, y)))
-        cut = self.model(mesh, Interface.MIXTURE)
-        bare = replace(cut, contacts=(), surface_columns=(), facet_columns=())
-        return replace(bare, mesh=glued, name=f"{self.name}-whole")
+        conforming = conforming_column(layers, bottom=-1.0, section=Section(self.width, (x, y)))
+        split = self.model(mesh, Interface.MIXTURE)
+        bare = replace(split, contacts=(), surface_columns=(), facet_columns=())
+        return replace(bare, mesh=conforming, name=f"{self.name}-conforming")
 
     def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Force and concentration at the end against the closed form of the steady state."""
@@ -201,7 +201,7 @@ class Press:
         measures = [Measure("force at the end, relative error", abs(found / force - 1.0), self.tolerance)]
         for number in range(1, run.model.n_solutes + 1):
             exact = self._concentration(run.model, number, (below, above))
-            scale = max(self.bath[number - 1], self.above[number - 1])
+            scale = max(self.below[number - 1], self.above[number - 1])
             error = float(np.max(np.abs(nodes[f"c{number}"][-1] - exact))) / (scale or 1.0)
             measures.append(Measure(f"c{number} at the end, relative error", error, self.tolerance))
         return measures
@@ -213,7 +213,7 @@ class Press:
             solute = next(s for s in material.solutes if s.sol == number)
             porosity = 1.0 - (1.0 - material.porosity) / stretch
             resistance.append(stretch / (solute.solubility * porosity * solute.diffusivity))
-        first, last = self.bath[number - 1], self.above[number - 1]
+        first, last = self.below[number - 1], self.above[number - 1]
         middle = first + (last - first) * resistance[0] / sum(resistance)
         exact = np.empty(len(model.mesh.nodes))
         base = (

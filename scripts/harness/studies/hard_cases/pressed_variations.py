@@ -20,12 +20,12 @@ from harness.studies.hard_cases.press import Press
 from harness.studies.hard_cases.scene import NEWTON, Interface
 
 SPLIT = NEWTON
-"""Largest difference between the cut and the whole body, relative to the largest value of a variable."""
+"""Largest difference of the split body from its reference, relative to the largest value of a variable."""
 
 
 @dataclass(frozen=True)
-class AgainstWhole(Press):
-    """Where convection leaves no simple closed form: the cut body against the whole one.
+class AgainstReference(Press):
+    """Where convection leaves no simple closed form: the split body against the conforming reference.
 
     Attributes
     ----------
@@ -37,12 +37,12 @@ class AgainstWhole(Press):
 
     def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Pressure and concentrations at all nodes."""
-        whole = rerun(self.whole(self.fineness(run)))
+        reference = rerun(self.reference(self.fineness(run)))
         measures = []
         for name in ("p", *(f"c{k + 1}" for k in range(run.model.n_solutes))):
-            gaps = compare.differences(run, whole, name)
-            gap = float((gaps if self.transient else gaps[-1:]).max()) / float(np.abs(whole.nodes[name]).max())
-            measures.append(Measure(f"{name}, cut against whole, relative", gap, SPLIT))
+            gaps = compare.differences(run, reference, name)
+            gap = float((gaps if self.transient else gaps[-1:]).max()) / float(np.abs(reference.nodes[name]).max())
+            measures.append(Measure(f"{name}, split against conforming, relative", gap, SPLIT))
         return measures
 
 
@@ -117,8 +117,8 @@ class Steady(Press):
     def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Whatever moves after the first `settled` steps, relative to the largest value of each variable."""
         early = slice(self.settled, self.settled + 1)
-        drift = variants.difference(run, run.nodes.values[early], run.nodes.times[early])
-        return [*super().check(run, rerun), Measure("drift, relative", drift, INVARIANT)]
+        change = variants.difference(run, run.nodes.values[early], run.nodes.times[early])
+        return [*super().check(run, rerun), Measure("change at constant state, relative", change, INVARIANT)]
 
 
 @dataclass(frozen=True)

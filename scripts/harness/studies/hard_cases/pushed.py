@@ -17,7 +17,7 @@ from harness.models.mesh import Ids, Mesh, Part
 from harness.models.parts import Condition, Curve, Param, displace, fix
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
-from harness.studies.hard_cases.press import bath
+from harness.studies.hard_cases.press import ambient_at
 from harness.studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
 Array = NDArray[np.float64]
@@ -95,7 +95,7 @@ def slab(low: tuple[float, float, float], high: tuple[float, float, float], elem
 
 @dataclass(frozen=True)
 class Pushed:
-    """A body held by its grip and one that moves with its own; a bath of 1 mM at the first grip, of 0 at the other.
+    """A body held by its grip and one that moves with its own; 1 mM at the first grip, 0 at the other.
 
     Attributes
     ----------
@@ -137,8 +137,8 @@ class Pushed:
             *((fix("symmetry", "x"),) if self.half else ()),
             fix("base", "xyz"),
             *grip,
-            *bath("base", (1.0,)),
-            *bath("grip", (0.0,)),
+            *ambient_at("base", (1.0,)),
+            *ambient_at("grip", (0.0,)),
         )
         moved = {f"grip-{n}": np.array([n]) for n in made.node_sets["grip"].tolist()}
         made = replace(made, node_sets=made.node_sets | moved)

@@ -98,12 +98,12 @@ def _with(scene: Pushed, motion: Motion, times: tuple[float, ...]) -> Pushed:
 
 
 def _zigzag(start: float, period: float, cycles: int, way: float, depth: float) -> Path:
-    """To and fro along x from the place where it is pressed down."""
+    """There and back along x from the place where it is pressed down."""
     turns = [(start + period * (k + 0.5) / 2.0, way * (-1.0) ** k) for k in range(2 * cycles)]
     return tuple((time, (x, 0.0, -depth)) for time, x in turns)
 
 
-TO_AND_FRO = (*PRESSED, *_zigzag(1000.0, 400.0, 10, 0.15, 0.03))
+THERE_AND_BACK = (*PRESSED, *_zigzag(1000.0, 400.0, 10, 0.15, 0.03))
 STICK_SLIP_STICK = (
     *PRESSED,
     (1500.0, (0.1, 0.0, -0.03)),
@@ -128,7 +128,7 @@ SUCKED = (
 )
 
 CASES: dict[str, Rubbing] = {
-    "reversal": Rubbing("reversal of sliding, ten cycles", _slide(TO_AND_FRO, every(50.0, 5000.0))),
+    "reversal": Rubbing("reversal of sliding, ten cycles", _slide(THERE_AND_BACK, every(50.0, 5000.0))),
     "stick-slip-stick": Rubbing("stick to slip to stick", _slide(STICK_SLIP_STICK, every(50.0, 2600.0))),
     "touch-in-motion": Rubbing(
         "first touch while sliding",

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import brentq
 
-from harness.models.bath import two_patches
+from harness.models.ambient import two_patches
 from harness.models.document import Model
-from harness.models.mesh import Box, Layer, Mesh, Part, assemble, glued_column
+from harness.models.mesh import Box, Layer, Mesh, Part, assemble, conforming_column
 from harness.models.parts import Curve, Param, Solid, displace, fix, normal_load
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
-from harness.studies.hard_cases.press import HOLD, RAMP, bath, stress, stretches
+from harness.studies.hard_cases.press import HOLD, RAMP, ambient_at, stress, stretches
 from harness.studies.hard_cases.scene import GEL, Fineness, Interface, finished, timed
 
 
@@ -47,9 +47,9 @@ class Seesaw:
             fix("slab-bottom", "z"),
             displace("left-top", "z", -self.shortening, 1),
             displace("right-top", "z", -self.shortening, 2),
-            *bath("slab-bottom", (1.0,)),
-            *bath("left-top", (0.0,)),
-            *bath("right-top", (0.0,)),
+            *ambient_at("slab-bottom", (1.0,)),
+            *ambient_at("left-top", (0.0,)),
+            *ambient_at("right-top", (0.0,)),
         )
         text = f"Hard case {self.name}: two blocks on one slab."
         curves = (Curve(self.left), Curve(self.right), steps)
@@ -111,8 +111,8 @@ class Dropped:
             fix("all", "xy"),
             fix("lower-bottom", "z"),
             fix("ceiling", "z"),
-            *bath("lower-bottom", (1.0,)),
-            *bath("ceiling", (0.0,)),
+            *ambient_at("lower-bottom", (1.0,)),
+            *ambient_at("ceiling", (0.0,)),
             normal_load("loaded", self.load, 1),
         )
         materials = {"gel": GEL, "cushion": replace(GEL, solid=self.cushion)}
@@ -127,7 +127,7 @@ class Dropped:
         thick = 3 if mesh is Fineness.COARSE else 5
         below = assemble([Box("lower", "gel", (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (1, 1, thick))])
         layers = [Layer("upper", "gel", 1.0, thick), Layer("cushion", "cushion", 1.0, thick)]
-        above = glued_column(layers, bottom=1.0 + self.gap)
+        above = conforming_column(layers, bottom=1.0 + self.gap)
         offset = len(below.nodes)
         shifted = tuple(Part(part.name, part.material, part.elements + offset) for part in above.parts)
         sets = {"all": np.arange(1, offset + len(above.nodes) + 1), "lower-bottom": below.node_sets["lower-bottom"]}

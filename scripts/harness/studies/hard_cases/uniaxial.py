@@ -12,12 +12,12 @@ from harness.models.mesh import Box, Mesh, assemble
 from harness.models.parts import Curve, Solid, displace, fix
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
-from harness.studies.hard_cases.press import bath
+from harness.studies.hard_cases.press import ambient_at
 from harness.studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
 SOLID = Solid(1.0, 0.49)
 OVERLAP = 2.0**-10
-"""mm at the start: surfaces that touch without one may count as open or closed, which the fluid feels at once."""
+"""mm at the start: surfaces that touch without one may count as open or closed, which the pressure depends on."""
 
 
 def drained(solid: Solid, stretch: float) -> float:
@@ -44,7 +44,7 @@ class Uniaxial:
     name: str = "uniaxial"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
-        """The model; sides and ends are sealed for the solute, which is nowhere, and the ends drain."""
+        """The model; sides and ends are impermeable to the solute, which is nowhere, and the ends drain."""
         made = self._mesh(mesh)
         control, steps = timed(self.times, 2, 1e-3 * NEWTON)
         conditions = (
@@ -52,8 +52,8 @@ class Uniaxial:
             fix("y0", "y"),
             fix("lower-bottom", "z"),
             displace("upper-top", "z", OVERLAP - self.shortening, 1),
-            *bath("lower-bottom", (0.0,)),
-            *bath("upper-top", (0.0,)),
+            *ambient_at("lower-bottom", (0.0,)),
+            *ambient_at("upper-top", (0.0,)),
         )
         load = Curve(((0.0, 0.0), (self.times[0], 1.0)))
         gel = replace(GEL, solid=SOLID)

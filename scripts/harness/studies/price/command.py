@@ -31,7 +31,7 @@ class Part(str, Enum):
     COMPARISON = "comparison"
     """Iterations and times of the contact beside FEBio's own, on two blocks with many facets."""
     ADDED = "added"
-    """Time added to the run of an uncut body of 12 x 12 x 24 elements."""
+    """Time added to the run of an body of 12 x 12 x 24 elements."""
 
 
 def price(

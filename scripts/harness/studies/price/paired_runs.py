@@ -1,4 +1,4 @@
-"""Runs ours, FEBio's own contact and the uncut body in turn, and compares iterations and times."""
+"""Runs ours, FEBio's own contact and the conforming reference in turn, and compares iterations and times."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Timed:
     ended : bool
     iterations, residuals : int
     cpu : float
-        Processor time of the whole run, s.
+        Processor time of the run, s.
     update, profile, stiffness, residual : float
         FEBio's timers of model update, of forming the matrix profile, and of evaluating stiffness and residual, s.
     unknowns, entries : int
@@ -84,17 +84,17 @@ def run(scene: Scene) -> Timed:
     )
 
 
-def contact_time(with_contact: Timed, whole: Timed) -> float:
+def contact_time(with_contact: Timed, reference: Timed) -> float:
     """Seconds that a contact takes in updates, matrix profile, stiffness and residual of one run.
 
-    What the bodies take is known from the uncut body's run: its stiffness per iteration, its update and residual per
+    What the bodies take is known from the reference's run: its stiffness per iteration, its update and residual per
     evaluation. All of the profile is the contact's, since without one it is formed once.
     """
-    iterations, residuals = with_contact.iterations / whole.iterations, with_contact.residuals / whole.residuals
+    iterations, residuals = with_contact.iterations / reference.iterations, with_contact.residuals / reference.residuals
     return (
         with_contact.profile
-        + (with_contact.stiffness - iterations * whole.stiffness)
-        + (with_contact.update + with_contact.residual - residuals * (whole.update + whole.residual))
+        + (with_contact.stiffness - iterations * reference.stiffness)
+        + (with_contact.update + with_contact.residual - residuals * (reference.update + reference.residual))
     )
 
 
@@ -110,12 +110,12 @@ class Price:
     factor : float
         Penalty factor; 0 for our defaults.
     ended : bool
-    iterations, whole_iterations : int
-        Newton iterations with this contact and of the uncut body.
+    iterations, reference_iterations : int
+        Newton iterations with this contact and of the conforming reference.
     contact : float
         Median of `contact_time`, s.
     added, added_low, added_high : float
-        Median, least and largest of (processor time of the run)/(that of the uncut body, run in turn) - 1.
+        Median, least and largest of (processor time of the run)/(that of the conforming reference, run in turn) - 1.
     unknowns, entries : int
         Equations, and the most entries of the matrix.
     """
@@ -125,7 +125,7 @@ class Price:
     factor: float
     ended: bool
     iterations: int
-    whole_iterations: int
+    reference_iterations: int
     contact: float
     added: float
     added_low: float
@@ -140,9 +140,9 @@ class Price:
 
 
 def compared(scene: Scene) -> dict[tuple[str, float], Scene]:
-    """The scene with each contact that is compared, by its type and penalty factor; the uncut body first."""
+    """The scene with each contact that is compared, by its type and penalty factor; the conforming reference first."""
     found = {
-        (InterfaceType.UNSPLIT.value, 0.0): replace(scene, contact=InterfaceType.UNSPLIT.value),
+        (InterfaceType.CONFORMING.value, 0.0): replace(scene, contact=InterfaceType.CONFORMING.value),
         (InterfaceType.MIXTURE.value, 0.0): scene,
     }
     for factor in FACTORS:
@@ -159,15 +159,15 @@ def prices(scene: Scene, repetitions: int, announce: Announce) -> list[Price]:
         repetitions,
         lambda key, number: announce(f"{scenes[key].name} ({number} of {repetitions})"),
     )
-    whole = runs.pop((InterfaceType.UNSPLIT.value, 0.0))
-    return [_price(scene.kind, key, found, whole) for key, found in runs.items()]
+    reference = runs.pop((InterfaceType.CONFORMING.value, 0.0))
+    return [_price(scene.kind, key, found, reference) for key, found in runs.items()]
 
 
-def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], whole: Sequence[Timed]) -> Price:
-    pairs = list(zip(runs, whole, strict=True))
+def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], reference: Sequence[Timed]) -> Price:
+    pairs = list(zip(runs, reference, strict=True))
     ended = all(one.ended for one in runs)
     contact = median(contact_time(one, other) for one, other in pairs) if ended else math.nan
     added = [one.cpu / other.cpu - 1.0 for one, other in pairs] if ended else [math.nan]
     spread = (median(added), min(added), max(added))
     counts = (runs[0].unknowns, runs[0].entries)
-    return Price(kind.value, *key, ended, runs[0].iterations, whole[0].iterations, contact, *spread, *counts)
+    return Price(kind.value, *key, ended, runs[0].iterations, reference[0].iterations, contact, *spread, *counts)

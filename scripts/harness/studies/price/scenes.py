@@ -8,7 +8,7 @@ from enum import Enum
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, automatic
-from harness.models.mesh import Layer, Mesh, Section, cut_column, glued_column
+from harness.models.mesh import Layer, Mesh, Section, conforming_column, split_column
 from harness.models.parts import (
     Condition,
     Contact,
@@ -43,7 +43,7 @@ PERMEABILITY = 1e-3
 ABOUT = """\
 Two blocks of 1 mm x 1 mm x 1 mm with matching meshes, pressed together by 0.01 mm in 500 s.
 
-What they exchange: {what}. The upper end is in a bath without fluid pressure, with 2 mM of each solute; the lower end
+What they exchange: {what}. The upper end is without fluid pressure, at 2 mM of each solute; the lower end
 is impermeable to the solvent and held at the initial 1 mM."""
 
 
@@ -74,10 +74,10 @@ class Scene:
     ----------
     kind : Kind
     contact : str
-        Type of the contact; ``unsplit`` for one body without a contact.
+        Type of the contact; ``conforming`` for one body without a contact.
     solutes : int
         Number of solutes of both blocks.
-    frozen : bool
+    fixed : bool
         Whether the solid is held everywhere.
     section, through : int
         Elements along x and y, and through each block.
@@ -86,7 +86,7 @@ class Scene:
     kind: Kind
     contact: str = InterfaceType.MIXTURE.value
     solutes: int = 0
-    frozen: bool = False
+    fixed: bool = False
     section: int = 16
     through: int = 2
     settings: ContactSettings | None = None
@@ -96,8 +96,8 @@ class Scene:
     def name(self) -> str:
         """Stem of the file names."""
         solutes = f"-{self.solutes}" if self.solutes else ""
-        frozen = "-frozen" if self.frozen else ""
-        return f"{self.kind.value}{solutes}{frozen}-{self.contact}-{self.section}x{self.through}"
+        fixed = "-fixed" if self.fixed else ""
+        return f"{self.kind.value}{solutes}{fixed}-{self.contact}-{self.section}x{self.through}"
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -108,7 +108,7 @@ class Scene:
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()
-        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.UNSPLIT
+        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.CONFORMING
         end = self.control.steps * self.control.step
         return Model(
             name=self.name,
@@ -124,7 +124,7 @@ class Scene:
 
     def _mesh(self) -> Mesh:
         layers = [Layer(name, "tissue", HEIGHT, self.through) for name in ("lower", "upper")]
-        make = glued_column if self.contact == InterfaceType.UNSPLIT.value else cut_column
+        make = conforming_column if self.contact == InterfaceType.CONFORMING.value else split_column
         return make(layers, bottom=-HEIGHT, section=Section(elements=(self.section, self.section)))
 
     def _material(self) -> Material:
@@ -134,8 +134,8 @@ class Scene:
         return Mixture(SOLID, PERMEABILITY, solutes=solutes)
 
     def _conditions(self) -> list[Condition]:
-        moved = [fix("all", "xyz")] if self.frozen else [fix("bottom", "xyz"), fix("top", "xy")]
-        if not self.frozen:
+        moved = [fix("all", "xyz")] if self.fixed else [fix("bottom", "xyz"), fix("top", "xy")]
+        if not self.fixed:
             moved.append(displace("top", "z", -CLOSING, 1))
         wet = [] if self.kind is Kind.ELASTIC else [pressure("top", 0.0)]
         for sol in range(1, self.solutes + 1):
@@ -172,5 +172,5 @@ def effects_added(section: int = 16) -> dict[str, Scene]:
         "+ 1 solute": Scene(Kind.MULTIPHASIC, solutes=1, section=section),
         "+ 2 solutes": Scene(Kind.MULTIPHASIC, solutes=2, section=section),
         "+ 4 solutes": Scene(Kind.MULTIPHASIC, solutes=4, section=section),
-        "1 solute, frozen": Scene(Kind.MULTIPHASIC, solutes=1, frozen=True, section=section),
+        "1 solute, fixed": Scene(Kind.MULTIPHASIC, solutes=1, fixed=True, section=section),
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import ClassVar
 
 from lxml import etree
@@ -134,6 +135,8 @@ class Scene:
         Its surface is the primary one.
     stepper : bool
         Whether steps adapt themselves.
+    fineness : int
+        Of the mesh; see `slab_and_block`.
     """
 
     about: str
@@ -149,6 +152,11 @@ class Scene:
     dynamic: bool = False
     primary: str = LOWER
     stepper: bool = True
+    fineness: int = 1
+
+    def write(self, name: str, folder: Path) -> Path:
+        """Write ``<name>.feb`` with FEBio's interface into `folder`, and return its path."""
+        return self.model(name).write(folder)
 
     def model(self, name: str) -> Model:
         """The model with FEBio's interface."""
@@ -161,7 +169,7 @@ class Scene:
             name=name,
             header=self.about,
             module=self.module,
-            mesh=mesh(self.elements, self.shape, self.primary, GAP if self.force is None else -OVERLAP),
+            mesh=mesh(self.elements, self.shape, self.primary, GAP if self.force is None else -OVERLAP, self.fineness),
             materials=materials,
             conditions=tuple(self._conditions(solutes)),
             control=Control(
@@ -251,6 +259,7 @@ def _loads() -> dict[str, Scene]:
         "sphere-tet4": replace(
             basic, about="spherical block of tetrahedra", shape=Shape.SPHERE, elements=Elements.TET4
         ),
+        "finer": replace(basic, about="bodies of hex8, twice as fine", fineness=2),
         "slab-primary": replace(basic, about="the slab as primary surface", primary="slab"),
         "sliding": replace(basic, about="the block slides after it is pressed", slides=True),
         "sliding-tet10": replace(basic, about="sliding, tet10", slides=True, elements=Elements.TET10),
@@ -298,13 +307,14 @@ def _mixtures() -> dict[str, Scene]:
     )
     return {
         "biphasic": wet,
+        "biphasic-finer": replace(wet, about="biphasic bodies, twice as fine", fineness=2),
         "biphasic-sliding": replace(wet, about="biphasic bodies, sliding", slides=True),
         "biphasic-two-pass": replace(wet, about="biphasic, two passes", params=(*wet.params, TWO_PASS)),
         "biphasic-tet4": replace(wet, about="biphasic tetrahedra", elements=Elements.TET4),
         "biphasic-hex20": replace(wet, about="biphasic hex20", elements=Elements.HEX20),
         "biphasic-under-rigid": replace(wet, about="a rigid block on a biphasic slab", block=Rigid(), primary="slab"),
         "biphasic-creep": replace(wet, about="a free rigid block on a biphasic slab", block=Rigid(), force=0.05),
-        "biphasic-sealed": replace(
+        "biphasic-impermeable": replace(
             wet, about="porous bodies behind sliding-elastic", contact="sliding-elastic", params=_penalty(10.0)
         ),
         "solute": replace(solute, about="a solute crosses"),

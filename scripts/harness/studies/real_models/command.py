@@ -16,7 +16,7 @@ from harness.pages.scene_results import Row
 from harness.paths import DOCS, RESULTS
 from harness.run import provenance
 from harness.studies.real_models import comparison
-from harness.studies.real_models.collection_of_scenes import SCENES
+from harness.studies.real_models.all_scenes import SCENES
 
 console = Console(highlight=False, soft_wrap=True)
 TIMEOUT = 120.0
@@ -39,8 +39,7 @@ def real_models(
         raise typer.BadParameter("--docs needs all scenes; leave --only out")
 
     def compare(name: str) -> Row:
-        scene = SCENES[name]
-        return comparison.compare(name, scene.about, scene.model(name), folder, timeout)
+        return comparison.compare(name, SCENES[name], folder, timeout)
 
     with ThreadPoolExecutor(jobs) as pool:
         rows = list(track(pool.map(compare, chosen), "scenes", total=len(chosen), console=console))

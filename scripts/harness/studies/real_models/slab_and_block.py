@@ -95,10 +95,12 @@ def _facets(body: _Body, height: float) -> Ids:
     return np.array([row for row in kept if len(row) == len(kept[0])], dtype=np.int64)
 
 
-def mesh(kind: Elements, shape: Shape, primary: str, gap: float) -> Mesh:
-    """Slab (3 x 3 x 1 mm) and block (2 x 2 x 0.8 mm) at a distance `gap` (mm), whose meshes do not match."""
-    slab = _grid((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (6, 6, 2))
-    block = _grid((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (5, 5, 2))
+def mesh(kind: Elements, shape: Shape, primary: str, gap: float, fineness: int = 1) -> Mesh:
+    """Slab (3 x 3 x 1 mm) and block (2 x 2 x 0.8 mm) at a distance `gap` (mm), whose meshes do not match; `fineness`
+    times as many elements along each edge.
+    """
+    slab = _grid((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (6 * fineness, 6 * fineness, 2 * fineness))
+    block = _grid((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (5 * fineness, 5 * fineness, 2 * fineness))
     slab = _Body(slab.nodes, _of(kind, slab.elements))
     block = _Body(block.nodes, _of(kind, block.elements))
     surfaces = {

@@ -11,8 +11,9 @@ from pathlib import Path
 from harness.errors import HarnessError
 from harness.paths import PLUGIN_NAME, REPOSITORY
 
-PRESET = "sanitize-plugin"
-BUILD = REPOSITORY / "build" / PRESET
+CONFIGURE, BUILD_PLUGIN = "sanitize", "sanitize-plugin"
+"""Presets; the second builds the plugin alone."""
+BUILD = REPOSITORY / "build" / CONFIGURE
 REPORT = "sanitizer"
 """Stem of the files into which the address sanitizer writes, one for each process."""
 SCREEN = "screen.txt"
@@ -46,7 +47,7 @@ class Plugin:
 
 
 def build() -> Plugin:
-    """Build the library in its own folder, `BUILD`.
+    """Build the library in the folder of the sanitizers, `BUILD`.
 
     Raises
     ------
@@ -55,8 +56,8 @@ def build() -> Plugin:
     """
     ninja = REPOSITORY / ".venv" / "bin" / "ninja"
     made = [f"-DCMAKE_MAKE_PROGRAM={ninja}"] if ninja.exists() else []
-    _call("cmake", "--preset", PRESET, *made)
-    _call("cmake", "--build", "--preset", PRESET)
+    _call("cmake", "--preset", CONFIGURE, *made)
+    _call("cmake", "--build", "--preset", BUILD_PLUGIN)
     library = BUILD / "lib" / PLUGIN_NAME
     if not library.is_file():
         raise HarnessError(f"{library} was not built: febio4 with its SDK is needed.")

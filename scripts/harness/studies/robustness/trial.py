@@ -138,12 +138,12 @@ class Trial:
         name = variation.replace(" ", "-")
         run = self._run(changed, name)
         times = [] if run.nodes is None else [time for time in run.nodes.times.tolist() if time > 0.0]
-        uncut = () if run.report.retries or not forced else ("no step was cut back",)
+        not_cut_back = () if run.report.retries or not forced else ("no step was cut back",)
         if not times:
-            return self._finding(variation, run, uncut, note="no step was accepted")
+            return self._finding(variation, run, not_cut_back, note="no step was accepted")
         straight = self._run(variations.with_times(model, times), f"{name}-straight")
         stopped = () if straight.how == "normal" else (f"the same steps, not cut back: {straight.how}",)
-        return self._same(variation, run, straight, [*straight.faults, *uncut, *stopped])
+        return self._same(variation, run, straight, [*straight.faults, *not_cut_back, *stopped])
 
     def _solved_by(self, name: str, model: Feb, plain: Ended) -> Finding:
         run = self._run(solvers.solved_by(model, name), name.replace(" ", "-"))

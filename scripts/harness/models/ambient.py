@@ -1,4 +1,4 @@
-"""Two bodies in a bath: apart, or partly in contact, so that contact nodes are at ambient values."""
+"""Two bodies apart, or partly in contact, so that contact nodes are at ambient values."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def ambient(module: str) -> tuple[Param, ...]:
 
 @dataclass(frozen=True)
 class Apart:
-    """Two cubes with a gap between them that a bath fills.
+    """Two cubes with a gap between them.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Apart:
     gap : float
         mm.
     held : tuple of Condition
-        Conditions on nodes of the contact surfaces (``lower-top``, ``upper-bottom``), which the bath must not overrule.
+        Conditions on nodes of the contact surfaces (``lower-top``, ``upper-bottom``), which ambient values leave alone.
     control : Control
     name : str
     module : str, optional
@@ -59,7 +59,7 @@ class Apart:
         mesh = replace(assemble(boxes), pairs={"lower/upper": ("lower-top", "upper-bottom")})
         module = self.module or self.interface.module
         conditions = (fix("all", "xy"), fix("lower-bottom", "z"), fix("upper-top", "z"), *self.held)
-        about = "Two cubes apart in a bath whose pressure and concentration follow load curves."
+        about = "Two cubes apart; ambient pressure and concentration follow load curves."
         contact = Contact(self.interface.value, "lower/upper", (*_settings(self.interface), *ambient(module)))
         text = header(self.name, about, self.interface)
         materials = {"gel": MATERIAL}
@@ -90,7 +90,7 @@ class HalfWet:
         )
         settings = (*_settings(self.interface), *ambient(self.interface.module))
         joined = tuple(Contact(self.interface.value, pair, settings) for pair in mesh.pairs)
-        about = "A slab in contact on its left half and wet by a bath on its right half."
+        about = "A slab in contact on its left half and at ambient values on its right half."
         text = header(self.name, about, self.interface)
         materials = {"gel": MATERIAL}
         return Model(self.name, text, self.interface.module, mesh, materials, conditions, self.control, joined, CURVES)

@@ -1,6 +1,6 @@
 """Nodes of a contact surface with a pressure or concentration prescribed by a boundary condition.
 
-FEBio's interfaces write the bath's values over them where they are not in contact; `sliding-mixture`
+FEBio's interfaces write the ambient values over them where they are not in contact; `sliding-mixture`
 leaves them as they are.
 """
 
@@ -18,7 +18,7 @@ from harness.preflight.xml_file import Element
 
 
 @dataclass(frozen=True)
-class Held:
+class PrescribedNodes:
     """Nodes of a contact that a boundary condition holds.
 
     Attributes
@@ -29,36 +29,36 @@ class Held:
         What it holds.
     nodes : int
         Number of nodes.
-    as_the_bath : bool
-        Whether at the value of the bath.
+    as_ambient : bool
+        Whether at the ambient value.
     """
 
     tag: Element
     field: str
     nodes: int
-    as_the_bath: bool
+    as_ambient: bool
 
 
-def held_nodes(joint: Joint) -> Iterator[Held]:
+def prescribed_nodes(joint: Joint) -> Iterator[PrescribedNodes]:
     """Every boundary condition that holds a pressure or a concentration at nodes of the contact."""
     model, contact = joint.model, joint.contact
     if not contact.kind.solvent:
         return
-    bath = contact.given("ambient_pressure")
+    ambient = contact.given("ambient_pressure")
     for level in levels.prescribed_pressures(model):
-        yield from _held(joint, level, "fluid pressure", bath)
+        yield from _prescribed(joint, level, "fluid pressure", ambient)
     for number in model.solute_numbers if contact.kind.solutes else ():
-        bath = levels.ambient_concentrations(model, contact).get(number)
+        ambient = levels.ambient_concentrations(model, contact).get(number)
         for level in levels.prescribed_concentrations(model, number):
-            yield from _held(joint, level, f"concentration of solute {number}", bath)
+            yield from _prescribed(joint, level, f"concentration of solute {number}", ambient)
 
 
-def _held(joint: Joint, level: Level, field: str, bath: Element | None) -> Iterator[Held]:
+def _prescribed(joint: Joint, level: Level, field: str, ambient: Element | None) -> Iterator[PrescribedNodes]:
     own = np.union1d(*(side.surface.corners.ravel() for side in joint.sides))
     nodes = 0 if level.nodes is None else len(np.intersect1d(own, level.nodes))
     if nodes:
-        history = np.zeros((1, 2)) if bath is None else joint.model.history(bath)
-        yield Held(level.tag, field, nodes, _equal(level.history, history))
+        history = np.zeros((1, 2)) if ambient is None else joint.model.history(ambient)
+        yield PrescribedNodes(level.tag, field, nodes, _equal(level.history, history))
 
 
 def _equal(one: Array, other: Array) -> bool:
