@@ -15,7 +15,7 @@ from harness.studies import files
 from harness.studies.hertz.growth_records import PROBLEMS, Record, largest_errors
 
 SOURCE = "biphasic-hertz.csv"
-SPLIT = ("cut against whole", "less that of the whole body")
+SPLIT = ("split against conforming", "less that of the conforming reference")
 """In names of measures that compare with the conforming reference."""
 
 
