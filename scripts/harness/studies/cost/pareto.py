@@ -72,14 +72,14 @@ def draw(data: Sequence[Datum], path: Path) -> Path:
     """Error against time, a panel for each problem that has data."""
     mpl.use("Agg")
     problems = [problem for problem in Problem if any(d.problem == problem.value for d in data)]
-    figure = Figure(figsize=(3.3 * len(problems), 4.6), layout="constrained", facecolor="white")
+    figure = Figure(figsize=(max(7.0, 3.3 * len(problems)), 4.4), layout="constrained", facecolor="white")
     for axes, problem in zip(np.atleast_1d(figure.subplots(1, len(problems))), problems, strict=True):
         _panel(axes, comparable(data, problem))
         whole = problem is Problem.INDENTATION
         axes.set_xlabel("processor time [s]" if whole else "processor time over that\nof the conforming reference [-]")
         axes.set_ylabel("error against the finest run [-]" if whole else "error of the contact [-]")
         axes.set_title(f"problem {problem.value}", fontsize=10)
-    figure.legend(handles=_handles(), fontsize=8, ncols=4, loc="outside lower center", frameon=False)
+    figure.legend(handles=_handles(data), fontsize=8, ncols=4, loc="outside lower center", frameon=False)
     figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
     return path
 
@@ -107,8 +107,9 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
     axes.step([cost_of(d) for d in front], [max(error_of(d), SMALLEST) for d in front], "k:", where="post", lw=0.9)
 
 
-def _handles() -> list[Line2D]:
-    """Interfaces by colour and filling, parameters by mark."""
+def _handles(data: Sequence[Datum]) -> list[Line2D]:
+    """Interfaces by colour and filling, parameters by mark, of those that the data have."""
+    varied = {datum.parameter for datum in data}
     interfaces = [
         Line2D([], [], marker="s", linestyle="", color=colour, markerfacecolor=fill, label=name)
         for name, (colour, fill) in LOOKS.items()
@@ -116,7 +117,7 @@ def _handles() -> list[Line2D]:
     parameters = [
         Line2D([], [], marker=marker, linestyle="", color="0.4", markerfacecolor="none", label=parameter.value)
         for parameter, marker in MARKERS.items()
-        if parameter not in DISCRETISATION
+        if parameter not in DISCRETISATION and parameter.value in varied
     ]
     return [*interfaces, *parameters, Line2D([], [], color="k", linestyle=":", linewidth=0.9, label="least of all")]
 

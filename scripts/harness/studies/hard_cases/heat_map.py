@@ -50,8 +50,10 @@ def draw(outcomes: Sequence[Outcome], path: Path) -> Path:
     axes = figure.add_axes((0.46, ROW / height, 0.53, ROW * len(rows) / height))
     axes.set(xlim=(0, len(COLUMNS)), ylim=(len(rows), 0), xticks=[], yticks=[])
     axes.set_axis_off()
+    several = len({mesh for _, mesh in rows}) > 1
     for number, ((case, mesh), row) in enumerate(rows.items()):
-        _label(figure, case, mesh, 1.0 - (2 + number + 1) * ROW / height, ROW / height)
+        about = f"{CASES[case].about} ({mesh})" if several else CASES[case].about
+        _label(figure, case, about, 1.0 - (2 + number + 1) * ROW / height, ROW / height)
         for column, name in enumerate(COLUMNS):
             if name in row:
                 _cell(axes, column, number, row[name])
@@ -69,9 +71,9 @@ def _cell(axes: Axes, column: int, row: int, outcome: Outcome) -> None:
     axes.text(column + 0.5, row + 0.5, outcome.short, ha="center", va="center", fontsize=9, color=ink)
 
 
-def _label(figure: Figure, case: str, mesh: str, bottom: float, height: float) -> None:
+def _label(figure: Figure, case: str, about: str, bottom: float, height: float) -> None:
     """What a case is about, and its scene."""
-    figure.text(0.385, bottom + 0.5 * height, _wrapped(CASES[case].about, mesh), ha="right", va="center", fontsize=7.5)
+    figure.text(0.385, bottom + 0.5 * height, _wrapped(about), ha="right", va="center", fontsize=7.5)
     inset = figure.add_axes((0.39, bottom + 0.06 * height, 0.065, 0.88 * height))
     inset.set_axis_off()
     inset.set_aspect("equal")
@@ -84,8 +86,8 @@ def _label(figure: Figure, case: str, mesh: str, bottom: float, height: float) -
     inset.autoscale_view()
 
 
-def _wrapped(about: str, mesh: str) -> str:
-    words, lines = f"{about} ({mesh})".split(), [""]
+def _wrapped(about: str) -> str:
+    words, lines = about.split(), [""]
     for word in words:
         if len(lines[-1]) + len(word) > 58:
             lines.append("")
