@@ -181,11 +181,10 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   using namespace mixture_contact;
   Settings settings;
   settings.enforcement = enforcement(p.laugon);
-  const double traction_factor = std::min(sees_both_ways(p) ? two_pass_traction_factor : default_traction_factor,
-                                          largest_traction_factor(solver));
+  const double factor = std::min(traction_factor(sees_both_ways(p), p.tension), largest_traction_factor(solver));
   const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
-  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, traction_factor);
-  settings.traction_reduction = borne_reduction(p, traction_factor, reduction);
+  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, factor);
+  settings.traction_reduction = borne_reduction(p, factor, reduction);
   settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, flux_factor);
   settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty, flux_factor);
   settings.tolerances.traction = {p.traction_tolerance_given ? p.traction_tolerance : p.tolerance, p.gaptol};

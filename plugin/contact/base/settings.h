@@ -1,6 +1,8 @@
 /// The choices a user makes about a contact.
 #pragma once
 
+#include <algorithm>
+
 namespace mixture_contact {
 
 /// How the interface conditions are enforced.
@@ -51,6 +53,14 @@ inline constexpr double default_flux_factor = 1e5;
 /// of both.
 inline constexpr double two_pass_traction_factor = 1e2;
 inline constexpr double two_pass_flux_factor = 1e3;
+/// The same of surfaces that pull: the first iteration draws everything together that lies within the search radius.
+inline constexpr double tension_traction_factor = 1e2;
+
+/// The default of the traction; `both_ways`: each side has conditions of its own.
+inline double traction_factor(bool both_ways, bool tension) {
+  const double factor = both_ways ? two_pass_traction_factor : default_traction_factor;
+  return tension ? std::min(factor, tension_traction_factor) : factor;
+}
 
 /// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
 struct Tolerances {

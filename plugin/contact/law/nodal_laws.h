@@ -59,7 +59,7 @@ class NodalLaws {
 
   // The largest multiples of stiffness and conductance that augmentations may bring penalties to
   double largest_traction_factor() const {
-    return (has_twin() ? two_pass_traction_factor : default_traction_factor) / settings_.traction_reduction;
+    return traction_factor(has_twin(), bear_tension()) / settings_.traction_reduction;
   }
   double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
 
