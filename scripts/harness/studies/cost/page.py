@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
 from harness.pages.evidence import DATA, EvidencePage
 from harness.studies import files
@@ -49,7 +50,10 @@ def figures() -> Mapping[str, str]:
 
 def _point(data: Sequence[Datum], problem: Problem, parameter: Parameter, value: float) -> Datum:
     wanted = (problem.value, OURS, parameter.value, value)
-    return next(d for d in data if (d.problem, d.interface, d.parameter, d.value) == wanted)
+    found = [d for d in data if (d.problem, d.interface, d.parameter, d.value) == wanted]
+    if not found:
+        raise DataFileError(f"{SOURCE}: no run of {', '.join(map(str, wanted))}; `cost --docs` writes it anew")
+    return found[0]
 
 
 def _headline(data: Sequence[Datum], problems: Sequence[Problem]) -> str:

@@ -16,7 +16,6 @@ from harness.studies.price.paired_runs import Price
 from harness.studies.price.scenes import effects_added
 
 EFFECTS, COMPARISON, PICTURE = "price-effects.csv", "price-comparison.csv", "images/price.svg"
-REPETITIONS = "three"
 ASKED = (
     '<material type="neo-Hookean">',
     '<material type="biphasic">',
@@ -38,7 +37,6 @@ def figures() -> Mapping[str, str]:
     return {
         "headline": _headline(costs),
         "facets": str(next(iter(effects_added().values())).section),
-        "repetitions": REPETITIONS,
         "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),
         "comparison": comparison_table(prices),
     }
