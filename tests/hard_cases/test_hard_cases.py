@@ -44,7 +44,7 @@ def test_it_ends_and_passes(runner, name, mesh):
     assert missed(made.measures) == []
 
 
-@pytest.mark.parametrize("name", ["edge-on-face", "trace-solute", "three-bodies"])
+@pytest.mark.parametrize("name", ["edge-on-face", "three-bodies", "penalty-1e3"])
 @pytest.mark.parametrize("interface", [Interface.MIXTURE, Interface.PREDICTED], ids=lambda each: each.value)
 def test_the_data_of_the_page_are_what_the_code_gives(runner, name, interface):
     """Where this fails on purpose: `scripts/mixcontact hard-cases --docs`."""

@@ -22,7 +22,8 @@ class EffectCost:
     effect : str
         ``shared`` is what all effects need.
     seconds : float
-        In the contact for this effect: of the run with the least time in the contact, which other work disturbed least.
+        Processor time in the contact for this effect: its part of the run's wall time, times the run's processor time,
+        of the run with the least time in the contact.
     least, most : float
         s of all effects in the runs with the least and the most time in the contact.
     share : float
@@ -54,13 +55,21 @@ def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[s
     return [cost for name, logs in runs.items() for cost in costs(name, logs)]
 
 
-def _log(scene: Scene) -> str:
-    return timing.execute(scene.model())[1]
+def _log(scene: Scene) -> tuple[str, float]:
+    """Log and processor time (s) of a run."""
+    done, log = timing.execute(scene.model())
+    return log, done.cpu
 
 
-def costs(scene: str, logs: Sequence[str]) -> list[EffectCost]:
-    """What the logs of repeated runs say of each effect."""
-    times: list[Times] = [one for log in logs for one in table.read(log)]
-    best, worst = (choose(times, key=lambda one: one.total) for choose in (min, max))
-    size = (best.share, best.memory, table.unknowns(logs[0]), table.entries(logs[0]))
-    return [EffectCost(scene, name, spent, best.total, worst.total, *size) for name, spent in best.effects.items()]
+def costs(scene: str, runs: Sequence[tuple[str, float]]) -> list[EffectCost]:
+    """What the logs and processor times of repeated runs say of each effect.
+
+    Other work stretches the wall time of the contact and of the run alike, so that the part of the one in the other
+    stays.
+    """
+    shares: list[tuple[Times, float]] = [(one, cpu) for log, cpu in runs for one in table.read(log)]
+    spent = [times.share * cpu for times, cpu in shares]
+    best, cpu = shares[spent.index(min(spent))]
+    log = runs[0][0]
+    size = (min(spent), max(spent), best.share, best.memory, table.unknowns(log), table.entries(log))
+    return [EffectCost(scene, name, wall / best.run * cpu, *size) for name, wall in best.effects.items()]
