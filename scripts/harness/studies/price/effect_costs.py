@@ -9,7 +9,6 @@ from functools import partial
 from harness.studies import timing
 from harness.studies.price import table
 from harness.studies.price.scenes import Scene
-from harness.studies.price.table import Times
 
 
 @dataclass(frozen=True)
@@ -21,13 +20,11 @@ class EffectCost:
     scene : str
     effect : str
         ``shared`` is what all effects need.
-    seconds : float
-        Processor time in the contact for this effect: its part of the run's wall time, times the run's processor time,
-        of the run with the least time in the contact.
-    least, most : float
-        s of all effects in the runs with the least and the most time in the contact.
+    part : float
+        Part of the run's time that the contact takes for this effect: of the run with the least part, which other work
+        disturbed least.
     share : float
-        Part of the run's time that the contact takes.
+        Part of all effects.
     bytes : int
         Memory for each integration point.
     unknowns, entries : int
@@ -36,9 +33,7 @@ class EffectCost:
 
     scene: str
     effect: str
-    seconds: float
-    least: float
-    most: float
+    part: float
     share: float
     bytes: int
     unknowns: int
@@ -55,21 +50,15 @@ def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[s
     return [cost for name, logs in runs.items() for cost in costs(name, logs)]
 
 
-def _log(scene: Scene) -> tuple[str, float]:
-    """Log and processor time (s) of a run."""
-    done, log = timing.execute(scene.model())
-    return log, done.cpu
+def _log(scene: Scene) -> str:
+    return timing.execute(scene.model())[1]
 
 
-def costs(scene: str, runs: Sequence[tuple[str, float]]) -> list[EffectCost]:
-    """What the logs and processor times of repeated runs say of each effect.
+def costs(scene: str, logs: Sequence[str]) -> list[EffectCost]:
+    """What the logs of repeated runs say of each effect.
 
-    Other work stretches the wall time of the contact and of the run alike, so that the part of the one in the other
-    stays.
+    Other work stretches the time of the contact and of the run alike, so that the part of the one in the other stays.
     """
-    shares: list[tuple[Times, float]] = [(one, cpu) for log, cpu in runs for one in table.read(log)]
-    spent = [times.share * cpu for times, cpu in shares]
-    best, cpu = shares[spent.index(min(spent))]
-    log = runs[0][0]
-    size = (min(spent), max(spent), best.share, best.memory, table.unknowns(log), table.entries(log))
-    return [EffectCost(scene, name, wall / best.run * cpu, *size) for name, wall in best.effects.items()]
+    best = min((one for log in logs for one in table.read(log)), key=lambda times: times.share)
+    size = (best.share, best.memory, table.unknowns(logs[0]), table.entries(logs[0]))
+    return [EffectCost(scene, name, spent / best.run, *size) for name, spent in best.effects.items()]

@@ -53,15 +53,19 @@ def _headline(costs: Sequence[EffectCost]) -> str:
     scenes = list(_by_scene(costs).values())
     first, last, fixed = scenes[0][0], scenes[-2][0], scenes[-1][0]
     return (
-        f"Traction alone takes {1e3 * first.least:.0f} ms in the contact, traction, solvent and four solutes "
-        f"{1e3 * last.least:.0f} ms: the time grows with the number of fields that are asked for. Where nothing moves, "
-        f"solvent and one solute take {1e3 * fixed.least:.0f} ms."
+        f"Of runs in which contact is at its dearest, it takes {_percent(first.share)} with traction alone, "
+        f"{_percent(last.share)} with solvent and four solutes beside it, and {_percent(fixed.share)} where nothing "
+        "moves. What is not asked for has no unknown, no entry and no call."
     )
+
+
+def _percent(part: float) -> str:
+    return f"{100.0 * part:.1f} %"
 
 
 def _scene(own: Sequence[EffectCost]) -> str:
     first = own[0]
-    cells = (f"{1e3 * first.least:.0f}", f"{100.0 * first.share:.1f} %", first.unknowns, first.entries, first.bytes)
+    cells = (_percent(first.share), first.unknowns, first.entries, first.bytes)
     return f"| {first.scene} | {' | '.join(map(str, cells))} |"
 
 
@@ -77,7 +81,7 @@ def draw(costs: Sequence[EffectCost], path: Path) -> Path:
         right.text(own[0].entries / 1e3, row, f" {own[0].unknowns} unknowns", va="center", fontsize=8)
     left.set_yticks(range(len(scenes)), ASKED[: len(scenes)], family="monospace", fontsize=8)
     left.invert_yaxis()
-    left.set_xlabel("time in the contact [ms]")
+    left.set_xlabel("time in the contact, part of the run [%]")
     right.set_xlabel("matrix entries [thousands]")
     right.margins(x=0.55)
     for axes in (left, right):
@@ -90,15 +94,14 @@ def draw(costs: Sequence[EffectCost], path: Path) -> Path:
 
 
 def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:
-    """A stacked bar; its error reaches to the run with the most time."""
+    """A stacked bar."""
     at = 0.0
     for cost in own:
         colour, hatch = GREYS.get(cost.effect) or SOLUTES[int(cost.effect.split()[-1]) - 1]
-        width = 1e3 * cost.seconds
+        width = 100.0 * cost.part
         (bar,) = axes.barh(row, width, left=at, label=cost.effect, color=colour, ec="black", lw=0.5, height=0.6)
         bar.set_hatch(hatch)
         at += width
-    axes.errorbar(at, row, xerr=[[0.0], [1e3 * (own[0].most - own[0].least)]], color="black", capsize=3, linewidth=0.8)
 
 
 def comparison_table(prices: Sequence[Price]) -> str:
