@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from numpy.typing import NDArray
 
 FOLDER = "images/sketches"
 DARK, MIDDLE, LIGHT = "#1d2f49", "#4f74a3", "#dfe7f0"
@@ -72,10 +73,15 @@ def _normal(axes: Axes) -> None:
     axes.plot(*np.array([foot, head]).T, ":", color=DARK, lw=1)
     axes.annotate("", foot + 0.7 * normal, foot, arrowprops=ARROW)
     axes.plot(*np.array([foot, head]).T, "o", color=DARK, ms=4)
-    axes.text(*np.add(foot, (0.12, -0.22)), "$\\mathbf{x}_1$", fontsize=9)
-    axes.text(*np.add(head, (0.1, 0.12)), "$\\mathbf{x}_2$", fontsize=9)
-    axes.text(*np.add(foot + 0.62 * normal, (0.1, 0.0)), "$\\mathbf{n}_1$", fontsize=9)
-    axes.text(*np.add(head, (-0.38, -0.42)), "$g$", fontsize=9)
+    _name(axes, foot, (0.12, -0.22), "$\\mathbf{x}_1$")
+    _name(axes, head, (0.1, 0.12), "$\\mathbf{x}_2$")
+    _name(axes, foot + 0.62 * normal, (0.1, 0.0), "$\\mathbf{n}_1$")
+    _name(axes, head, (-0.38, -0.42), "$g$")
+
+
+def _name(axes: Axes, at: NDArray[np.float64], shift: tuple[float, float], text: str) -> None:
+    x, y = np.add(at, shift)
+    axes.text(float(x), float(y), text, fontsize=9)
 
 
 def averages() -> Figure:
