@@ -16,6 +16,7 @@ from harness.studies.hard_cases import page as hard_cases_page
 from harness.studies.hard_cases import rubbing_command
 from harness.studies.hertz import command as hertz
 from harness.studies.hertz import page as verification_page
+from harness.studies.linear_solvers import command as linear_solvers
 from harness.studies.predictor import command as predictor
 from harness.studies.price import command as price
 from harness.studies.price import page as price_page
@@ -42,6 +43,7 @@ _OF_THE_REPOSITORY = (
     predictor.predictor,
     real_models.real_models,
     robustness.robustness,
+    linear_solvers.linear_solvers,
     hertz.biphasic_hertz,
     gallery.gallery,
     pages.pages,

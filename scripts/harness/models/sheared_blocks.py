@@ -4,27 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, column, contacts, with_friction
 from harness.models.mesh import Layer, Section
 from harness.models.pairs import Kind
-from harness.models.parts import (
-    Condition,
-    Control,
-    Curve,
-    Elastic,
-    Material,
-    Mixture,
-    Param,
-    Solid,
-    Solute,
-    concentration,
-    displace,
-    fix,
-    initial_concentration,
-    pressure,
-)
 
 FRICTION = 2.0
 """So high that all of the contact sticks."""
@@ -37,8 +22,8 @@ STEP = 10.0
 THICKNESS = (0.75, 1.25)
 """Of the two parts, mm: they meet off half height, so that shear bends it."""
 SECTION = Section((2.0, 1.0), (4, 2))
-SOLID = Solid(1.0, 0.3)
-SOLUTE = Solute(1, diffusivity=5e-4, free_diffusivity=8e-4)
+SOLID = parts.Solid(1.0, 0.3)
+SOLUTE = parts.Solute(1, diffusivity=5e-4, free_diffusivity=8e-4)
 PERMEABILITY = 1e-3
 """mm^4/(N s)."""
 BELOW, ABOVE = 1.0, 0.0
@@ -88,26 +73,35 @@ class ShearedBlocks:
             self._conditions(),
             self._control(steps),
             contacts(self.interface, mesh, settings),
-            (Curve(((0.0, 0.0), (pressed, 1.0))), Curve(((0.0, 0.0), (pressed, 0.0), (end, 1.0)))),
+            (parts.Curve(((0.0, 0.0), (pressed, 1.0))), parts.Curve(((0.0, 0.0), (pressed, 0.0), (end, 1.0)))),
             further_columns=("Rx", "Rz"),
         )
 
-    def _material(self) -> Material:
+    def _material(self) -> parts.Material:
         if self.kind is Kind.ELASTIC:
-            return Elastic(SOLID)
-        return Mixture(SOLID, PERMEABILITY, solutes=(SOLUTE,) if self.kind is Kind.SOLUTE else ())
+            return parts.Elastic(SOLID)
+        return parts.Mixture(SOLID, PERMEABILITY, solutes=(SOLUTE,) if self.kind is Kind.SOLUTE else ())
 
-    def _conditions(self) -> tuple[Condition, ...]:
-        held = (fix("bottom", "xyz"), fix("top", "y"), displace("top", "z", -PRESS, 1), displace("top", "x", SHEAR, 2))
-        fluid = () if self.kind is Kind.ELASTIC else (pressure("bottom", 0.0), pressure("top", 0.0))
+    def _conditions(self) -> tuple[parts.Condition, ...]:
+        held = (
+            parts.fix("bottom", "xyz"),
+            parts.fix("top", "y"),
+            parts.displace("top", "z", -PRESS, 1),
+            parts.displace("top", "x", SHEAR, 2),
+        )
+        fluid = () if self.kind is Kind.ELASTIC else (parts.pressure("bottom", 0.0), parts.pressure("top", 0.0))
         if self.kind is not Kind.SOLUTE:
             return (*held, *fluid)
-        dissolved = (concentration("bottom", BELOW), concentration("top", ABOVE), initial_concentration("all", ABOVE))
+        dissolved = (
+            parts.concentration("bottom", BELOW),
+            parts.concentration("top", ABOVE),
+            parts.initial_concentration("all", ABOVE),
+        )
         return (*held, *fluid, *dissolved)
 
-    def _control(self, steps: int) -> Control:
-        unclamped = (Param("force_positive_concentrations", False),) if self.kind is Kind.SOLUTE else ()
-        return Control(
+    def _control(self, steps: int) -> parts.Control:
+        unclamped = (parts.Param("force_positive_concentrations", False),) if self.kind is Kind.SOLUTE else ()
+        return parts.Control(
             steps,
             STEP,
             displacement_tolerance=self.newton,
@@ -115,5 +109,5 @@ class ShearedBlocks:
             pressure_tolerance=self.newton,
             concentration_tolerance=self.newton,
             reformations=30,
-            solver=(Param("min_residual", 1e-26), *unclamped),
+            solver=(parts.Param("min_residual", 1e-26), *unclamped),
         )

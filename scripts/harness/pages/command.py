@@ -10,7 +10,14 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.pages import collection, plugin_parameters, scene_results, sketches, verification
+from harness.pages import (
+    collection,
+    linear_solver_results,
+    plugin_parameters,
+    scene_results,
+    sketches,
+    verification,
+)
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS, MODELS, RESULTS
 from harness.run import provenance
@@ -25,6 +32,9 @@ PAGES: dict[str, Callable[[], str]] = {
     gallery.PAGE: lambda: gallery.page(gallery.read(DOCS)),
     verification.PAGE: lambda: verification.page(verification.read(DOCS)),
     scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
+    linear_solver_results.PAGE: lambda: linear_solver_results.page(
+        linear_solver_results.read(DOCS / linear_solver_results.DATA)
+    ),
 }
 """Generated pages, from code or from results in docs/data, without a run. `harness.cli` adds those of studies."""
 

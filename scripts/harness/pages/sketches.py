@@ -71,7 +71,8 @@ def _normal(axes: Axes) -> None:
     ray = foot + np.linspace(0.0, 3.0, 3001)[:, None] * normal
     head = ray[np.argmax(ray[:, 1] > 0.55 + 0.16 * ray[:, 0] ** 2)]
     axes.plot(*np.array([foot, head]).T, ":", color=DARK, lw=1)
-    axes.annotate("", foot + 0.7 * normal, foot, arrowprops=ARROW)
+    (x, y), (above, up) = foot, foot + 0.7 * normal
+    axes.annotate("", (float(above), float(up)), (float(x), float(y)), arrowprops=ARROW)
     axes.plot(*np.array([foot, head]).T, "o", color=DARK, ms=4)
     _name(axes, foot, (0.12, -0.22), "$\\mathbf{x}_1$")
     _name(axes, head, (0.1, 0.12), "$\\mathbf{x}_2$")

@@ -131,31 +131,34 @@ def left_out(joint: Joint) -> Iterator[Finding]:
 
 def load_curve(joint: Joint) -> Iterator[Finding]:
     """Load controllers that do not exist, or that are not followed."""
-    known = joint.model.curves
     for tag in children(joint.contact.tag):
-        curve = tag.get("lc")
-        if curve and curve not in known:
-            there = ", ".join(known) or "none"
-            yield error(
-                "load-curve",
-                tag,
-                f"<{tag.tag}> refers to load controller {curve}, which does not exist; there is {there}",
-                "Add the controller to <LoadData>, or delete the attribute lc.",
-            )
-        elif curve and joint.contact.kind.name == "sliding-multiphasic" and tag.tag == "ambient_concentration":
-            yield error(
-                "load-curve",
-                tag,
-                "sliding-multiphasic takes no load curve on <ambient_concentration>; FEBio stops",
-                "Give a value without a load curve, or use sliding-mixture, which follows it.",
-            )
-        elif curve and joint.contact.kind.is_mixture and tag.tag not in FOLLOWED:
-            yield error(
-                "load-curve",
-                tag,
-                f"<{tag.tag}> has a load curve; sliding-mixture reads it once, at the start",
-                "Give a value without a load curve; penalties, tolerances and ambient values may change in time.",
-            )
+        found = _without_effect(joint, tag, tag.get("lc") or "")
+        if found:
+            yield error("load-curve", tag, *found)
+
+
+def _without_effect(joint: Joint, tag: Element, curve: str) -> tuple[str, str] | None:
+    """Why a tag does not follow its load controller, and what to do; None where it does or has none."""
+    known, kind = joint.model.curves, joint.contact.kind
+    if not curve:
+        return None
+    if curve not in known:
+        there = ", ".join(known) or "none"
+        return (
+            f"<{tag.tag}> refers to load controller {curve}, which does not exist; there is {there}",
+            "Add the controller to <LoadData>, or delete the attribute lc.",
+        )
+    if kind.name == "sliding-multiphasic" and tag.tag == "ambient_concentration":
+        return (
+            "sliding-multiphasic takes no load curve on <ambient_concentration>; FEBio stops",
+            "Give a value without a load curve, or use sliding-mixture, which follows it.",
+        )
+    if kind.is_mixture and tag.tag not in FOLLOWED:
+        return (
+            f"<{tag.tag}> has a load curve; sliding-mixture reads it once, at the start",
+            "Give a value without a load curve; penalties, tolerances and ambient values may change in time.",
+        )
+    return None
 
 
 def module(joint: Joint) -> Iterator[Finding]:
@@ -350,7 +353,9 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
                 why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
             else:
                 continue
-            yield warning("linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso or mkl_dss.")
+            yield warning(
+                "linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso, mkl_dss or superlu_mt."
+            )
 
 
 def reformations(joint: Joint) -> Iterator[Finding]:
