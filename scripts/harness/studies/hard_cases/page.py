@@ -10,6 +10,7 @@ from harness.studies import files
 from harness.studies.hard_cases import outcomes
 from harness.studies.hard_cases.catalogue import CASES
 from harness.studies.hard_cases.outcomes import Outcome
+from harness.studies.hard_cases.scene import Fineness
 
 SOURCE, PICTURE = "hard-cases.csv", "images/hard-cases.svg"
 
@@ -21,6 +22,7 @@ def figures() -> Mapping[str, str]:
     return {
         "headline": _headline(found),
         "summary": outcomes.summary(found),
+        "not_run": _not_run(found),
         "better": _better(found, about),
         "table": outcomes.table(found, about),
     }
@@ -38,6 +40,15 @@ def _headline(found: list[Outcome]) -> str:
         f"interface at about the same accuracy ends {sum(outcome.ended for outcome in accurate)} and passes all checks "
         f"in {theirs}.**"
     )
+
+
+def _not_run(found: list[Outcome]) -> str:
+    """The meshes, and the scenes of the catalogue, that the data do not have."""
+    meshes = {outcome.mesh for outcome in found}
+    missing = [f"the {mesh.value} mesh" for mesh in Fineness if mesh.value not in meshes]
+    cases = {outcome.case for outcome in found}
+    missing += [case.about for name, case in CASES.items() if name not in cases]
+    return f"Not in these data: {'; '.join(missing)}." if missing else "These are all scenes on both meshes."
 
 
 def _better(found: list[Outcome], about: Mapping[str, str]) -> str:
