@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from harness.indentation import command as indentation
 from harness.pages import command as pages
+from harness.pages import command_reference
 from harness.pages.gallery import command as gallery
 from harness.studies.cost import command as cost
+from harness.studies.cost import page as cost_page
 from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
+from harness.studies.hard_cases import page as hard_cases_page
 from harness.studies.hard_cases import rubbing_command
 from harness.studies.hertz import command as hertz
+from harness.studies.hertz import page as verification_page
 from harness.studies.linear_solvers import command as linear_solvers
 from harness.studies.predictor import command as predictor
 from harness.studies.price import command as price
+from harness.studies.price import page as price_page
 from harness.studies.real_models import command as real_models
 from harness.studies.robustness import command as robustness
 from harness.user_commands import FOR_EVERYBODY, commands, start
@@ -43,6 +50,13 @@ _OF_THE_REPOSITORY = (
     pages.report,
 )
 
+
+PAGES = (hard_cases_page.PAGE, cost_page.PAGE, price_page.PAGE, verification_page.PAGE)
+"""Pages of evidence, which are made from the results of studies."""
+pages.PAGES.update({page.name: page for page in PAGES})
+pages.PAGES[command_reference.PAGE] = partial(
+    command_reference.page, (*FOR_EVERYBODY, *_OF_THE_REPOSITORY), FOR_EVERYBODY
+)
 
 app = commands(*FOR_EVERYBODY, *_OF_THE_REPOSITORY)
 

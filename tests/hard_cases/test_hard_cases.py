@@ -9,10 +9,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from harness.pages.evidence import DATA
 from harness.post.compare import missed
 from harness.run import engine, logdata
-from harness.studies.hard_cases import record, variants
+from harness.studies import files
+from harness.studies.hard_cases import heat_map, outcomes, page, record, variants
 from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.outcomes import Outcome
 from harness.studies.hard_cases.scene import Fineness, Interface
 
 RETRIES = {"cutback-at-touch": 1}
@@ -39,6 +42,20 @@ def test_it_ends_and_passes(runner, name, mesh):
     assert made.ended, made.failures
     assert made.retries == RETRIES.get(name, 0)
     assert missed(made.measures) == []
+
+
+@pytest.mark.parametrize("name", ["edge-on-face", "three-bodies", "penalty-1e3"])
+@pytest.mark.parametrize("interface", [Interface.MIXTURE, Interface.PREDICTED], ids=lambda each: each.value)
+def test_the_data_of_the_page_are_what_the_code_gives(runner, name, interface):
+    """Where this fails on purpose: `scripts/mixcontact hard-cases --docs`."""
+    run = runner(CASES[name].scene.model(Fineness.COARSE, interface), check=False)
+    written = outcomes.arranged(files.read_csv(DATA / page.SOURCE, Outcome))[name, Fineness.COARSE.value]
+    report = run.report
+    assert (report.steps, report.iterations, report.retries) == (
+        written[interface.value].steps,
+        written[interface.value].iterations,
+        written[interface.value].retries,
+    )
 
 
 def _said_of_penetration(run):
@@ -79,12 +96,32 @@ def test_restart_with_penetration_check_nodes(runner, tmp_path):
     np.testing.assert_allclose(part.values, whole.nodes.values[13:], atol=1e-10, rtol=0.0)
 
 
-def test_a_run_that_was_ended_by_its_limit_is_no_failure_of_its_own():
+def outcome(interface: str, iterations: int, *, ended: bool = True, retries: int = 0, missed: str = "") -> Outcome:
+    return Outcome("edge-on-face", "coarse", interface, ended, 1.0 if ended else 0.3, 5, iterations, 0, retries, missed)
+
+
+def test_a_run_that_was_ended_by_its_limit_has_a_column_of_its_own():
     """FEBio writes no number of iterations then; one that fails by itself has them."""
-    made = [
-        record.Record("touch-gap-element", mesh, "febio-1", False, 5, iterations, 0, 2, "", [])
-        for mesh, iterations in (("coarse", 0), ("fine", 30))
-    ]
-    assert "| FEBio, factor 1 | 2 | 0 | 1 | 1 | 0 | 4 |" in record.summary(made)
-    assert "ended by its limit, 5 / - / 2" in record.table(made)
-    assert "fails, 5 / 30 / 2" in record.table(made)
+    made = [outcome("febio-1", 0, ended=False), outcome("febio-1", 30, ended=False, retries=4)]
+    assert "| FEBio, factor 1 | 2 | 0 | 0 | 1 | 1 | 4 |" in outcomes.summary(made)
+    assert "limit: to 30 %" in outcomes.table(made[:1], {"edge-on-face": "edge"})
+    assert "fails: to 30 %" in outcomes.table(made[1:], {"edge-on-face": "edge"})
+
+
+def test_where_febio_is_better_the_same_line_says_so():
+    ours = outcome("sliding-mixture", 40)
+    assert "| 40 | not run | 39 | not run | 39 with factor 1 |" in table_of(ours, outcome("febio-1", 39))
+    for worse in (outcome("febio-1", 41), outcome("febio-1", 39, missed="force"), outcome("febio-1", 0, ended=False)):
+        assert table_of(ours, worse).endswith("|  |")
+    lost = replace(ours, ended=False, iterations=9)
+    assert "99 with factor 1000 |" in table_of(lost, outcome("febio-1000", 99))
+
+
+def table_of(*runs: Outcome) -> str:
+    return outcomes.table(runs, {"edge-on-face": "edge"})
+
+
+def test_the_picture_is_drawn(tmp_path):
+    made = [outcome("sliding-mixture", 40), outcome("febio-1", 0, ended=False)]
+    text = heat_map.draw(made, tmp_path / "heat.svg").read_text()
+    assert "<svg" in text

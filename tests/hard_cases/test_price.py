@@ -9,7 +9,7 @@ import pytest
 from harness.errors import DataFileError
 from harness.models import pairs
 from harness.models.interface import InterfaceType
-from harness.studies.price import page, paired_runs, table
+from harness.studies.price import bars, effect_costs, page, paired_runs, table
 from harness.studies.price.paired_runs import Timed
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
@@ -53,15 +53,15 @@ def test_a_log_without_a_table_has_no_times():
 
 def test_times_are_drawn_and_tabulated(tmp_path):
     (times,) = table.read(LOG)
-    assert page.draw({"one": times, "two": times}, tmp_path / "times.png").stat().st_size > 0
-    text = page.scenes_table({"one": times})
+    assert bars.draw({"one": times, "two": times}, tmp_path / "times.png").stat().st_size > 0
+    text = bars.scenes_table({"one": times})
     assert "| one | 45.0 | 40.0 | 12.0 | 3.0 | 100.0 | 51.0 | 8.0% | 345 |" in text
 
 
 def test_what_bodies_take_is_not_the_contacts():
-    reference = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2)
+    reference = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2, unknowns=9, entries=40)
     # twice the iterations and evaluations: 1 s of stiffness and 0.6 s of update and residual are the bodies'
-    joined = Timed(True, 10, 20, 2.0, update=0.25, profile=0.3, stiffness=1.4, residual=0.5)
+    joined = Timed(True, 10, 20, 2.0, update=0.25, profile=0.3, stiffness=1.4, residual=0.5, unknowns=9, entries=60)
     assert paired_runs.contact_time(joined, reference) == pytest.approx(0.3 + 0.4 + 0.15)
 
 
@@ -101,3 +101,23 @@ def test_memory_does_not_know_of_solutes_that_are_not_shared(runner):
         return times.memory
 
     assert memory((1,)) == memory((1, 2, 3)) > 0
+
+
+def test_costs_are_those_of_the_run_that_was_disturbed_least(tmp_path):
+    slow = LOG.replace("2.500e-02", "9.500e-02")
+    costs = effect_costs.costs("solid", [slow, LOG, slow])
+    assert [cost.effect for cost in costs] == ["shared", "traction", "solvent", "solute 2"]
+    assert sum(cost.part for cost in costs) == pytest.approx(costs[0].share) == pytest.approx(0.08)
+    assert "<svg" in page.draw(costs, tmp_path / "price.svg").read_text()
+
+
+def test_the_table_says_where_febio_adds_less():
+    def price(kind: str, factor: float, added: float, *, ended: bool = True) -> paired_runs.Price:
+        return paired_runs.Price("biphasic", kind, factor, ended, 10, 10, 0.1, added, added, added, 500, 9000)
+
+    ours = price("sliding-mixture", 0.0, 0.5)
+    rows = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4), price("sliding-biphasic", 10.0, 0.6)])
+    assert [row.split(" | ")[-1] for row in rows.splitlines()[3:]] == ["`sliding-biphasic` |", "`sliding-mixture` |"]
+    failed = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4, ended=False)])
+    assert "does not end" in failed
+    assert failed.endswith("`sliding-mixture` |")

@@ -293,7 +293,7 @@ def test_the_choices_are_those_of_the_code():
 
 
 def test_the_migration_page_tells_the_same():
-    page = (REPOSITORY / "docs" / "migration.md").read_text(encoding="utf-8")
+    page = (REPOSITORY / "docs" / "reference" / "from-febio.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (`.+?) \|(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|", page, re.MULTILINE)
     assert len(rows) > 20
     for cell, *marks in rows:

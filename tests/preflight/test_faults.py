@@ -494,7 +494,7 @@ def test_every_rule_has_a_fault_and_a_line_in_the_page():
     assert len(rules) > 25
     seeded = {rule for _, rule, _ in FAULTS.values()} | {rule for _, rule in NOTES.values()}
     assert seeded == rules
-    page = (DOCS / "check.md").read_text(encoding="utf-8")
+    page = (DOCS / "reference" / "check.md").read_text(encoding="utf-8")
     table = page[page.index("| rule |") : page.index("### Leaks")]
     assert {
         name for row in re.findall(r"^\| (`[^|]*) \|", table, re.M) for name in re.findall(r"`([^`]+)`", row)

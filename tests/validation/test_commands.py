@@ -19,7 +19,7 @@ from harness.models.parts import Control
 from harness.paths import DOCS, REPOSITORY, plugin_library
 from harness.run import engine
 
-PAGES = [REPOSITORY / "README.md", *sorted(DOCS.glob("*.md"))]
+PAGES = [REPOSITORY / "README.md", *sorted(DOCS.rglob("*.md"))]
 BLOCK = re.compile(r"^( *)```(\w*)\n(.*?)^\1```$", re.MULTILINE | re.DOTALL)
 VENV = REPOSITORY / ".venv" / "bin"
 PROGRAMS = ("scripts/mixcontact", "febio4", "cmake", "cpack", "ctest", "export", "git", "sed", ".ci/run")
@@ -34,6 +34,7 @@ SMALL = {
     "scripts/mixcontact gallery --folder docs": "scripts/mixcontact gallery --small --only platens --folder site",
     "scripts/mixcontact gallery --small": "scripts/mixcontact gallery --small --only platens --folder results",
     # Would change the checkout, or the build that other tests use meanwhile.
+    "scripts/mixcontact build": "test -x {root}/scripts/mixcontact",
     "scripts/mixcontact pages": "scripts/mixcontact pages --check",
     "scripts/mixcontact docs": "test -f {root}/mkdocs.yml && grep -q 'scripts/mixcontact docs' {root}/.ci/run",
     "cmake --preset default": "cmake -S {root} --preset default -B configured -DMIXCONTACT_BUILD_PLUGIN=OFF",
@@ -43,15 +44,15 @@ SMALL = {
     # Without installing Snakemake: the same command of the harness, or its help where it would make many runs.
     "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
     "scripts/mixcontact cost --error 1e-3 --problem 3.2": "{harness} cost --error 1e-3 --problem 3.2",
-    "scripts/mixcontact cost": "{harness} cost --help",
-    "scripts/mixcontact cost --only turns": "{harness} cost --help",
+    "scripts/mixcontact cost --docs": "{harness} cost --help",
+    "scripts/mixcontact cost --only interleaved": "{harness} cost --help",
     "scripts/mixcontact biphasic-hertz --folder docs": "{harness} biphasic-hertz --help",
-    "scripts/mixcontact price": "{harness} price --help",
+    "scripts/mixcontact price --docs": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
     "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact friction-cases": "{harness} friction-cases --help",
     "scripts/mixcontact friction-cases --only reversal --mesh coarse --no-febio": "{harness} friction-cases --help",
-    "scripts/mixcontact hard-cases": "{harness} hard-cases --help",
+    "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",
     # Builds the plugin with sanitizers, which takes minutes.
@@ -108,7 +109,7 @@ def scratch(runner, tmp_path) -> Path:
 @pytest.mark.mixture_only
 def pages():
     """Every page with commands; two of them are quick and the first that a reader meets."""
-    quick = ("README.md", "check.md")
+    quick = ("README.md", "first-model.md")
     slow = {page: [] if page.name in quick else [pytest.mark.slow] for page in PAGES if blocks(page)}
     return [pytest.param(page, marks=marks) for page, marks in slow.items()]
 

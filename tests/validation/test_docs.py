@@ -11,8 +11,8 @@ from harness.preflight.rules.settings import RENAMED
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
-PAGES = sorted([ROOT / "README.md", ROOT / "CHANGELOG.md", *DOCS.glob("*.md")])
-GUIDE = (DOCS / "user-guide.md").read_text(encoding="utf-8")
+PAGES = sorted([ROOT / "README.md", ROOT / "CHANGELOG.md", *DOCS.rglob("*.md")])
+OUTPUT_PAGE = (DOCS / "reference" / "output.md").read_text(encoding="utf-8")
 OUTPUT = (ROOT / "plugin" / "febio" / "output_variables.cpp").read_text(encoding="utf-8")
 
 VECTORS = "MeanOfNodes"
@@ -82,7 +82,7 @@ def links() -> list[tuple[Path, str]]:
     ids=["plot", "surface_data", "face_data"],
 )
 def test_the_output_tables_are_complete(classes, title, part):
-    tables = re.split(r"(?=^`face_data`)", section(GUIDE, title), flags=re.MULTILINE)
+    tables = re.split(r"(?=^`face_data`)", section(OUTPUT_PAGE, title), flags=re.MULTILINE)
     documented = listed("".join(tables[part]))
     assert len(documented) >= 5
     assert sorted(documented) == sorted(offered(classes))
@@ -101,10 +101,12 @@ OF_FEBIO_ALONE = {"penalty_sf", "max_penalty_sf", "dxtol", "fric_penalty", "ktmu
 
 
 def test_migration_covers_every_parameter():
-    page = (DOCS / "migration.md").read_text(encoding="utf-8")
+    page = (DOCS / "reference" / "from-febio.md").read_text(encoding="utf-8")
     new = set(names(re.search(r"^New: (.+)$", page, re.MULTILINE).group(1)))  # type: ignore[union-attr]
     covered = set(listed(section(page, "Parameter by parameter"))) - OF_FEBIO_ALONE
-    assert covered | new == set(listed((DOCS / "parameters.md").read_text(encoding="utf-8"))) - set(RENAMED)
+    assert covered | new == set(listed((DOCS / "reference" / "parameters.md").read_text(encoding="utf-8"))) - set(
+        RENAMED
+    )
     assert not covered & new
 
 
@@ -118,6 +120,19 @@ def test_relative_links_lead_somewhere(page, target):
 
 
 def test_every_page_is_on_the_map():
-    index = (DOCS / "index.md").read_text(encoding="utf-8")
-    for page in DOCS.glob("*.md"):
-        assert page.name == "index.md" or f"]({page.name})" in index
+    """And in the navigation of the site."""
+    index, site = (path.read_text(encoding="utf-8") for path in (DOCS / "index.md", ROOT / "mkdocs.yml"))
+    for page in DOCS.rglob("*.md"):
+        name = page.relative_to(DOCS).as_posix()
+        assert name == "index.md" or f"]({name})" in index
+        assert re.search(rf"(: |- ){re.escape(name)}$", site, re.MULTILINE), name
+
+
+LONGEST = 1500
+"""Words on a page."""
+
+
+@pytest.mark.parametrize("page", [page for page in DOCS.rglob("*.md") if page.parent.name != "reference"], ids=str)
+def test_a_page_can_be_read_in_a_few_minutes(page):
+    """But for the reference, which is looked up."""
+    assert len(page.read_text(encoding="utf-8").split()) <= LONGEST

@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from harness import cli  # noqa: F401 - its commands know the pages of studies
 from harness.errors import DataFileError
 from harness.pages import command, plugin_parameters, verification
 from harness.pages.parameter_notes import GROUPS

@@ -75,7 +75,7 @@ def test_models_and_licence_are_installed(prefix):
     installed = {str(path.relative_to(prefix / SHARE)) for path in (prefix / SHARE).rglob("*")}
     assert {
         "models/diffusion.feb",
-        "docs/user-guide.md",
+        "docs/reference/output.md",
         "LICENSE",
         "CITATION.cff",
         "README.md",

@@ -1,4 +1,4 @@
-"""What becomes of each parameter of FEBio's sliding interfaces, and why: the table of docs/migration.md."""
+"""What becomes of each parameter of FEBio's sliding interfaces, and why: the table of docs/reference/from-febio.md."""
 
 from __future__ import annotations
 

@@ -10,9 +10,17 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.pages import collection, linear_solver_results, plugin_parameters, scene_results, verification
+from harness.pages import (
+    collection,
+    linear_solver_results,
+    plugin_parameters,
+    scene_results,
+    sketches,
+    verification,
+)
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS, MODELS, RESULTS
+from harness.run import provenance
 from harness.validate.checks import CHECKS
 
 console = Console(highlight=False, soft_wrap=True)
@@ -28,13 +36,13 @@ PAGES: dict[str, Callable[[], str]] = {
         linear_solver_results.read(DOCS / linear_solver_results.DATA)
     ),
 }
-"""Generated pages, from code or from numbers in docs/; none of them needs a run."""
+"""Generated pages, from code or from results in docs/data, without a run. `harness.cli` adds those of studies."""
 
 
 def pages(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation anew: parameters, gallery, report, real models, linear solvers."""
+    """Write the generated pages of the documentation anew, from the code and from the results in docs/data."""
     for name, text in PAGES.items():
         path = DOCS / name
         made = text()
@@ -42,6 +50,8 @@ def pages(
             path.write_text(made, encoding="utf-8")
         elif not path.is_file() or path.read_text(encoding="utf-8") != made:
             raise HarnessError(f"{path} is not what `pages` writes; it writes it anew")
+    if not check:
+        sketches.draw(DOCS)
 
 
 def report(
@@ -53,13 +63,12 @@ def report(
     for name in only or []:
         if name not in known:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}", param_hint="--only")
-    sections, versions = [], ""
-    for section, made_with in verification.make(RESULTS / "runs", [known[name] for name in only] if only else CHECKS):
+    sections = []
+    for section in verification.make(RESULTS / "runs", [known[name] for name in only] if only else CHECKS):
         sections.append(section)
-        versions = made_with
         missed = sum(not measure.passed for measure in section.measures)
         console.print(f"{section.name}: {len(section.measures)} figures, {missed} missed")
-    written = verification.write(folder, verification.Report(versions, sections))
+    written = verification.write(folder, verification.Report(provenance.stamp(), sections))
     console.print("Written: " + ", ".join(str(path) for path in written))
     if any(not measure.passed for section in sections for measure in section.measures):
         raise typer.Exit(MISSED)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
-PAGE = "linear-solvers.md"
+PAGE = "reference/linear-solvers.md"
 DATA = Path("data", "linear-solvers.json")
 """Below docs/."""
 SCENES = ("diffusion", "creep")

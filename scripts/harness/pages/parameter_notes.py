@@ -45,14 +45,13 @@ AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_rad
 GROUPS = (
     Group(
         "Effects",
-        "What is exchanged, of that which the materials on both sides allow; "
-        "see [the log](user-guide.md#the-contact-in-a-model-file).",
+        "What is exchanged, of that which the materials on both sides allow; see [the log](../start/first-model.md).",
         ("effects",),
     ),
     Group(
         "Enforcement",
-        "How exactly overlap and jumps are closed; see [penalties](user-guide.md#penalties) and "
-        "[which enforcement](user-guide.md#which-enforcement).",
+        "How exactly overlap and jumps are closed; see [penalties](../how-to/parameters.md#penalties) and "
+        "[which enforcement](../how-to/parameters.md#which-enforcement).",
         (
             "laugon",
             "penalty",
@@ -73,7 +72,7 @@ GROUPS = (
     ),
     Group(
         "Ambient values",
-        "What wets the nodes that are not in contact; see [ambient conditions](user-guide.md#ambient-conditions).",
+        "What wets the nodes that are not in contact; see [ambient conditions](../how-to/ambient.md).",
         ("free_draining", "ambient_pressure", "ambient_concentration"),
     ),
     Group(
@@ -97,14 +96,15 @@ GROUPS = (
     ),
     Group(
         "Solution",
-        "What the solver gets. The last three switch [what helps the solver](user-guide.md#what-helps-the-solver). "
+        "What the solver gets. The last three switch "
+        "[what helps the solver](../how-to/solver.md#what-helps-the-solver). "
         "They act on the whole model: contacts that give one must give the same value.",
         ("symmetric_stiffness", "predictor", "non_negative_concentrations", "line_search_guard"),
     ),
     Group(
         "Friction",
-        "Acts where `fric_coeff` is not 0; [theory](theory.md) has the law, [migration](migration.md#friction) what "
-        "differs from FEBio's.",
+        "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
+        "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
         ("fric_coeff", "contact_frac", "tangential_penalty"),
     ),
     Group(
@@ -207,7 +207,7 @@ NOTES = {
     ),
     "integration": Note(
         "`gauss`: at Gauss points of the primary facets. `segments`: on the pieces into which the facets of both sides "
-        "cut each other, see [which](user-guide.md#gauss-points-or-segments) (0 or 1).",
+        "cut each other, see [which](../how-to/surfaces.md#gauss-points-or-segments) (0 or 1).",
         "`segments`: about three times the contact's own work, more on quadratic facets",
         "Gauss points",
         default="`segments`; `gauss` with `two_pass`",
@@ -233,7 +233,7 @@ NOTES = {
         "Form the first matrix of a step at a state that is predicted from the last steps: of every variable whose "
         "last change was predicted to a third, where no load curve turns. A step may then end with its first "
         "iteration. A predicted state is dropped where an element is inverted or the residual is larger than that of "
-        "the plain start. Not available where there are rigid bodies. See [theory](theory.md#the-start-of-a-step).",
+        "the plain start. Not available where there are rigid bodies. See [explanation](../explanation/predictor.md).",
         "memory for the nodal values of five steps, two evaluations of the residual and a copy of the state in a step",
         "not there",
     ),

@@ -1,4 +1,4 @@
-"""The page of the contact's parameters, from the code that registers them: docs/parameters.md.
+"""The page of the contact's parameters, from the code that registers them: docs/reference/parameters.md.
 
 Names, order, names of choices, kinds and defaults come from plugin/host/contact_parameters.h, the names of the two that
 hosts read in their own ways from plugin/febio/mixture_contact.cpp, and what code does not say from
@@ -17,7 +17,7 @@ from harness.paths import REPOSITORY
 
 REGISTRATION = REPOSITORY / "plugin" / "febio" / "mixture_contact.cpp"
 DECLARATION = REPOSITORY / "plugin" / "host" / "contact_parameters.h"
-PAGE = "parameters.md"
+PAGE = "reference/parameters.md"
 
 _TABLE = re.compile(r'take\(\{"(?P<name>\w+)",\s+"[^"]+"(?P<rest>[^}]*)\},\s+p\.(?P<member>\w+)\);')
 _REGISTERED = re.compile(r'ADD_(?P<what>PARAMETER|PROPERTY)\(\w+(?:\.(?P<member>\w+))?, "(?P<name>\w+)"(?P<rest>[^;]*)')
@@ -119,7 +119,7 @@ value without meaning; the message names the parameter. "Same" means the same na
 FEBio's interfaces (`sliding-elastic`, `sliding-biphasic`, `sliding-biphasic-solute`, `sliding-multiphasic`) that have
 it.
 
-Which one to change first stands in the [user guide](user-guide.md#which-parameter-first)."""
+Which one to change first stands in the [how-to](../how-to/parameters.md#which-parameter-first)."""
 
 
 def _table(parameters: dict[str, Parameter], names: tuple[str, ...]) -> str:

@@ -9,13 +9,16 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from harness.errors import DataFileError
+from harness.run.provenance import Stamp
 
-PAGE = "real-models.md"
+PAGE = "evidence/real-models.md"
 DATA = Path("data", "real-models.json")
 """Below docs/."""
 
 HEAD = """\
 # Real models
+
+<!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/scene_results.py instead. -->
 
 Scenes of the breadth that users have: element types, materials, loads, rigid bodies, porous bodies with and
 without solutes, each with the FEBio interface that a user would take and the parameters that a user would
@@ -99,11 +102,10 @@ class Row:
 
 @dataclass(frozen=True)
 class Results:
-    """What the command found, and with what."""
+    """What the command found, with what, and with which limit of wall time (s)."""
 
-    febio: str
-    commit: str
-    limit: float
+    stamp: Stamp
+    wall_limit: float
     rows: list[Row]
 
 
@@ -123,7 +125,8 @@ def read(path: Path) -> Results:
     """
     try:
         data = json.loads(path.read_text())
-        return Results(**data | {"rows": [_row(**row) for row in data["rows"]]})
+        rows = [_row(**row) for row in data["rows"]]
+        return Results(Stamp(**data["stamp"]), data["wall_limit"], rows)
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise DataFileError(f"{path} holds no results ({error}); `real-models --docs` writes it") from error
 
@@ -134,7 +137,7 @@ def _row(name: str, about: str, **runs: dict[str, bool | int | float | str]) -> 
 
 def page(results: Results) -> str:
     """The page of the documentation."""
-    stamp = f"Measured with {results.febio}, commit {results.commit}, and a limit of {results.limit:g} s for each run."
+    stamp = f"Made with {results.stamp}, and a limit of {results.wall_limit:g} s of wall time for each run."
     return HEAD.format(stamp=stamp, summary=summary(results.rows), finer=finer(results.rows), table=table(results.rows))
 
 

@@ -11,12 +11,12 @@ from harness.errors import DataFileError
 from harness.models.document import Model
 from harness.models.parts import text_of
 from harness.post.compare import Measure
-from harness.run import provenance
+from harness.run.provenance import Stamp
 from harness.run.runner import Runner, RunResult
 from harness.validate.checks import Check, Context
 from harness.validate.results import measures_as_data, measures_from_data
 
-PAGE, DATA = "verification-report.md", "verification.json"
+PAGE, DATA = "reference/verification-report.md", "data/verification.json"
 
 
 @dataclass(frozen=True)
@@ -50,9 +50,9 @@ class Section:
 
 @dataclass(frozen=True)
 class Report:
-    """Everything on the page; `versions` are those of plugin and engine."""
+    """Everything on the page, and what it was made with."""
 
-    versions: str
+    stamp: Stamp
     sections: list[Section]
 
 
@@ -69,22 +69,17 @@ class Recorder(Runner):
         return result
 
 
-def make(root: Path, checks: Sequence[Check]) -> Iterator[tuple[Section, str]]:
-    """Make the checks one after the other, with runs below `root`; each comes with the versions it was made with."""
+def make(root: Path, checks: Sequence[Check]) -> Iterator[Section]:
+    """Make the checks one after the other, with runs below `root`."""
     for check in checks:
         recorder = Recorder(root)
         measures = check.run(Context(recorder))
-        yield _section(check, measures, recorder.results_), _versions(recorder.results_)
+        yield _section(check, measures, recorder.results_)
 
 
 def _section(check: Check, measures: list[Measure], results_: list[RunResult]) -> Section:
     unique = {result.folder: result for result in results_}
     return Section(check.name, check.about, measures, [_run(result) for result in unique.values()])
-
-
-def _versions(results_: list[RunResult]) -> str:
-    engines = sorted({provenance.engine_version(result.log) for result in results_})
-    return ", ".join([f"plugin {provenance.plugin_version()}", *engines])
 
 
 def _run(result: RunResult) -> Run:
@@ -114,9 +109,10 @@ def _settings(model: Model) -> list[str]:
 
 def write(folder: Path, report: Report) -> list[Path]:
     """Write data and page into `folder`, which is made where needed."""
-    folder.mkdir(parents=True, exist_ok=True)
+    for name in (PAGE, DATA):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
     sections = [asdict(s) | {"measures": measures_as_data(s.measures)} for s in report.sections]
-    data = {"versions": report.versions, "sections": sections}
+    data = {"stamp": asdict(report.stamp), "sections": sections}
     (folder / DATA).write_text(json.dumps(data, indent=1, allow_nan=False) + "\n")
     (folder / PAGE).write_text(page(report), encoding="utf-8")
     return [folder / PAGE, folder / DATA]
@@ -137,7 +133,7 @@ def read(folder: Path) -> Report:
             Section(s["name"], s["about"], measures_from_data(s["measures"]), [Run(**run) for run in s["runs"]])
             for s in data["sections"]
         ]
-        return Report(data["versions"], sections)
+        return Report(Stamp(**data["stamp"]), sections)
     except OSError as error:
         raise DataFileError(f"cannot read {path}: {error.strerror}; `report` writes it") from error
     except (json.JSONDecodeError, KeyError, TypeError) as error:
@@ -146,7 +142,7 @@ def read(folder: Path) -> Report:
 
 def page(report: Report) -> str:
     """The text of the page."""
-    introduction = _INTRODUCTION.format(versions=report.versions)
+    introduction = _INTRODUCTION.format(stamp=report.stamp)
     return "\n\n".join([introduction, *(_text(section) for section in report.sections)]) + "\n"
 
 
@@ -155,16 +151,14 @@ _INTRODUCTION = """\
 
 <!-- Written by `scripts/mixcontact report`; change the checks in scripts/harness/validate/checks.py instead. -->
 
-Each figure with its tolerance, the runs behind it, and how to make it again. Made with {versions}, one thread, full
-Newton.
-All of it:
+Each figure with its tolerance, the runs behind it, and how to make it again. Made with {stamp}, full Newton. All of it:
 
 ```console
 scripts/mixcontact report
 ```
 
-"Whole" is the same mesh as one body. The tolerances are those of FEBio's Newton iterations. More, and what falls
-short, stands in [verification](verification.md)."""
+"Whole" is the conforming reference: the same mesh as one body. The tolerances are those of FEBio's Newton iterations.
+What they say together stands in [verification](../evidence/verification.md)."""
 
 
 def _text(section: Section) -> str:

@@ -47,7 +47,7 @@ class Finding:
     ----------
     severity : Severity
     rule : str
-        Name of the rule, as in docs/check.md.
+        Name of the rule, as in docs/reference/check.md.
     place : Place
     message : str
         What was seen and what it will do, in plain words.

@@ -156,6 +156,22 @@ def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()
     return [str(find_engine()), "-i", model.name, *options, *load]
 
 
+def limited(command: Sequence[str], seconds: float | None) -> list[str]:
+    """The same command line, ended by the system after so much processor time, which other work does not change.
+
+    Raises
+    ------
+    EngineFailedError
+        Where the system has no ``prlimit`` for it.
+    """
+    if seconds is None:
+        return list(command)
+    program = shutil.which("prlimit")
+    if program is None:
+        raise EngineFailedError("a limit of processor time needs the program prlimit (util-linux), which is not here")
+    return [program, f"--cpu={math.ceil(seconds)}", *command]
+
+
 def restart(archive: Path, *, plugin: Path | None = None, check: bool = True, timeout: float | None = None) -> Run:
     """Continue from a dump file, in its folder; data and plot files are continued as well.
 

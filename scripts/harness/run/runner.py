@@ -86,6 +86,8 @@ class Runner:
         Told of progress.
     timeout : float, optional
         s after which a run is ended.
+    processor_limit : float, optional
+        s of processor time after which a run is ended.
     host : engine.Host
         What runs them; febio4 without it.
     """
@@ -93,6 +95,7 @@ class Runner:
     root: Path
     announce: Announce | None = None
     timeout: float | None = None
+    processor_limit: float | None = None
     host: engine.Host = field(default_factory=engine.Febio4)
     _known: dict[str, RunResult] = field(default_factory=dict)
 
@@ -131,7 +134,7 @@ class Runner:
         with suppress(FileNotFoundError):
             shutil.rmtree(folder)
         path = model.write(folder)
-        command = self.host.command(path, needs_plugin(model), options)
+        command = engine.limited(self.host.command(path, needs_plugin(model), options), self.processor_limit)
         progress = self._progress(model)
         finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from harness.errors import DataFileError
+from harness.run.provenance import Stamp
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
@@ -27,10 +28,10 @@ def read_json(path: Path, kind: type[Row]) -> list[Row]:
     return [kind(**entry) for entry in json.loads(path.read_text())]
 
 
-def write_csv(data: Sequence[Row], kind: type[Row], path: Path, comment: str) -> None:
-    """Write data of a kind as a table; `comment` stands in its first line."""
+def write_csv(data: Sequence[Row], kind: type[Row], path: Path, stamp: Stamp) -> None:
+    """Write data of a kind as a table, with what they were made with in its first line."""
     with path.open("w", newline="") as file:
-        file.write(f"# {comment}\n")
+        file.write(f"# {json.dumps(asdict(stamp))}\n")
         rows = csv.writer(file, lineterminator="\n")
         names = [field.name for field in fields(kind)]
         rows.writerow(names)
@@ -52,7 +53,7 @@ def read_csv(path: Path, kind: type[Row]) -> list[Row]:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
         return [_row(row, kind) for row in rows]
     except (OSError, KeyError, ValueError) as error:
-        raise DataFileError(f"{path} is no table of `cost` ({error}); `cost` writes it") from error
+        raise DataFileError(f"{path} is no table of {kind.__name__} ({error})") from error
 
 
 def _row(row: dict[str, str], kind: type[Row]) -> Row:

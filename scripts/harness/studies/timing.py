@@ -17,7 +17,7 @@ Announce = Callable[[Key, int], None]
 
 
 def execute(
-    model: Model, timeout: float | None = None, prefix: Sequence[str] = (), *, check: bool = True
+    model: Model, prefix: Sequence[str] = (), *, check: bool = True, processor_limit: float | None = None
 ) -> tuple[engine.Run, str]:
     """Run a model by itself, and keep nothing but what febio4 said and its log.
 
@@ -25,6 +25,8 @@ def execute(
     ----------
     prefix : sequence of str
         Stands before the command line.
+    processor_limit : float, optional
+        s of processor time after which the run is ended.
 
     Raises
     ------
@@ -33,8 +35,8 @@ def execute(
     """
     with TemporaryDirectory() as folder:
         path = model.write(Path(folder))
-        command = engine.Febio4().command(path, needs_plugin(model))
-        done = engine.execute([*prefix, *command], Path(folder), check=check, timeout=timeout)
+        command = engine.limited(engine.Febio4().command(path, needs_plugin(model)), processor_limit)
+        done = engine.execute([*prefix, *command], Path(folder), check=check)
         return done, path.with_suffix(".log").read_text(errors="replace")
 
 

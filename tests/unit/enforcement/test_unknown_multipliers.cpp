@@ -185,7 +185,7 @@ double inf_sup_constant(FacetType one, FacetType two, std::pair<int, int> cells,
 BOOST_AUTO_TEST_CASE(the_multiplier_space_is_stable_on_finer_and_coarser_surfaces) {
   // The primary field alone controls its multipliers, whatever the ratio of the meshes and however fine they are. On
   // linear facets they span the same space, so the constant is 1 at least, up to the quadrature of the secondary field;
-  // on quadratic ones it is 0.43 at least (docs/theory.md).
+  // on quadratic ones it is 0.43 at least (docs/explanation/enforcement.md).
   for (const FacetType one : all_facets) {
     for (const FacetType two : {FacetType::tri3, FacetType::quad4, FacetType::quad8}) {
       for (const auto& [cells_one, cells_two] :

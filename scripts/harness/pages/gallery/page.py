@@ -15,7 +15,7 @@ from harness.pages.gallery.entries import Entry
 from harness.run import provenance
 from harness.run.runner import RunResult
 
-PAGE, DATA, IMAGES = "gallery.md", "gallery.json", "images/gallery"
+PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ _INTRODUCTION = """\
 
 <!-- Written by `scripts/mixcontact gallery --folder docs`: change scripts/harness/pages/gallery/entries.py instead. -->
 
-Models to start from. Each is a file in `models/` whose head says what it shows, its units and how to run it. All use
+Models to start from, each a file in `models/` whose head says what it shows, its units and how to run it. All use
 mm, N, s, nmol and K; hence MPa, mM = nmol/mm³, mm⁴/(N s) for permeabilities and mm²/s for diffusivities. The pictures
 show the effective concentration over the deformed bodies.
 
@@ -102,7 +102,7 @@ To make one your own, copy its file, change it and run the copy. To change the m
 scripts/mixcontact gallery --folder docs
 ```
 
-The same with fewer elements and steps, as the tests run them, takes a minute and goes to `results/gallery`:
+The same with fewer elements and steps goes to `results/gallery`:
 
 ```console
 scripts/mixcontact gallery --small

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from functools import partial
@@ -13,21 +14,21 @@ from rich.console import Console
 
 from harness.errors import HarnessError
 from harness.models.interface import InterfaceType
-from harness.paths import REPOSITORY, RESULTS
-from harness.run import workflow
+from harness.pages.evidence import DATA as RESULTS_OF_THE_PAGES
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance, workflow
 from harness.run.runner import Runner
 from harness.studies import files
-from harness.studies.cost import interleaved, pareto, point_runs
+from harness.studies.cost import interleaved, page, pareto, point_runs
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import INTERFACES, Parameter, Problem, points
 
 console = Console(highlight=False, soft_wrap=True)
-DATA = REPOSITORY / "docs" / "data" / "cost.csv"
+DATA = RESULTS_OF_THE_PAGES / "cost.csv"
 """What was measured, as it comes with the documentation."""
-COMMENT = "FEBio 4.11, one thread; scripts/mixcontact cost; columns are explained in docs/cost.md"
-TIMEOUT = 120.0
-"""s of wall time for one run."""
+LIMIT = 60.0
+"""s of processor time for one run, the same for all interfaces."""
 
 
 class Part(str, Enum):
@@ -35,7 +36,7 @@ class Part(str, Enum):
 
     SWEEP = "sweep"
     """Error and cost over all parameters."""
-    TURNS = "turns"
+    INTERLEAVED = "interleaved"
     """Longer runs of 3.1 and 3.2 by all interfaces in turn, with the settings that reach each error at least cost."""
 
 
@@ -47,6 +48,7 @@ def cost(
     number: Annotated[int, typer.Option("--turns", min=1, help="How often interfaces are timed in turn.")] = 9,
     folder: Annotated[Path, typer.Option(help="Where measurements and pictures go.")] = RESULTS / "cost",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
     """Measure error and cost over all parameters, problems and interfaces; with --error say what to set at what cost.
@@ -60,12 +62,22 @@ def cost(
     start = partial(workflow.run, folder=folder.resolve(), cores=jobs, options=snakemake or ())
     if only is None or Part.SWEEP in only:
         _sweep(chosen, folder, start)
-    if only is None or Part.TURNS in only:
-        _turns(chosen, number, data.resolve(), folder, start)
+        if docs:
+            _write_docs(folder)
+    if only is None or Part.INTERLEAVED in only:
+        _interleaved(chosen, number, data.resolve(), folder, start)
 
 
 Start = Callable[[Mapping[str, Sequence[str]]], list[Path]]
 """Does jobs of the harness, by their names, and returns the files that they wrote."""
+
+
+def _write_docs(folder: Path) -> None:
+    """The page of the documentation, with what the sweep left in `folder`."""
+    shutil.copy(folder / DATA.name, DATA)
+    pareto.draw(files.read_csv(DATA, Datum), DOCS / page.PICTURE)
+    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+    console.print(f"Written: {DATA}, {DOCS / page.PICTURE}, {DOCS / page.PAGE.name}")
 
 
 def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
@@ -82,14 +94,14 @@ def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
         }
     )
     found = [datum for path in paths for datum in files.read_json(path, Datum)]
-    files.write_csv(found, Datum, folder / "cost.csv", COMMENT)
+    files.write_csv(found, Datum, folder / "cost.csv", provenance.stamp(LIMIT))
     (folder / "cost.md").write_text(f"{pareto.comparison(found)}\n\n{pareto.table(found)}\n")
-    written = [folder / "cost.csv", folder / "cost.md", *pareto.draw(found, folder)]
+    written = [folder / "cost.csv", folder / "cost.md", pareto.draw(found, folder / "cost.svg")]
     console.print(pareto.comparison(found), markup=False)
     _finish(written, len(paths) == len(sweeps))
 
 
-def _turns(chosen: list[Problem], number: int, data: Path, folder: Path, start: Start) -> None:
+def _interleaved(chosen: list[Problem], number: int, data: Path, folder: Path, start: Start) -> None:
     wanted = {
         f"turn-{problem.value}-{kind.value}-{turn}": (
             "cost-turn",
@@ -106,11 +118,11 @@ def _turns(chosen: list[Problem], number: int, data: Path, folder: Path, start: 
     }
     paths = start(wanted)
     found = [timing for path in paths for timing in files.read_json(path, Timing)]
-    files.write_csv(found, Timing, folder / "cost-turns.csv", COMMENT)
+    files.write_csv(found, Timing, folder / "cost-interleaved.csv", provenance.stamp(LIMIT))
     text = interleaved.ratio_table(found)
-    (folder / "cost-turns.md").write_text(text + "\n")
+    (folder / "cost-interleaved.md").write_text(text + "\n")
     console.print(text, markup=False)
-    _finish([folder / "cost-turns.csv", folder / "cost-turns.md"], len(paths) == len(wanted))
+    _finish([folder / "cost-interleaved.csv", folder / "cost-interleaved.md"], len(paths) == len(wanted))
 
 
 def _finish(written: list[Path], complete: bool) -> None:
@@ -126,7 +138,7 @@ def cost_sweep(
     out: Annotated[Path, typer.Option(help="Where the data go, as JSON.")] = Path("sweep.json"),
 ) -> None:
     """Measure one problem with one interface, one parameter varied."""
-    runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
+    runner = Runner(RESULTS / "cost" / "runs", processor_limit=LIMIT)
     chosen = [point for point in points([problem]) if (point.interface, point.parameter) == (interface, parameter)]
     files.write_json([point_runs.measure(point, runner) for point in chosen], out)
 
@@ -141,7 +153,7 @@ def cost_turn(
     """Time the interfaces once, one after the other, on one of the problems 3.1 and 3.2."""
     if problem not in interleaved.PROBLEMS:
         raise HarnessError(f"problem {problem.value} is not timed in turn; {', '.join(interleaved.PROBLEMS)} are")
-    runner = Runner(RESULTS / "cost" / "runs", timeout=TIMEOUT)
+    runner = Runner(RESULTS / "cost" / "runs", processor_limit=LIMIT)
     chosen = interleaved.contenders(files.read_csv(data, Datum), problem)
     short = kind is interleaved.Kind.SHORT
     files.write_json(

@@ -111,7 +111,7 @@ def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> li
         Without an engine or plugin, or where the conforming reference does not run.
     """
     sized = [replace(point, size=SIZES[kind]) for point in points]
-    runs = [execute(point.model(), runner.timeout, check=False)[0] for point in sized]
+    runs = [execute(point.model(), check=False, processor_limit=runner.processor_limit)[0] for point in sized]
     return [_timed(point, kind, number, run, runner) for point, run in zip(sized, runs, strict=True)]
 
 
@@ -121,7 +121,7 @@ def count(points: Sequence[Point], runner: Runner) -> list[Timing]:
     if tool is None:
         return []
     prefix = [tool, "--tool=callgrind", "--callgrind-out-file=/dev/null"]
-    runs = [execute(point.model(), None, prefix, check=False)[0] for point in points]
+    runs = [execute(point.model(), prefix, check=False)[0] for point in points]
     return [_timed(point, Kind.SHORT, 0, run, runner) for point, run in zip(points, runs, strict=True)]
 
 

@@ -6,15 +6,22 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
+from matplotlib.lines import Line2D
 
-from harness.models import indentation_mesh
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import Parameter, Problem
 
-COLOURS = {"sliding-mixture": "#c1272d", "sliding-biphasic-solute": "#0000a7", "sliding-multiphasic": "#008176"}
+LOOKS = {
+    "sliding-mixture": ("#7a1f1f", "#7a1f1f"),
+    "sliding-biphasic-solute": ("#2f5d9e", "none"),
+    "sliding-multiphasic": ("#4f9a8a", "#cfe6e1"),
+}
+"""Colour of lines and of the inside of marks: filled, empty, light, so that grey tells them apart, too."""
+SMALLEST = 1e-12
+"""Errors below are drawn there."""
 MARKERS = {
     Parameter.MESH: "s",
     Parameter.STEP: "D",
@@ -28,8 +35,6 @@ MARKERS = {
     Parameter.DEFAULT: "*",
 }
 DISCRETISATION = (Parameter.MESH, Parameter.STEP)
-SAME_MESH = (Problem.INDENTATION.value, Parameter.MESH.value)
-"""The runs among which one has the mesh of the reference, the medium one."""
 
 
 def error_of(datum: Datum) -> float:
@@ -38,7 +43,7 @@ def error_of(datum: Datum) -> float:
 
 
 def cost_of(datum: Datum) -> float:
-    """Processor time: relative to the unsplit body for 3.1 and 3.2, in s for 3.3."""
+    """Processor time: relative to the conforming reference for 3.1 and 3.2, in s for 3.3."""
     return datum.cpu if datum.problem == Problem.INDENTATION.value else datum.ratio
 
 
@@ -63,99 +68,58 @@ def cheapest(data: Sequence[Datum], error: float) -> Datum | None:
     return min(good, key=lambda d: (d.iterations, d.residuals, cost_of(d)), default=None)
 
 
-def draw(data: Sequence[Datum], folder: Path) -> list[Path]:
-    """Error against time for each problem that has data; returns the pictures."""
+def draw(data: Sequence[Datum], path: Path) -> Path:
+    """Error against time, a panel for each problem that has data."""
     mpl.use("Agg")
-    written = []
-    for problem in Problem:
-        if not any(d.problem == problem.value for d in data):
-            continue
-        figure = Figure(figsize=(9.0, 5.0), layout="constrained")
-        left, right = figure.subplots(1, 2)
-        _panel(left, comparable(data, problem))
-        unit = "processor time, s" if problem is Problem.INDENTATION else "processor time over that of the unsplit body"
-        what = (
-            "error against the finest run"
-            if problem is Problem.INDENTATION
-            else "error of the contact (cut against uncut)"
-        )
-        left.set(xlabel=unit, ylabel=what, title=f"{problem.value}: parameters of contact and solver")
-        _total(right, [d for d in data if d.problem == problem.value and d.ended])
-        right.set(xlabel="processor time, s", ylabel="whole error", title=f"{problem.value}: mesh and time steps")
-        path = folder / f"cost-{problem.value}.png"
-        figure.savefig(path, dpi=110)
-        written.append(path)
-    return written
-
-
-def _logarithmic(axes: Axes) -> None:
-    """Both axes logarithmic; the times span little, so some digits between the powers of ten are written."""
-    axes.set(xscale="log", yscale="log")
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0)))
-    axes.xaxis.set_major_formatter(FormatStrFormatter("%g"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    problems = [problem for problem in Problem if any(d.problem == problem.value for d in data)]
+    figure = Figure(figsize=(max(7.0, 3.3 * len(problems)), 4.4), layout="constrained", facecolor="white")
+    for axes, problem in zip(np.atleast_1d(figure.subplots(1, len(problems))), problems, strict=True):
+        _panel(axes, comparable(data, problem))
+        whole = problem is Problem.INDENTATION
+        axes.set_xlabel("processor time [s]" if whole else "processor time over that\nof the conforming reference [-]")
+        axes.set_ylabel("error against the finest run [-]" if whole else "error of the contact [-]")
+        axes.set_title(f"problem {problem.value}", fontsize=10)
+    figure.legend(handles=_handles(data), fontsize=8, ncols=4, loc="outside lower center", frameon=False)
+    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
+    return path
 
 
 def _panel(axes: Axes, data: Sequence[Datum]) -> None:
-    _logarithmic(axes)
-    for interface, colour in COLOURS.items():
-        own = [d for d in data if d.interface == interface]
-        for datum in own:
-            star = datum.parameter == Parameter.DEFAULT.value
-            axes.plot(
-                cost_of(datum),
-                max(error_of(datum), 1e-12),
-                MARKERS[Parameter(datum.parameter)],
-                color=colour,
-                markersize=14 if star else 5,
-                markeredgecolor="black" if star else colour,
-                alpha=1.0 if star else 0.6,
-            )
-    front = pareto(data)
-    axes.step([cost_of(d) for d in front], [max(error_of(d), 1e-12) for d in front], "k-", where="post", linewidth=0.8)
-    handles = [axes.plot([], [], "o", color=colour, label=name)[0] for name, colour in COLOURS.items()]
-    handles += [
-        axes.plot([], [], marker, color="grey", linestyle="", label=parameter.value)[0]
-        for parameter, marker in MARKERS.items()
-        if parameter not in DISCRETISATION
-    ]
-    handles.append(axes.plot([], [], "k-", label="Pareto front")[0])
-    axes.legend(handles=handles, fontsize=6, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.14))
-
-
-def _total(axes: Axes, data: Sequence[Datum]) -> None:
-    _logarithmic(axes)
-    for interface, colour in COLOURS.items():
-        for parameter in DISCRETISATION:
-            own = [
-                d
-                for d in data
-                if d.interface == interface and d.parameter in (parameter.value, Parameter.DEFAULT.value)
-            ]
-            own.sort(key=lambda d: d.cpu)
-            times, errors = [d.cpu for d in own], [d.error for d in own]
-            axes.plot(
-                times,
-                errors,
-                marker=MARKERS[parameter],
-                linestyle="-" if parameter is Parameter.MESH else "--",
-                color=colour,
-                alpha=0.7,
-                markersize=5,
-            )
-        for datum in (d for d in data if d.interface == interface and d.parameter == Parameter.DEFAULT.value):
-            axes.plot(datum.cpu, datum.error, "*", color=colour, markersize=14, markeredgecolor="black")
-    _flattered(axes, data)
-    styles = ((Parameter.MESH, "-", "mesh"), (Parameter.STEP, "--", "time step"))
-    handles = [axes.plot([], [], MARKERS[k], linestyle=s, color="grey", label=n)[0] for k, s, n in styles]
-    axes.legend(handles=handles, fontsize=6, loc="best")
-
-
-def _flattered(axes: Axes, data: Sequence[Datum]) -> None:
-    """Say of each run of 3.3 on the mesh of its reference that the mesh is not in its error."""
+    axes.set(yscale="log")
+    axes.spines[["top", "right"]].set_visible(False)
     for datum in data:
-        if (datum.problem, datum.parameter, datum.value) == (*SAME_MESH, indentation_mesh.LEVELS[1].across):
-            axes.annotate("mesh of the reference  ", (datum.cpu, datum.error), fontsize=7, ha="right", va="center")
+        default = datum.parameter == Parameter.DEFAULT.value
+        colour, fill = LOOKS[datum.interface]
+        scatter = [[cost_of(datum) - datum.ratio_low], [datum.ratio_high - cost_of(datum)]]
+        axes.errorbar(
+            cost_of(datum),
+            max(error_of(datum), SMALLEST),
+            xerr=None if datum.problem == Problem.INDENTATION.value else scatter,
+            fmt=MARKERS[Parameter(datum.parameter)],
+            color=colour,
+            ecolor="#b0b0b0",
+            elinewidth=0.7,
+            markersize=13 if default else 5,
+            markerfacecolor=fill,
+            zorder=3 if default else 2,
+        )
+    front = pareto(data)
+    axes.step([cost_of(d) for d in front], [max(error_of(d), SMALLEST) for d in front], "k:", where="post", lw=0.9)
+
+
+def _handles(data: Sequence[Datum]) -> list[Line2D]:
+    """Interfaces by colour and filling, parameters by mark, of those that the data have."""
+    varied = {datum.parameter for datum in data}
+    interfaces = [
+        Line2D([], [], marker="s", linestyle="", color=colour, markerfacecolor=fill, label=name)
+        for name, (colour, fill) in LOOKS.items()
+    ]
+    parameters = [
+        Line2D([], [], marker=marker, linestyle="", color="0.4", markerfacecolor="none", label=parameter.value)
+        for parameter, marker in MARKERS.items()
+        if parameter not in DISCRETISATION and parameter.value in varied
+    ]
+    return [*interfaces, *parameters, Line2D([], [], color="k", linestyle=":", linewidth=0.9, label="least of all")]
 
 
 LEVELS = tuple(10.0**-k for k in range(1, 8))
@@ -164,7 +128,7 @@ LEVELS = tuple(10.0**-k for k in range(1, 8))
 
 def comparison(data: Sequence[Datum]) -> str:
     """A Markdown table: the least each interface pays for an error, and the ratio of times to FEBio's better one."""
-    names = list(COLOURS)
+    names = list(LOOKS)
     lines = [
         "| problem | error | " + " | ".join(f"`{name}`" for name in names) + " | ratio of times |",
         "|---|---|" + "---|" * (len(names) + 1),

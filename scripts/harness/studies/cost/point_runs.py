@@ -21,8 +21,8 @@ from harness.validate import checks
 
 PAIRS = 3
 """How often a run of 3.1 or 3.2 and that of the conforming reference are timed, in turn."""
-FINEST_TIMEOUT = 1800.0
-"""s of wall time for the finest run of 3.3, which all others are compared with and so must end."""
+FINEST_LIMIT = 1800.0
+"""s of processor time for the finest run of 3.3, which all others are compared with and so must end."""
 
 
 @dataclass(frozen=True)
@@ -43,8 +43,9 @@ class Datum:
     steps, iterations, residuals, retries : int
     wall, cpu : float
         Wall and processor time of one thread, s; medians of some runs, of one for 3.3. On an idle machine they agree.
-    ratio : float
-        Median of the ratios of this run's processor time and the conforming reference's, run in turn; nan for 3.3.
+    ratio, ratio_low, ratio_high : float
+        Median, least and largest of the ratios of this run's processor time and the conforming reference's, run in
+        turn; nan for 3.3.
     """
 
     problem: str
@@ -61,6 +62,8 @@ class Datum:
     wall: float
     cpu: float
     ratio: float
+    ratio_low: float
+    ratio_high: float
 
 
 def measure(point: Point, runner: Runner) -> Datum:
@@ -72,15 +75,15 @@ def measure(point: Point, runner: Runner) -> Datum:
         Without an engine or plugin, or where the reference does not run.
     """
     run = runner(point.model(), check=False)
-    ended, contact_error, error, ratio = run.report.normal, math.nan, math.nan, math.nan
+    ended, contact_error, error, ratios = run.report.normal, math.nan, math.nan, (math.nan,) * 3
     wall, cpu = run.wall, run.cpu
     if ended and point.problem is Problem.INDENTATION:
-        error = _error_33(run, replace(runner, timeout=FINEST_TIMEOUT)(finest()))
+        error = _error_33(run, replace(runner, processor_limit=FINEST_LIMIT)(finest()))
     elif ended:
         reference = runner(point.model(InterfaceType.CONFORMING))
         contact_error = compare.largest_difference(run, reference, "c1")
         error = _error_closed(point, run)
-        wall, cpu, ratio = _pairs(run.model, reference.model, runner.timeout)
+        wall, cpu, ratios = _pairs(run.model, reference.model)
     report = run.report
     return Datum(
         point.problem.value,
@@ -96,7 +99,7 @@ def measure(point: Point, runner: Runner) -> Datum:
         report.retries,
         wall,
         cpu,
-        ratio,
+        *ratios,
     )
 
 
@@ -116,12 +119,12 @@ def _error_33(run: RunResult, reference: RunResult) -> float:
     return float(np.max(np.abs(errors)))
 
 
-def _pairs(model: Model, reference: Model, timeout: float | None) -> tuple[float, float, float]:
-    """Median wall and processor time (s) of a model, and of the ratio of the latter to its reference's."""
-    runs = {name: partial(timing.execute, each, timeout) for name, each in (("own", model), ("conforming", reference))}
+def _pairs(model: Model, reference: Model) -> tuple[float, float, tuple[float, float, float]]:
+    """Median wall and processor time (s) of a model; median, least, largest ratio of the latter to its reference's."""
+    runs = {name: partial(timing.execute, each) for name, each in (("own", model), ("conforming", reference))}
     own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
-    ratio = median(a.cpu / b.cpu for a, b in zip(own, other, strict=True))
-    return median(r.wall for r in own), median(r.cpu for r in own), ratio
+    ratios = [a.cpu / b.cpu for a, b in zip(own, other, strict=True)]
+    return median(r.wall for r in own), median(r.cpu for r in own), (median(ratios), min(ratios), max(ratios))
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:

@@ -11,12 +11,14 @@ from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
 from harness.models.indentation import Indentation
-from harness.models.indentation_mesh import LEVELS
+from harness.models.indentation_mesh import LEVELS, Grid
 from harness.models.interface import ContactSettings, InterfaceType, automatic, default_settings
 from harness.models.mesh import Section
 from harness.models.parts import Control, Curve, Param
 
 INTERFACES = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
+HALFWAY = Grid(across=13, down=9, around=4)
+"""A mesh of problem 3.3 between the coarse one and the medium one, which its reference has."""
 END_33 = 100.0
 """s up to which problem 3.3 is run: first touch, the moving edge of contact, and the first diffusion."""
 TIMES_33 = (1.0, END_33)
@@ -63,7 +65,7 @@ VALUES: dict[Parameter, tuple[float, ...]] = {
 }
 VALUES_33: dict[Parameter, tuple[float, ...]] = {
     Parameter.DEFAULT: (0.0,),
-    Parameter.MESH: (18,),
+    Parameter.MESH: (13,),
     Parameter.STEP: (0.5, 2.0),
     Parameter.ORDER: (3,),
     Parameter.INTEGRATION: (0,),
@@ -183,12 +185,11 @@ def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Interf
 
 
 def _indentation(point: Point, interface: InterfaceType) -> Model:
-    coarse, medium, _ = LEVELS
     control = replace(indentation.CONTROL, steps=round(END_33 / indentation.CONTROL.step))
     model = Indentation(
         interface,
         point.settings,
-        grid=medium if point.parameter is Parameter.MESH else coarse,
+        grid=HALFWAY if point.parameter is Parameter.MESH else LEVELS[0],
         control=point._control(control),
         name=f"cost-{point.name}",
     ).model()
@@ -205,7 +206,6 @@ def in_more_steps(model: Model, factor: float) -> Model:
 
 def finest() -> Model:
     """Problem 3.3 on the medium mesh in steps half as long, with Newton's tolerances a hundredth."""
-    point = Point(Problem.INDENTATION, InterfaceType.MIXTURE, Parameter.MESH, LEVELS[1].across)
     control = replace(
         indentation.CONTROL,
         steps=round(END_33 / indentation.CONTROL.step),
@@ -213,8 +213,8 @@ def finest() -> Model:
         pressure_tolerance=1e-4,
         concentration_tolerance=1e-4,
     )
-    model = point.model()
-    return replace(in_more_steps(model, 2.0), control=control, name="cost-3.3-finest")
+    model = Indentation(grid=LEVELS[1], control=control, name="cost-3.3-finest").model()
+    return in_more_steps(model, 2.0)
 
 
 _BUILDERS: dict[Problem, Callable[[Point, InterfaceType], Model]] = {

@@ -10,17 +10,21 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness.paths import RESULTS
-from harness.run import workflow
+from harness.pages.evidence import DATA
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance, workflow
+from harness.run.provenance import Stamp
 from harness.run.runner import Runner
-from harness.studies.hard_cases import record
+from harness.studies import files
+from harness.studies.hard_cases import heat_map, outcomes, page, record
 from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.outcomes import End, Outcome
 from harness.studies.hard_cases.record import Record
 from harness.studies.hard_cases.scene import Fineness, Interface
 
 console = Console(highlight=False, soft_wrap=True)
-TIMEOUT = 120.0
-"""s of wall time for one run."""
+LIMIT = 120.0
+"""s of processor time for one run, the same for all interfaces."""
 
 
 def hard_cases(
@@ -29,7 +33,8 @@ def hard_cases(
     interface: Annotated[list[Interface] | None, typer.Option(help="With this interface alone.")] = None,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "hard-cases",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
     """Run the hard cases on two meshes with sliding-mixture and FEBio's interfaces, and write the table.
@@ -46,21 +51,35 @@ def hard_cases(
             made.value,
             "--interface",
             each.value,
-            "--timeout",
-            str(timeout),
+            "--limit",
+            str(limit),
         )
         for made, case, each in product(mesh or Fineness, only or CASES, interface or Interface)
     }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=snakemake or ())
-    records = [entry for path in paths for entry in record.read(path)]
-    text = f"{record.summary(records)}\n\n{record.table(records)}\n"
+    found = [entry.outcome for path in paths for entry in record.read(path)]
+    _write(found, provenance.stamp(limit), folder)
+    if docs:
+        _write_docs(found, provenance.stamp(limit))
+    own = [outcome for outcome in found if outcome.interface == Interface.MIXTURE.value]
+    if len(paths) < len(wanted) or not all(outcome.end is End.PASSES for outcome in own):
+        raise typer.Exit(1)
+
+
+def _write(found: list[Outcome], stamp: Stamp, folder: Path) -> None:
+    about = {name: case.about for name, case in CASES.items()}
+    text = f"{stamp}\n\n{outcomes.summary(found)}\n\n{outcomes.table(found, about)}\n"
     console.print(text, markup=False)
     (folder / "hard-cases.md").write_text(text)
-    record.write_csv(records, folder / "hard-cases.csv")
+    files.write_csv(found, Outcome, folder / "hard-cases.csv", stamp)
     console.print(f"Written: {folder / 'hard-cases.md'}, {folder / 'hard-cases.csv'}")
-    own = [entry for entry in records if entry.interface == Interface.MIXTURE.value]
-    if len(paths) < len(wanted) or not all(entry.passed for entry in own):
-        raise typer.Exit(1)
+
+
+def _write_docs(found: list[Outcome], stamp: Stamp) -> None:
+    files.write_csv(found, Outcome, DATA / page.SOURCE, stamp)
+    heat_map.draw(found, DOCS / page.PICTURE)
+    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+    console.print(f"Written: {DOCS / page.PAGE.name}")
 
 
 def hard_case(
@@ -68,10 +87,10 @@ def hard_case(
     mesh: Annotated[Fineness, typer.Argument(help="Which mesh.")] = Fineness.COARSE,
     interface: Annotated[list[Interface] | None, typer.Option(help="This interface alone; may be repeated.")] = None,
     out: Annotated[Path | None, typer.Option(help="Where the records go, as JSON.")] = None,
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
 ) -> None:
     """Run one hard case on one mesh and print its checks."""
-    runner = Runner(RESULTS / "hard-cases" / "runs", timeout=timeout)
+    runner = Runner(RESULTS / "hard-cases" / "runs", processor_limit=limit)
     made = [record.make(runner, name, mesh, each) for each in interface or Interface]
     for entry in made:
         _tell(entry)

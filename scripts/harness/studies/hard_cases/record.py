@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
@@ -10,10 +9,11 @@ from pathlib import Path
 
 from harness.errors import DataFileError, HarnessError
 from harness.post.compare import Measure
-from harness.run import diagnosis
-from harness.run.runner import Runner
+from harness.run import diagnosis, febio_log
+from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases import invariants
 from harness.studies.hard_cases.catalogue import CASES
+from harness.studies.hard_cases.outcomes import Outcome
 from harness.studies.hard_cases.scene import Fineness, Interface
 from harness.validate.results import measures_as_data, measures_from_data
 
@@ -27,6 +27,8 @@ class Record:
     case, mesh, interface : str
     ended : bool
         Whether the run ended normally.
+    reached : float
+        Part of the case's time that was reached.
     steps, iterations, residuals, retries : int
     failures : str
         How attempts failed.
@@ -38,6 +40,7 @@ class Record:
     mesh: str
     interface: str
     ended: bool
+    reached: float
     steps: int
     iterations: int
     residuals: int
@@ -56,9 +59,11 @@ class Record:
         return self.ended and not self.missed
 
     @property
-    def key(self) -> tuple[str, str, str]:
-        """Case, mesh, interface."""
-        return self.case, self.mesh, self.interface
+    def outcome(self) -> Outcome:
+        """The record as a row of a table."""
+        counts = (self.steps, self.iterations, self.residuals, self.retries)
+        missed = "; ".join(map(_short, self.missed))
+        return Outcome(self.case, self.mesh, self.interface, self.ended, self.reached, *counts, missed)
 
 
 def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Record:
@@ -86,6 +91,7 @@ def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Rec
         mesh.value,
         interface.value,
         report.normal,
+        _reached(run),
         report.steps,
         report.iterations,
         report.residuals,
@@ -93,6 +99,13 @@ def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Rec
         diagnosis.summary(run.log),
         measures,
     )
+
+
+def _reached(run: RunResult) -> float:
+    """Part of a run's time after which a step last converged."""
+    times = febio_log.CONVERGED.findall(run.log)
+    control = run.model.control
+    return min(1.0, float(times[-1]) / (control.end or control.steps * control.step)) if times else 0.0
 
 
 def write(records: Sequence[Record], path: Path) -> None:
@@ -117,66 +130,6 @@ def read(path: Path) -> list[Record]:
         raise DataFileError(f"{path} holds no records of a hard case ({error}); `hard-cases` writes it anew") from error
 
 
-def write_csv(records: Sequence[Record], path: Path) -> None:
-    """Write records as a table, each with the checks that it misses."""
-    names = ("case", "mesh", "interface", "ended", "steps", "iterations", "residuals", "retries")
-    with path.open("w", newline="") as file:
-        rows = csv.writer(file, lineterminator="\n")
-        rows.writerow([*names, "missed"])
-        for record in records:
-            values = asdict(record)
-            rows.writerow([*(values[name] for name in names), "; ".join(map(_short, record.missed))])
-
-
-HEADINGS = {"sliding-mixture": "`sliding-mixture`", "febio-1": "FEBio, factor 1", "febio-1000": "FEBio, factor 1000"}
-
-
-def table(records: Sequence[Record]) -> str:
-    """A Markdown table: a row for each case and mesh, a column for each interface."""
-    found = {record.key: record for record in records}
-    lines = [
-        "| case | mesh | " + " | ".join(HEADINGS.values()) + " | what `sliding-mixture` misses |",
-        "|---|---|" + "---|" * (len(HEADINGS) + 1),
-    ]
-    for name, case in CASES.items():
-        for mesh in Fineness:
-            row = [found.get((name, mesh.value, interface)) for interface in HEADINGS]
-            if not any(row):
-                continue
-            missed = "; ".join(_short(m) for m in row[0].missed) if row[0] else ""
-            cells = " | ".join(_cell(record) for record in row)
-            lines.append(f"| {case.about} | {mesh.value} | {cells} | {missed} |")
-    return "\n".join(lines)
-
-
 def _short(measure: Measure) -> str:
-    note = f"; {measure.note}" if measure.note else ""
+    note = f", {measure.note}" if measure.note else ""
     return f"{measure.name} {measure.value:.2g} (tolerance {measure.tolerance:.2g}{note})"
-
-
-def _cell(record: Record | None) -> str:
-    """RunResult, and steps / iterations / retries."""
-    if record is None:
-        return "not run"
-    if _timed_out(record):
-        return f"ended by its limit, {record.steps} / - / {record.retries}"
-    result = "passes" if record.passed else f"misses {len(record.missed)}" if record.ended else "fails"
-    return f"{result}, {record.steps} / {record.iterations} / {record.retries}"
-
-
-def _timed_out(record: Record) -> bool:
-    """Whether the run was ended by its limit of time: FEBio then writes no summary with the number of iterations."""
-    return not record.ended and record.iterations == 0
-
-
-def summary(records: Sequence[Record]) -> str:
-    """How many runs end, fail, are ended by their limit and pass, and the steps tried again, for each interface."""
-    columns = ("interface", "runs", "end", "fail", "ended by the limit", "pass all checks", "retries")
-    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
-    for interface, heading in HEADINGS.items():
-        own = [record for record in records if record.interface == interface]
-        ended, limited, passed = sum(r.ended for r in own), sum(map(_timed_out, own)), sum(r.passed for r in own)
-        failed = len(own) - ended - limited
-        counts = (len(own), ended, failed, limited, passed, sum(r.retries for r in own))
-        lines.append(f"| {heading} | " + " | ".join(map(str, counts)) + " |")
-    return "\n".join(lines)

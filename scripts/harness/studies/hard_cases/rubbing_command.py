@@ -11,7 +11,7 @@ from rich.console import Console
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from harness.studies.hard_cases import rubbing_record
-from harness.studies.hard_cases.command import TIMEOUT
+from harness.studies.hard_cases.command import LIMIT
 from harness.studies.hard_cases.rubbing import CASES
 from harness.studies.hard_cases.scene import Fineness, Interface
 
@@ -23,7 +23,7 @@ def friction_cases(
     mesh: Annotated[list[Fineness] | None, typer.Option(help="On this mesh alone.")] = None,
     febio: Annotated[bool, typer.Option(help="FEBio's friction beside it, with two factors on its penalties.")] = True,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "friction-cases",
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
 ) -> None:
     """Run the hard cases of friction on two meshes, with friction and without, and write the table.
 
@@ -32,7 +32,7 @@ def friction_cases(
     for name in only or []:
         if name not in CASES:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(CASES)}")
-    runner = Runner(folder / "runs", timeout=timeout)
+    runner = Runner(folder / "runs", processor_limit=limit)
     others = (Interface.FEBIO_1, Interface.FEBIO_1000) if febio else ()
     records = []
     for name in only or CASES:

@@ -31,19 +31,25 @@ class Fineness(str, Enum):
 
 
 class Interface(str, Enum):
-    """What joins the bodies: the plugin's interface as it comes, or FEBio's with one of two factors on its penalties.
+    """What joins the bodies: the plugin's interface, without or with its predictor, or FEBio's with a factor.
 
     FEBio's interfaces need such a factor, because their default is the number 1 in the units of the model. 1 is what
     runs most easily, 1000 what is about as accurate as the plugin's default.
     """
 
     MIXTURE = "sliding-mixture"
+    PREDICTED = "sliding-mixture-predictor"
     FEBIO_1 = "febio-1"
     FEBIO_1000 = "febio-1000"
 
+    @property
+    def ours(self) -> bool:
+        """Whether it is the plugin's."""
+        return self in (Interface.MIXTURE, Interface.PREDICTED)
+
     def contact_type(self, module: str) -> InterfaceType:
         """The type of contact in a module."""
-        if self is Interface.MIXTURE:
+        if self.ours:
             return InterfaceType.MIXTURE
         return {
             "biphasic": InterfaceType.BIPHASIC,
@@ -56,8 +62,9 @@ class Interface(str, Enum):
 
         FEBio's interfaces get their non-symmetric tangent, and a search radius below the size of a body.
         """
-        if self is Interface.MIXTURE:
-            return ContactSettings() if scale == 1.0 else _scaled_defaults(scale)
+        if self.ours:
+            own = ContactSettings() if scale == 1.0 else _scaled_defaults(scale)
+            return replace(own, extra=(Param("predictor", True),)) if self is Interface.PREDICTED else own
         given = automatic((1.0 if self is Interface.FEBIO_1 else 1000.0) * scale)
         fair = replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
         return replace(fair, concentration_penalty=None) if module == "biphasic" else fair
@@ -156,7 +163,7 @@ def finished(model: Model, interface: Interface) -> Model:
         model,
         control=replace(model.control, solver=unclamped),
         further_columns=("Rx", "Ry", "Rz"),
-        surface_columns=flows if interface is Interface.MIXTURE else (),
+        surface_columns=flows if interface.ours else (),
         facet_columns=FACETS,
     )
 

@@ -53,7 +53,7 @@ class Seesaw:
         )
         text = f"Hard case {self.name}: two blocks on one slab."
         curves = (Curve(self.left), Curve(self.right), steps)
-        joined = interface.contacts("multiphasic", made, self.own if interface is Interface.MIXTURE else ())
+        joined = interface.contacts("multiphasic", made, self.own if interface.ours else ())
         model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, curves)
         return finished(model, interface)
 

@@ -30,7 +30,5 @@ def biphasic_hertz(
         errors = growth_records.largest_errors(own, problem.load.points[1][0])
         console.print(f"{problem.name}: " + ", ".join(f"{name} {error:.2%}" for name, error in errors.items()))
     (folder / "data").mkdir(parents=True, exist_ok=True)
-    engine = provenance.engine_version(runner(growth_records.PROBLEMS[0].model()).log)
-    stamp = f"plugin {provenance.plugin_version()}, {engine}; mm, MPa, s; written by `biphasic-hertz`"
-    files.write_csv(rows, growth_records.Record, folder / DATA, stamp)
+    files.write_csv(rows, growth_records.Record, folder / DATA, provenance.stamp())
     console.print(f"Written: {folder / DATA}, {figures.draw(rows, folder / PICTURE)}")

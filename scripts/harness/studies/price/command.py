@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import shutil
 from enum import Enum
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -10,10 +12,12 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.paths import RESULTS
-from harness.run.runner import Runner
+from harness.pages.evidence import DATA
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance
 from harness.studies import files
-from harness.studies.price import page, paired_runs, table
+from harness.studies.price import bars, effect_costs, page, paired_runs, table
+from harness.studies.price.effect_costs import EffectCost
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
 console = Console(highlight=False, soft_wrap=True)
@@ -27,16 +31,15 @@ class Part(str, Enum):
     COMPARISON = "comparison"
     """Iterations and times of the contact beside FEBio's own, on two blocks with many facets."""
     ADDED = "added"
-    """Time added to the run of one body of 12 x 12 x 24 elements."""
-    SHARE = "share"
-    """Share of the contact in a run of 1e5 degrees of freedom."""
+    """Time added to the run of an body of 12 x 12 x 24 elements."""
 
 
 def price(
     logs: Annotated[list[Path] | None, typer.Argument(help="Logs of runs: draw their times, and run nothing.")] = None,
     only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
-    repetitions: Annotated[int, typer.Option(min=1, help="How often runs that are compared are repeated.")] = 5,
+    repetitions: Annotated[int, typer.Option(min=1, help="How often runs that are compared are repeated.")] = 3,
     folder: Annotated[Path, typer.Option(help="Where tables and pictures go.")] = RESULTS / "price",
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Measure the timings of the contact, or draw the times that it wrote into the logs of runs.
 
@@ -47,31 +50,36 @@ def price(
         _show_effects(_of_logs(logs), folder)
         return
     chosen = only or list(Part)
+    stamp = provenance.stamp(paired_runs.LIMIT)
+    tell = partial(console.print, markup=False)
     if Part.EFFECTS in chosen:
-        _show_effects(_effects(folder), folder)
-    if Part.COMPARISON in chosen:
-        _compare("comparison", [Scene(kind, solutes=_solutes(kind)) for kind in Kind], repetitions, folder)
-    if Part.ADDED in chosen:
-        scenes = [Scene(kind, solutes=1, section=12, through=12) for kind in (Kind.SOLUTE, Kind.MULTIPHASIC)]
-        _compare("added", scenes, repetitions, folder)
-    if Part.SHARE in chosen:
-        scene = Scene(Kind.SOLUTE, solutes=1, section=21, through=20)
-        name = f"{scene.degrees_of_freedom} degrees of freedom"
-        _show({name: _times(scene, folder)}, folder / "share.md")
+        costs = effect_costs.measure(effects_added(), repetitions, tell)
+        files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)
+    for part, scenes in _compared().items():
+        if part in chosen:
+            prices = [price for scene in scenes for price in paired_runs.prices(scene, repetitions, tell)]
+            files.write_csv(prices, paired_runs.Price, folder / f"price-{part.value}.csv", stamp)
+    console.print(f"Written: {folder}")
+    if docs:
+        _write_docs(folder)
+
+
+def _compared() -> dict[Part, list[Scene]]:
+    thick = [Scene(kind, solutes=1, section=12, through=12) for kind in (Kind.SOLUTE, Kind.MULTIPHASIC)]
+    return {Part.COMPARISON: [Scene(kind, solutes=_solutes(kind)) for kind in Kind], Part.ADDED: thick}
+
+
+def _write_docs(folder: Path) -> None:
+    """The page of the documentation, with what was measured into `folder`."""
+    for name in page.PAGE.sources:
+        shutil.copy(folder / name, DATA / name)
+    page.draw(files.read_csv(DATA / page.EFFECTS, EffectCost), DOCS / page.PICTURE)
+    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+    console.print(f"Written: {DOCS / page.PAGE.name}, {DOCS / page.PICTURE}")
 
 
 def _solutes(kind: Kind) -> int:
     return 1 if kind in (Kind.SOLUTE, Kind.MULTIPHASIC) else 0
-
-
-def _effects(folder: Path) -> dict[str, table.Times]:
-    return {name: _times(scene, folder) for name, scene in effects_added().items()}
-
-
-def _times(scene: Scene, folder: Path) -> table.Times:
-    console.print(f"running {scene.name}")
-    (found,) = table.read(Runner(folder / "runs")(scene.model()).log)
-    return found
 
 
 def _of_logs(logs: list[Path]) -> dict[str, table.Times]:
@@ -88,22 +96,12 @@ def _of_logs(logs: list[Path]) -> dict[str, table.Times]:
 
 
 def _show_effects(scenes: dict[str, table.Times], folder: Path) -> None:
-    console.print(f"Written: {page.draw(scenes, folder / 'effects.png')}")
+    console.print(f"Written: {bars.draw(scenes, folder / 'effects.png')}")
     _show(scenes, folder / "effects.md")
 
 
 def _show(scenes: dict[str, table.Times], path: Path) -> None:
-    text = page.scenes_table(scenes)
+    text = bars.scenes_table(scenes)
     path.write_text(text + "\n")
     console.print(text, markup=False)
     console.print(f"Written: {path}")
-
-
-def _compare(name: str, scenes: list[Scene], repetitions: int, folder: Path) -> None:
-    found: list[paired_runs.Price] = []
-    for scene in scenes:
-        found += paired_runs.prices(scene, repetitions, lambda what: console.print(f"running {what}"))
-        files.write_json(found, folder / f"{name}.json")
-        (folder / f"{name}.md").write_text(page.comparison_table(found) + "\n")
-    console.print(page.comparison_table(found), markup=False)
-    console.print(f"Written: {folder / name}.md, {folder / name}.json")

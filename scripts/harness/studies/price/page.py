@@ -1,4 +1,4 @@
-"""Draws and tells what contacts cost."""
+"""The page of what the contact costs: docs/evidence/price.md, with its picture, from docs/data/price-*.csv."""
 
 from __future__ import annotations
 
@@ -6,98 +6,128 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import matplotlib as mpl
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from harness.pages.evidence import DATA, EvidencePage
+from harness.studies import files
+from harness.studies.price.effect_costs import EffectCost
 from harness.studies.price.paired_runs import Price
-from harness.studies.price.table import TASKS, Times
+from harness.studies.price.scenes import effects_added
 
-COLOURS = {"shared": "#9a9a9a", "traction": "#4c72b0", "solvent": "#55a868"}
-SOLUTE_COLOURS = ("#dd8452", "#c44e52", "#da8bc3", "#8c613c")
-TASK_COLOURS = dict(zip(TASKS, ("#4c72b0", "#55a868", "#c44e52", "#dd8452", "#9a9a9a"), strict=True))
+EFFECTS, COMPARISON, PICTURE = "price-effects.csv", "price-comparison.csv", "images/price.svg"
+ASKED = (
+    '<material type="neo-Hookean">',
+    '<material type="biphasic">',
+    '<material type="multiphasic">\n  <solute sol="1">',
+    '<material type="multiphasic">\n  <solute sol="1"> <solute sol="2">',
+    '<material type="multiphasic">\n  <solute sol="1"> ... <solute sol="4">',
+    '... <solute sol="1">\n<bc type="zero displacement">',
+)
+"""The XML that asks for what each scene exchanges, in their order."""
+GREYS = {"shared": ("#f2f2f2", ""), "traction": ("#c2ccd9", ""), "solvent": ("#8aa3c2", "")}
+SOLUTES = (("#4f74a3", ""), ("#35557d", ""), ("#4f74a3", "///"), ("#35557d", "///"))
+"""Colours that are told apart in grey, and hatching."""
 
 
-def draw(scenes: Mapping[str, Times], path: Path) -> Path:
-    """Stacked bars of milliseconds per scene, by effect and by task, with the share of the run above each."""
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    costs = files.read_csv(DATA / EFFECTS, EffectCost)
+    prices = files.read_csv(DATA / COMPARISON, Price)
+    return {
+        "headline": _headline(costs),
+        "facets": str(next(iter(effects_added().values())).section),
+        "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),
+        "comparison": comparison_table(prices),
+    }
+
+
+def _by_scene(costs: Sequence[EffectCost]) -> dict[str, list[EffectCost]]:
+    found: dict[str, list[EffectCost]] = {}
+    for cost in costs:
+        found.setdefault(cost.scene, []).append(cost)
+    return found
+
+
+def _headline(costs: Sequence[EffectCost]) -> str:
+    scenes = list(_by_scene(costs).values())
+    first, last, fixed = scenes[0][0], scenes[-2][0], scenes[-1][0]
+    return (
+        f"Of runs in which contact is at its dearest, it takes {_percent(first.share)} with traction alone, "
+        f"{_percent(last.share)} with solvent and four solutes beside it, and {_percent(fixed.share)} where nothing "
+        "moves. What is not asked for has no unknown, no entry and no call."
+    )
+
+
+def _percent(part: float) -> str:
+    return f"{100.0 * part:.1f} %"
+
+
+def _scene(own: Sequence[EffectCost]) -> str:
+    first = own[0]
+    cells = (_percent(first.share), first.unknowns, first.entries, first.bytes)
+    return f"| {first.scene} | {' | '.join(map(str, cells))} |"
+
+
+def draw(costs: Sequence[EffectCost], path: Path) -> Path:
+    """Bars of time by effect and of matrix entries, a row for each scene, with the XML that asks for it."""
     mpl.use("Agg")
-    figure = Figure(figsize=(11.0, 4.4), layout="constrained")
-    left, right = figure.subplots(1, 2, sharey=True)
-    for axes, parts, colours in (
-        (left, {name: times.effects for name, times in scenes.items()}, _effect_colours(scenes)),
-        (right, {name: _by_task(times) for name, times in scenes.items()}, TASK_COLOURS),
-    ):
-        bottom = dict.fromkeys(parts, 0.0)
-        for what, colour in colours.items():
-            heights = [1e3 * parts[name].get(what, 0.0) for name in parts]
-            axes.bar(list(parts), heights, bottom=list(bottom.values()), color=colour, label=what, width=0.7)
-            bottom = {name: low + height for (name, low), height in zip(bottom.items(), heights, strict=True)}
-        for place, (name, times) in enumerate(scenes.items()):
-            axes.annotate(f"{100 * times.share:.1f}%", (place, bottom[name]), ha="center", va="bottom", fontsize=8)
-        axes.tick_params(axis="x", labelsize=8, rotation=20)
-        axes.legend(fontsize=8, loc="upper left")
-        axes.margins(y=0.12)
-    left.set(ylabel="time in the contact, ms", title="by effect (above: share of the run)")
-    right.set(title="by task")
-    figure.savefig(path, dpi=110)
+    figure = Figure(figsize=(10.0, 4.6), layout="constrained", facecolor="white")
+    left, right = figure.subplots(1, 2, sharey=True, width_ratios=(3, 1.4))
+    scenes = list(_by_scene(costs).values())
+    for row, own in enumerate(scenes):
+        _bar(left, row, own)
+        right.barh(row, own[0].entries / 1e3, color="#8aa3c2", edgecolor="black", linewidth=0.5, height=0.6)
+        right.text(own[0].entries / 1e3, row, f" {own[0].unknowns} unknowns", va="center", fontsize=8)
+    left.set_yticks(range(len(scenes)), ASKED[: len(scenes)], family="monospace", fontsize=8)
+    left.invert_yaxis()
+    left.set_xlabel("time in the contact, part of the run [%]")
+    right.set_xlabel("matrix entries [thousands]")
+    right.margins(x=0.55)
+    for axes in (left, right):
+        axes.spines[["top", "right"]].set_visible(False)
+    handles, labels = left.get_legend_handles_labels()
+    unique = dict(zip(labels, handles, strict=True))
+    figure.legend(unique.values(), unique.keys(), loc="outside lower center", ncols=7, fontsize=8, frameon=False)
+    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
     return path
 
 
-def _effect_colours(scenes: Mapping[str, Times]) -> dict[str, str]:
-    names = dict.fromkeys(effect for times in scenes.values() for effect in times.effects)
-    solutes = sorted(name for name in names if name not in COLOURS)
-    drawn = COLOURS | dict(zip(solutes, SOLUTE_COLOURS, strict=False))
-    order = ("shared", "traction", "solvent", *solutes)
-    return {name: drawn[name] for name in order if name in names}
-
-
-def _by_task(times: Times) -> dict[str, float]:
-    return {task: sum(effects.values()) for task, effects in times.seconds.items()}
-
-
-def scenes_table(scenes: Mapping[str, Times]) -> str:
-    """Milliseconds per scene and effect, as Markdown."""
-    effects = list(_effect_colours(scenes))
-    lines = [
-        f"| scene | {' | '.join(effects)} | all | of it in FEBio's assembly | share of the run | bytes per point |",
-        "|---" * (len(effects) + 5) + "|",
-    ]
-    for name, times in scenes.items():
-        own = times.effects
-        cells = [f"{1e3 * own[effect]:.1f}" if effect in own else "" for effect in effects]
-        sums = f"{1e3 * times.total:.1f} | {1e3 * times.host:.1f} | {100 * times.share:.1f}% | {times.memory}"
-        lines.append(f"| {name} | {' | '.join(cells)} | {sums} |")
-    return "\n".join(lines)
+def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:
+    """A stacked bar."""
+    at = 0.0
+    for cost in own:
+        colour, hatch = GREYS.get(cost.effect) or SOLUTES[int(cost.effect.split()[-1]) - 1]
+        width = 100.0 * cost.part
+        (bar,) = axes.barh(row, width, left=at, label=cost.effect, color=colour, ec="black", lw=0.5, height=0.6)
+        bar.set_hatch(hatch)
+        at += width
 
 
 def comparison_table(prices: Sequence[Price]) -> str:
-    """Ours beside FEBio's own contact, as Markdown; ratios are ours over theirs, of the same kind of body."""
-    lines = [
-        "| bodies | contact | penalty factor | iterations | contact, ms | per iteration, ms | added to the run | "
-        "ours/theirs: iterations | contact time | per iteration | added |",
-        "|---" * 11 + "|",
-    ]
+    """Ours beside FEBio's, as Markdown, with what adds less."""
+    heads = ("bodies", "contact", "penalties", "iterations", "unknowns", "matrix entries", "added", "adds less")
+    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
     ours = {price.kind: price for price in prices if price.factor == 0.0}
     for price in prices:
-        ratios = [""] * 4 if price.factor == 0.0 else _ratios(ours[price.kind], price)
-        cells = [
-            price.kind,
-            f"`{price.type}`",
-            f"{price.factor:g}" if price.factor else "defaults",
-            f"{price.iterations}" if price.ended else "failed",
-            *(f"{1e3 * seconds:.1f}" if price.ended else "" for seconds in (price.contact, price.per_iteration)),
-            f"{100 * price.added:.1f}%" if price.ended else "",
-            *ratios,
-        ]
+        factor = f"factor {price.factor:g}" if price.factor else "defaults"
+        counts = (price.iterations, price.unknowns, price.entries) if price.ended else ("does not end", "", "")
+        less = _less(ours[price.kind], price)
+        cells = (price.kind, f"`{price.type}`", factor, *map(str, counts), _added(price), less)
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
 
 
-def _ratios(ours: Price, theirs: Price) -> list[str]:
-    if not (ours.ended and theirs.ended):
-        return [""] * 4
-    values = (
-        (ours.iterations, theirs.iterations),
-        (ours.contact, theirs.contact),
-        (ours.per_iteration, theirs.per_iteration),
-        (ours.added, theirs.added),
-    )
-    return [f"{mine / other:.2f}" for mine, other in values]
+def _added(price: Price) -> str:
+    if not price.ended:
+        return ""
+    return f"{100 * price.added:.0f} % ({100 * price.added_low:.0f} to {100 * price.added_high:.0f})"
+
+
+def _less(ours: Price, price: Price) -> str:
+    if price is ours:
+        return ""
+    return f"`{price.type if price.ended and price.added < ours.added else ours.type}`"
+
+
+PAGE = EvidencePage("evidence/price.md", (EFFECTS, COMPARISON), Path(__file__).with_name("page.md"), figures)

@@ -11,12 +11,15 @@ from statistics import median
 
 from harness.models.interface import InterfaceType
 from harness.studies import timing
+from harness.studies.price import table
 from harness.studies.price.scenes import Kind, Scene, penalties
 
 Announce = Callable[[str], None]
 """Told what is being run."""
 
 _TIMER = re.compile(r"^\s*([a-z ]+?) \.+ : \d+:\d\d:\d\d \(([-\d.e+]+) sec\)", re.MULTILINE)
+LIMIT = 60.0
+"""s of processor time for one run, the same for all contacts."""
 FACTORS = (1000.0, 1.0)
 """Factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes."""
 
@@ -38,6 +41,8 @@ class Timed:
         Processor time of the run, s.
     update, profile, stiffness, residual : float
         FEBio's timers of model update, of forming the matrix profile, and of evaluating stiffness and residual, s.
+    unknowns, entries : int
+        Equations, and the most entries of the matrix.
     """
 
     ended: bool
@@ -48,6 +53,8 @@ class Timed:
     profile: float
     stiffness: float
     residual: float
+    unknowns: int
+    entries: int
 
 
 def run(scene: Scene) -> Timed:
@@ -58,12 +65,23 @@ def run(scene: Scene) -> Timed:
     EngineNotFoundError, PluginNotFoundError
         Without febio4 or the plugin.
     """
-    done, log = timing.execute(scene.model(), check=False)
+    done, log = timing.execute(scene.model(), check=False, processor_limit=LIMIT)
     spent = timers(log)
     report = done.report
     parts = ("model update", "reforming stiffness", "evaluating stiffness", "evaluating residual")
-    times = (spent.get(part, math.nan) for part in parts)
-    return Timed(report.normal, report.iterations, report.residuals, done.cpu, *times)
+    update, profile, stiffness, residual = (spent.get(part, math.nan) for part in parts)
+    return Timed(
+        report.normal,
+        report.iterations,
+        report.residuals,
+        done.cpu,
+        update,
+        profile,
+        stiffness,
+        residual,
+        table.unknowns(log),
+        table.entries(log),
+    )
 
 
 def contact_time(with_contact: Timed, reference: Timed) -> float:
@@ -96,8 +114,10 @@ class Price:
         Newton iterations with this contact and of the conforming reference.
     contact : float
         Median of `contact_time`, s.
-    added : float
-        Median of (processor time of the run)/(that of the conforming reference, run in turn) - 1.
+    added, added_low, added_high : float
+        Median, least and largest of (processor time of the run)/(that of the conforming reference, run in turn) - 1.
+    unknowns, entries : int
+        Equations, and the most entries of the matrix.
     """
 
     kind: str
@@ -108,6 +128,10 @@ class Price:
     reference_iterations: int
     contact: float
     added: float
+    added_low: float
+    added_high: float
+    unknowns: int
+    entries: int
 
     @property
     def per_iteration(self) -> float:
@@ -143,5 +167,7 @@ def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], reference:
     pairs = list(zip(runs, reference, strict=True))
     ended = all(one.ended for one in runs)
     contact = median(contact_time(one, other) for one, other in pairs) if ended else math.nan
-    added = median(one.cpu / other.cpu - 1.0 for one, other in pairs) if ended else math.nan
-    return Price(kind.value, *key, ended, runs[0].iterations, reference[0].iterations, contact, added)
+    added = [one.cpu / other.cpu - 1.0 for one, other in pairs] if ended else [math.nan]
+    spread = (median(added), min(added), max(added))
+    counts = (runs[0].unknowns, runs[0].entries)
+    return Price(kind.value, *key, ended, runs[0].iterations, reference[0].iterations, contact, *spread, *counts)

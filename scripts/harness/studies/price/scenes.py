@@ -87,7 +87,7 @@ class Scene:
     contact: str = InterfaceType.MIXTURE.value
     solutes: int = 0
     fixed: bool = False
-    section: int = 16
+    section: int = 8
     through: int = 2
     settings: ContactSettings | None = None
     control: Control = field(default=Control(STEPS, STEP))
@@ -164,7 +164,7 @@ def penalties(kind: Kind, factor: float) -> ContactSettings:
     return ContactSettings(**{**vars(chosen), **dict.fromkeys(dropped.get(kind, ()))})
 
 
-def effects_added(section: int = 16) -> dict[str, Scene]:
+def effects_added(section: int = 8) -> dict[str, Scene]:
     """From traction alone to four solutes, by what a picture calls them."""
     return {
         "solid": Scene(Kind.ELASTIC, section=section),
@@ -172,5 +172,5 @@ def effects_added(section: int = 16) -> dict[str, Scene]:
         "+ 1 solute": Scene(Kind.MULTIPHASIC, solutes=1, section=section),
         "+ 2 solutes": Scene(Kind.MULTIPHASIC, solutes=2, section=section),
         "+ 4 solutes": Scene(Kind.MULTIPHASIC, solutes=4, section=section),
-        "1 solute, frozen": Scene(Kind.MULTIPHASIC, solutes=1, fixed=True, section=section),
+        "1 solute, fixed": Scene(Kind.MULTIPHASIC, solutes=1, fixed=True, section=section),
     }

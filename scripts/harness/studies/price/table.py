@@ -10,6 +10,8 @@ from harness.errors import DataFileError
 _TITLE = re.compile(r'^sliding-mixture "(?P<name>.*)": time in the contact \[s\]$')
 _SHARE = re.compile(r"^ +share of the run: [-\d.e+]+ percent of (?P<run>[-\d.e+]+) s$")
 _MEMORY = re.compile(r"^ +memory: (?P<bytes>\d+) bytes for each of (?P<points>\d+) integration points$")
+_UNKNOWNS = re.compile(r"Nr of equations \.+ : (\d+)")
+_ENTRIES = re.compile(r"Nr of nonzeroes in stiffness matrix \.+ : (\d+)")
 _COLUMNS = re.compile(r" {2,}")
 TASKS = ("search", "residual", "stiffness", "augmentation", "output")
 
@@ -56,6 +58,16 @@ class Times:
     def share(self) -> float:
         """Part of the run's time that the contact takes."""
         return self.total / self.run
+
+
+def unknowns(log: str) -> int:
+    """Equations of a run; 0 where none were solved."""
+    return max(map(int, _UNKNOWNS.findall(log)), default=0)
+
+
+def entries(log: str) -> int:
+    """The most entries of the matrix in a run."""
+    return max(map(int, _ENTRIES.findall(log)), default=0)
 
 
 def read(log: str) -> list[Times]:

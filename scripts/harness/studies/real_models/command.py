@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Annotated
@@ -14,7 +13,7 @@ from rich.progress import track
 
 from harness.pages import scene_results
 from harness.pages.scene_results import Row
-from harness.paths import DOCS, REPOSITORY, RESULTS
+from harness.paths import DOCS, RESULTS
 from harness.run import provenance
 from harness.studies.real_models import comparison
 from harness.studies.real_models.all_scenes import SCENES
@@ -44,7 +43,7 @@ def real_models(
 
     with ThreadPoolExecutor(jobs) as pool:
         rows = list(track(pool.map(compare, chosen), "scenes", total=len(chosen), console=console))
-    _write(scene_results.Results(_febio(folder, chosen[0]), _commit(), timeout, rows), folder, docs)
+    _write(scene_results.Results(provenance.stamp(), timeout, rows), folder, docs)
     if any(row.febio.ended and not (row.converted.ended and row.defaults.ended) for row in rows):
         raise typer.Exit(1)
 
@@ -58,14 +57,3 @@ def _write(results: scene_results.Results, folder: Path, docs: bool) -> None:
         scene_results.write(results, DOCS / scene_results.DATA)
         (DOCS / scene_results.PAGE).write_text(scene_results.page(results), encoding="utf-8")
         console.print(f"Written: {DOCS / scene_results.PAGE}, {DOCS / scene_results.DATA}")
-
-
-def _febio(folder: Path, name: str) -> str:
-    return provenance.engine_version((folder / name / "febio" / f"{name}.log").read_text(errors="replace"))
-
-
-def _commit() -> str:
-    """The commit of the checkout, with a + where files have changed since."""
-    command = ["git", "describe", "--always", "--dirty=+", "--exclude=*"]
-    described = subprocess.run(command, cwd=REPOSITORY, capture_output=True, text=True, check=False)
-    return described.stdout.strip() or "unknown"

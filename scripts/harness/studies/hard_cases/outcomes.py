@@ -1,0 +1,124 @@
+"""How runs of hard cases ended, as rows of a table, and what the table says."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+HEADINGS = {
+    "sliding-mixture": "`sliding-mixture`",
+    "sliding-mixture-predictor": "with `predictor` 1",
+    "febio-1": "FEBio, factor 1",
+    "febio-1000": "FEBio, factor 1000",
+}
+"""Interfaces, as tables call them."""
+OURS = "sliding-mixture"
+FEBIO = ("febio-1", "febio-1000")
+
+
+class End(str, Enum):
+    """How a run ended."""
+
+    PASSES = "passes all checks"
+    MISSES = "ends, misses checks"
+    FAILS = "fails"
+    LIMIT = "ended by the limit"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a case on one mesh with one interface.
+
+    Attributes
+    ----------
+    case, mesh, interface : str
+    ended : bool
+        Whether the run ended normally.
+    reached : float
+        Part of the case's time that was reached.
+    steps, iterations, residuals, retries : int
+        Iterations are 0 where the limit ended the run: FEBio then writes no summary.
+    missed : str
+        Checks that it misses, with semicolons between them.
+    """
+
+    case: str
+    mesh: str
+    interface: str
+    ended: bool
+    reached: float
+    steps: int
+    iterations: int
+    residuals: int
+    retries: int
+    missed: str
+
+    @property
+    def end(self) -> End:
+        """How it ended."""
+        if self.ended:
+            return End.MISSES if self.missed else End.PASSES
+        return End.FAILS if self.iterations else End.LIMIT
+
+    @property
+    def short(self) -> str:
+        """Iterations, with retries in brackets; of a run that did not end the part of its time that it reached."""
+        if not self.ended:
+            return f"to {100.0 * self.reached:.0f} %"
+        return f"{self.iterations} ({self.retries})" if self.retries else f"{self.iterations}"
+
+
+Table = dict[tuple[str, str], dict[str, Outcome]]
+"""By case and mesh, then by interface."""
+
+
+def arranged(outcomes: Sequence[Outcome]) -> Table:
+    """Outcomes by case and mesh, in the order in which they come."""
+    found: Table = {}
+    for outcome in outcomes:
+        found.setdefault((outcome.case, outcome.mesh), {})[outcome.interface] = outcome
+    return found
+
+
+def summary(outcomes: Sequence[Outcome]) -> str:
+    """A Markdown table: how many runs end in which way, and the steps tried again, for each interface."""
+    columns = ("interface", "runs", *(end.value for end in End), "steps tried again")
+    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
+    for interface, heading in HEADINGS.items():
+        own = [outcome for outcome in outcomes if outcome.interface == interface]
+        ends = [sum(outcome.end is end for outcome in own) for end in End]
+        cells = (len(own), *ends, sum(outcome.retries for outcome in own))
+        lines.append(f"| {heading} | " + " | ".join(map(str, cells)) + " |")
+    return "\n".join(lines)
+
+
+def better(row: dict[str, Outcome]) -> list[Outcome]:
+    """FEBio's runs that pass where ours does not, or pass with fewer iterations or fewer steps tried again."""
+    ours = row.get(OURS)
+    if ours is None:
+        return []
+    passing = [row[name] for name in FEBIO if name in row and row[name].end is End.PASSES]
+    return [
+        run
+        for run in passing
+        if ours.end is not End.PASSES or run.iterations < ours.iterations or run.retries < ours.retries
+    ]
+
+
+def table(outcomes: Sequence[Outcome], about: dict[str, str]) -> str:
+    """A Markdown table: a row for each case and mesh, and where FEBio's interface is better."""
+    heads = ["case", "mesh", *HEADINGS.values(), "better in FEBio's"]
+    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
+    for (case, mesh), row in arranged(outcomes).items():
+        cells = [_cell(row[name]) if name in row else "not run" for name in HEADINGS]
+        best = ", ".join(f"{run.short} with {HEADINGS[run.interface].split(', ')[1]}" for run in better(row))
+        lines.append(f"| {about[case]} | {mesh} | {' | '.join(cells)} | {best} |")
+    return "\n".join(lines)
+
+
+_MARKS = {End.PASSES: "", End.MISSES: "misses: ", End.FAILS: "fails: ", End.LIMIT: "limit: "}
+
+
+def _cell(outcome: Outcome) -> str:
+    return f"{_MARKS[outcome.end]}{outcome.short}"

@@ -1,0 +1,61 @@
+"""The page of verification: docs/evidence/verification.md, from the checks of `validate` and the thin layers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from harness.models.biphasic_hertz import BiphasicHertz
+from harness.pages import verification
+from harness.pages.evidence import DATA, EvidencePage
+from harness.pages.verification import Section
+from harness.paths import DOCS
+from harness.post.compare import Measure
+from harness.studies import files
+from harness.studies.hertz.growth_records import PROBLEMS, Record, largest_errors
+
+SOURCE = "biphasic-hertz.csv"
+SPLIT = ("split against conforming", "less that of the conforming reference")
+"""In names of measures that compare with the conforming reference."""
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    sections = verification.read(DOCS).sections
+    measures = [measure for section in sections for measure in section.measures]
+    met = sum(measure.passed for measure in measures)
+    return {
+        "headline": f"{met} of {len(measures)} figures meet their tolerances, in {len(sections)} checks against closed "
+        "forms, conforming references and balances.",
+        "checks": "\n".join(map(_check, sections)),
+        "split": "\n".join(f"| {_cell(m.name)} | {m.value:.2g} |" for m in measures if any(s in m.name for s in SPLIT)),
+        "layers": "\n".join(map(_layers, PROBLEMS)),
+    }
+
+
+def _check(section: Section) -> str:
+    met = sum(measure.passed for measure in section.measures)
+    return f"| {_cell(section.about)} | {len(section.measures)} | {met} | {_closest(section.measures)} |"
+
+
+def _closest(measures: list[Measure]) -> str:
+    """The measure that uses the largest part of its tolerance."""
+    most = max(measures, key=lambda measure: measure.value / measure.tolerance if measure.tolerance else 0.0)
+    return f"{most.value:.3g} of {most.tolerance:.3g}"
+
+
+def _layers(problem: BiphasicHertz) -> str:
+    rows = [row for row in files.read_csv(DATA / SOURCE, Record) if row.model == problem.name]
+    errors = largest_errors(rows, problem.load.points[1][0])
+    drained = "drain" if problem.draining else "impermeable"
+    name = f"{problem.across} by {problem.through} elements in a layer, free surfaces {drained}"
+    return f"| {name} | " + " | ".join(f"{100.0 * error:.2f} %" for error in errors.values()) + " |"
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+PAGE = EvidencePage(
+    "evidence/verification.md", ("verification.json", SOURCE), Path(__file__).with_name("page.md"), figures
+)

@@ -1,0 +1,104 @@
+"""Figures in the documentation come from stamped files of results, and from nowhere else."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import asdict, replace
+
+import pytest
+
+from harness import cli
+from harness.errors import DataFileError
+from harness.pages import evidence
+from harness.pages.evidence import EvidencePage
+from harness.paths import DOCS, REPOSITORY
+from harness.run.provenance import Stamp
+
+STAMP = Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 60.0)
+MEASURED = re.compile(r"\d ?%|\b\d+ (?:Newton )?iterations\b|\b\d+ retries\b|\b\d+(?:\.\d+)? times (?:as|FEBio|the)\b")
+"""What only a measurement can say: parts of a hundred, counts of iterations, ratios."""
+DEFINITIONS = ("agree to 1 %", "is below 5 %")
+"""Constants of the method, which are given in parts of a hundred."""
+PROSE = [path for folder in ("start", "how-to", "explanation") for path in (DOCS / folder).glob("*.md")]
+PROSE += [DOCS / "index.md", DOCS / "faq.md", REPOSITORY / "README.md"]
+
+
+@pytest.fixture
+def page(tmp_path, monkeypatch):
+    """Make a page of two sources in a folder of its own."""
+    monkeypatch.setattr(evidence, "DATA", tmp_path)
+    monkeypatch.setattr(evidence, "REPOSITORY", tmp_path)
+
+    def make(text: str, stamps: tuple[Stamp, Stamp] = (STAMP, STAMP)) -> str:
+        (tmp_path / "one.csv").write_text(f"# {json.dumps(asdict(stamps[0]))}\nname\n")
+        (tmp_path / "two.json").write_text(json.dumps({"stamp": asdict(stamps[1]), "rows": []}))
+        (tmp_path / "page.md").write_text(text)
+        return EvidencePage("page.md", ("one.csv", "two.json"), tmp_path / "page.md", lambda: {"count": "17"})()
+
+    return make
+
+
+def test_a_page_has_its_figures_from_its_sources(page):
+    assert page("{written}: {count} of problem 3.1, {stamp}").endswith(f": 17 of problem 3.1, {STAMP}")
+
+
+def test_a_page_does_not_mix_stamps(page):
+    for other in (replace(STAMP, commit="def5678"), replace(STAMP, limit=120.0), replace(STAMP, engine="FEBio 4.10.0")):
+        with pytest.raises(DataFileError, match=r"made with different things: one\.csv: .*; two\.json: "):
+            page("{written} {count} {stamp}", (STAMP, other))
+
+
+def test_a_source_without_a_stamp_is_named(page, tmp_path):
+    page("{written} {count} {stamp}")
+    (tmp_path / "one.csv").write_text("name\n")
+    with pytest.raises(DataFileError, match=r"one\.csv says not what it was made with"):
+        evidence.one_stamp([tmp_path / "one.csv"])
+
+
+@pytest.mark.parametrize("text", ["takes 12 iterations", "half, 0.5 of it", "| 3 | 4 |", "fails in 3.5 s"])
+def test_a_figure_in_the_text_is_refused(page, text):
+    with pytest.raises(DataFileError, match=f"stands in no file of results: {re.escape(text)}"):
+        page(f"{{written}} {{count}} {{stamp}}\n{text}")
+
+
+@pytest.mark.parametrize("text", ["problem 3.1", "`penalty` 1".replace(" 1", ""), "[a](b-2.md)", "`12`", "FEBio 4"])
+def test_names_may_hold_digits(text):
+    assert evidence.figures_in(text) == ""
+
+
+def test_places_and_figures_agree(page):
+    with pytest.raises(DataFileError, match="do not agree on ratio"):
+        page("{written} {count} {ratio} {stamp}")
+
+
+@pytest.mark.parametrize("made", cli.PAGES, ids=lambda made: made.name)
+def test_the_results_of_each_page_have_one_stamp(made):
+    assert evidence.one_stamp([evidence.DATA / source for source in made.sources]).commit
+
+
+@pytest.mark.parametrize("path", PROSE, ids=lambda path: path.name)
+def test_measured_figures_stand_on_pages_of_evidence_alone(path):
+    text = path.read_text(encoding="utf-8")
+    for constant in DEFINITIONS:
+        text = text.replace(constant, "")
+    found = [line for line in text.splitlines() if MEASURED.search(line)]
+    assert found == []
+
+
+OF_FEBIO = "augmentation # 1"
+
+
+def literals() -> str:
+    """The sources of the plugin with the pieces of each message put together."""
+    text = "".join(path.read_text(encoding="utf-8") for path in (REPOSITORY / "plugin").rglob("*.cpp"))
+    return re.sub(r'"\s*(?:<<\s*)?"', "", text)
+
+
+def test_the_messages_of_a_run_are_those_of_the_code():
+    page = (DOCS / "reference" / "messages.md").read_text(encoding="utf-8")
+    table = page[page.index("## During a run") : page.index("## Messages at the start")]
+    quoted = [cell for cell in re.findall(r"^\| `([^`]+)`", table, re.MULTILINE) if cell != OF_FEBIO]
+    assert len(quoted) >= 7
+    sources = literals()
+    assert [text for text in quoted if text not in sources] == []
