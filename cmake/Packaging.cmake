@@ -3,7 +3,8 @@ What `cmake --install` puts into a prefix and CPack into an archive, beside the 
   lib/     the plugin
   share/FEBioMixtureContact/  models, documentation, licence, citation, and a febio.xml that imports the plugin
 
-The archive is named by the plugin's version and by that of FEBio's SDK, since febio4 loads no other.
+The archive is named by the plugin's version, by FEBio's release and by that of its SDK: febio4 loads no other SDK, and the
+plugin lets no other release load it.
 ]]
 
 include(GNUInstallDirs)
@@ -15,8 +16,11 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION ${share})
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/LICENSE"
               "${PROJECT_SOURCE_DIR}/CITATION.cff" DESTINATION ${share})
 
-set(package "${PROJECT_NAME}-${PROJECT_VERSION}-febio-sdk-${FEBio_SDK_VERSION}-${CMAKE_SYSTEM_NAME}")
-string(APPEND package "-${CMAKE_SYSTEM_PROCESSOR}")
+set(package "${PROJECT_NAME}-${PROJECT_VERSION}-febio")
+if(FEBio_VERSION) # an SDK need not say it
+  string(APPEND package "-${FEBio_VERSION}")
+endif()
+string(APPEND package "-sdk-${FEBio_SDK_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
 
 # febio.xml names the plugin by its full path; that of an archive, whose place is not known, from the archive's directory.
 set(plugin_file "${CMAKE_INSTALL_LIBDIR}/${CMAKE_SHARED_LIBRARY_PREFIX}FEBioMixtureContact${CMAKE_SHARED_LIBRARY_SUFFIX}")

@@ -27,6 +27,12 @@ std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
   return places;
 }
 
+/// Of two patches over the same nodes.
+bool have_same_unknowns(const Patch& one, const Patch& two) {
+  return one.displacements == two.displacements && one.fields == two.fields &&
+         one.multiplier_node == two.multiplier_node;
+}
+
 /// Equations at their places in a larger layout, and none elsewhere.
 std::vector<int> scattered(const std::vector<int>& equations, const std::vector<Index>& places,
                            const LocalLayout& all) {
@@ -80,7 +86,7 @@ void Assembly::residual(FEGlobalVector& residual, double dt) const {
   const TaskClock timed = core.measurements().clock(Task::residual);
   core.residual(contact_.fields(), dt, [&](const ContactInterface::Location& place, const VectorXd& values) {
     std::vector<int> nodes = dofs_.nodes(place);
-    std::vector<int> ids = dofs_.equations(core, place);
+    std::vector<int> ids = dofs_.equations(core, place, nodes);
     std::vector<double> entries(values.data(), values.data() + values.size());
     residual.Assemble(nodes, ids, entries);
   });
@@ -93,8 +99,9 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& global, bool is_c
   const MatrixRows matrix(global);
   core.tangent(contact_.fields(), dt, [&](const Location& rows, const Location& columns, const MatrixXd& values) {
     const std::vector<int> nodes = dofs_.nodes(columns);
-    const std::vector<int> row_ids = dofs_.equations(core, rows);
-    const std::vector<int> column_ids = dofs_.equations(core, columns);
+    const std::vector<int> column_ids = dofs_.equations(core, columns, nodes);
+    const std::vector<int> row_ids = have_same_unknowns(rows.patch, columns.patch) ? column_ids
+                                                                                   : dofs_.equations(core, rows, nodes);
     // FEBio solves K du = R with K = -dR/du.
     if (matrix && !is_constrained && dofs_.are_free(nodes, column_ids)) {
       matrix.subtract(row_ids, column_ids, values);

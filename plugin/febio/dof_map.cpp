@@ -69,6 +69,7 @@ int DofMap::deformable_node() const {
 
 std::vector<int> DofMap::nodes(const Location& at) const {
   std::vector<int> nodes;
+  nodes.reserve(at.patch.primary.size() + at.patch.secondary.size() + 1);
   for (const int node : at.patch.primary) nodes.push_back(surfaces_[at.first].NodeIndex(node));
   for (const int node : at.patch.secondary) nodes.push_back(surfaces_[other(at.first)].NodeIndex(node));
   if (at.patch.multiplier_node) nodes.push_back(multiplier_node_);
@@ -90,13 +91,13 @@ void DofMap::add_multipliers(const ContactInterface& core, const Location& at, s
                                                                       node, mixture_contact::at(at.patch.fields, k)));
 }
 
-std::vector<int> DofMap::equations(const ContactInterface& core, const Location& at) const {
+std::vector<int> DofMap::equations(const ContactInterface& core, const Location& at,
+                                   const std::vector<int>& nodes) const {
   const LocalLayout layout = at.patch.layout();
-  const std::vector<int> mesh_nodes = nodes(at);
   std::vector<int> ids(newton::entries(layout.size()), -1);
   add_multipliers(core, at, ids);
   for (Index node = 0; node < layout.nodes(); ++node) {
-    const int mesh_node = mixture_contact::at(mesh_nodes, node);
+    const int mesh_node = mixture_contact::at(nodes, node);
     const std::vector<int>& own = node_equations(mesh_node);
     const Side side = node < layout.primary_nodes() ? at.first : other(at.first);
     const std::array<int, 3>& displacements = displacements_of(side, mesh_node);
@@ -121,9 +122,10 @@ void DofMap::add_rotations(const std::vector<int>& nodes, std::vector<int>& ids)
 
 void DofMap::for_each_coupling(const ContactInterface& core, const std::function<void(std::vector<int>&)>& use) const {
   core.for_each_coupling([&](const Location& place) {
-    std::vector<int> ids = equations(core, place);
+    const std::vector<int> mesh_nodes = nodes(place);
+    std::vector<int> ids = equations(core, place, mesh_nodes);
     // Rigid nodes bring the equations of their body's rotations in as well.
-    if (place.patch.displacements) add_rotations(nodes(place), ids);
+    if (place.patch.displacements) add_rotations(mesh_nodes, ids);
     for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
     use(ids);
   });

@@ -38,8 +38,9 @@ class DofMap {
   using Location = mixture_contact::ContactInterface::Location;
   /// The nodes of the mesh whose blocks make up a local vector.
   std::vector<int> nodes(const Location& at) const;
-  /// The equation of each entry of a local vector.
-  std::vector<int> equations(const mixture_contact::ContactInterface& core, const Location& at) const;
+  /// The equation of each entry of a local vector, given its nodes.
+  std::vector<int> equations(const mixture_contact::ContactInterface& core, const Location& at,
+                             const std::vector<int>& nodes) const;
   /// Equations that stand in one block of the matrix, for each of its blocks.
   void for_each_coupling(const mixture_contact::ContactInterface& core,
                          const std::function<void(std::vector<int>&)>& use) const;

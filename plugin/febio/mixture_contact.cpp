@@ -6,9 +6,11 @@
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
 #include "host/linear_solvers.h"
+#include "host/parameter_groups.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
+#include <FECore/FECoreKernel.h>
 #include <FECore/FEException.h>
 #include <FECore/FELinearConstraintManager.h>
 #include <FECore/FEModel.h>
@@ -36,18 +38,31 @@ const char* unit_of(Unit unit) {
   return UNIT_NONE;
 }
 
+/// Opens the group that the parameter belongs to; what has none is hidden.
+template <class Add>
+FEParam* in_its_group(FEParamContainer& owner, const char* name, const Add& add) {
+  const char* const heading = parameter_group(name);
+  owner.BeginParameterGroup(heading);
+  FEParam* const parameter = add();
+  owner.EndParameterGroup();
+  if (heading == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
+  return parameter;
+}
+
 }  // namespace
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) {
-    FEParam* parameter = AddParameter(value, tag.name);
+    FEParam* parameter = in_its_group(*this, tag.name, [&] { return AddParameter(value, tag.name); });
     parameter->setLongName(tag.long_name)->setUnits(unit_of(tag.unit));
     parameter->SetWatchVariable(tag.given);
     if (tag.choices != nullptr) parameter->setEnums(tag.choices);
   });
+  BEGIN_PARAM_GROUP(parameter_group("ambient_pressure"));
   ADD_PARAMETER(parameters_.ambient_pressure, "ambient_pressure")
       ->setUnits(UNIT_PRESSURE)
       ->setLongName("ambient pressure");
+  END_PARAM_GROUP();
   ADD_PROPERTY(ambient_concentrations_, "ambient_concentration", FEProperty::Optional)
       ->SetDefaultType("mixture_ambient_concentration")
       .SetLongName("ambient concentration");
@@ -160,10 +175,12 @@ void FEMixtureContact::judge_linear_solver() const {
   FEModel& model = *GetFEModel();
   for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
     auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
-    LinearSolver* const linear = solver == nullptr ? nullptr : solver->GetLinearSolver();
-    if (linear == nullptr) continue;
+    if (solver == nullptr) continue;
+    LinearSolver* const chosen = solver->GetLinearSolver();
+    const std::string type =
+        chosen == nullptr ? FECoreKernel::GetInstance().GetLinearSolverType() : chosen->GetTypeStr();
     const MatrixKind matrix{solver->m_msymm == REAL_SYMMETRIC, core().pass(0).has_unknown_multipliers()};
-    const std::string complaint = linear_solver_complaint(linear->GetTypeStr(), matrix);
+    const std::string complaint = linear_solver_complaint(type, matrix);
     if (!complaint.empty()) return log_.say(complaint);
   }
 }

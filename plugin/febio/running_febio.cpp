@@ -116,7 +116,7 @@ std::string misfit(const std::string& built_for, const SymbolLookup& find) {
     if (reason.empty()) continue;
     return "FEBioMixtureContact was built for FEBio " + (built_for.empty() ? "of another make" : built_for) +
            " and does not fit the FEBio that loads it: " + reason +
-           ". Build it for this FEBio, or take the release of the plugin that was.";
+           ". Build it for this FEBio, if that is 4.11 or newer, or take the release of the plugin that was.";
   }
   return "";
 }

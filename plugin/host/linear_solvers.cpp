@@ -20,7 +20,7 @@ const std::set<std::string>& iterative() {
 
 std::string linear_solver_complaint(const std::string& type, MatrixKind matrix) {
   const std::string subject = "the linear solver '" + type + "' ";
-  const std::string instead = " Use pardiso or mkl_dss.";
+  const std::string instead = " Use pardiso, mkl_dss or superlu_mt.";
   if (symmetric_only().count(type) > 0 && !matrix.symmetric) {
     return subject + "solves symmetric matrices only, and that of this contact is not." + instead;
   }

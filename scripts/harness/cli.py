@@ -10,6 +10,7 @@ from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
 from harness.studies.hard_cases import rubbing_command
 from harness.studies.hertz import command as hertz
+from harness.studies.linear_solvers import command as linear_solvers
 from harness.studies.predictor import command as predictor
 from harness.studies.price import command as price
 from harness.studies.real_models import command as real_models
@@ -35,6 +36,7 @@ _OF_THE_REPOSITORY = (
     predictor.predictor,
     real_models.real_models,
     robustness.robustness,
+    linear_solvers.linear_solvers,
     hertz.biphasic_hertz,
     gallery.gallery,
     pages.pages,

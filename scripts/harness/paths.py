@@ -19,6 +19,11 @@ def is_checkout() -> bool:
     return (REPOSITORY / "CMakeLists.txt").is_file()
 
 
+def command_name() -> str:
+    """What a user types before a command."""
+    return "scripts/mixcontact" if is_checkout() else "mixcontact"
+
+
 _OUTPUT = REPOSITORY if is_checkout() else Path()
 MODELS = _OUTPUT / "models"
 RESULTS = _OUTPUT / "results"

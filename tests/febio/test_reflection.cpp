@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 
 #include <boost/test/unit_test.hpp>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -52,7 +53,7 @@ bool is_of_base(const FEParam& parameter) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_parameter_has_a_long_name_of_its_own_and_a_unit) {
-  Reflection contact(FESURFACEINTERFACE_ID, "sliding-mixture");
+  Reflection contact(FESurfacePairConstraint::superClassID(), "sliding-mixture");
   std::set<std::string> seen;
   FEParameterList& all = contact.parameters();
   auto parameter = all.first();
@@ -67,8 +68,38 @@ BOOST_AUTO_TEST_CASE(every_parameter_has_a_long_name_of_its_own_and_a_unit) {
   BOOST_TEST(seen.size() == 42);
 }
 
+BOOST_AUTO_TEST_CASE(parameters_stand_under_the_headings_of_the_documentation) {
+  Reflection contact(FESurfacePairConstraint::superClassID(), "sliding-mixture");
+  FEParameterList& all = contact.parameters();
+  std::map<std::string, int> shown;
+  auto parameter = all.first();
+  for (int i = 0; i < all.Parameters(); ++i, ++parameter) {
+    const int group = parameter->GetParamGroup();
+    if ((parameter->GetFlags() & FE_PARAM_HIDDEN) == 0) ++shown[group < 0 ? "" : all.GetParameterGroupName(group)];
+  }
+  for (const char* heading :
+       {"Effects", "Enforcement", "Ambient values", "Surfaces and integration", "Solution", "Friction"}) {
+    BOOST_TEST(shown.erase(heading) == 1, heading);
+  }
+  BOOST_TEST(shown.empty());
+}
+
+BOOST_AUTO_TEST_CASE(parameters_of_old_models_are_hidden_and_the_others_are_not) {
+  Reflection contact(FESurfacePairConstraint::superClassID(), "sliding-mixture");
+  const auto is_hidden = [&](const char* name) { return (contact.parameter(name).GetFlags() & FE_PARAM_HIDDEN) != 0; };
+  for (const char* name : {"knmult", "smooth_aug", "smooth_fls", "extrapolation"}) BOOST_TEST(is_hidden(name), name);
+  for (const char* name : {"penalty", "laugon", "ambient_pressure", "fric_coeff"}) BOOST_TEST(!is_hidden(name), name);
+}
+
+BOOST_AUTO_TEST_CASE(values_that_load_curves_may_change_can_have_them) {
+  Reflection contact(FESurfacePairConstraint::superClassID(), "sliding-mixture");
+  for (const char* name :
+       {"penalty", "pressure_penalty", "concentration_penalty", "fric_coeff", "tolerance", "ambient_pressure"})
+    BOOST_TEST(contact.parameter(name).IsVolatile(), name);
+}
+
 BOOST_AUTO_TEST_CASE(units_are_those_of_the_quantities) {
-  Reflection contact(FESURFACEINTERFACE_ID, "sliding-mixture");
+  Reflection contact(FESurfacePairConstraint::superClassID(), "sliding-mixture");
   for (const char* name : {"gaptol", "search_radius", "offset"})
     BOOST_TEST(std::string(contact.parameter(name).units()) == UNIT_LENGTH);
   for (const char* name : {"ptol", "ambient_pressure"})
@@ -78,7 +109,7 @@ BOOST_AUTO_TEST_CASE(units_are_those_of_the_quantities) {
 }
 
 BOOST_AUTO_TEST_CASE(choices_have_their_names) {
-  Reflection contact(FESURFACEINTERFACE_ID, "sliding-mixture");
+  Reflection contact(FESurfacePairConstraint::superClassID(), "sliding-mixture");
   const auto names = [&](const char* parameter) {
     std::vector<std::string> all;
     for (const char* name = contact.parameter(parameter).enums(); *name != 0; name += all.back().size() + 1)

@@ -48,6 +48,7 @@ struct vec3d {};
 struct FEBiphasicContactSurface { virtual vec3d GetFluidForce() { return {}; } };
 """
 NOT_TESTED = "was not tested with it"
+ROOTS = [Path(root) for root in os.environ.get("FEBIO_ROOTS", "").split(os.pathsep) if root]
 
 
 def fake_sdk(root: Path, pair: str = PAIR, release: str = "4.11", sdk: str = "4.10") -> Path:
@@ -89,13 +90,14 @@ def said(done: subprocess.CompletedProcess[str]) -> str:
     return re.sub(r"\s+", " ", done.stdout + done.stderr)
 
 
-def test_the_tested_release_is_taken_without_a_notice(tmp_path):
-    done = configure(tmp_path, fake_sdk(tmp_path / "sdk"))
+@pytest.mark.parametrize("sdk", ["4.10", "4.11"])
+def test_a_tested_one_is_taken_without_a_notice(sdk, tmp_path):
+    done = configure(tmp_path, fake_sdk(tmp_path / "sdk", sdk=sdk))
     assert done.returncode == 0, done.stderr
     assert NOT_TESTED not in said(done)
 
 
-@pytest.mark.parametrize(("release", "sdk"), [("4.12", "4.11"), ("5.0", "5.0"), ("4.11", "4.11")])
+@pytest.mark.parametrize(("release", "sdk"), [("4.12", "4.11"), ("5.0", "5.0"), ("4.11", "4.12")])
 def test_another_one_with_all_hooks_is_taken_with_a_notice(release, sdk, tmp_path):
     done = configure(tmp_path, fake_sdk(tmp_path / "sdk", release=release, sdk=sdk))
     assert done.returncode == 0, done.stderr
@@ -125,3 +127,11 @@ def test_a_function_that_febio_cannot_call_is_no_hook(tmp_path):
     done = configure(tmp_path, fake_sdk(tmp_path / "sdk", pair=PAIR.replace("virtual void PrepStep", "void PrepStep")))
     assert done.returncode != 0
     assert "FESurfacePairConstraint: void PrepStep()" in said(done)
+
+
+@pytest.mark.parametrize("root", ROOTS, ids=lambda root: root.name)
+def test_febios_at_hand_are_taken_or_refused_by_their_hooks(root, tmp_path):
+    pair = (root / "include" / "FECore" / "FESurfacePairConstraint.h").read_text(encoding="utf-8")
+    done = configure(tmp_path, root)
+    assert (done.returncode == 0) == ("PrepStep" in pair)
+    assert ("FESurfacePairConstraint: void PrepStep()" in said(done)) == ("PrepStep" not in pair)

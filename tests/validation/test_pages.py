@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from harness.errors import DataFileError
 from harness.pages import command, plugin_parameters, verification
-from harness.paths import DOCS
+from harness.pages.parameter_notes import GROUPS
+from harness.paths import DOCS, REPOSITORY
 from harness.validate.checks import CHECKS
 
 
@@ -47,6 +50,15 @@ def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
     )
     with pytest.raises(DataFileError, match="is not of the form"):
         plugin_parameters.page()
+
+
+def test_febio_studio_has_the_headings_of_the_page():
+    """All but that of old models, which FEBio Studio hides; ambient concentrations are no parameter but a list."""
+    table = (REPOSITORY / "plugin" / "host" / "parameter_groups.cpp").read_text(encoding="utf-8")
+    found = re.findall(r'\{"([A-Z][^"]+)",\s*\{([^}]*)\}\}', table)
+    shown = {heading: re.findall(r'"(\w+)"', names) for heading, names in found}
+    page = {group.title: [name for name in group.names if name != "ambient_concentration"] for group in GROUPS[:-1]}
+    assert shown == page
 
 
 def test_defaults_come_from_the_code(tmp_path, monkeypatch):

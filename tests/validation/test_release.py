@@ -83,8 +83,9 @@ def test_models_and_licence_are_installed(prefix):
     } <= installed
 
 
-def test_the_archive_is_named_by_plugin_and_sdk(archive):
-    name = rf"FEBioMixtureContact-{re.escape(provenance.plugin_version())}-febio-sdk-\d+\.\d+\.\d+-\w+-\w+\.tar\.gz"
+def test_the_archive_is_named_by_plugin_febio_and_sdk(archive):
+    febio = r"febio-\d+\.\d+\.\d+-sdk-\d+\.\d+\.\d+"
+    name = rf"FEBioMixtureContact-{re.escape(provenance.plugin_version())}-{febio}-\w+-\w+\.tar\.gz"
     assert re.fullmatch(name, archive.name)
 
 
@@ -102,6 +103,17 @@ def test_a_model_of_the_archive_runs_in_a_fresh_directory_by_its_own_febio_xml(a
     run = engine.execute([str(part) for part in command], root)
     assert f"Success loading plugin {PLUGIN_NAME}" in run.output
     assert run.report.normal
+
+
+def test_the_notes_of_a_release_are_its_section_of_the_changelog(tmp_path):
+    """The command of the workflow for forks."""
+    workflow = (REPOSITORY / ".github" / "workflows" / "release.yml").read_text(encoding="utf-8")
+    found = re.search(r"awk -v head=\S+ \S+ '(.*)' CHANGELOG.md", workflow)
+    assert found is not None
+    log = tmp_path / "CHANGELOG.md"
+    log.write_text("# Log\n## [Unreleased]\nnew\n## [0.1.0] - 2026-11-30\nfirst\n### Added\n- all\n## [0.0.9]\nold\n")
+    command = ["awk", "-v", "head=## [0.1.0]", found.group(1), str(log)]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "first\n### Added\n- all\n"
 
 
 def test_febio4_refuses_a_plugin_that_was_built_for_another_release(build, tmp_path):

@@ -19,7 +19,19 @@ ROOMS = (
     *("indentation", "validate", "pages", "studies", "user_commands", "cli", "__main__"),
 )
 """Folders and files directly in the harness, the lowest first."""
-STUDIES = ("files", "timing", "hard_cases", "fuzz", "cost", "predictor", "price", "real_models", "robustness", "hertz")
+STUDIES = (
+    "files",
+    "timing",
+    "hard_cases",
+    "fuzz",
+    "cost",
+    "predictor",
+    "price",
+    "real_models",
+    "robustness",
+    "hertz",
+    "linear_solvers",
+)
 """Rooms within studies, the lowest first."""
 ROLES = {"__init__", "command", "figures", "page"}
 """Names of files that say what a file is to its room, and so may stand in several rooms."""

@@ -36,7 +36,8 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now) 
   const double least = negligible(predicted, now);
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
-    const bool holds = laws_.bear_tension() || predicted.traction[node] <= least;
+    const bool sticks = !predicted.slips.empty() && !predicted.slips[node];
+    const bool holds = laws_.bear_tension() || sticks || predicted.traction[node] <= least;
     const bool stays = may_close(node) && now.faces(node) && holds;
     status.push_back(predicted.in_contact[node] ? stays : closes(now, node, least));
   }
@@ -44,8 +45,7 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now) 
 }
 
 ContactStatus ActiveSet::moved(const NodalLoads& last, const NodalGaps& now) const {
-  ContactStatus status = last.status();
-  status.slips.clear();
+  ContactStatus status{last.in_contact, last.flux_coupled};
   const double least = negligible(last, now);
   for (Index node = 0; node < laws_.nodes(); ++node) {
     if (!now.faces(node)) status.in_contact[node] = status.flux_coupled[node] = false;
@@ -60,7 +60,7 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   const bool cycles = !changes_.empty() &&
                       *std::max_element(changes_.begin(), changes_.end()) > options_.most_joint_changes;
   if (cycles) updated = with_first_change(before, updated);
-  ContactStatus status{updated, updated, {}};
+  ContactStatus status{updated, updated};
   for (Index node = 0; node < updated.count(); ++node) {
     if (counts && updated[node] != before[node]) ++changes_[node];
     if (changes_[node] > options_.most_status_changes) status.flux_coupled[node] = false;
@@ -83,20 +83,41 @@ NodeFlags ActiveSet::initial_slip(const NodalLoads& now) const {
 }
 
 NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
-  const VectorXd& bound = predicted.friction.bound;
-  const double largest = bound.size() > 0 ? bound.maxCoeff() : 0.0;
-  const double rounding = laws_.traction_rounding(predicted.size);
   NodeFlags slips = predicted.slips;
   for (Index node = 0; node < slips.count(); ++node) {
     if (!predicted.in_contact[node]) continue;
-    const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
-    const double band = rounding + (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
+    const bool pulled = !laws_.bear_tension() && predicted.traction[node] > 0;
+    const double bound = laws_.rubbing(predicted, node);
+    if (pulled || !(bound > 0)) {  // nothing holds it
+      slips[node] = true;
+      continue;
+    }
     const Vector3d trial = predicted.friction.trial.col(node);
-    const double excess = slips[node] ? slip_excess(trial, bound[node], predicted.friction.reference_of(node))
-                                      : trial.norm() - bound[node];
-    if (std::abs(excess) > band) slips[node] = excess > 0;
+    const double excess = slips[node] && predicted.rubs[node]
+                              ? slip_excess(trial, bound, predicted.friction.reference_of(node))
+                              : trial.norm() - bound;
+    if (std::abs(excess) > friction_band(predicted, node)) slips[node] = excess > 0 || turns_round(predicted, node);
   }
   return slips;
+}
+
+double ActiveSet::friction_band(const NodalLoads& predicted, Index node) const {
+  const VectorXd& bound = predicted.friction.bound;
+  const double largest = bound.size() > 0 ? bound.maxCoeff() : 0.0;
+  const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
+  return laws_.traction_rounding(predicted.size) +
+         (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
+}
+
+bool ActiveSet::slides_back(const NodalLoads& predicted, Index node) const {
+  return predicted.slips[node] && predicted.friction.trial.col(node).dot(predicted.friction.reference_of(node)) < 0;
+}
+
+bool ActiveSet::turns_round(const NodalLoads& predicted, Index node) const {
+  const bool first = slip_changes_.empty() || slip_changes_[node] == 0;
+  const double by_friction = 2 * laws_.friction_penalty(node) / laws_.penalties().stiffness[node];
+  return first && slides_back(predicted, node) &&
+         predicted.friction.trial.col(node).norm() > (1 + by_friction) * predicted.friction.bound[node];
 }
 
 NodeFlags ActiveSet::next_slip(const NodalLoads& predicted, const NodalLoads& now) {
@@ -110,17 +131,50 @@ NodeFlags ActiveSet::next_slip(const NodalLoads& predicted, const NodalLoads& no
                       *std::max_element(slip_changes_.begin(), slip_changes_.end()) > options_.most_joint_changes;
   if (cycles) slips = with_first_change(before, slips);
   for (Index node = 0; node < slips.count(); ++node) {
-    if (slips[node] != before[node]) ++slip_changes_[node];
+    if (slips[node] != before[node] || (slips[node] && slides_back(predicted, node))) ++slip_changes_[node];
   }
   return slips;
 }
 
 NodeFlags ActiveSet::moved_slip(const NodalLoads& last, const NodalLoads& now) const {
-  NodeFlags slips = laws_.beyond_bound(now);
+  NodeFlags slips(laws_.nodes(), false);
   for (Index node = 0; node < slips.count(); ++node) {
-    if (now.in_contact[node] && last.in_contact[node]) slips[node] = last.slips[node];
+    slips[node] = now.in_contact[node] && (!last.in_contact[node] || last.slips[node]);
   }
   return slips;
+}
+
+NodeFlags ActiveSet::initial_rubs(const NodalLoads& now) const {
+  NodeFlags rubs(laws_.nodes(), false);
+  for (Index node = 0; node < rubs.count(); ++node) rubs[node] = now.in_contact[node] && laws_.rubbing(now, node) > 0;
+  return rubs;
+}
+
+NodeFlags ActiveSet::updated_rubs(const NodalLoads& predicted) const {
+  NodeFlags rubs = predicted.rubs;
+  for (Index node = 0; node < rubs.count(); ++node) {
+    if (!predicted.in_contact[node]) continue;
+    const double bound = laws_.rubbing(predicted, node);
+    if (std::abs(bound) > friction_band(predicted, node)) rubs[node] = bound > 0;
+  }
+  return rubs;
+}
+
+NodeFlags ActiveSet::next_rubs(const NodalLoads& predicted, const NodalLoads& now) const {
+  const NodeFlags updated = updated_rubs(predicted);
+  NodeFlags rubs(laws_.nodes(), false);
+  for (Index node = 0; node < rubs.count(); ++node) {
+    rubs[node] = now.in_contact[node] && predicted.in_contact[node] && updated[node];
+  }
+  return rubs;
+}
+
+NodeFlags ActiveSet::moved_rubs(const NodalLoads& last, const NodalLoads& now) const {
+  NodeFlags rubs(laws_.nodes(), false);
+  for (Index node = 0; node < rubs.count(); ++node) {
+    rubs[node] = now.in_contact[node] && last.in_contact[node] && last.rubs[node];
+  }
+  return rubs;
 }
 
 double ActiveSet::negligible(const NodalLoads& loads, const NodalGaps& now) const {

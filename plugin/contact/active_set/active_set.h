@@ -45,7 +45,14 @@ struct ActiveSetOptions {
 /// Where the laws bear tension a node is in contact as long as it faces the other surface.
 ///
 /// With friction a node in contact sticks until its trial friction exceeds the bound, and slides until it falls below.
-/// It begins to stick or slide as it ended the step before; where it was not in contact, as its own trial says.
+/// It begins to stick or slide as it ended the step before; where it was not in contact, as its own trial says. The
+/// bound holds on to being zero or not, too: where t_n is linear in the unknowns, so is T_max, also below zero, which
+/// the overlap that is measured at the start of an iteration can make of it and a large penalty. What decides is what
+/// the iteration predicts.
+///
+/// A node that closes within iterations begins without friction: the overlap does not tell its load, and the bound that
+/// it would make is as much too large. A node that sticks and is pulled slides before it opens: what pulls it may be
+/// what holds it.
 ///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
@@ -81,10 +88,19 @@ class ActiveSet {
   /// Which slide as the loads that an iteration predicts ask for; loads with friction.
   NodeFlags updated_slip(const NodalLoads& predicted) const;
   /// The same for the next iteration, at the loads `now`: the updated ones, but where changes lead in cycles; nodes
-  /// that come into contact there slide as their own trial says. Counts changes.
+  /// that come into contact there slide. Counts changes.
   NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
   /// What loads of the last iteration hold on to at another state within a step.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
+
+  /// Which nodes in contact rub where iterations begin.
+  NodeFlags initial_rubs(const NodalLoads& now) const;
+  /// Which rub as the loads that an iteration predicts have it.
+  NodeFlags updated_rubs(const NodalLoads& predicted) const;
+  /// The same for the next iteration, at the loads `now`; nodes that come into contact there do not.
+  NodeFlags next_rubs(const NodalLoads& predicted, const NodalLoads& now) const;
+  /// What loads of the last iteration hold on to at another state within a step.
+  NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;
 
   std::size_t memory() const { return (changes_.capacity() + slip_changes_.capacity()) * sizeof(int); }
 
@@ -92,6 +108,13 @@ class ActiveSet {
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
   /// The traction that counts.
   double negligible(const NodalLoads& loads, const NodalGaps& now) const;
+  /// How near to the bound trials do not decide.
+  double friction_band(const NodalLoads& predicted, Index node) const;
+  /// Whether a node that slides comes out to slide the other way.
+  bool slides_back(const NodalLoads& predicted, Index node) const;
+  /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
+  /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
+  bool turns_round(const NodalLoads& predicted, Index node) const;
   /// Whether a node that is not in contact comes into it.
   bool closes(const NodalGaps& now, Index node, double negligible) const;
 

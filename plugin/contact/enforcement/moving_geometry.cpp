@@ -1,7 +1,10 @@
 #include "enforcement/moving_geometry.h"
 
+#include "base/bytes.h"
 #include "base/parallel.h"
 #include "enforcement/virtual_work.h"
+#include "mortar/trial_variation.h"
+#include "mortar/varying_pairs.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,28 +23,82 @@ bool differs(const MatrixXd& one, const MatrixXd& other, double part, const Vect
   return false;
 }
 
+/// The loads of the geometric part of the tangent.
+NodalLoads geometric_loads(const LinearisationPoint& point) {
+  NodalLoads loads = point.loads;
+  loads.traction = point.geometric_traction;
+  loads.flux = point.geometric_flux;
+  loads.friction.traction = point.geometric_friction;
+  return loads;
+}
+
+/// Hands on the geometric part of a pair, given for a time increment of 1: fluxes are proportional to it.
+void add_geometric(const std::vector<TangentBlock>& blocks, double dt, const AddBlock& add) {
+  for (const TangentBlock& block : blocks) {
+    if (block.rows.fields.empty()) {
+      add(block);
+    } else {
+      add({block.rows, block.columns, dt * block.values});
+    }
+  }
+}
+
+std::size_t bytes_of(const IndexedVector<std::vector<TangentBlock>>& pairs) {
+  std::size_t sum = bytes(pairs);
+  for (const std::vector<TangentBlock>& blocks : pairs) {
+    sum += bytes(blocks);
+    for (const TangentBlock& block : blocks) sum += bytes(block.rows) + bytes(block.columns) + bytes(block.values);
+  }
+  return sum;
+}
+
 }  // namespace
 
 void MovingGeometry::update(const FacingPositions& x) {
+  geometric_.reset();
   if (!point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
 }
 
-LinearisationPoint MovingGeometry::linearised_at(const FacingFields& fields, ContactStatus status,
-                                                 const DecideSlip& slip) const {
+LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, ContactStatus status,
+                                                const DecideFriction& decide, const NodalLoads* predicted) const {
   LinearisationPoint point;
   point.loads = space_.averages(fields, std::move(status));
   method_.load(point.loads);
   if (!point.loads.friction.empty()) {
-    point.loads.slips = slip(point.loads);
-    point.loads.friction.reference = point.loads.friction.trial;
+    FrictionStatus decided = decide(point.loads);
+    point.loads.slips = std::move(decided.slips);
+    point.loads.rubs = std::move(decided.rubs);
+    laws_.refer_friction(point.loads, predicted);
     laws_.load_friction(point.loads);
   }
-  point.nodes = linearise(space_, point.loads, fields);
   point.primary = fields.primary;
   point.secondary = fields.secondary;
   point.equation_weights = method_.equation_weights(point.loads, fields.primary.position);
   return point;
+}
+
+void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
+  // Both parts of the tangent are of the same points, whose variations cost more than what is made of them.
+  const IndexedVector<FacetPair>& pairs = space_.facing().pairs();
+  GeometricPart geometric(pairs.count());
+  const auto use = [&](Index pair, const std::vector<VaryingPoint>& points) {
+    geometric[pair] = geometric_tangent(space_, pairs[pair], points);
+  };
+  point.nodes = linearise(space_, point.loads, fields, geometric_loads(point), use);
+  vary_trials(laws_, point.loads, point.nodes);
+  geometric_ = std::move(geometric);
+  point_ = std::move(point);
+}
+
+bool MovingGeometry::holds_geometric(const FacingPositions& x) const {
+  return geometric_ && point_->primary.position == x.primary && point_->secondary.position == x.secondary;
+}
+
+IndexedVector<NodeLinearisation> MovingGeometry::linearised(const NodalLoads& loads, const FacingFields& fields) const {
+  IndexedVector<NodeLinearisation> nodes = linearise(space_, loads, fields);
+  vary_trials(laws_, loads, nodes);
+  return nodes;
 }
 
 NodeFlags MovingGeometry::updated_status(const FacingFields& fields) const {
@@ -56,11 +113,12 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   space_.update_boundary_weights(positions(fields));
   const NodalLoads before = loads(fields);
   if (!predicted) active_set_.start_counting();
-  const auto slip = [&](const NodalLoads& now) {
-    return predicted ? active_set_.next_slip(before, now) : active_set_.initial_slip(now);
+  const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
+    if (!predicted) return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
+    return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
-  LinearisationPoint next = linearised_at(fields,
-                                          active_set_.next(before.in_contact, updated_status(fields), predicted), slip);
+  LinearisationPoint next = evaluated_at(fields, active_set_.next(before.in_contact, updated_status(fields), predicted),
+                                         decide, predicted ? &before : nullptr);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
   const bool augmented = std::exchange(augmented_, false);
@@ -69,34 +127,39 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
                        before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||
+                       (predicted && before.rubs != next.loads.rubs) ||
                        differ(before, next.loads, active_set_.options().same_load, fields);
-  point_ = std::move(next);
+  hold(std::move(next), fields);
   return changed;
 }
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
   NodeFlags open(space_.nodes(), false);
   active_set_.start_counting();
-  LinearisationPoint point = linearised_at(fields, {open, open, {}}, [&](const NodalLoads&) { return open; });
+  LinearisationPoint point = evaluated_at(
+      fields, {open, open, {}}, [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
   point.geometric_traction = point.loads.traction;
   point.geometric_flux = point.loads.flux;
   point.geometric_friction = point.loads.friction.traction;
-  point_ = std::move(point);
+  hold(std::move(point), fields);
 }
 
 void MovingGeometry::relinearise(const FacingFields& fields) {
   if (!point_) return;
-  const auto slip = [&](const NodalLoads& now) { return active_set_.moved_slip(point_->loads, now); };
-  LinearisationPoint next = linearised_at(fields, active_set_.moved(point_->loads, space_.gaps(positions(fields))),
-                                          slip);
+  const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
+    return {active_set_.moved_slip(point_->loads, now), active_set_.moved_rubs(point_->loads, now)};
+  };
+  LinearisationPoint next = evaluated_at(fields, active_set_.moved(point_->loads, space_.gaps(positions(fields))),
+                                         decide, &point_->loads);
   next.geometric_traction = point_->loads.traction;
   next.geometric_flux = point_->loads.flux;
   next.geometric_friction = point_->loads.friction.traction;
-  point_ = std::move(next);
+  hold(std::move(next), fields);
 }
 
 void MovingGeometry::end_iterations() {
   point_.reset();
+  geometric_.reset();
   space_.boundary_weights().settle();
   space_.facing().end_iterations();
 }
@@ -107,6 +170,7 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
+  if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
   NodalLoads now = space_.averages(fields, point_->loads.status());
   method_.load(now);
   return !differ(predicted, now, active_set_.options().solution_load, fields);
@@ -129,7 +193,7 @@ bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, doub
 NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
   if (point_) return method_.predicted_loads(*point_, fields);
   const NodeFlags status = initial_status(positions(fields));
-  NodalLoads loads = space_.averages(fields, {status, status, {}});
+  NodalLoads loads = space_.averages(fields, {status, status});
   method_.load(loads);
   loads.traction = laws_.admissible(loads.traction);
   return loads;
@@ -156,17 +220,16 @@ void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVe
 }
 
 void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
-  NodalLoads now = loads(fields);
+  const NodalLoads now = loads(fields);
   IndexedVector<NodeLinearisation> present;
-  if (!point_) present = linearise(space_, now, fields);
+  if (!point_) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, point_ ? point_->nodes : present, now, weights, dt, add);
-  if (point_) {
-    now.traction = point_->geometric_traction;
-    now.flux = point_->geometric_flux;
-    now.friction.traction = point_->geometric_friction;
+  if (holds_geometric(positions(fields))) {
+    for (const std::vector<TangentBlock>& blocks : *geometric_) add_geometric(blocks, dt, add);
+  } else {
+    geometric_tangents(space_, point_ ? geometric_loads(*point_) : now, fields, dt, add);
   }
-  geometric_tangents(space_, now, fields, dt, add);
 }
 
 void MovingGeometry::for_each_coupling(const FacingPositions& x, const UsePatch& use) const {
@@ -179,6 +242,9 @@ void MovingGeometry::for_each_coupling(const FacingPositions& x, const UsePatch&
   });
 }
 
-std::size_t MovingGeometry::memory() const { return point_ ? point_->memory() + active_set_.memory() : 0; }
+std::size_t MovingGeometry::memory() const {
+  const std::size_t geometric = geometric_ ? bytes_of(*geometric_) : 0;
+  return point_ ? point_->memory() + geometric + active_set_.memory() : 0;
+}
 
 }  // namespace mixture_contact

@@ -30,9 +30,17 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  /// Decides which nodes slide from the loads at a state.
-  using DecideSlip = std::function<NodeFlags(const NodalLoads& now)>;
-  LinearisationPoint linearised_at(const FacingFields& fields, ContactStatus status, const DecideSlip& slip) const;
+  using GeometricPart = IndexedVector<std::vector<TangentBlock>>;
+  /// Decides about friction from the loads at a state.
+  using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
+  /// What an iteration holds but for its linearisation and the loads of the geometric part.
+  LinearisationPoint evaluated_at(const FacingFields& fields, ContactStatus status, const DecideFriction& decide,
+                                  const NodalLoads* predicted) const;
+  /// Linearises, and holds what an iteration does.
+  void hold(LinearisationPoint point, const FacingFields& fields);
+  /// Whether the geometric part of the tangent is held for these positions.
+  bool holds_geometric(const FacingPositions& x) const;
+  IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
   NodeFlags updated_status(const FacingFields& fields) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
@@ -46,7 +54,9 @@ class MovingGeometry : public ContactGeometry {
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
   std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun
-  bool augmented_ = false;                   ///< since the last iteration began
+  /// The geometric part of the tangent there, per pair of facets, in a time increment of 1; until the surfaces move.
+  std::optional<GeometricPart> geometric_;
+  bool augmented_ = false;  ///< since the last iteration began
 };
 
 }  // namespace mixture_contact

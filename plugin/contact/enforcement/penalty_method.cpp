@@ -18,7 +18,7 @@ void PenaltyMethod::add_friction(Index node, const NodeLinearisation& linear, co
   const NodeLinearisation::Friction& friction = linear.friction;
   Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();
   if (friction.has_fluid()) d_bound += bound.d_pressure * friction.pressure_variation.transpose();
-  const Matrix3Xd change = law.d_trial * trial_variation(node, linear, loads) + law.d_bound * d_bound;
+  const Matrix3Xd change = law.d_trial * friction.trial_variation + law.d_bound * d_bound;
   for (Index n = 0; n < friction.work.size(); ++n) tangent.middleRows<3>(3 * n) += friction.work[n] * change;
   if (!friction.has_fluid() || bound.d_pressure == 0 || !loads.slips[node] || space().symmetric()) return;
   const Patch columns = linear.patch.of_field(friction.pressure_field, false);
@@ -27,22 +27,6 @@ void PenaltyMethod::add_friction(Index node, const NodeLinearisation& linear, co
   for (Index n = 0; n < friction.work.size(); ++n)
     by_pressure.middleRows<3>(3 * n) = friction.work[n] * per_pressure * friction.pressure_weights.transpose();
   blocks.push_back({linear.patch.of_displacements(), columns, std::move(by_pressure)});
-}
-
-Matrix3Xd PenaltyMethod::trial_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const {
-  // tau = (1 - n n) F v with v = lambda - eps s:  dtau = (1 - n n) (F dv + dF v) - dn (n.F v) - n (dn.F v),
-  // dv = -eps ds, dF v = sum_b dx_b (C_b.v), and dn = (1 - n n) dm/|m| with the mean area vector m.
-  const NodeLinearisation::Friction& friction = linear.friction;
-  const FrictionTrial trial = laws().friction_trial(loads.friction, node);
-  const Vector3d& n = trial.normal;
-  const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - n * n.transpose();
-  const double size = loads.friction.area_vector.col(node).norm();
-  const Eigen::Matrix3d by_normal = (in_plane * n.dot(trial.carried) + n * trial.value.transpose()) / size;
-  const Eigen::Matrix3d by_slip = laws().friction_penalty(node) * in_plane * loads.friction.convection[node];
-  Matrix3Xd change = -by_slip * friction.slip_variation - by_normal * friction.area_vector_variation;
-  for (Index b = 0; b < friction.convection.cols(); ++b)
-    change.middleCols<3>(3 * b) += friction.convection.col(b).dot(trial.past) * in_plane;
-  return change;
 }
 
 std::vector<TangentBlock> PenaltyMethod::node_tangent(Index node, const NodeLinearisation& linear,

@@ -25,8 +25,6 @@ class PenaltyMethod : public EnforcementMethod {
   /// Adds the variation of friction with displacements to that of the traction, and that with the fluid pressure.
   void add_friction(Index node, const NodeLinearisation& linear, const NodalLoads& loads, MatrixXd& tangent,
                     std::vector<TangentBlock>& blocks) const;
-  /// dtau_a/du, columns in the order of gap_variation.
-  Matrix3Xd trial_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
 };
 
 }  // namespace mixture_contact

@@ -1,7 +1,6 @@
 #include "enforcement/virtual_work.h"
 
 #include "base/parallel.h"
-#include "mortar/loaded_points.h"
 
 #include <utility>
 
@@ -21,21 +20,20 @@ std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& pat
   return blocks;
 }
 
-std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
-                                            const FacingFields& fields, double dt) {
-  if (!space.facing().has_node_among(pair, loads.in_contact)) return {};
+}  // namespace
+
+std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const FacetPair& pair,
+                                            const std::vector<VaryingPoint>& points) {
   const Patch patch = space.facing().patch(pair);
   const LocalLayout displacements = patch.of_displacements().layout();
   MatrixXd traction = MatrixXd::Zero(displacements.size(), displacements.size());
   std::vector<TangentBlock> blocks = flux_blocks(space, patch);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
-  const std::vector<VaryingPoint> points = varying_points(space, pair, loads, fields, dt);
-  laps.shared();
   for (const auto& [point, vary] : points) {
     traction += traction_tangent(point.kinematics, vary, point.loads, displacements);
   }
   laps.traction();
-  if (!loads.friction.empty()) {
+  if (space.effects().has_friction()) {
     for (const auto& [point, vary] : points)
       add_friction_tangent(point.kinematics, vary, point.loads, displacements, traction);
     laps.friction();
@@ -50,8 +48,6 @@ std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const Face
   blocks.push_back(traction_block(space, patch, std::move(traction)));
   return blocks;
 }
-
-}  // namespace
 
 void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add) {
@@ -77,7 +73,10 @@ void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const Fac
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                         const AddBlock& add) {
   const IndexedVector<FacetPair>& pairs = space.facing().pairs();
-  const auto of_pair = [&](Index index) { return geometric_tangent(space, pairs[index], loads, fields, dt); };
+  const auto of_pair = [&](Index index) {
+    if (!space.facing().has_node_among(pairs[index], loads.in_contact)) return std::vector<TangentBlock>();
+    return geometric_tangent(space, pairs[index], varying_points(space, pairs[index], loads, fields, dt));
+  };
   in_order(pairs.count(), of_pair, [&](Index /*index*/, const std::vector<TangentBlock>& blocks) {
     for (const TangentBlock& block : blocks) add(block);
   });

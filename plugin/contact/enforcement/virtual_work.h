@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enforcement/enforcement_method.h"
+#include "mortar/loaded_points.h"
 
 namespace mixture_contact {
 
@@ -9,7 +10,11 @@ namespace mixture_contact {
 void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add);
 
-/// The part of the tangent in which loads stay and the geometry changes, effect by effect for each of these pairs.
+/// The part of the tangent in which loads stay and the geometry changes, effect by effect for one of these pairs.
+std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const FacetPair& pair,
+                                            const std::vector<VaryingPoint>& points);
+
+/// The same for each of these pairs.
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                         const AddBlock& add);
 

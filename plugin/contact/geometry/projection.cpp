@@ -12,13 +12,13 @@ namespace {
 /// Newton from one start; empty where it does not converge.
 ///
 /// Convergence is quadratic, so the step that falls below sqrt(epsilon) of the facet's size leaves an error of epsilon:
-/// one more step is taken and accepted.
+/// one more step is taken and accepted. On a plane triangle the equations are linear, and the first step is.
 std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
                              const Vector3d& direction, const Vector2d& start) {
   constexpr int max_steps = 25;
   const double accept = std::sqrt(std::numeric_limits<double>::epsilon());
   Vector3d unknown(start[0], start[1], 0);
-  bool close = false;
+  bool close = type == FacetType::tri3;
   for (int step = 0; step < max_steps; ++step) {
     const ShapeFunctions shape = shape_functions(type, unknown.head<2>());
     const Vector3d miss = x * shape.value - origin - unknown[2] * direction;
@@ -60,6 +60,7 @@ std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const
     return hit.has_value();
   };
   const bool converged = converges_from(parametric_centre(type));
+  if (type == FacetType::tri3 && converged) return best;
   if ((best || (converged && edge_degree(type) == 1)) && faces_one_way(type, x, direction)) return best;
   for (int a = 0; a < node_count(type); ++a) converges_from(parametric_node(type, a));
   return best;

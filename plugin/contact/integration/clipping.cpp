@@ -2,6 +2,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <utility>
+
 namespace mixture_contact {
 namespace {
 
@@ -15,14 +18,16 @@ VaryingVector crossing(const VaryingVector& a, const VaryingVector& b, const Var
   return {a.value + t * along, (1 - t) * a.variation + t * b.variation + along * dt};
 }
 
-/// The part of a polygon on the left of the line through two points.
-Polygon left_of(const Polygon& polygon, const VaryingVector& from, const VaryingVector& to, const VaryingVector& n,
-                double coincident) {
-  const VaryingVector edge = to - from;
-  const double on_line = coincident * edge.value.norm();
+/// Cuts off what of a polygon is not on the left of the line through two points.
+void keep_left(Polygon& polygon, const VaryingVector& from, const VaryingVector& to, const VaryingVector& n,
+               double coincident) {
+  const Vector3d along = to.value - from.value;
+  const double on_line = coincident * along.norm();
   std::vector<double> side;
   side.reserve(polygon.size());
-  for (const VaryingVector& corner : polygon) side.push_back(n.value.dot(edge.value.cross(corner.value - from.value)));
+  for (const VaryingVector& corner : polygon) side.push_back(n.value.dot(along.cross(corner.value - from.value)));
+  if (*std::min_element(side.begin(), side.end()) >= -on_line) return;
+  const VaryingVector edge = to - from;
   const auto varying_side = [&](std::size_t i) { return triple(n, edge, polygon[i] - from); };
   Polygon rest;
   rest.reserve(polygon.size() + 1);
@@ -33,7 +38,7 @@ Polygon left_of(const Polygon& polygon, const VaryingVector& from, const Varying
     const bool enters = side[i] < -on_line && side[next] > on_line;
     if (leaves || enters) rest.push_back(crossing(polygon[i], polygon[next], varying_side(i), varying_side(next)));
   }
-  return rest;
+  polygon = std::move(rest);
 }
 
 }  // namespace
@@ -48,7 +53,7 @@ double twice_area(const Polygon& polygon, const Vector3d& n) {
 
 Polygon clip(Polygon polygon, const Polygon& window, const VaryingVector& n, double coincident) {
   for (std::size_t i = 0; i < window.size() && !polygon.empty(); ++i) {
-    polygon = left_of(polygon, window[i], window[(i + 1) % window.size()], n, coincident);
+    keep_left(polygon, window[i], window[(i + 1) % window.size()], n, coincident);
   }
   return polygon;
 }

@@ -104,6 +104,7 @@ std::vector<PolygonPoint> points_of_inertia(const Polygon& polygon, const Varyin
   const Eigen::Matrix2Xd to = directions(aligned.type);
   const VaryingNumber area = 0.5 / static_cast<double>(to.cols()) * middle_of.twice_area;
   std::vector<PolygonPoint> points;
+  points.reserve(static_cast<std::size_t>(to.cols()));
   for (Index q = 0; q < to.cols(); ++q) {
     const VaryingNumber x = to(0, q) * s.xx + to(1, q) * s.xy;
     const VaryingNumber y = to(0, q) * s.xy + to(1, q) * s.yy;

@@ -36,6 +36,12 @@ struct VaryingFacet {
   Index first_node;  ///< of the facet within the pair
   Index nodes;       ///< of the pair; 0: no variations
 
+  VaryingVector at_node(Index node) const {
+    VaryingVector point{x.col(node), PairVariation<3>::Zero(3, 3 * nodes)};
+    if (nodes > 0) point.variation.middleCols<3>(3 * (first_node + node)).setIdentity();
+    return point;
+  }
+
   VaryingVector at(const Vector2d& xi) const {
     const FacetVector shape = shape_functions(type, xi).value;
     VaryingVector point{x * shape, PairVariation<3>::Zero(3, 3 * nodes)};
@@ -58,7 +64,8 @@ Polygon in_space(const VaryingFacet& facet, const SubFacet& piece) {
   Polygon polygon;
   polygon.reserve(piece.nodes.size());
   for (int a = 0; a < node_count(piece.type); ++a) {
-    polygon.push_back(facet.at(parametric_node(facet.type, at(piece.nodes, a))));
+    const int node = at(piece.nodes, a);
+    polygon.push_back(node < facet.x.cols() ? facet.at_node(node) : facet.at(parametric_node(facet.type, node)));
   }
   return polygon;
 }
@@ -141,24 +148,38 @@ bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
   return (two.centre - one.centre).cross(n).squaredNorm() > reach * reach;
 }
 
+/// A linear piece of the primary facet, seen along a direction, which others are clipped against.
+struct Piece {
+  Polygon polygon;
+  double area;  ///< twice that which is seen
+  Alignment aligned;
+};
+
+Piece piece_of(const VaryingFacet& facet, const SubFacet& part, const Vector3d& n) {
+  Polygon polygon = in_space(facet, part);
+  const double area = twice_area(polygon, n);
+  Alignment aligned = alignment(polygon);
+  return {std::move(polygon), area, std::move(aligned)};
+}
+
 /// Calls use(sample) for the points on the overlap of two facets, in a fixed order.
 template <class Use>
 void sample_overlap(const VaryingFacet& primary, const VaryingFacet& secondary, int order, const Use& use) {
   int sub_facet = 0;
   for (const SubFacet& part : sub_facets(primary.type)) {
-    const Polygon polygon = in_space(primary, part);
     const VaryingVector n = normal_at(primary, middle(primary.type, part));
-    const double area = twice_area(polygon, n.value);
-    const Alignment aligned = alignment(polygon);
+    std::optional<Piece> piece;  // most facets of a search are apart
     const Circle circle = circle_around(primary, part);
     for (const SubFacet& other : sub_facets(secondary.type)) {
       if (are_apart(circle, circle_around(secondary, other), n.value)) continue;
       Polygon window = in_space(secondary, other);
       if (twice_area(window, n.value) >= 0) continue;  // it faces away
       std::reverse(window.begin(), window.end());
-      const Polygon both = clip(polygon, window, n, coincident_fraction * std::sqrt(area));
-      if (both.size() < 3 || twice_area(both, n.value) <= negligible_fraction * area) continue;
-      for (const PolygonPoint& point : polygon_quadrature(both, n, aligned, order)) use(Sample{point, n, sub_facet});
+      if (!piece) piece = piece_of(primary, part, n.value);
+      const Polygon both = clip(piece->polygon, window, n, coincident_fraction * std::sqrt(piece->area));
+      if (both.size() < 3 || twice_area(both, n.value) <= negligible_fraction * piece->area) continue;
+      for (const PolygonPoint& point : polygon_quadrature(both, n, piece->aligned, order))
+        use(Sample{point, n, sub_facet});
     }
     ++sub_facet;
   }

@@ -5,9 +5,13 @@
 namespace mixture_contact {
 
 FrictionBound friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure) {
+  const FrictionBound bound = linear_friction_bound(rule, normal_traction, excess_pressure);
+  return bound.value > 0 ? bound : FrictionBound{0, 0, 0};
+}
+
+FrictionBound linear_friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure) {
   const double by_fluid = 1 - rule.contact_fraction;
   const double by_solid = -normal_traction - by_fluid * excess_pressure;
-  if (!(by_solid > 0)) return {0, 0, 0};
   return {rule.coefficient * by_solid, -rule.coefficient, -rule.coefficient * by_fluid};
 }
 
@@ -21,13 +25,13 @@ FrictionTraction slip(const Vector3d& trial, double bound) {
   return {bound * direction, bound / size * across, direction};
 }
 
-FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& reference) {
+FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& reference, double reference_bound) {
   const double size = reference.norm();
   if (!(size > 0)) return slip(trial, bound);
   const Vector3d first = reference / size;
   const Eigen::Matrix3d turning = (Eigen::Matrix3d::Identity() - first * first.transpose()) / size;
-  const FrictionTraction along = slip(first + turning * trial, bound);
-  return {along.value, along.d_trial * turning, along.d_bound};
+  const FrictionTraction along = slip(first + turning * trial, 1);
+  return {bound * first + reference_bound * (along.value - first), reference_bound * along.d_trial * turning, first};
 }
 
 double slip_excess(const Vector3d& trial, double bound, const Vector3d& reference) {
@@ -36,7 +40,7 @@ double slip_excess(const Vector3d& trial, double bound, const Vector3d& referenc
 }
 
 double dissipated(const Vector3d& trial, double bound, double penalty) {
-  return penalty > 0 ? bound * std::max(0.0, trial.norm() - bound) / penalty : 0.0;
+  return penalty > 0 && bound > 0 ? bound * std::max(0.0, trial.norm() - bound) / penalty : 0.0;
 }
 
 }  // namespace mixture_contact

@@ -19,6 +19,9 @@ struct FrictionBound {
 /// quotient: at first touch, where t_n and p~ - p* tend to 0 together, so does the bound.
 FrictionBound friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
+/// The same without <>: linear, and negative where nothing presses the solids together.
+FrictionBound linear_friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
+
 /// A friction traction and its derivatives.
 struct FrictionTraction {
   Vector3d value;
@@ -33,9 +36,10 @@ FrictionTraction stick(const Vector3d& trial);
 FrictionTraction slip(const Vector3d& trial, double bound);
 
 /// The same within an iteration that began at the trial traction `reference`: the direction varies with the trial as it
-/// does there to first order, and never turns round. A large penalty would have it turn where the slip comes out a
-/// little beyond zero, and Newton's method alternate between two directions of slip around stick.
-FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& reference);
+/// does there to first order, at the bound `reference_bound`, and never turns round. A large penalty would have it turn
+/// where the slip comes out a little beyond zero, and Newton's method alternate between two directions of slip around
+/// stick.
+FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& reference, double reference_bound);
 
 /// How far a node that slides is beyond the bound along the direction that its iteration began with: where it is not,
 /// the node sticks, also where it would now slide the other way.

@@ -41,7 +41,7 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
     }
   }
   if (loads.friction.empty()) return;
-  find_friction_limits(loads);
+  if (loads.friction.trial.size() == 0) find_friction_limits(loads);  // else they are those that an iteration predicts
   load_friction(loads);
 }
 
@@ -57,27 +57,60 @@ void NodalLaws::find_friction_limits(NodalLoads& loads) const {
 }
 
 FrictionTrial NodalLaws::friction_trial(const NodalFriction& friction, Index node) const {
+  return carried(friction, node, multipliers.friction.col(node) - friction_penalty(node) * friction.slip.col(node));
+}
+
+FrictionTrial NodalLaws::carried(const NodalFriction& friction, Index node, const Vector3d& past) {
   const Vector3d n = friction.normal(node);
-  const Vector3d past = multipliers.friction.col(node) - friction_penalty(node) * friction.slip.col(node);
-  const Vector3d carried = friction.convection[node] * past;
-  return {n, past, carried, carried - n * n.dot(carried)};
+  const Vector3d present = friction.convection[node] * past;
+  return {n, past, present, present - n * n.dot(present)};
+}
+
+void NodalLaws::refer_friction(NodalLoads& loads, const NodalLoads* predicted) const {
+  NodalFriction& friction = loads.friction;
+  friction.reference = friction.trial;
+  friction.reference_bound.setZero(nodes());
+  friction.geometric.setZero(3, nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    const bool known = predicted != nullptr && predicted->in_contact[node];
+    const NodalLoads& from = known ? *predicted : loads;
+    if (known) friction.reference.col(node) = predicted->friction.trial.col(node);
+    friction.reference_bound[node] = loads.rubs[node] ? std::max(0.0, rubbing(from, node)) : 0.0;
+    const FrictionTrial trial = friction_trial(loads.slips[node] ? friction : from.friction, node);
+    friction.geometric.col(node) = trial.past;
+    const double size = trial.value.norm();
+    if (!loads.slips[node] && size > friction.reference_bound[node])
+      friction.geometric.col(node) *= friction.reference_bound[node] / size;
+  }
 }
 
 FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) const {
   const double pressure = loads.friction.pressure.size() > 0 ? loads.friction.pressure[node] : 0.0;
-  return mixture_contact::friction_bound(settings_.friction, loads.traction[node], pressure);
+  const bool decided = !loads.rubs.empty();
+  if (decided && !loads.rubs[node]) return {0, 0, 0};
+  const auto law = decided ? linear_friction_bound : mixture_contact::friction_bound;
+  return law(settings_.friction, loads.traction[node], pressure);
+}
+
+double NodalLaws::rubbing(const NodalLoads& loads, Index node) const {
+  const double pressure = loads.friction.pressure.size() > 0 ? loads.friction.pressure[node] : 0.0;
+  return linear_friction_bound(settings_.friction, loads.traction[node], pressure).value;
 }
 
 FrictionTraction friction_law(const NodalLoads& loads, Index node) {
   const Vector3d trial = loads.friction.trial.col(node);
   if (!loads.slips[node]) return stick(trial);
-  return slip(trial, loads.friction.bound[node], loads.friction.reference_of(node));
+  return slip(trial, loads.friction.bound[node], loads.friction.reference_of(node),
+              loads.friction.reference_bound_of(node));
 }
 
 void NodalLaws::load_friction(NodalLoads& loads) const {
   loads.friction.traction.setZero(3, nodes());
   for (Index node = 0; node < nodes(); ++node) {
-    if (loads.in_contact[node]) loads.friction.traction.col(node) = friction_law(loads, node).value;
+    if (!loads.in_contact[node]) continue;
+    loads.friction.bound[node] = friction_bound(loads, node).value;
+    loads.friction.traction.col(node) = friction_law(loads, node).value;
   }
 }
 

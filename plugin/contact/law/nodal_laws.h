@@ -72,9 +72,16 @@ class NodalLaws {
   void load(NodalLoads& loads, bool with_penalty) const;
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
+  /// The same of any vector of the plane in which slips are measured.
+  static FrictionTrial carried(const NodalFriction& friction, Index node, const Vector3d& past);
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
-  /// Sets the friction of the nodes in contact as their status has it.
+  /// The bound without <>: what tells whether a node rubs.
+  double rubbing(const NodalLoads& loads, Index node) const;
+  /// Sets bound and friction of the nodes in contact as their status has it.
   void load_friction(NodalLoads& loads) const;
+  /// Sets what friction refers to in an iteration that begins with status and trials of `loads`: the trials and bounds
+  /// that the last one predicted, or its own.
+  void refer_friction(NodalLoads& loads, const NodalLoads* predicted) const;
   /// Which nodes in contact slide where nothing has been decided: those whose trial exceeds the bound.
   NodeFlags beyond_bound(const NodalLoads& loads) const;
   /// Multipliers of friction that have the present tractions for their trial where nothing slides any further.
@@ -91,7 +98,7 @@ class NodalLaws {
   Multipliers multipliers;
 
  private:
-  /// Sets trial and bound, and the status where it has not been decided.
+  /// Sets the trials, and bound and status where they have not been decided.
   void find_friction_limits(NodalLoads& loads) const;
   /// Whether the surface that these nodes face has conditions of its own.
   bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }

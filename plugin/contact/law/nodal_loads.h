@@ -22,6 +22,14 @@ struct ContactStatus {
   NodeFlags flux_coupled;  ///< in contact, and so exchanging fluxes with the other side instead of with the ambient
   /// In contact, and sliding; empty where it has not been decided, and without friction.
   NodeFlags slips = {};  // NOLINT(readability-redundant-member-init): so that lists of initial values may leave it out
+  /// In contact, and pressed together by more than the fluid bears, so that T_max is not 0; empty alike.
+  NodeFlags rubs = {};  // NOLINT(readability-redundant-member-init)
+};
+
+/// What is decided of friction at the nodes: ContactStatus::slips and ContactStatus::rubs.
+struct FrictionStatus {
+  NodeFlags slips;
+  NodeFlags rubs;
 };
 
 /// Averages around nodes in contact that friction depends on, and what its law says there; empty without friction.
@@ -33,13 +41,18 @@ struct NodalFriction {
   VectorXd pressure;                          ///< p~ - p* [MPa]; empty where friction does not depend on it
   IndexedVector<Eigen::Matrix3d> convection;  ///< F_a
   Matrix3Xd trial;                            ///< tau_a [MPa]
-  Matrix3Xd reference;                        ///< tau_a where an iteration began; empty outside iterations
-  VectorXd bound;                             ///< T_max [MPa]
-  Matrix3Xd traction;                         ///< t_T [MPa]; 0 out of contact
+  Matrix3Xd reference;                        ///< tau_a that an iteration began with; empty outside iterations
+  VectorXd reference_bound;                   ///< T_max alike
+  Matrix3Xd geometric;  ///< lambda_T - eps_T s_a for the geometric part of the tangent; empty alike
+  VectorXd bound;       ///< T_max [MPa]
+  Matrix3Xd traction;   ///< t_T [MPa]; 0 out of contact
 
   bool empty() const { return slip.size() == 0; }
   /// The trial that an iteration began with; outside iterations the present one.
   Vector3d reference_of(Index node) const { return (reference.size() > 0 ? reference : trial).col(node); }
+  double reference_bound_of(Index node) const {
+    return reference_bound.size() > 0 ? reference_bound[node] : bound[node];
+  }
   /// n_a
   Vector3d normal(Index node) const { return area_vector.col(node).normalized(); }
 };

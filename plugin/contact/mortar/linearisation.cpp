@@ -2,8 +2,8 @@
 
 #include "base/bytes.h"
 #include "base/parallel.h"
-#include "mortar/loaded_points.h"
 #include "mortar/slips.h"
+#include "mortar/varying_pairs.h"
 
 #include <algorithm>
 
@@ -168,14 +168,13 @@ void add_sliding(IndexedVector<NodeLinearisation>& corners, const MortarSpace& s
   }
 }
 
-/// What a pair of facets has around each node of its primary facet; nothing where it carries no load.
+/// What a pair of facets has around each node of its primary facet.
 IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, const FacetPair& pair,
-                                                   const NodalLoads& loads, const FacingFields& fields) {
-  if (!space.facing().has_node_among(pair, loads.in_contact)) return {};
+                                                   const std::vector<VaryingPoint>& points, const NodalLoads& loads,
+                                                   const FacingFields& fields) {
   const Patch patch = space.facing().patch(pair);
   IndexedVector<NodeLinearisation> corners(patch.primary.count(), zero_linearisation(space, patch));
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
-  const std::vector<VaryingPoint> points = varying_points(space, pair, loads, fields, 1.0);
   const auto for_each_corner_of_points = [&](const auto& use) {
     for (const VaryingPoint& point : points) {
       for (Index a = 0; a < corners.count(); ++a) {
@@ -184,7 +183,6 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
       }
     }
   };
-  laps.shared();
   if (patch.displacements) {
     for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
       add_gap(linear, loads, node, point, share);
@@ -219,6 +217,7 @@ VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
 void predict(NodalFriction& friction, Index node, const NodeLinearisation& linear, const VectorXd& moved,
              const FacingFields& change) {
   friction.slip.col(node) += linear.friction.slip_variation * moved;
+  friction.trial.col(node) += linear.friction.trial_variation * moved;
   friction.area_vector.col(node) += linear.friction.area_vector_variation * moved;
   friction.convection[node] += convection_change(linear, moved);
   if (!linear.friction.has_fluid()) return;
@@ -238,7 +237,8 @@ SurfaceFields change(const SurfaceFields& from, const SurfaceFields& to) {
 
 std::size_t bytes_of(const NodalFriction& friction) {
   return bytes(friction.slip) + bytes(friction.area_vector) + bytes(friction.pressure) + bytes(friction.convection) +
-         bytes(friction.trial) + bytes(friction.reference) + bytes(friction.bound) + bytes(friction.traction);
+         bytes(friction.trial) + bytes(friction.reference) + bytes(friction.reference_bound) +
+         bytes(friction.geometric) + bytes(friction.bound) + bytes(friction.traction);
 }
 
 std::size_t bytes_of(const NodalLoads& loads) {
@@ -247,8 +247,9 @@ std::size_t bytes_of(const NodalLoads& loads) {
 }
 
 std::size_t bytes_of(const NodeLinearisation::Friction& friction) {
-  return bytes(friction.slip_variation) + bytes(friction.area_vector_variation) + bytes(friction.convection) +
-         bytes(friction.work) + bytes(friction.pressure_variation) + bytes(friction.pressure_weights);
+  return bytes(friction.slip_variation) + bytes(friction.area_vector_variation) + bytes(friction.trial_variation) +
+         bytes(friction.convection) + bytes(friction.work) + bytes(friction.pressure_variation) +
+         bytes(friction.pressure_weights);
 }
 
 std::size_t bytes_of(const SurfaceFields& fields) { return bytes(fields.position) + bytes(fields.scalar); }
@@ -257,6 +258,12 @@ std::size_t bytes_of(const SurfaceFields& fields) { return bytes(fields.position
 
 IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
                                            const FacingFields& fields) {
+  return linearise(space, loads, fields, loads, [](Index, const std::vector<VaryingPoint>&) {});
+}
+
+IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
+                                           const FacingFields& fields, const NodalLoads& carried,
+                                           const UseVaryingPoints& use) {
   const FacingPairs& facing = space.facing();
   const auto around = facing.around(loads.in_contact);
   IndexedVector<NodeLinearisation> nodes(around.count());
@@ -267,7 +274,13 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
     nodes[node].friction.convection = convection_around(facing, space.past().primary, node, around[node],
                                                         nodes[node].patch.primary);
   });
-  const auto corners_of = [&](Index index) { return linearise_corners(space, facing.pairs()[index], loads, fields); };
+  const auto corners_of = [&](Index index) {
+    const FacetPair& pair = facing.pairs()[index];
+    if (!facing.has_node_among(pair, loads.in_contact)) return IndexedVector<NodeLinearisation>();
+    const std::vector<VaryingPoint> points = varying_points(space, pair, carried, fields, 1.0);
+    use(index, points);
+    return linearise_corners(space, pair, points, loads, fields);
+  };
   in_order(facing.pairs().count(), corners_of, [&](Index /*index*/, const IndexedVector<NodeLinearisation>& corners) {
     for (Index a = 0; a < corners.count(); ++a) {
       const int node = corners[a].patch.primary[a];

@@ -17,6 +17,7 @@ struct NodeLinearisation {
   struct Friction {
     Matrix3Xd slip_variation;         ///< ds_a/du, columns in the order of gap_variation
     Matrix3Xd area_vector_variation;  ///< d(NodalFriction::area_vector)/du, alike
+    Matrix3Xd trial_variation;        ///< dtau_a/du, alike
     Matrix3Xd convection;             ///< C_b: F_a = sum_b x_b C_b^T over the primary nodes of the patch
     VectorXd work;                    ///< sum_q w psi_a |a| h, one per node of the patch: times t_T the virtual work
     VectorXd pressure_variation;      ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation

@@ -1,7 +1,5 @@
 #include "mortar/loaded_points.h"
 
-#include <utility>
-
 namespace mixture_contact {
 
 PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
@@ -45,9 +43,8 @@ std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPa
   std::vector<VaryingPoint> points;
   points.reserve(pair.points.size());
   for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    PointContact point = loaded_point(space, pair, pair.points[q], loads, fields, dt);
-    const KinematicVariations vary = kinematic_variations(point.kinematics, motions[q]);
-    points.push_back({std::move(point), vary});
+    points.push_back({loaded_point(space, pair, pair.points[q], loads, fields, dt), {}});
+    points.back().vary = kinematic_variations(points.back().contact.kinematics, motions[q]);
   }
   return points;
 }

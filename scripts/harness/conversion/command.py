@@ -14,6 +14,7 @@ from rich.table import Table
 from harness.conversion import convert as conversion
 from harness.conversion.fates import Change
 from harness.errors import HarnessError
+from harness.paths import command_name
 
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
@@ -44,7 +45,7 @@ def convert(
         raise HarnessError(f"{target}: cannot be written ({error.strerror or error})") from error
     for part, changes in converted.changes.items():
         console.print(_changes(part, changes))
-    console.print(f"Written: {escape(str(target))}. Check it: scripts/mixcontact check {escape(str(target))}")
+    console.print(f"Written: {escape(str(target))}. Check it: {command_name()} check {escape(str(target))}")
 
 
 def _changes(part: str, changes: list[Change]) -> Table:

@@ -10,7 +10,7 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.pages import collection, plugin_parameters, scene_results, verification
+from harness.pages import collection, linear_solver_results, plugin_parameters, scene_results, verification
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS, MODELS, RESULTS
 from harness.validate.checks import CHECKS
@@ -24,6 +24,9 @@ PAGES: dict[str, Callable[[], str]] = {
     gallery.PAGE: lambda: gallery.page(gallery.read(DOCS)),
     verification.PAGE: lambda: verification.page(verification.read(DOCS)),
     scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
+    linear_solver_results.PAGE: lambda: linear_solver_results.page(
+        linear_solver_results.read(DOCS / linear_solver_results.DATA)
+    ),
 }
 """Generated pages, from code or from numbers in docs/; none of them needs a run."""
 
@@ -31,7 +34,7 @@ PAGES: dict[str, Callable[[], str]] = {
 def pages(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation anew: parameters, gallery, verification report, real models."""
+    """Write the generated pages of the documentation anew: parameters, gallery, report, real models, linear solvers."""
     for name, text in PAGES.items():
         path = DOCS / name
         made = text()

@@ -26,6 +26,28 @@ BOOST_AUTO_TEST_CASE(the_bound_is_the_coefficient_times_what_the_solid_bears) {
   BOOST_TEST(friction_bound(rule_of(0.5, 0), 1, 0).value == 0.0);       // nor where nodes pull
 }
 
+BOOST_AUTO_TEST_CASE(the_linear_bound_is_the_same_where_the_solids_are_pressed_and_goes_on_below_zero) {
+  for (const double traction : {-2.0, -0.5, 0.5}) {
+    for (const double pressure : {-1.0, 0.0, 1.0}) {
+      const FrictionBound linear = linear_friction_bound(rule_of(0.5, 0.25), traction, pressure);
+      BOOST_TEST(linear.value == 0.5 * (-traction - 0.75 * pressure));
+      BOOST_TEST(linear.d_traction == -0.5);
+      BOOST_TEST(linear.d_pressure == -0.375);
+      BOOST_TEST(friction_bound(rule_of(0.5, 0.25), traction, pressure).value == std::max(0.0, linear.value));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(within_an_iteration_friction_turns_at_the_bound_that_was_predicted) {
+  const Vector3d reference(0, 2, 0);
+  for (const double bound : {-3.0, 0.0, 5.0}) {
+    const FrictionTraction law = slip(reference, bound, reference, 0.8);
+    BOOST_TEST((law.value == Vector3d(0, bound, 0)));
+    BOOST_TEST(law.d_trial(0, 0) == 0.8 / 2);
+    BOOST_TEST(law.d_trial(1, 1) == 0.0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_bound_at_first_touch_is_no_quotient) {
   for (const double phi : {0.0, 0.1, 1.0}) {
     const FrictionBound bound = friction_bound(rule_of(0.3, phi), 0, 0);
@@ -84,19 +106,19 @@ BOOST_AUTO_TEST_CASE(within_an_iteration_slip_agrees_to_first_order_and_does_not
   std::mt19937 random(6);
   for (int sample = 0; sample < 100; ++sample) {
     const Vector3d reference = random_vector(1, random) + Vector3d(1, 1, 0);
-    const FrictionTraction there = slip(reference, 0.7, reference);
+    const FrictionTraction there = slip(reference, 0.7, reference, 0.7);
     BOOST_TEST((there.value - slip(reference, 0.7).value).norm() <= rounding);
     BOOST_TEST((there.d_trial - slip(reference, 0.7).d_trial).norm() <= rounding);
     BOOST_TEST((there.d_bound - slip(reference, 0.7).d_bound).norm() <= rounding);
-    const auto value = [&](const VectorXd& q) -> VectorXd { return slip(q.head<3>(), q[3], reference).value; };
+    const auto value = [&](const VectorXd& q) -> VectorXd { return slip(q.head<3>(), q[3], reference, 0.6).value; };
     VectorXd q(4);
     q << reference + random_vector(0.5, random), 0.6;
-    const FrictionTraction law = slip(q.head<3>(), q[3], reference);
+    const FrictionTraction law = slip(q.head<3>(), q[3], reference, 0.6);
     MatrixXd exact(3, 4);
     exact << law.d_trial, law.d_bound;
     BOOST_TEST(relative_error(differences(value, q), exact) <= difference_tolerance);
     BOOST_TEST(std::abs(law.value.norm() - 0.6) <= rounding);
-    BOOST_TEST(slip(-5 * reference, 0.7, reference).value.dot(reference) > 0.0);
+    BOOST_TEST(slip(-5 * reference, 0.7, reference, 0.7).value.dot(reference) > 0.0);
   }
 }
 
@@ -125,4 +147,5 @@ BOOST_AUTO_TEST_CASE(slip_dissipates_and_stick_does_not) {
   BOOST_TEST(dissipated(Vector3d(3, 4, 0), 5, 10) == 0.0);
   BOOST_TEST(dissipated(Vector3d(0.3, 0.4, 0), 5, 10) == 0.0);
   BOOST_TEST(dissipated(Vector3d(3, 4, 0), 0, 10) == 0.0);
+  BOOST_TEST(dissipated(Vector3d(3, 4, 0), -1, 10) == 0.0);
 }

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace test;
 
@@ -139,4 +140,24 @@ BOOST_AUTO_TEST_CASE(an_augmentation_leaves_the_tangent_as_it_is) {
   contact->begin_iteration(scene.fields);
   BOOST_TEST(relative_error(assembled_tangent(*contact, layout, scene.fields, 0.3), before) <= rounding);
   BOOST_TEST(relative_error(assembled_residual(*contact, layout, scene.fields, 0.3), VectorXd(2 * load)) <= rounding);
+}
+
+/// The geometric part of the tangent is made as an iteration begins, from the points that averages are linearised at.
+/// Elsewhere it is made from the points there.
+BOOST_AUTO_TEST_CASE(the_tangent_is_the_same_a_rounding_away_from_where_an_iteration_linearises) {
+  std::mt19937 random(17);
+  for (const bool two_pass : {false, true}) {
+    Settings settings = explicit_settings(2.5, 1.5, 0.8);
+    settings.two_pass = two_pass;
+    Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 2, 3), effects_of(true, 1), settings);
+    scene.disturb(0.02, random);
+    const auto contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    const GlobalLayout layout(scene);
+    const MatrixXd at_point = assembled_tangent(*contact, layout, scene.fields, 0.3);
+    double& moved = scene.fields[Side::primary].position(0, 0);
+    moved = std::nextafter(moved, moved + 1);
+    contact->project(scene.position());
+    BOOST_TEST(relative_error(assembled_tangent(*contact, layout, scene.fields, 0.3), at_point) <= rounding);
+  }
 }

@@ -353,7 +353,9 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
                 why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
             else:
                 continue
-            yield warning("linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso or mkl_dss.")
+            yield warning(
+                "linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso, mkl_dss or superlu_mt."
+            )
 
 
 def reformations(joint: Joint) -> Iterator[Finding]:

@@ -1,0 +1,33 @@
+#include "mortar/trial_variation.h"
+
+#include "base/parallel.h"
+
+namespace mixture_contact {
+
+Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisation& linear,
+                          const NodalFriction& friction) {
+  // tau = (1 - n n) F v with v = lambda - eps s:  dtau = (1 - n n) (F dv + dF v) - dn (n.F v) - n (dn.F v),
+  // dv = -eps ds, dF v = sum_b dx_b (C_b.v), and dn = (1 - n n) dm/|m| with the mean area vector m.
+  const NodeLinearisation::Friction& vary = linear.friction;
+  const FrictionTrial trial = friction.geometric.size() > 0 ? laws.carried(friction, node, friction.geometric.col(node))
+                                                            : laws.friction_trial(friction, node);
+  const Vector3d& n = trial.normal;
+  const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - n * n.transpose();
+  const double size = friction.area_vector.col(node).norm();
+  const Eigen::Matrix3d by_normal = (in_plane * n.dot(trial.carried) + n * trial.value.transpose()) / size;
+  const Eigen::Matrix3d by_slip = laws.friction_penalty(node) * in_plane * friction.convection[node];
+  Matrix3Xd change = -by_slip * vary.slip_variation - by_normal * vary.area_vector_variation;
+  for (Index b = 0; b < vary.convection.cols(); ++b)
+    change.middleCols<3>(3 * b) += vary.convection.col(b).dot(trial.past) * in_plane;
+  return change;
+}
+
+void vary_trials(const NodalLaws& laws, const NodalLoads& loads, IndexedVector<NodeLinearisation>& nodes) {
+  if (loads.friction.empty()) return;
+  in_parallel(nodes.count(), [&](Index node) {
+    if (nodes[node].friction.empty() || !loads.in_contact[node]) return;
+    nodes[node].friction.trial_variation = trial_variation(laws, node, nodes[node], loads.friction);
+  });
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,1 @@
+"""Which of FEBio's linear solvers solve the matrix of a contact, by enforcement."""
