@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from harness.studies.real_models import collection_of_scenes, drawn_scenes, scenes_of_files
+from harness.studies.real_models import collection_of_scenes, drawn_scenes, rubbing_scenes, scenes_of_files
 from harness.studies.real_models.comparison import Written
 
-SCENES: Mapping[str, Written] = {**collection_of_scenes.SCENES, **scenes_of_files.SCENES, **drawn_scenes.SCENES}
+SCENES: Mapping[str, Written] = {
+    **collection_of_scenes.SCENES,
+    **scenes_of_files.SCENES,
+    **drawn_scenes.SCENES,
+    **rubbing_scenes.SCENES,
+}
