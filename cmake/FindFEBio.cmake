@@ -13,11 +13,10 @@ Gives:
   FEBio::FECore, FEBio::FEBioMech, FEBio::FEBioMix  imported targets
   FEBio::FEBioPlot, FEBio::FEBioXML, FEBio::FEBioLib  imported targets where the SDK has them
 What counts is not a number but what the headers offer: an FEBio without the hooks of FEBioHooks.cmake is an error that
-names them, and one that has them is taken, with a notice where it is not a tested one.
+names them, and one that has them is taken, with a notice where it is not the tested release.
 ]]
 
 set(FEBio_TESTED_VERSION 4.11)
-set(FEBio_TESTED_SDKS 4.10 4.11) # of release 4.11, and of FEBio's branch develop after it
 include(FEBioHooks)
 
 set(FEBIO_ROOT "" CACHE PATH "FEBio installation prefix or SDK (empty: environment, then usual places)")
@@ -140,16 +139,9 @@ if(_febio_missing_hooks)
       "classes lack what this contact needs of them:\n  ${_febio_what}\nRelease 4.11 is the first that has it all. Set "
       "FEBIO_ROOT to FEBio ${FEBio_TESTED_VERSION} or newer, or leave the plugin out with -DMIXCONTACT_BUILD_PLUGIN=OFF.")
 endif()
-set(_febio_is_tested FALSE)
-foreach(_sdk IN LISTS FEBio_TESTED_SDKS)
-  if(FEBio_VERSION MATCHES "^${FEBio_TESTED_VERSION}(\\.|$)" AND FEBio_SDK_VERSION VERSION_EQUAL _sdk)
-    set(_febio_is_tested TRUE)
-  endif()
-endforeach()
-if(NOT _febio_is_tested)
-  list(JOIN FEBio_TESTED_SDKS " and " _febio_sdks)
+if(NOT FEBio_VERSION MATCHES "^${FEBio_TESTED_VERSION}(\\.|$)" OR NOT FEBio_SDK_VERSION VERSION_EQUAL 4.10)
   message(NOTICE "FEBio ${_febio_release} with plugin SDK ${FEBio_SDK_VERSION} has what this contact needs, but the plugin "
-                 "was not tested with it: it was with release ${FEBio_TESTED_VERSION}, plugin SDKs ${_febio_sdks}. "
+                 "was not tested with it: it was with release ${FEBio_TESTED_VERSION}, whose plugin SDK is 4.10.0. "
                  "`scripts/mixcontact test --all` tests it.")
 endif()
 

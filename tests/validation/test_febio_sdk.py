@@ -90,14 +90,13 @@ def said(done: subprocess.CompletedProcess[str]) -> str:
     return re.sub(r"\s+", " ", done.stdout + done.stderr)
 
 
-@pytest.mark.parametrize("sdk", ["4.10", "4.11"])
-def test_a_tested_one_is_taken_without_a_notice(sdk, tmp_path):
-    done = configure(tmp_path, fake_sdk(tmp_path / "sdk", sdk=sdk))
+def test_the_tested_release_is_taken_without_a_notice(tmp_path):
+    done = configure(tmp_path, fake_sdk(tmp_path / "sdk"))
     assert done.returncode == 0, done.stderr
     assert NOT_TESTED not in said(done)
 
 
-@pytest.mark.parametrize(("release", "sdk"), [("4.12", "4.11"), ("5.0", "5.0"), ("4.11", "4.12")])
+@pytest.mark.parametrize(("release", "sdk"), [("4.12", "4.11"), ("5.0", "5.0"), ("4.11", "4.11")])
 def test_another_one_with_all_hooks_is_taken_with_a_notice(release, sdk, tmp_path):
     done = configure(tmp_path, fake_sdk(tmp_path / "sdk", release=release, sdk=sdk))
     assert done.returncode == 0, done.stderr
