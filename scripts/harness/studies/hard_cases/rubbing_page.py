@@ -41,9 +41,10 @@ def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     rows = files.read_csv(DATA / SOURCE, Row)
     more = sum(row.retries > row.plain_retries for row in rows)
+    least, most = min(row.ratio for row in rows), max(row.ratio for row in rows)
     headline = (
-        f"{len(rows)} scenes end with {min(row.ratio for row in rows):.2f} to {max(row.ratio for row in rows):.2f} times "
-        f"the iterations of the same scene without friction; {more} of them tries more steps again."
+        f"{len(rows)} scenes end with {least:.2f} to {most:.2f} times the iterations of the same scene without friction. "
+        f"Scenes with more steps tried again than without: {more}."
     )
     return {"headline": headline, "table": "\n".join(row.line for row in rows)}
 
