@@ -43,8 +43,8 @@ def figures() -> Mapping[str, str]:
     more = sum(row.retries > row.plain_retries for row in rows)
     least, most = min(row.ratio for row in rows), max(row.ratio for row in rows)
     headline = (
-        f"{len(rows)} scenes end with {least:.2f} to {most:.2f} times the iterations of the same scene without friction. "
-        f"Scenes with more steps tried again than without: {more}."
+        f"{len(rows)} scenes end with {least:.2f} to {most:.2f} times the iterations of the same scene without "
+        f"friction. Scenes with more steps tried again than without: {more}."
     )
     return {"headline": headline, "table": "\n".join(row.line for row in rows)}
 
