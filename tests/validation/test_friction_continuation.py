@@ -85,13 +85,11 @@ def test_a_load_curve_on_the_friction_coefficient(runner):
 
 
 def test_a_coefficient_of_zero_is_no_friction(tmp_path):
-    """Bit for bit: iterations, what is logged, and the plot file."""
+    """Iterations, and every digit of what is logged."""
     runs = []
     for name, extra in (("absent", ()), ("zero", (Param("fric_coeff", 0.0),))):
         blocks = ShearedBlocks(Kind.BIPHASIC, settings=ContactSettings(extra=extra), name="frictionless").model()
-        runs.append(Runner(tmp_path / name)(replace(blocks, plot=True)))
+        runs.append(Runner(tmp_path / name)(blocks))
     absent, zero = runs
     assert zero.report.iterations == absent.report.iterations
     np.testing.assert_array_equal(zero.nodes.values, absent.nodes.values)
-    plots = [(run.folder / "frictionless.xplt").read_bytes() for run in runs]
-    assert plots[0] == plots[1]

@@ -35,7 +35,7 @@ PERMEABILITY = (1e-3, 5e-4)
 ABOUT = """\
 Diffusion into a composite slab: two layers of different material in contact at z = 1 mm.
 
-The face z = 0 is at 1 mM, the face z = 1.75 mm impermeable and moved by -0.0001 mm, which closes the contact. The upper
+The face z = 0 is at 1 mM, z = 1.75 mm impermeable and moved by -0.0001 mm, which closes the contact. The upper
 layer has another diffusivity, porosity, stiffness, permeability and half the solubility: the effective concentration
 is continuous over an ideal interface, the actual one jumps by the ratio of the solubilities."""
 

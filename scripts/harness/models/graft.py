@@ -54,8 +54,8 @@ A graft in a defect of cartilage, fed by the host across its contact.
 
 A cylindrical graft, 2.02 mm in radius and 2 mm high, is pressed into a defect 2 mm in radius that reaches to the bone.
 The host holds 1 mM of a nutrient, and its top and outer side (radius 5 mm) are kept at 1 mM without fluid pressure, so
-that the effective fluid pressure there is -R T c = -0.0024776 MPa. The graft holds none at first, and a membrane closes
-its top: the nutrient enters across the wall alone; only the rim, where it protrudes, is at ambient values. The graft is
+that the effective fluid pressure there is -R T c = -0.0024776 MPa. The graft holds none at first; a membrane closes
+its top: the nutrient enters across the wall alone; only the rim that protrudes is at ambient values. The graft is
 softer, more permeable and has a solubility of 0.9, so that the actual concentration jumps at the wall while the
 effective one does not. The bone below is impermeable; the top is free of load. By symmetry a quarter is modelled."""
 
