@@ -54,7 +54,7 @@ inline constexpr double default_flux_factor = 1e5;
 inline constexpr double two_pass_traction_factor = 1e2;
 inline constexpr double two_pass_flux_factor = 1e3;
 /// The same of surfaces that pull: the first iteration draws everything together that lies within the search radius.
-inline constexpr double tension_traction_factor = 1e2;
+inline constexpr double tension_traction_factor = 3e2;
 
 /// The default of the traction; `both_ways`: each side has conditions of its own.
 inline double traction_factor(bool both_ways, bool tension) {

@@ -70,6 +70,7 @@ def read(folder: Path) -> dict[str, Record]:
 def write(folder: Path, records: Mapping[str, Record]) -> list[Path]:
     """Write records and page into `folder`, in the order of the gallery."""
     data = {entry.model.name: asdict(records[entry.model.name]) for entry in _recorded(records)}
+    (folder / DATA).parent.mkdir(parents=True, exist_ok=True)
     (folder / DATA).write_text(json.dumps(data, indent=1) + "\n")
     (folder / PAGE).write_text(page(records), encoding="utf-8")
     return [folder / PAGE, folder / DATA]
