@@ -177,8 +177,8 @@ void FEMixtureContact::judge_linear_solver() const {
     auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
     if (solver == nullptr) continue;
     LinearSolver* const chosen = solver->GetLinearSolver();
-    const std::string type =
-        chosen == nullptr ? FECoreKernel::GetInstance().GetLinearSolverType() : chosen->GetTypeStr();
+    const std::string type = chosen == nullptr ? FECoreKernel::GetInstance().GetLinearSolverType()
+                                               : chosen->GetTypeStr();
     const MatrixKind matrix{solver->m_msymm == REAL_SYMMETRIC, core().pass(0).has_unknown_multipliers()};
     const std::string complaint = linear_solver_complaint(type, matrix);
     if (!complaint.empty()) return log_.say(complaint);
