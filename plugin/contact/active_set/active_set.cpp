@@ -16,6 +16,11 @@ NodeFlags with_first_change(const NodeFlags& before, const NodeFlags& status) {
   return next;
 }
 
+/// Whether a node that slides comes out to slide the other way.
+bool slides_back(const NodalLoads& predicted, Index node) {
+  return predicted.slips[node] && predicted.friction.trial.col(node).dot(predicted.friction.reference_of(node)) < 0;
+}
+
 }  // namespace
 
 NodeFlags ActiveSet::initial(const NodalGaps& now) const {
@@ -107,10 +112,6 @@ double ActiveSet::friction_band(const NodalLoads& predicted, Index node) const {
   const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
   return laws_.traction_rounding(predicted.size) +
          (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
-}
-
-bool ActiveSet::slides_back(const NodalLoads& predicted, Index node) const {
-  return predicted.slips[node] && predicted.friction.trial.col(node).dot(predicted.friction.reference_of(node)) < 0;
 }
 
 bool ActiveSet::turns_round(const NodalLoads& predicted, Index node) const {

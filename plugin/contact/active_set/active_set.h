@@ -110,8 +110,6 @@ class ActiveSet {
   double negligible(const NodalLoads& loads, const NodalGaps& now) const;
   /// How near to the bound trials do not decide.
   double friction_band(const NodalLoads& predicted, Index node) const;
-  /// Whether a node that slides comes out to slide the other way.
-  bool slides_back(const NodalLoads& predicted, Index node) const;
   /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
   /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
   bool turns_round(const NodalLoads& predicted, Index node) const;

@@ -91,8 +91,10 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   point_ = std::move(point);
 }
 
-bool MovingGeometry::holds_geometric(const FacingPositions& x) const {
-  return geometric_ && point_->primary.position == x.primary && point_->secondary.position == x.secondary;
+const MovingGeometry::GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) const {
+  if (!geometric_ || !point_) return nullptr;
+  const bool is_there = point_->primary.position == x.primary && point_->secondary.position == x.secondary;
+  return is_there ? &*geometric_ : nullptr;
 }
 
 IndexedVector<NodeLinearisation> MovingGeometry::linearised(const NodalLoads& loads, const FacingFields& fields) const {
@@ -225,8 +227,8 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlo
   if (!point_) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, point_ ? point_->nodes : present, now, weights, dt, add);
-  if (holds_geometric(positions(fields))) {
-    for (const std::vector<TangentBlock>& blocks : *geometric_) add_geometric(blocks, dt, add);
+  if (const GeometricPart* held = geometric_at(positions(fields))) {
+    for (const std::vector<TangentBlock>& blocks : *held) add_geometric(blocks, dt, add);
   } else {
     geometric_tangents(space_, point_ ? geometric_loads(*point_) : now, fields, dt, add);
   }

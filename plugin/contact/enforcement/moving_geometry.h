@@ -38,8 +38,8 @@ class MovingGeometry : public ContactGeometry {
                                   const NodalLoads* predicted) const;
   /// Linearises, and holds what an iteration does.
   void hold(LinearisationPoint point, const FacingFields& fields);
-  /// Whether the geometric part of the tangent is held for these positions.
-  bool holds_geometric(const FacingPositions& x) const;
+  /// The geometric part of the tangent where it is held for these positions.
+  const GeometricPart* geometric_at(const FacingPositions& x) const;
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
   NodeFlags updated_status(const FacingFields& fields) const;

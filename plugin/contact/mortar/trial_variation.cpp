@@ -9,8 +9,9 @@ Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisa
   // tau = (1 - n n) F v with v = lambda - eps s:  dtau = (1 - n n) (F dv + dF v) - dn (n.F v) - n (dn.F v),
   // dv = -eps ds, dF v = sum_b dx_b (C_b.v), and dn = (1 - n n) dm/|m| with the mean area vector m.
   const NodeLinearisation::Friction& vary = linear.friction;
-  const FrictionTrial trial = friction.geometric.size() > 0 ? laws.carried(friction, node, friction.geometric.col(node))
-                                                            : laws.friction_trial(friction, node);
+  const FrictionTrial trial = friction.geometric.size() > 0
+                                  ? NodalLaws::carried(friction, node, friction.geometric.col(node))
+                                  : laws.friction_trial(friction, node);
   const Vector3d& n = trial.normal;
   const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - n * n.transpose();
   const double size = friction.area_vector.col(node).norm();
