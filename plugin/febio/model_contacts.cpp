@@ -257,5 +257,6 @@ void ModelContacts::rejected(int n) {
 }
 
 void ModelContacts::accepted() {
-  if (reform_augment_) solver_.febio()->m_breformAugment = *std::exchange(reform_augment_, std::nullopt);
+  const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
+  if (own) solver_.febio()->m_breformAugment = *own;
 }
