@@ -32,6 +32,7 @@ PAGES: dict[str, Callable[[], str]] = {
     gallery.PAGE: lambda: gallery.page(gallery.read(DOCS)),
     verification.PAGE: lambda: verification.page(verification.read(DOCS)),
     scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
+    scene_results.ALL: lambda: scene_results.all_scenes(scene_results.read(DOCS / scene_results.DATA)),
     linear_solver_results.PAGE: lambda: linear_solver_results.page(
         linear_solver_results.read(DOCS / linear_solver_results.DATA)
     ),

@@ -55,5 +55,6 @@ def _write(results: scene_results.Results, folder: Path, docs: bool) -> None:
     console.print(f"Written: {folder / 'real-models.md'}")
     if docs:
         scene_results.write(results, DOCS / scene_results.DATA)
-        (DOCS / scene_results.PAGE).write_text(scene_results.page(results), encoding="utf-8")
-        console.print(f"Written: {DOCS / scene_results.PAGE}, {DOCS / scene_results.DATA}")
+        for name, page in ((scene_results.PAGE, scene_results.page), (scene_results.ALL, scene_results.all_scenes)):
+            (DOCS / name).write_text(page(results), encoding="utf-8")
+        console.print(f"Written: {DOCS / scene_results.PAGE}, {DOCS / scene_results.ALL}, {DOCS / scene_results.DATA}")
