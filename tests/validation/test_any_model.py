@@ -228,17 +228,7 @@ def test_every_module_whose_nodes_move_transmits_traction(solve, module, analysi
 
 def slotted(pair: tuple[str, str], params: str = "") -> Document:
     """A block with a slot whose upper arm is pressed down until the slot closes at its mouth."""
-    parts = Parts()
-    parts.box("block", (0, 0, 0), (3, 1, 2.2), (6, 2, 11), "soft")
-    parts.cut_out("block", (1, -1, 1), (9, 9, 1.2))
-    outer = parts.outside("block")
-    lower, upper = parts.facets_in(outer, 2, 1.0), parts.facets_in(outer, 2, 1.2)
-    parts.surfaces = {"outer": outer, "lower": lower, "upper": upper, "slot": lower + upper}
-    place = dict(enumerate(parts.nodes, 1))
-    parts.node_sets = {
-        "bottom": [n for n, x in place.items() if x[2] < 1e-9],
-        "tip": [n for n, x in place.items() if x[2] > 2.2 - 1e-9 and x[0] > 2.9],
-    }
+    parts = small.slotted_block("soft")
     return Document(
         parts.mesh({"pair": pair}),
         (elastic("soft", 1, 1, 0.3),),

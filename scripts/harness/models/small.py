@@ -130,6 +130,26 @@ class Parts:
         return "\n".join([*lines, "</MeshDomains>"])
 
 
+def slotted_block(material: str) -> Parts:
+    """A block, 3 x 1 x 2.2, with a slot at 1 < z < 1.2 that is open at x = 3.
+
+    Surfaces are all of its outside, the two sides of the slot, and both of them; node sets its bottom and the tip of
+    the arm above the slot.
+    """
+    parts = Parts()
+    parts.box("block", (0, 0, 0), (3, 1, 2.2), (6, 2, 11), material)
+    parts.cut_out("block", (1, -1, 1), (9, 9, 1.2))
+    outer = parts.outside("block")
+    lower, upper = parts.facets_in(outer, 2, 1.0), parts.facets_in(outer, 2, 1.2)
+    parts.surfaces = {"outer": outer, "lower": lower, "upper": upper, "slot": lower + upper}
+    place = dict(enumerate(parts.nodes, 1))
+    parts.node_sets = {
+        "bottom": [n for n, x in place.items() if x[2] < 1e-9],
+        "tip": [n for n, x in place.items() if x[2] > 2.2 - 1e-9 and x[0] > 2.9],
+    }
+    return parts
+
+
 def elastic(name: str, number: int, modulus: float = 1.0, ratio: float = 0.0) -> str:
     """A neo-Hookean material."""
     inner = f"<density>1</density><E>{modulus}</E><v>{ratio}</v>"

@@ -27,8 +27,8 @@ class End(str, Enum):
 
 
 @dataclass(frozen=True)
-class Outcome:
-    """What came of a case on one mesh with one interface.
+class Attempt:
+    """A case that was run on one mesh with one interface.
 
     Attributes
     ----------
@@ -39,8 +39,6 @@ class Outcome:
         Part of the case's time that was reached.
     steps, iterations, residuals, retries : int
         Iterations are 0 where the limit ended the run: FEBio then writes no summary.
-    missed : str
-        Checks that it misses, with semicolons between them.
     """
 
     case: str
@@ -52,6 +50,18 @@ class Outcome:
     iterations: int
     residuals: int
     retries: int
+
+
+@dataclass(frozen=True)
+class Outcome(Attempt):
+    """An attempt as a row of the table.
+
+    Attributes
+    ----------
+    missed : str
+        Checks that it misses, with semicolons between them.
+    """
+
     missed: str
 
     @property

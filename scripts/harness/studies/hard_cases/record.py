@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 
 from harness.errors import DataFileError, HarnessError
@@ -13,38 +13,23 @@ from harness.run import diagnosis, febio_log
 from harness.run.runner import Runner, RunResult
 from harness.studies.hard_cases import invariants
 from harness.studies.hard_cases.catalogue import CASES
-from harness.studies.hard_cases.outcomes import Outcome
+from harness.studies.hard_cases.outcomes import Attempt, Outcome
 from harness.studies.hard_cases.scene import Fineness, Interface
 from harness.validate.results import measures_as_data, measures_from_data
 
 
 @dataclass(frozen=True)
-class Record:
-    """What came of a case on one mesh with one interface.
+class Record(Attempt):
+    """An attempt with what was checked of it.
 
     Attributes
     ----------
-    case, mesh, interface : str
-    ended : bool
-        Whether the run ended normally.
-    reached : float
-        Part of the case's time that was reached.
-    steps, iterations, residuals, retries : int
     failures : str
-        How attempts failed.
+        How attempts at steps failed.
     measures : list of Measure
         All checks that could be made.
     """
 
-    case: str
-    mesh: str
-    interface: str
-    ended: bool
-    reached: float
-    steps: int
-    iterations: int
-    residuals: int
-    retries: int
     failures: str
     measures: list[Measure]
 
@@ -61,9 +46,8 @@ class Record:
     @property
     def outcome(self) -> Outcome:
         """The record as a row of a table."""
-        counts = (self.steps, self.iterations, self.residuals, self.retries)
-        missed = "; ".join(map(_short, self.missed))
-        return Outcome(self.case, self.mesh, self.interface, self.ended, self.reached, *counts, missed)
+        shared = {field.name: getattr(self, field.name) for field in fields(Attempt)}
+        return Outcome(**shared, missed="; ".join(map(_short, self.missed)))
 
 
 def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Record:

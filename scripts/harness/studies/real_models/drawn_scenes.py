@@ -16,6 +16,7 @@ from harness.models.small import (
     fixed,
     moved,
     rigid,
+    slotted_block,
 )
 
 PENALTY = "<laugon>PENALTY</laugon><auto_penalty>1</auto_penalty><penalty>10</penalty>"
@@ -129,16 +130,7 @@ def _stacked() -> Document:
 
 def _slotted() -> Document:
     """A block with a slot that closes: both of its sides are one surface, in contact with itself."""
-    parts = Parts()
-    parts.box("block", (0, 0, 0), (3, 1, 2.2), (6, 2, 11), "soft")
-    parts.cut_out("block", (1, -1, 1), (9, 9, 1.2))
-    outer = parts.outside("block")
-    parts.surfaces = {"slot": parts.facets_in(outer, 2, 1.0) + parts.facets_in(outer, 2, 1.2)}
-    place = dict(enumerate(parts.nodes, 1))
-    parts.node_sets = {
-        "bottom": [n for n, x in place.items() if x[2] < 1e-9],
-        "tip": [n for n, x in place.items() if x[2] > 2.2 - 1e-9 and x[0] > 2.9],
-    }
+    parts = slotted_block("soft")
     return Document(
         parts.mesh({"pair": ("slot", "slot")}),
         (elastic("soft", 1, 1, 0.3),),

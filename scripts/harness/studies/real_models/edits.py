@@ -131,17 +131,6 @@ def both_ways(root: Element, _: Path) -> None:
     section.append(second)
 
 
-def elements_of(**types: str) -> Edit:
-    """Sets attributes or parameters of the domains of solids, such as `elem_type`."""
-
-    def edit(root: Element, _: Path) -> None:
-        for domain in root.iterfind("MeshDomains/SolidDomain"):
-            for name, value in types.items():
-                domain.set(name, value)
-
-    return edit
-
-
 def must_points(root: Element, _: Path) -> None:
     """The largest step follows a curve whose points have to be met."""
     stepper = _one(root, "Control/time_stepper/dtmax")

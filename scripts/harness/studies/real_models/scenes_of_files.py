@@ -73,9 +73,9 @@ SCENES: Mapping[str, Edited] = {
     "search-radius": _edited("a small search radius", "elements-hex8", edits.in_contact(search_radius="0.2")),
     "segment-updates": _edited("pairs of facets kept after two updates", "sliding", edits.in_contact(seg_up="2")),
     "node-reloc": _edited(
-        "node_reloc, and further parameters of its family",
+        "nodes moved onto the other surface at the start",
         "type-sliding-node-on-facet",
-        edits.in_contact(update_penalty="1"),
+        edits.in_contact(node_reloc="1"),
     ),
     "update-penalty": _edited(
         "a penalty that follows the deformation", "rigid-free", edits.in_contact(update_penalty="1")
