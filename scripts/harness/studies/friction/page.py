@@ -1,52 +1,64 @@
-"""The page of what friction costs: docs/evidence/friction.md, from docs/data/friction-cases.csv."""
+"""The page of friction: docs/evidence/friction.md, from hard cases and published curves."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from harness.pages.evidence import DATA, EvidencePage
 from harness.studies import files
+from harness.studies.friction import curves_table, stick_points
+from harness.studies.hard_cases.outcomes import OURS, Outcome, Table, arranged
 from harness.studies.hard_cases.rubbing import CASES
+from harness.studies.hard_cases.rubbing_record import FRICTIONLESS, MOST_ITERATIONS
+from harness.studies.hard_cases.scene import Fineness
 
-SOURCE = "friction-cases.csv"
-
-
-@dataclass(frozen=True)
-class Row:
-    """A scene with friction, and without it (``plain``): steps, Newton iterations, steps tried again."""
-
-    case: str
-    steps: int
-    iterations: int
-    retries: int
-    plain_steps: int
-    plain_iterations: int
-    plain_retries: int
-
-    @property
-    def ratio(self) -> float:
-        """Iterations with friction over those without."""
-        return self.iterations / self.plain_iterations
-
-    @property
-    def line(self) -> str:
-        """A row of the page's table."""
-        counts = (f"{self.steps} / {self.iterations} / {self.retries}", f"{self.plain_steps} / {self.plain_iterations}")
-        return f"| {CASES[self.case].about} | {counts[0]} | {counts[1]} / {self.plain_retries} | {self.ratio:.2f} |"
+CASES_SOURCE = "friction-cases.csv"
 
 
 def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
-    rows = files.read_csv(DATA / SOURCE, Row)
-    more = sum(row.retries > row.plain_retries for row in rows)
-    least, most = min(row.ratio for row in rows), max(row.ratio for row in rows)
-    headline = (
-        f"{len(rows)} scenes end with {least:.2f} to {most:.2f} times the iterations of the same scene without "
-        f"friction. Scenes with more steps tried again than without: {more}."
+    rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
+    headlines = [_headline(rows, mesh) for mesh in Fineness]
+    return {
+        "headline": " ".join(headlines),
+        "cases": "\n".join(_lines(rows)),
+        **curves_table.figures(),
+        **stick_points.figures(files.read_csv(DATA / stick_points.SOURCE, stick_points.Datum)),
+    }
+
+
+def _on(rows: Table, mesh: Fineness) -> Sequence[tuple[str, Outcome, Outcome]]:
+    """Cases on a mesh: name, with friction, without."""
+    return [(case, row[OURS], row[FRICTIONLESS]) for (case, each), row in rows.items() if each == mesh.value]
+
+
+def _headline(rows: Table, mesh: Fineness) -> str:
+    own = _on(rows, mesh)
+    ended = [(with_it, without) for _, with_it, without in own if with_it.ended and without.ended]
+    ratios = [with_it.iterations / without.iterations for with_it, without in ended]
+    most = sum(ratio <= MOST_ITERATIONS for ratio in ratios)
+    more = sum(with_it.retries > without.retries for with_it, without in ended)
+    return (
+        f"On the {mesh.value} mesh {len(ended)} of {len(own)} scenes end, with {min(ratios):.2f} to {max(ratios):.2f} "
+        f"times the iterations of the same scene without friction, {most} of them with at most {MOST_ITERATIONS:g} "
+        f"times; scenes with more steps tried again than without: {more}."
     )
-    return {"headline": headline, "table": "\n".join(row.line for row in rows)}
 
 
-PAGE = EvidencePage("evidence/friction.md", (SOURCE,), Path(__file__).with_name("rubbing_page.md"), figures)
+def _lines(rows: Table) -> list[str]:
+    """Rows of the table: counts with friction and without, and their ratio, on both meshes."""
+    found: dict[str, list[str]] = {}
+    for mesh in Fineness:
+        for case, with_it, without in _on(rows, mesh):
+            ratio = f"{with_it.iterations / without.iterations:.2f}" if with_it.ended and without.ended else "-"
+            found.setdefault(case, [CASES[case].about]).extend((with_it.counts, without.counts, ratio))
+    return [f"| {' | '.join(cells)} |" for cells in found.values()]
+
+
+PAGE = EvidencePage(
+    "evidence/friction.md",
+    (CASES_SOURCE, curves_table.SOURCE, stick_points.SOURCE),
+    Path(__file__).with_name("page.md"),
+    figures,
+)
