@@ -19,6 +19,7 @@ from harness.studies.hertz import command as hertz
 from harness.studies.hertz import page as verification_page
 from harness.studies.linear_solvers import command as linear_solvers
 from harness.studies.predictor import command as predictor
+from harness.studies.predictor import page as predictor_page
 from harness.studies.price import command as price
 from harness.studies.price import page as price_page
 from harness.studies.real_models import command as real_models
@@ -54,7 +55,14 @@ _OF_THE_REPOSITORY = (
 )
 
 
-PAGES = (hard_cases_page.PAGE, friction_page.PAGE, cost_page.PAGE, price_page.PAGE, verification_page.PAGE)
+PAGES = (
+    hard_cases_page.PAGE,
+    friction_page.PAGE,
+    cost_page.PAGE,
+    price_page.PAGE,
+    verification_page.PAGE,
+    predictor_page.PAGE,
+)
 """Pages of evidence, which are made from the results of studies."""
 pages.PAGES.update({page.name: page for page in PAGES})
 pages.PAGES[command_reference.PAGE] = partial(

@@ -30,6 +30,7 @@ SLOW = (
     "symmetric",
     "begins-with-a-step",
     "ends-with-a-step",
+    "explicit",
     "mesh-from-a-file",
     "part-lists",
     "both-ways",
@@ -53,7 +54,8 @@ WITH_ITERATIONS_BY_DEFAULT = {
 
 def test_there_are_scenes_of_every_kind():
     assert len(SCENES) >= 90
-    assert {scene.module for scene in SCENES.values()} == {"solid", "biphasic", "solute", "multiphasic", "fluid-FSI"}
+    modules = {"solid", "explicit-solid", "biphasic", "solute", "multiphasic", "fluid-FSI"}
+    assert {scene.module for scene in SCENES.values()} == modules
 
 
 @pytest.mark.usefixtures("runner")

@@ -49,6 +49,7 @@ SMALL = {
     "scripts/mixcontact biphasic-hertz --folder docs": "{harness} biphasic-hertz --help",
     "scripts/mixcontact price --docs": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
+    "scripts/mixcontact predictor --mesh coarse --docs": "{harness} predictor --help",
     "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact friction-cases": "{harness} friction-cases --help",
     "scripts/mixcontact friction-cases --only reversal --mesh coarse --no-febio": "{harness} friction-cases --help",

@@ -19,11 +19,12 @@ from harness.validate import friction_checks
 Array = NDArray[np.float64]
 FRACTIONS = (0.0, 0.1, 0.5)
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62")
+MARKERS = ("o", "s", "^")
 DPI = 110
 SLIP = 0.99
 """A facet counts as slipping where its friction reaches this part of the largest one."""
 PICTURES = {
-    "friction-plate.png": "Effective friction coefficient over time: closed form (lines) and runs (circles)",
+    "friction-plate.png": "Effective friction coefficient over time: closed form (lines) and runs (marks)",
     "friction-joint.png": "Fluid pressure over the joint, and friction along the contact with its bound and stick zone",
 }
 """File names and what they show."""
@@ -43,10 +44,18 @@ def draw_plate(runs: dict[float, RunResult], path: Path) -> Path:
     """mu_eff/mu_eq over time for each phi, beside the closed form."""
     figure = Figure(figsize=(6.0, 3.6), layout="constrained")
     axes = figure.subplots()
-    for (phi, run), colour in zip(runs.items(), COLOURS, strict=False):
+    for (phi, run), colour, marker in zip(runs.items(), COLOURS, MARKERS, strict=True):
         tau, found, exact = friction_checks.plate_curve(run, phi)
-        axes.semilogx(tau, exact, "-", color=colour, linewidth=1.4, label=rf"$\varphi$ = {phi:g}")
-        axes.semilogx(tau[::8], found[::8], "o", color=colour, markersize=4, markerfacecolor="white")
+        axes.semilogx(tau, exact, "-", color=colour, linewidth=1.4)
+        axes.semilogx(
+            tau[::8],
+            found[::8],
+            marker,
+            color=colour,
+            markersize=4,
+            markerfacecolor="white",
+            label=rf"$\varphi$ = {phi:g}",
+        )
     axes.set(xlabel=r"$H\,k\,t/h^2$", ylabel=r"$\mu_\mathrm{eff}/\mu_\mathrm{eq}$", ylim=(0.0, 1.05))
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(frameon=False)

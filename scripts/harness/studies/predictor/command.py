@@ -11,14 +11,18 @@ import typer
 from rich.console import Console
 from rich.progress import track
 
-from harness.paths import RESULTS
+from harness.pages.evidence import DATA
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance
 from harness.run.runner import Runner
+from harness.studies import files
 from harness.studies.hard_cases.scene import Fineness
-from harness.studies.predictor import paired_models, summary_table
+from harness.studies.predictor import page, paired_models, summary_table
+from harness.studies.predictor.paired_models import Took
 
 console = Console(highlight=False, soft_wrap=True)
-TIMEOUT = 600.0
-"""s of wall time for one run."""
+LIMIT = 600.0
+"""s of processor time for one run."""
 
 
 def predictor(
@@ -26,13 +30,14 @@ def predictor(
     mesh: Annotated[list[Fineness] | None, typer.Option(help="Hard cases on this mesh alone.")] = None,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "predictor",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Run every model and every hard case without and with the predictor, and write the table.
 
     What was done is not done again.
     """
-    runner = Runner(folder / "runs", timeout=timeout)
+    runner = Runner(folder / "runs", processor_limit=limit)
     chosen = [known for known in paired_models.known_models(mesh or list(Fineness)) if _wanted(known[0], only)]
     with ThreadPoolExecutor(jobs) as pool:
         done = pool.map(lambda known: paired_models.run(known[0], known[1], runner), chosen)
@@ -41,6 +46,10 @@ def predictor(
     (folder / "predictor.md").write_text(text)
     console.print(text, markup=False)
     console.print(f"Written: {folder / 'predictor.md'}")
+    if docs:
+        files.write_csv(paired_models.runs(found), Took, DATA / page.SOURCE, provenance.stamp(limit))
+        (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+        console.print(f"Written: {DOCS / page.PAGE.name}")
 
 
 def _wanted(name: str, only: list[str] | None) -> bool:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model
 from harness.models.interface import InterfaceType
-from harness.models.parts import Contact, Param
+from harness.models.parts import Contact, Param, Rigid
 from harness.pages import collection
 from harness.run.febio_log import Report
 from harness.run.runner import Runner
@@ -20,8 +20,10 @@ MOST = 1.02
 
 @dataclass(frozen=True)
 class Took:
-    """What a run took."""
+    """What a run took: time steps, Newton iterations, steps tried again."""
 
+    model: str
+    predictor: bool
     ended: bool
     steps: int
     iterations: int
@@ -32,9 +34,13 @@ class Took:
 class Pair:
     """The runs of a model without and with the predictor."""
 
-    name: str
     without: Took
     predicted: Took
+
+    @property
+    def name(self) -> str:
+        """The model's."""
+        return self.without.model
 
     @property
     def ratio(self) -> float:
@@ -67,9 +73,13 @@ def _predicted(contact: Contact) -> Contact:
 
 
 def known_models(meshes: Sequence[Fineness]) -> Iterator[tuple[str, Model]]:
-    """Name and model: those of the repository, then each hard case on these meshes."""
+    """Name and model: those of the repository, then each hard case on these meshes.
+
+    Models with rigid bodies are left out: the predictor is not available there.
+    """
     for model in collection.models():
-        yield model.name, model
+        if not any(isinstance(material, Rigid) for material in model.materials.values()):
+            yield model.name, model
     for name, case in CASES.items():
         for mesh in meshes:
             yield f"{name}, {mesh.value}", case.scene.model(mesh, Interface.MIXTURE)
@@ -77,9 +87,19 @@ def known_models(meshes: Sequence[Fineness]) -> Iterator[tuple[str, Model]]:
 
 def run(name: str, model: Model, runner: Runner) -> Pair:
     """Run a model without and with the predictor."""
-    return Pair(name, _took(model, runner), _took(with_predictor(model), runner))
+    return Pair(_took(name, False, model, runner), _took(name, True, with_predictor(model), runner))
 
 
-def _took(model: Model, runner: Runner) -> Took:
+def _took(name: str, predictor: bool, model: Model, runner: Runner) -> Took:
     report: Report = runner(model, check=False).report
-    return Took(report.normal, report.steps, report.iterations, report.retries)
+    return Took(name, predictor, report.normal, report.steps, report.iterations, report.retries)
+
+
+def runs(pairs: Iterable[Pair]) -> list[Took]:
+    """The runs of all pairs, in turn: without, and with."""
+    return [took for pair in pairs for took in (pair.without, pair.predicted)]
+
+
+def pairs(found: Sequence[Took]) -> list[Pair]:
+    """What `runs` was made from."""
+    return [Pair(*two) for two in zip(found[::2], found[1::2], strict=True)]

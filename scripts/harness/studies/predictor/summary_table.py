@@ -8,8 +8,8 @@ from harness.studies.predictor.paired_models import MOST, Pair, Took
 
 
 def table(pairs: Sequence[Pair]) -> str:
-    """A Markdown table, a row for each model: iterations, and retries in brackets where there are any."""
-    head = ["| model | without | with `predictor` | ratio | worse in |", "|---|---|---|---|---|"]
+    """A Markdown table, a row for each model: iterations, and steps tried again in brackets where there are any."""
+    head = ["| model | without | with `predictor` 1 | ratio | worse in |", "|---|---|---|---|---|"]
     return "\n".join([*head, *map(_row, pairs)])
 
 

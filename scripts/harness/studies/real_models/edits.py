@@ -37,6 +37,23 @@ def solver(**values: str) -> Edit:
     return edit
 
 
+def explicit_dynamics(steps: int) -> Edit:
+    """FEBio's explicit solver, with this many equal steps over the same time, and some damping."""
+
+    def edit(root: Element, _: Path) -> None:
+        _one(root, "Module").set("type", "explicit-solid")
+        control = _one(root, "Control")
+        number, size = _one(control, "time_steps"), _one(control, "step_size")
+        size.text = f"{int(number.text or '') * float(size.text or '') / steps:g}"
+        number.text = str(steps)
+        _one(control, "analysis").text = "DYNAMIC"
+        control.remove(_one(control, "time_stepper"))
+        lumped = '<solver type="explicit-solid"><mass_lumping>2</mass_lumping><dyn_damping>0.99</dyn_damping></solver>'
+        control.replace(_one(control, "solver"), _xml(lumped))
+
+    return edit
+
+
 def updates(method: str, number: int) -> Edit:
     """A quasi-Newton method with this many updates between two matrices."""
 

@@ -34,7 +34,8 @@ _RUBS = {
 
 def _with_friction(name: str, coefficient: float) -> Edited:
     scene = BODIES[name]
-    return Edited(f"{scene.about}, friction {coefficient:g}", scene, (edits.in_contact(fric_coeff=f"{coefficient:g}"),))
+    rubs = edits.in_contact(fric_coeff=f"{coefficient:g}")
+    return Edited(f"{scene.about}, friction {coefficient:g}", scene, (rubs,), scene.module)
 
 
 SCENES: Mapping[str, Edited] = {f"friction-{name}": _with_friction(name, mu) for name, mu in _RUBS.items()}

@@ -25,16 +25,14 @@ class Edited:
     scene : Scene
     edits : tuple of Edit
         Applied one after the other.
+    module : str
+        FEBio's module.
     """
 
     about: str
     scene: Scene
     edits: tuple[Edit, ...]
-
-    @property
-    def module(self) -> str:
-        """FEBio's module."""
-        return self.scene.module
+    module: str
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""
@@ -47,7 +45,11 @@ class Edited:
 
 
 def _edited(about: str, scene: str, *made: Edit) -> Edited:
-    return Edited(about, BODIES[scene], made)
+    return Edited(about, BODIES[scene], made, BODIES[scene].module)
+
+
+def _explicit(about: str, scene: str, steps: int) -> Edited:
+    return Edited(about, BODIES[scene], (edits.explicit_dynamics(steps),), "explicit-solid")
 
 
 SCENES: Mapping[str, Edited] = {
@@ -57,6 +59,8 @@ SCENES: Mapping[str, Edited] = {
     "broyden": _edited("10 updates of Broyden", "elements-hex8", edits.updates("Broyden", 10)),
     "broyden-biphasic": _edited("10 updates of Broyden, biphasic", "biphasic", edits.updates("Broyden", 10)),
     "symmetric": _edited("symmetric matrix", "elements-hex8", edits.solver(symmetric_stiffness="symmetric")),
+    "explicit": _explicit("explicit dynamics", "elements-hex8", 500),
+    "explicit-tet4": _explicit("explicit dynamics, tetrahedra", "elements-tet4", 2000),
     "no-line-search": _edited("without a line search", "elements-hex8", edits.solver(lstol="0")),
     "begins-with-a-step": _edited("contact from the second step on", "flat", edits.two_steps((2,))),
     "ends-with-a-step": _edited("contact in the first step alone", "elements-hex8", edits.two_steps((1,))),
