@@ -24,6 +24,11 @@ def test_a_value_is_measured_from_what_is_published():
     assert curves.outside(1.2, (0.9, 1.0)) == pytest.approx(0.2)
 
 
+def test_a_curve_has_no_value_where_it_does_not_reach():
+    rows = [curves.Row("torque", "run", place, 2.0 * place) for place in (0.0, 10.0, 30.0)]
+    np.testing.assert_allclose(curves.values_at(rows, "torque", "run", (20.0, 30.0, 40.0)), (40.0, 60.0, np.nan))
+
+
 def test_the_hemisphere_has_the_published_wall_and_turns_half_round():
     assert inner_radius(TwistingHemisphere().model().mesh, "hemisphere") == pytest.approx(2.0 / 3.0)
     rim = np.array([1.0, 0.0, 3.0])

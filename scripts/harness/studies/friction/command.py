@@ -70,6 +70,7 @@ def friction_benchmarks(
     rows: list[Row] = []
     for series in curves.HEMISPHERES:
         rows += curves.hemisphere_rows(series, runner)
+    rows += curves.febio_rows(runner)
     for series in curves.MESHES:
         rows += curves.sphere_rows(series, runner)
     for measure in curves.torque_measures(rows, "fine mesh"):

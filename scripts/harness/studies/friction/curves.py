@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from harness.models import twisting_hemisphere
 from harness.models.concentric_spheres import WAY, ConcentricSpheres
+from harness.models.interface import InterfaceType
 from harness.models.twisting_hemisphere import TwistingHemisphere
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
@@ -23,6 +24,8 @@ HEMISPHERES = {
     "coarse mesh": TwistingHemisphere(),
     "fine mesh": TwistingHemisphere(10, name="twisting-hemisphere-fine"),
 }
+FEBIO_SERIES = "FEBio's sliding-elastic, coarse mesh"
+FEBIO_HEMISPHERE = TwistingHemisphere(interface=InterfaceType.ELASTIC, name="twisting-hemisphere-febio")
 MESHES = {"coarse mesh": (6, 2, 45), "fine mesh": (8, 3, 90)}
 """Of the spheres: elements along the edge of a patch and through a shell, and steps."""
 
@@ -51,7 +54,15 @@ class Row:
 
 def hemisphere_rows(series: str, runner: Runner) -> list[Row]:
     """Torque and force of the hemisphere while it turns, on one of the meshes."""
-    run = runner(HEMISPHERES[series].model())
+    return _turned_rows(series, runner(HEMISPHERES[series].model()))
+
+
+def febio_rows(runner: Runner) -> list[Row]:
+    """The same with FEBio's interface, as far as its run comes."""
+    return _turned_rows(FEBIO_SERIES, runner(FEBIO_HEMISPHERE.model(), check=False))
+
+
+def _turned_rows(series: str, run: RunResult) -> list[Row]:
     angle, torque, force = turned(run)
     return [*_rows("torque", series, angle, torque), *_rows("force", series, angle, force)]
 
@@ -84,9 +95,10 @@ def turned(run: RunResult) -> tuple[Array, Array, Array]:
 
 
 def values_at(rows: Sequence[Row], problem: str, series: str, places: Sequence[float]) -> Array:
-    """A series of a problem at some places, interpolated."""
+    """A series of a problem at some places, interpolated; nan where it does not reach."""
     own = [(row.place, row.value) for row in rows if (row.problem, row.series) == (problem, series)]
-    return np.asarray(np.interp(places, *np.array(own).T))
+    at, value = np.array(own).T
+    return np.asarray(np.interp(np.array(places), at, value, right=np.nan))
 
 
 def torque_measures(rows: Sequence[Row], series: str) -> list[Measure]:

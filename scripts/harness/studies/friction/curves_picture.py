@@ -8,12 +8,12 @@ from pathlib import Path
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from harness.studies.friction.curves import Row
+from harness.studies.friction.curves import FEBIO_SERIES, Row
 from harness.studies.friction.published import ABAQUS, AREIAS, FEBIO, SAUER
 
 PICTURE = "images/friction-benchmarks.svg"
 RED = "#7a1f1f"
-LINES = {"coarse mesh": (":", "0.45"), "fine mesh": ("-", RED)}
+LINES = {"coarse mesh": (":", "0.45"), "fine mesh": ("-", RED), FEBIO_SERIES: ("--", "#2f5d9e")}
 MARKS = {FEBIO: "o", SAUER: "s", ABAQUS: "^", AREIAS: "x"}
 PANELS = (
     ("torque", "angle [degrees]", "torque [N mm]", "twisting hemisphere"),

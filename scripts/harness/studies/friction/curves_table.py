@@ -43,12 +43,15 @@ def pressed_line(rows: Sequence[Row]) -> str:
 
 
 def _table(rows: Sequence[Row], problem: str, place: str, places: Sequence[float], curves: Curves) -> str:
-    """A column for each published curve and mesh, and how far the fine mesh is outside of what the former span."""
-    meshes = ("coarse mesh", "fine mesh")
-    columns = [*curves.values(), *(values_at(rows, problem, mesh, places).tolist() for mesh in meshes)]
-    far = [outside(v, s) for v, s in zip(columns[-1], published.spread(curves), strict=True)]
-    heads = [place, *curves, *meshes, "fine mesh outside of published"]
+    """A column for each published curve and each run, and how far the fine mesh is outside of what the former span."""
+    runs = [
+        series for series in dict.fromkeys(row.series for row in rows if row.problem == problem) if series not in curves
+    ]
+    found = {series: values_at(rows, problem, series, places).tolist() for series in runs}
+    far = [outside(v, s) for v, s in zip(found["fine mesh"], published.spread(curves), strict=True)]
+    heads = [place, *curves, *runs, "fine mesh outside of published"]
     lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
-    for at, *values, out in zip(places, *columns, far, strict=True):
-        lines.append(f"| {at:g} | " + " | ".join(f"{v:.2f}" for v in values) + f" | {100.0 * out:.1f} % |")
+    for at, *values, out in zip(places, *curves.values(), *found.values(), far, strict=True):
+        cells = ["fails before" if np.isnan(v) else f"{v:.2f}" for v in values]
+        lines.append(f"| {at:g} | " + " | ".join(cells) + f" | {100.0 * out:.1f} % |")
     return "\n".join(lines)
