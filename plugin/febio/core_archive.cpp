@@ -73,7 +73,9 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
 }
 
 void archive_effects(DumpStream& ar, Effects& effects) {
-  ar & effects.traction & effects.solvent & effects.friction & effects.bearing_fluid;
+  int friction = static_cast<int>(effects.friction_kind);
+  ar & effects.traction & effects.solvent & friction;
+  effects.friction_kind = static_cast<mixture_contact::FrictionKind>(friction);
   archive(ar, effects.solutes);
 }
 
@@ -85,5 +87,5 @@ void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
   state.carriers.resize(newton::entries(passes));
   for (LoadCarriers& carriers : state.carriers) archive_carriers(ar, carriers);
-  if (effects.friction) archive_friction(ar, state);
+  if (effects.may_rub()) archive_friction(ar, state);
 }

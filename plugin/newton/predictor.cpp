@@ -148,6 +148,10 @@ bool Predictor::predicts_the_change() const {
                      [&](const PastSteps& variable) { return variable.changed() && variable.predicts(dt); });
 }
 
+std::string Predictor::unavailable() const {
+  return solver_.is_predictable() ? "" : "is not available in models with rigid bodies; set it to 0.";
+}
+
 bool Predictor::will_predict() const {
   return plain_steps_ == 0 && solver_.is_predictable() && !variables_.empty() &&
          analysis_step_ == solver_.analysis_step() && is_worth_trying() && predicts_the_change() && !loads_turn();

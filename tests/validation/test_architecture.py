@@ -69,14 +69,16 @@ def test_what_helps_the_solver_knows_nothing_of_contact() -> None:
 
 def test_the_adapter_names_a_helper_where_it_registers_it_and_nowhere_else() -> None:
     helpers = "Predictor", "NonNegativeConcentrations", "LineSearchGuard"
+    lines = [
+        line.strip()
+        for path in sorted(ADAPTER.iterdir())
+        if path.suffix in (".h", ".cpp")
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if not line.startswith("#include")
+    ]
+    snake_case = {helper: re.sub(r"(?<!^)([A-Z])", r"_\1", helper).lower() for helper in helpers}
     found = {
-        helper: [
-            line.strip()
-            for path in sorted(ADAPTER.iterdir())
-            if path.suffix in (".h", ".cpp")
-            for line in path.read_text(encoding="utf-8").splitlines()
-            if helper in line
-        ]
-        for helper in helpers
+        helper: [line for line in lines if re.search(rf"\b(?:{helper}|{switch})\b", line)]
+        for helper, switch in snake_case.items()
     }
     assert {helper: len(lines) for helper, lines in found.items()} == dict.fromkeys(helpers, 1), found
