@@ -42,7 +42,7 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
 int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
   FENodeElemList& around = mesh.NodeElementList();
   FEElement** const elements = around.ElementList(nodes.front());
-  return newton::as_int(
+  return indexing::as_int(
       std::count_if(elements, elements + around.Valence(nodes.front()), [&](const FEElement* element) {
         const std::vector<int>& own = element->m_node;
         return element->Class() == FE_ELEM_SOLID && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
@@ -250,7 +250,7 @@ void ContactSetup::say_stand_in() const {
 
 std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& materials) const {
   std::vector<std::string> names = solute_names(fem_);
-  names.resize(newton::entries(dofs_.concentrations()));
+  names.resize(indexing::entries(dofs_.concentrations()));
   std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
   if (dofs_.pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
   leave_out(left_out(parameters_), fields);
