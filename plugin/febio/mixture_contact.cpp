@@ -5,7 +5,6 @@
 #include "contact/interface/multipliers.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
-#include "host/parameter_groups.h"
 #include "matrix_requests.h"
 
 #include <FECore/Callback.h>
@@ -36,14 +35,13 @@ const char* unit_of(Unit unit) {
   return UNIT_NONE;
 }
 
-/// Opens the group that the parameter belongs to; what has none is hidden.
-template <class Add>
-FEParam* in_its_group(FEParamContainer& owner, const char* name, const Add& add) {
-  const char* const heading = parameter_group(name);
-  owner.BeginParameterGroup(heading);
-  FEParam* const parameter = add();
+/// Adds a parameter to its group; what FEBio Studio does not offer is hidden.
+template <class Value>
+FEParam* add_to_group(FEParamContainer& owner, const ParameterTag& tag, Value& value) {
+  owner.BeginParameterGroup(heading(tag.group));
+  FEParam* const parameter = owner.AddParameter(value, tag.name);
   owner.EndParameterGroup();
-  if (heading == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
+  if (heading(tag.group) == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
   return parameter;
 }
 
@@ -51,12 +49,12 @@ FEParam* in_its_group(FEParamContainer& owner, const char* name, const Add& add)
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) {
-    FEParam* parameter = in_its_group(*this, tag.name, [&] { return AddParameter(value, tag.name); });
+    FEParam* parameter = add_to_group(*this, tag, value);
     parameter->setLongName(tag.long_name)->setUnits(unit_of(tag.unit));
     parameter->SetWatchVariable(tag.given);
     if (tag.choices != nullptr) parameter->setEnums(tag.choices);
   });
-  BEGIN_PARAM_GROUP(parameter_group("ambient_pressure"));
+  BEGIN_PARAM_GROUP(heading(ParameterGroup::ambient));
   ADD_PARAMETER(parameters_.ambient.pressure, "ambient_pressure")
       ->setUnits(UNIT_PRESSURE)
       ->setLongName("ambient pressure");
@@ -129,7 +127,7 @@ void FEMixtureContact::find_load_curves() {
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction(bound_);
   dofs_.number_multipliers(first);
-  return newton::as_int(multiplier_layout(core()).size());
+  return indexing::as_int(multiplier_layout(core()).size());
 }
 
 void FEMixtureContact::Activate() {

@@ -2,6 +2,7 @@
 /// by the hosts.
 #pragma once
 
+#include "contact/base/indexed_vector.h"
 #include "contact/base/settings.h"
 #include "contact/base/side.h"
 
@@ -128,65 +129,82 @@ inline constexpr HelperSwitch line_search_guard{"line_search_guard", &HelperPara
 /// What a parameter is measured in.
 enum class Unit { none, length, pressure, concentration };
 
+/// What a parameter belongs to, in the order in which a user finds it.
+enum class ParameterGroup { effects, enforcement, ambient, surfaces, solution, friction, old_models };
+
+/// The heading of a group in FEBio Studio, which is that of the documentation; null for what FEBio Studio does not
+/// offer.
+constexpr const char* heading(ParameterGroup group) {
+  constexpr std::array<const char*, 7> headings{"Effects",  "Enforcement", "Ambient values", "Surfaces and integration",
+                                                "Solution", "Friction",    nullptr};
+  return mixture_contact::at(headings, static_cast<int>(group));
+}
+
 /// How a parameter stands in a model file.
 struct ParameterTag {
   const char* name = "";
   const char* long_name = "";  ///< what a user reads in FEBio Studio
-  bool* given = nullptr;       ///< to be set where the model has the tag
+  ParameterGroup group = ParameterGroup::old_models;
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
+  bool* given = nullptr;          ///< to be set where the model has the tag
 };
 
 /// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for ambient_pressure,
 /// which hosts read with its load curve.
 template <class Take>
 void for_each_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
   using mixture_contact::Side;
   const auto take_given = [&take](ParameterTag tag, auto& parameter) {
     tag.given = &parameter.given;
     take(tag, parameter.value);
   };
-  take({"effects", "effects exchanged"}, p.effects);
-  take({"laugon", "enforcement method", nullptr, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"}, p.enforcement.laugon);
-  take({"tolerance", "tolerance of all fields"}, p.tolerances.all);
-  take_given({"traction_tolerance", "tolerance of the gap"}, p.tolerances.traction);
-  take_given({"solvent_tolerance", "tolerance of the pressure jump"}, p.tolerances.solvent);
-  take_given({"solute_tolerance", "tolerance of the concentration jumps"}, p.tolerances.solute);
-  take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.tolerances.gaptol);
-  take({"ptol", "pressure jump tolerance", nullptr, Unit::pressure}, p.tolerances.ptol);
-  take({"ctol", "concentration jump tolerance", nullptr, Unit::concentration}, p.tolerances.ctol);
-  take_given({"penalty", "normal penalty"}, p.penalties.traction);
-  take_given({"pressure_penalty", "solvent penalty"}, p.penalties.solvent);
-  take_given({"concentration_penalty", "solute penalty"}, p.penalties.solute);
-  take({"auto_penalty", "automatic penalty"}, p.penalties.auto_penalty);
-  take({"update_penalty", "update penalty each step"}, p.penalties.update_penalty);
-  take({"two_pass", "two passes"}, p.enforcement.two_pass);
-  take({"symmetric_stiffness", "symmetric stiffness"}, p.enforcement.symmetric_stiffness);
-  take_given({"integration", "integration rule", nullptr, Unit::none, "gauss\0segments\0"}, p.integration.rule);
-  take({"integration_order", "integration order"}, p.integration.order);
-  take_given({"search_tol", "projection tolerance"}, p.search.tolerance);
-  take_given({"search_radius", "search radius", nullptr, Unit::length}, p.search.radius);
-  take({"seg_up", "iterations with a new search"}, p.search.seg_up);
-  take_given({"predictor", "predict the start of a step"}, p.helpers.predictor);
-  take_given({"non_negative_concentrations", "non-negative concentrations"}, p.helpers.non_negative_concentrations);
-  take_given({"line_search_guard", "guard the line search"}, p.helpers.line_search_guard);
-  take({"node_reloc", "relocate primary nodes"}, p.gap.node_reloc);
-  take({"minaug", "minimum augmentations"}, p.enforcement.minaug);
-  take({"maxaug", "maximum augmentations"}, p.enforcement.maxaug);
-  take({"free_draining", "drain outside contact"}, p.ambient.free_draining);
-  take({"flip_primary", "flip primary surface"}, p.surfaces[Side::primary].flip);
-  take({"flip_secondary", "flip secondary surface"}, p.surfaces[Side::secondary].flip);
-  take({"fric_coeff", "friction coefficient"}, p.friction.fric_coeff.value);
-  take_given({"contact_frac", "solid contact fraction"}, p.friction.contact_frac);
-  take_given({"tangential_penalty", "tangential penalty factor"}, p.friction.tangential_penalty);
-  take({"offset", "gap offset", nullptr, Unit::length}, p.gap.offset);
-  take({"tension", "allow tension"}, p.gap.tension);
-  take({"shell_bottom_primary", "shell bottom of primary surface"}, p.surfaces[Side::primary].shell_bottom);
-  take({"shell_bottom_secondary", "shell bottom of secondary surface"}, p.surfaces[Side::secondary].shell_bottom);
-  take_given({"knmult", "stiffness factor"}, p.unused.knmult);
-  take_given({"smooth_aug", "smoothed augmentation"}, p.unused.smooth_aug);
-  take_given({"smooth_fls", "smoothed fluid load support"}, p.unused.smooth_fls);
-  take_given({"extrapolation", "predictor (former name)"}, p.unused.extrapolation);
+  take({"effects", "effects exchanged", Group::effects}, p.effects);
+  take({"laugon", "enforcement method", Group::enforcement, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"},
+       p.enforcement.laugon);
+  take_given({"penalty", "normal penalty", Group::enforcement}, p.penalties.traction);
+  take_given({"pressure_penalty", "solvent penalty", Group::enforcement}, p.penalties.solvent);
+  take_given({"concentration_penalty", "solute penalty", Group::enforcement}, p.penalties.solute);
+  take({"auto_penalty", "automatic penalty", Group::enforcement}, p.penalties.auto_penalty);
+  take({"update_penalty", "update penalty each step", Group::enforcement}, p.penalties.update_penalty);
+  take({"tolerance", "tolerance of all fields", Group::enforcement}, p.tolerances.all);
+  take_given({"traction_tolerance", "tolerance of the gap", Group::enforcement}, p.tolerances.traction);
+  take_given({"solvent_tolerance", "tolerance of the pressure jump", Group::enforcement}, p.tolerances.solvent);
+  take_given({"solute_tolerance", "tolerance of the concentration jumps", Group::enforcement}, p.tolerances.solute);
+  take({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);
+  take({"ptol", "pressure jump tolerance", Group::enforcement, Unit::pressure}, p.tolerances.ptol);
+  take({"ctol", "concentration jump tolerance", Group::enforcement, Unit::concentration}, p.tolerances.ctol);
+  take({"minaug", "minimum augmentations", Group::enforcement}, p.enforcement.minaug);
+  take({"maxaug", "maximum augmentations", Group::enforcement}, p.enforcement.maxaug);
+  take({"free_draining", "drain outside contact", Group::ambient}, p.ambient.free_draining);
+  take({"two_pass", "two passes", Group::surfaces}, p.enforcement.two_pass);
+  take_given({"integration", "integration rule", Group::surfaces, Unit::none, "gauss\0segments\0"}, p.integration.rule);
+  take({"integration_order", "integration order", Group::surfaces}, p.integration.order);
+  take_given({"search_radius", "search radius", Group::surfaces, Unit::length}, p.search.radius);
+  take({"offset", "gap offset", Group::surfaces, Unit::length}, p.gap.offset);
+  take({"tension", "allow tension", Group::surfaces}, p.gap.tension);
+  take_given({"search_tol", "projection tolerance", Group::surfaces}, p.search.tolerance);
+  take({"seg_up", "iterations with a new search", Group::surfaces}, p.search.seg_up);
+  take({"node_reloc", "relocate primary nodes", Group::surfaces}, p.gap.node_reloc);
+  take({"flip_primary", "flip primary surface", Group::surfaces}, p.surfaces[Side::primary].flip);
+  take({"flip_secondary", "flip secondary surface", Group::surfaces}, p.surfaces[Side::secondary].flip);
+  take({"shell_bottom_primary", "shell bottom of primary surface", Group::surfaces},
+       p.surfaces[Side::primary].shell_bottom);
+  take({"shell_bottom_secondary", "shell bottom of secondary surface", Group::surfaces},
+       p.surfaces[Side::secondary].shell_bottom);
+  take({"symmetric_stiffness", "symmetric stiffness", Group::solution}, p.enforcement.symmetric_stiffness);
+  take_given({"predictor", "predict the start of a step", Group::solution}, p.helpers.predictor);
+  take_given({"non_negative_concentrations", "non-negative concentrations", Group::solution},
+             p.helpers.non_negative_concentrations);
+  take_given({"line_search_guard", "guard the line search", Group::solution}, p.helpers.line_search_guard);
+  take({"fric_coeff", "friction coefficient", Group::friction}, p.friction.fric_coeff.value);
+  take_given({"contact_frac", "solid contact fraction", Group::friction}, p.friction.contact_frac);
+  take_given({"tangential_penalty", "tangential penalty factor", Group::friction}, p.friction.tangential_penalty);
+  take_given({"knmult", "stiffness factor", Group::old_models}, p.unused.knmult);
+  take_given({"smooth_aug", "smoothed augmentation", Group::old_models}, p.unused.smooth_aug);
+  take_given({"smooth_fls", "smoothed fluid load support", Group::old_models}, p.unused.smooth_fls);
+  take_given({"extrapolation", "predictor (former name)", Group::old_models}, p.unused.extrapolation);
 }
 
 /// Those of which the contact asks whether a load curve changes them.
