@@ -35,16 +35,21 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux_penalty_scale);
 }
 
+void archive_flags(DumpStream& ar, NodeFlags& flags) {
+  VectorXd numbers(flags.count());
+  for (Index node = 0; node < numbers.size(); ++node) numbers[node] = flags[node] ? 1 : 0;
+  archive(ar, numbers);
+  flags.assign(indexing::entries(numbers.size()), false);
+  for (Index node = 0; node < numbers.size(); ++node) flags[node] = numbers[node] > 0;
+}
+
 /// What friction adds to a state.
 void archive_friction(DumpStream& ar, ContactInterface::State& state) {
   for (Multipliers& multipliers : state.multipliers) {
-    VectorXd slips(multipliers.slips.count());
-    for (Index node = 0; node < slips.size(); ++node) slips[node] = multipliers.slips[node] ? 1 : 0;
     archive(ar, multipliers.friction);
-    archive(ar, slips);
+    archive_flags(ar, multipliers.slips);
+    archive_flags(ar, multipliers.exchanged);
     archive(ar, multipliers.friction_penalty_scale);
-    multipliers.slips.assign(indexing::entries(slips.size()), false);
-    for (Index node = 0; node < slips.size(); ++node) multipliers.slips[node] = slips[node] > 0;
   }
   for (Matrix3Xd& position : state.slips_from) archive(ar, position);
 }

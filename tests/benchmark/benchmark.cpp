@@ -45,6 +45,7 @@ class Case {
   Case(std::string name, int facets, const Effects& effects, Integration integration = Integration::gauss)
       : name_(std::move(name)), scene_(grids(facets), effects) {
     scene_.settings.integration = integration;
+    if (effects.friction) scene_.settings.friction.coefficient = 0.3;
     std::mt19937 random(1);
     const double size = 1 / std::sqrt(facets);
     scene_.disturb(0.05 * size, random);
@@ -142,10 +143,20 @@ void measure_in_turn(std::vector<Case>& cases, int iterations) {
   for (const Case& one : cases) print(one, threads_in_use());
 }
 
+Effects with_friction(Effects effects) {
+  effects.friction = true;
+  effects.bearing_fluid = effects.solvent;
+  return effects;
+}
+
 void effects(int facets, int iterations) {
   std::vector<Case> cases;
-  cases.emplace_back("solid", facets, effects_of(false, 0));
-  cases.emplace_back("solid, solvent", facets, effects_of(true, 0));
+  for (const bool solvent : {false, true}) {
+    const Effects smooth = effects_of(solvent, 0);
+    const std::string name = solvent ? "solid, solvent" : "solid";
+    cases.emplace_back(name, facets, smooth);
+    cases.emplace_back(name + ", friction", facets, with_friction(smooth));
+  }
   for (const int solutes : {1, 2, 4}) {
     cases.emplace_back("solid, solvent, solutes " + std::to_string(solutes), facets, effects_of(true, solutes));
   }

@@ -127,6 +127,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const bool augmented = std::exchange(augmented_, false);
   next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
+  if (!predicted) laws_.drop_new_fluxes(next.geometric_flux);
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
                        before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||

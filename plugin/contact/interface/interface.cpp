@@ -14,7 +14,8 @@ bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
   const Index with_friction = effects.may_rub() ? nodes : 0;
   return multipliers.traction.size() == nodes && multipliers.flux.rows() == fields &&
          multipliers.flux.cols() == nodes && multipliers.flux_penalty_scale.size() == fields &&
-         multipliers.friction.cols() == with_friction && multipliers.slips.count() == with_friction;
+         multipliers.friction.cols() == with_friction && multipliers.slips.count() == with_friction &&
+         multipliers.exchanged.count() == with_friction;
 }
 
 GapReport measure_gaps(const ContactPass& pass, const FacingFields& fields) {

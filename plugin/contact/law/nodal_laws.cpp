@@ -21,6 +21,7 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
   if (!effects.may_rub()) return;
   multipliers.friction.setZero(3, primary.nodes);
   multipliers.slips = NodeFlags(primary.nodes, false);
+  multipliers.exchanged = NodeFlags(primary.nodes, true);
 }
 
 void NodalLaws::update_penalties() {
@@ -138,6 +139,13 @@ Matrix3Xd NodalLaws::friction_multipliers(const NodalFriction& friction) const {
 void NodalLaws::take_friction(const NodalLoads& loads) {
   multipliers.friction = friction_multipliers(loads.friction);
   multipliers.slips = loads.slips;
+  multipliers.exchanged = loads.flux_coupled;
+}
+
+void NodalLaws::drop_new_fluxes(MatrixXd& flux) const {
+  for (Index node = 0; node < multipliers.exchanged.count(); ++node) {
+    if (!multipliers.exchanged[node]) flux.col(node).setZero();
+  }
 }
 
 double NodalLaws::traction_rounding(double surface_size) const {

@@ -14,9 +14,10 @@ struct Multipliers {
   MatrixXd flux;                      ///< lambda per (field, node)
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
-  Matrix3Xd friction;  ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
-                       ///< friction
-  NodeFlags slips;     ///< which nodes slid when friction had these values
+  Matrix3Xd friction;   ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
+                        ///< friction
+  NodeFlags slips;      ///< which nodes slid when friction had these values
+  NodeFlags exchanged;  ///< which exchanged fluxes then
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
 };
 
@@ -88,6 +89,10 @@ class NodalLaws {
   Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
   /// Takes the present friction and status over.
   void take_friction(const NodalLoads& loads);
+  /// Where a step begins, with friction: sets fluxes to zero at nodes that exchanged none when the last one ended, for
+  /// the geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would
+  /// be a wrong stiffness of that size.
+  void drop_new_fluxes(MatrixXd& flux) const;
 
   /// What a large penalty makes of the rounding of gaps [MPa].
   double traction_rounding(double surface_size) const;
