@@ -10,10 +10,11 @@ from harness.pages import command_reference
 from harness.pages.gallery import command as gallery
 from harness.studies.cost import command as cost
 from harness.studies.cost import page as cost_page
+from harness.studies.friction import command as friction
+from harness.studies.friction import page as friction_page
 from harness.studies.fuzz import command as fuzz
 from harness.studies.hard_cases import command as hard_cases
 from harness.studies.hard_cases import page as hard_cases_page
-from harness.studies.hard_cases import rubbing_command, rubbing_page
 from harness.studies.hertz import command as hertz
 from harness.studies.hertz import page as verification_page
 from harness.studies.linear_solvers import command as linear_solvers
@@ -34,7 +35,9 @@ _OF_THE_REPOSITORY = (
     indentation.indentation_convergence,
     hard_cases.hard_cases,
     hard_cases.hard_case,
-    rubbing_command.friction_cases,
+    friction.friction_cases,
+    friction.friction_benchmarks,
+    friction.friction_cost,
     fuzz.fuzz,
     fuzz.fuzz_seeds,
     cost.cost,
@@ -54,7 +57,7 @@ _OF_THE_REPOSITORY = (
 
 PAGES = (
     hard_cases_page.PAGE,
-    rubbing_page.PAGE,
+    friction_page.PAGE,
     cost_page.PAGE,
     price_page.PAGE,
     verification_page.PAGE,

@@ -53,6 +53,8 @@ SMALL = {
     "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact friction-cases": "{harness} friction-cases --help",
     "scripts/mixcontact friction-cases --only reversal --mesh coarse --no-febio": "{harness} friction-cases --help",
+    "scripts/mixcontact friction-benchmarks": "{harness} friction-benchmarks --help",
+    "scripts/mixcontact friction-cost": "{harness} friction-cost --help",
     "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",

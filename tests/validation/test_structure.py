@@ -25,6 +25,7 @@ STUDIES = (
     "hard_cases",
     "fuzz",
     "cost",
+    "friction",
     "predictor",
     "price",
     "real_models",

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models import blocks
+from harness.models import spherical_shells
 from harness.models.assembly import NEAR, Chosen, assembled, box, plane
-from harness.models.blocks import Body, Points
+from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings
@@ -17,7 +17,7 @@ from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace, hold
 
 Array = NDArray[np.float64]
-OUTER, INNER, SIDE = 1.0, 0.5, 2.0
+OUTER, INNER, SIDE = 1.0, 2.0 / 3.0, 2.0
 """Radii of the hemisphere and edge of the block, mm."""
 STIFF, SOFT = Solid(50.0, 0.3), Solid(10.0, 0.3)
 FRICTION = 0.5
@@ -28,7 +28,7 @@ TURN = 180.0
 PRESSED, END = 10.0, 100.0
 """s."""
 ABOUT = """\
-A hollow hemisphere (radii 1 and 0.5 mm) is pressed by 1 mm into a block of 2 mm without friction, then turned by 180
+A hollow hemisphere (radii 1 and 2/3 mm) is pressed by 1 mm into a block of 2 mm without friction, then turned by 180
 degrees with friction (mu = 0.5): example of Sauer and De Lorenzis (2015), Int J Numer Methods Eng 101(4):251-280, and
 of Zimmerman and Ateshian (2018), J Biomech Eng 140(8):081013. The contact sticks at first and slides in the end."""
 
@@ -41,6 +41,8 @@ class TwistingHemisphere:
     ----------
     elements : int
         Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge.
+    through : int
+        Elements through the hemisphere's wall.
     turning : int
         Steps of turning.
     interface : InterfaceType
@@ -50,6 +52,7 @@ class TwistingHemisphere:
     """
 
     elements: int = 6
+    through: int = 2
     turning: int = 45
     interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
@@ -104,41 +107,29 @@ class TwistingHemisphere:
         n = self.elements + 2
         bodies = {
             "block": box((-SIDE / 2, -SIDE / 2, 0.0), (SIDE / 2, SIDE / 2, SIDE), (n, n, n)),
-            "hemisphere": _hemisphere(self.elements),
+            "hemisphere": self._hemisphere(),
         }
         sets = {"base": plane("z", 0.0, "block"), "grip": plane("z", SIDE + OUTER, "hemisphere")}
         surfaces = {"block": plane("z", SIDE, "block"), "hemisphere": Chosen("hemisphere", _outside)}
         return assembled(bodies, sets, surfaces, {"contact": ("hemisphere", "block")})
 
+    def _hemisphere(self) -> Body:
+        """It touches z = SIDE."""
+        body = spherical_shells.hemisphere(self.elements, np.linspace(INNER, OUTER, self.through + 1))
+        return replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER]))
+
+
+def angle(time: Array | float) -> Array:
+    """By how much the hemisphere has turned at a time (s), degrees."""
+    return np.asarray(TURN * np.maximum(0.0, (np.asarray(time) - PRESSED) / (END - PRESSED)))
+
 
 def position(start: Array, time: float) -> Array:
     """Where a point of the rim is at a time (s)."""
     down = DEPTH * min(1.0, time / PRESSED)
-    angle = np.radians(TURN) * max(0.0, (time - PRESSED) / (END - PRESSED))
-    c, s = np.cos(angle), np.sin(angle)
+    turned = np.radians(angle(time))
+    c, s = np.cos(turned), np.sin(turned)
     return np.array([c * start[0] - s * start[1], s * start[0] + c * start[1], start[2] - down])
-
-
-def _hemisphere(n: int) -> Body:
-    """A lowest patch of n x n facets and four of n x n/2 up to the rim, two elements thick; it touches z = SIDE."""
-    even, half = np.tan(np.linspace(-0.25, 0.25, n + 1) * np.pi), np.tan(np.linspace(0.0, 0.25, n // 2 + 1) * np.pi)
-    a, b = np.meshgrid(even, even, indexing="ij")
-    c, d = np.meshgrid(even, half, indexing="ij")
-    lowest = np.stack([a, b, -np.ones_like(a)], axis=-1)
-    sides = [np.stack([np.ones_like(c), c, -d], axis=-1) @ _quarter(k).T for k in range(4)]
-    body = blocks.merged([_thick(patch) for patch in (lowest, *sides)])
-    return replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER]))
-
-
-def _quarter(turns: int) -> Array:
-    c, s = np.round(np.cos(turns * np.pi / 2)), np.round(np.sin(turns * np.pi / 2))
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
-def _thick(directions: Points) -> Body:
-    """A patch of the shell from points on a cube around its centre."""
-    unit = directions / np.linalg.norm(directions, axis=-1, keepdims=True)
-    return blocks.structured(unit[:, :, None, :] * np.linspace(INNER, OUTER, 3)[:, None])
 
 
 def _outside(x: Array) -> NDArray[np.bool_]:

@@ -51,6 +51,12 @@ class Attempt:
     residuals: int
     retries: int
 
+    @property
+    def counts(self) -> str:
+        """Steps / iterations / steps tried again; of a run that did not end the part of its time that it reached."""
+        numbers = f"{self.steps} / {self.iterations} / {self.retries}"
+        return numbers if self.ended else f"fails at {100.0 * self.reached:.0f} %"
+
 
 @dataclass(frozen=True)
 class Outcome(Attempt):

@@ -47,7 +47,7 @@ class Record(Attempt):
     def outcome(self) -> Outcome:
         """The record as a row of a table."""
         shared = {field.name: getattr(self, field.name) for field in fields(Attempt)}
-        return Outcome(**shared, missed="; ".join(map(_short, self.missed)))
+        return Outcome(**shared, missed="; ".join(map(short, self.missed)))
 
 
 def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Record:
@@ -62,27 +62,23 @@ def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Rec
         raise HarnessError(f"'{name}' is no hard case; there is {', '.join(CASES)}")
     case = CASES[name]
     run = runner(case.scene.model(mesh, interface), check=False)
-    report = run.report
     measures: list[Measure] = []
-    if report.normal:
+    if run.report.normal:
         try:
             measures = [*case.scene.check(run, runner), *invariants.of_any_run(run, case)]
             measures += invariants.of_the_plugin(run, runner, case) if interface is Interface.MIXTURE else []
         except HarnessError as error:
             measures.append(Measure("a further run that a check needs", float("nan"), 0.0, note=str(error)))
     return Record(
-        name,
-        mesh.value,
-        interface.value,
-        report.normal,
-        _reached(run),
-        report.steps,
-        report.iterations,
-        report.residuals,
-        report.retries,
-        diagnosis.summary(run.log),
-        measures,
+        **vars(attempt(name, mesh, interface.value, run)), failures=diagnosis.summary(run.log), measures=measures
     )
+
+
+def attempt(name: str, mesh: Fineness, interface: str, run: RunResult) -> Attempt:
+    """How a run of a case went."""
+    report = run.report
+    counts = (report.steps, report.iterations, report.residuals, report.retries)
+    return Attempt(name, mesh.value, interface, report.normal, _reached(run), *counts)
 
 
 def _reached(run: RunResult) -> float:
@@ -114,6 +110,7 @@ def read(path: Path) -> list[Record]:
         raise DataFileError(f"{path} holds no records of a hard case ({error}); `hard-cases` writes it anew") from error
 
 
-def _short(measure: Measure) -> str:
+def short(measure: Measure) -> str:
+    """A measure with its tolerance in a few words."""
     note = f", {measure.note}" if measure.note else ""
     return f"{measure.name} {measure.value:.2g} (tolerance {measure.tolerance:.2g}{note})"

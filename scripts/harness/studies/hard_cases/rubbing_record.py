@@ -9,7 +9,8 @@ from harness.errors import HarnessError
 from harness.post.compare import Measure
 from harness.run import diagnosis
 from harness.run.runner import Runner, RunResult
-from harness.studies.hard_cases import invariants
+from harness.studies.hard_cases import invariants, record
+from harness.studies.hard_cases.outcomes import Attempt, Outcome
 from harness.studies.hard_cases.rubbing import CASES
 from harness.studies.hard_cases.scene import Fineness, Interface
 
@@ -17,25 +18,8 @@ MOST_ITERATIONS = 1.3
 """Newton iterations with friction over those without."""
 BALANCE = 1e-12
 """By how much more the flows of the two sides may be out of balance than without friction."""
-
-
-@dataclass(frozen=True)
-class Count:
-    """How a run went.
-
-    Attributes
-    ----------
-    ended : bool
-    steps, iterations, retries : int
-    failures : str
-        How attempts failed.
-    """
-
-    ended: bool
-    steps: int
-    iterations: int
-    retries: int
-    failures: str
+FRICTIONLESS = "sliding-mixture, no friction"
+"""What joins the bodies in the scene without friction, as a table calls it."""
 
 
 @dataclass(frozen=True)
@@ -44,22 +28,22 @@ class Record:
 
     Attributes
     ----------
-    case, mesh : str
-    friction, frictionless : Count
+    friction, frictionless : Attempt
         With sliding-mixture.
-    febio : dict of str to Count
-        With FEBio's friction, by interface.
+    febio : list of Attempt
+        With FEBio's friction.
+    failures : str
+        How attempts at steps failed with friction.
     costs : list of Measure
         Iterations and retries beside those without friction.
     measures : list of Measure
         Balances, and what the scene asks for.
     """
 
-    case: str
-    mesh: str
-    friction: Count
-    frictionless: Count
-    febio: dict[str, Count]
+    friction: Attempt
+    frictionless: Attempt
+    febio: list[Attempt]
+    failures: str
     costs: list[Measure]
     measures: list[Measure]
 
@@ -70,10 +54,22 @@ class Record:
         return self.friction.ended and bool(checks) and all(measure.passed for measure in checks)
 
     @property
-    def beats_febio(self) -> bool:
-        """Whether it takes no more iterations than each of FEBio's runs that ends."""
-        most = [count.iterations for count in self.febio.values() if count.ended]
-        return self.friction.ended and all(self.friction.iterations <= each for each in most)
+    def missed(self) -> str:
+        """The checks that are not met."""
+        return "; ".join(record.short(m) for m in [*self.costs, *self.measures] if not m.passed)
+
+    @property
+    def outcomes(self) -> list[Outcome]:
+        """The record as rows of a table: what is checked is the run with friction."""
+        others = [Outcome(**vars(each), missed="") for each in (self.frictionless, *self.febio)]
+        return [Outcome(**vars(self.friction), missed=self.missed), *others]
+
+    @property
+    def line(self) -> str:
+        """Steps / iterations / retries with friction and without, and what it misses."""
+        result = "passes" if self.passed else f"misses {self.missed}" if self.friction.ended else self.failures
+        counts = f"{self.friction.counts}, without {self.frictionless.counts}"
+        return f"{self.friction.case}, {self.friction.mesh}: {result}; {counts}"
 
 
 def make(runner: Runner, name: str, mesh: Fineness, febio: Sequence[Interface] = ()) -> Record:
@@ -89,15 +85,16 @@ def make(runner: Runner, name: str, mesh: Fineness, febio: Sequence[Interface] =
     case = CASES[name]
     run = runner(case.scene.model(mesh, Interface.MIXTURE), check=False)
     plain = runner(case.frictionless.model(mesh, Interface.MIXTURE), check=False)
-    others = {each.value: _count(runner(case.scene.model(mesh, each), check=False)) for each in febio}
+    theirs = {each.value: runner(case.scene.model(mesh, each), check=False) for each in febio}
     both = run.report.normal and plain.report.normal
-    measures = [*_balances(run, plain), *case.scene.bounds(run)] if both else []
-    return Record(name, mesh.value, _count(run), _count(plain), others, _costs(run, plain) if both else [], measures)
-
-
-def _count(run: RunResult) -> Count:
-    report = run.report
-    return Count(report.normal, report.steps, report.iterations, report.retries, diagnosis.summary(run.log))
+    return Record(
+        record.attempt(name, mesh, Interface.MIXTURE.value, run),
+        record.attempt(name, mesh, FRICTIONLESS, plain),
+        [record.attempt(name, mesh, interface, each) for interface, each in theirs.items()],
+        diagnosis.summary(run.log),
+        _costs(run, plain) if both else [],
+        [*_balances(run, plain), *case.scene.bounds(run)] if both else [],
+    )
 
 
 def _costs(run: RunResult, plain: RunResult) -> list[Measure]:
@@ -119,32 +116,3 @@ def _balances(run: RunResult, plain: RunResult) -> list[Measure]:
         *invariants.finite_and_bounded(run, 2.0)[:1],
         *invariants.mass(run),
     ]
-
-
-def table(records: Sequence[Record]) -> str:
-    """A Markdown table: a row for each case and mesh."""
-    others = list(dict.fromkeys(name for record in records for name in record.febio))
-    heads = ["case", "mesh", "friction", "without", *others, "misses"]
-    lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
-    for record in records:
-        cells = [_cell(record.friction), _cell(record.frictionless)]
-        cells += [_cell(record.febio[name]) if name in record.febio else "" for name in others]
-        lines.append(f"| {CASES[record.case].about} | {record.mesh} | {' | '.join(cells)} | {_missed(record)} |")
-    return "\n".join(lines)
-
-
-def line(record: Record) -> str:
-    """A record in a line: steps / iterations / retries with friction and without, and what it misses."""
-    result = "passes" if record.passed else f"misses {_missed(record)}" if record.friction.ended else "fails"
-    return f"{record.case}, {record.mesh}: {result}; {_cell(record.friction)}, without {_cell(record.frictionless)}"
-
-
-def _missed(record: Record) -> str:
-    checks = [*record.costs, *record.measures]
-    return "; ".join(f"{m.name} {m.value:.2g} ({m.tolerance:.2g})" for m in checks if not m.passed)
-
-
-def _cell(count: Count) -> str:
-    """Steps / iterations / retries, or how it failed."""
-    numbers = f"{count.steps} / {count.iterations} / {count.retries}"
-    return numbers if count.ended else f"fails, {numbers}"

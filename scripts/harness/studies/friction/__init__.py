@@ -1,0 +1,1 @@
+"""Friction: its hard cases, published curves beside runs, and what settings cost."""

@@ -1,0 +1,54 @@
+"""Runs beside published curves as tables of a page."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from harness.pages.evidence import DATA
+from harness.studies import files
+from harness.studies.friction import published
+from harness.studies.friction.curves import Row, outside, values_at
+from harness.studies.friction.published import Curves
+
+SOURCE = "friction-benchmarks.csv"
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of a page leaves open."""
+    rows = files.read_csv(DATA / SOURCE, Row)
+    return {
+        "turned": turned_line(rows),
+        "torque_table": _table(rows, "torque", "angle [degrees]", published.ANGLES, published.TORQUE),
+        "pressed": pressed_line(rows),
+        "spheres_table": _table(rows, "spheres", "way [mm]", published.WAYS, published.SPHERES),
+    }
+
+
+def turned_line(rows: Sequence[Row]) -> str:
+    """How far the torque on the fine mesh is from each published curve, and from what both span."""
+    own = values_at(rows, "torque", "fine mesh", published.ANGLES)
+    far = {name: float(np.abs(own / np.array(curve) - 1.0).max()) for name, curve in published.TORQUE.items()}
+    span = max(outside(v, s) for v, s in zip(own.tolist(), published.spread(published.TORQUE), strict=True))
+    told = ", ".join(f"{100.0 * each:.1f} % from {name}" for name, each in far.items())
+    return f"at most {told}, and {100.0 * span:.1f} % from what the two span"
+
+
+def pressed_line(rows: Sequence[Row]) -> str:
+    """How far the force on the fine mesh is from the published one."""
+    own = values_at(rows, "force", "fine mesh", published.ANGLES)
+    ((name, curve),) = published.PRESSED.items()
+    return f"at most {100.0 * float(np.abs(own / np.array(curve) - 1.0).max()):.1f} % from {name}"
+
+
+def _table(rows: Sequence[Row], problem: str, place: str, places: Sequence[float], curves: Curves) -> str:
+    """A column for each published curve and mesh, and how far the fine mesh is outside of what the former span."""
+    meshes = ("coarse mesh", "fine mesh")
+    columns = [*curves.values(), *(values_at(rows, problem, mesh, places).tolist() for mesh in meshes)]
+    far = [outside(v, s) for v, s in zip(columns[-1], published.spread(curves), strict=True)]
+    heads = [place, *curves, *meshes, "fine mesh outside of published"]
+    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
+    for at, *values, out in zip(places, *columns, far, strict=True):
+        lines.append(f"| {at:g} | " + " | ".join(f"{v:.2f}" for v in values) + f" | {100.0 * out:.1f} % |")
+    return "\n".join(lines)

@@ -1,0 +1,64 @@
+"""The page of friction: docs/evidence/friction.md, from hard cases and published curves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from harness.pages.evidence import DATA, EvidencePage
+from harness.studies import files
+from harness.studies.friction import curves_table, stick_points
+from harness.studies.hard_cases.outcomes import OURS, Outcome, Table, arranged
+from harness.studies.hard_cases.rubbing import CASES
+from harness.studies.hard_cases.rubbing_record import FRICTIONLESS, MOST_ITERATIONS
+from harness.studies.hard_cases.scene import Fineness
+
+CASES_SOURCE = "friction-cases.csv"
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
+    headlines = [_headline(rows, mesh) for mesh in Fineness]
+    return {
+        "headline": " ".join(headlines),
+        "cases": "\n".join(_lines(rows)),
+        **curves_table.figures(),
+        **stick_points.figures(files.read_csv(DATA / stick_points.SOURCE, stick_points.Datum)),
+    }
+
+
+def _on(rows: Table, mesh: Fineness) -> Sequence[tuple[str, Outcome, Outcome]]:
+    """Cases on a mesh: name, with friction, without."""
+    return [(case, row[OURS], row[FRICTIONLESS]) for (case, each), row in rows.items() if each == mesh.value]
+
+
+def _headline(rows: Table, mesh: Fineness) -> str:
+    own = _on(rows, mesh)
+    ended = [(with_it, without) for _, with_it, without in own if with_it.ended and without.ended]
+    ratios = [with_it.iterations / without.iterations for with_it, without in ended]
+    most = sum(ratio <= MOST_ITERATIONS for ratio in ratios)
+    more = sum(with_it.retries > without.retries for with_it, without in ended)
+    return (
+        f"On the {mesh.value} mesh {len(ended)} of {len(own)} scenes end, with {min(ratios):.2f} to {max(ratios):.2f} "
+        f"times the iterations of the same scene without friction, {most} of them with at most {MOST_ITERATIONS:g} "
+        f"times; scenes with more steps tried again than without: {more}."
+    )
+
+
+def _lines(rows: Table) -> list[str]:
+    """Rows of the table: counts with friction and without, and their ratio, on both meshes."""
+    found: dict[str, list[str]] = {}
+    for mesh in Fineness:
+        for case, with_it, without in _on(rows, mesh):
+            ratio = f"{with_it.iterations / without.iterations:.2f}" if with_it.ended and without.ended else "-"
+            found.setdefault(case, [CASES[case].about]).extend((with_it.counts, without.counts, ratio))
+    return [f"| {' | '.join(cells)} |" for cells in found.values()]
+
+
+PAGE = EvidencePage(
+    "evidence/friction.md",
+    (CASES_SOURCE, curves_table.SOURCE, stick_points.SOURCE),
+    Path(__file__).with_name("page.md"),
+    figures,
+)

@@ -1,0 +1,61 @@
+"""Large sliding with friction beside published curves."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from harness.models import twisting_hemisphere
+from harness.models.concentric_spheres import ConcentricSpheres
+from harness.models.twisting_hemisphere import TwistingHemisphere
+from harness.post.compare import missed
+from harness.studies.friction import curves, published
+
+
+def inner_radius(mesh, part):
+    """Least distance of a part's nodes from their centre, which lies in the plane of its rim."""
+    nodes = mesh.nodes[np.unique(next(p.elements for p in mesh.parts if p.name == part)) - 1]
+    return np.linalg.norm(nodes - np.array([0.0, 0.0, nodes[:, 2].max()]), axis=1).min()
+
+
+def test_a_value_is_measured_from_what_is_published():
+    assert curves.outside(1.0, (0.9, 1.1)) == 0.0
+    assert curves.outside(0.9, (1.0, 1.1)) == pytest.approx(0.1)
+    assert curves.outside(1.2, (0.9, 1.0)) == pytest.approx(0.2)
+
+
+def test_the_hemisphere_has_the_published_wall_and_turns_half_round():
+    assert inner_radius(TwistingHemisphere().model().mesh, "hemisphere") == pytest.approx(2.0 / 3.0)
+    rim = np.array([1.0, 0.0, 3.0])
+    np.testing.assert_allclose(twisting_hemisphere.position(rim, twisting_hemisphere.END), [-1.0, 0.0, 2.0], atol=1e-12)
+
+
+def shells(elements):
+    """Volumes that the edges at the first corner of each element of both shells make."""
+    mesh = ConcentricSpheres(elements=elements, through=elements // 2).model().mesh
+    corners = mesh.nodes[np.concatenate([part.elements for part in mesh.parts if part.name in ("inner", "outer")]) - 1]
+    return np.linalg.det(corners[:, [1, 3, 4]] - corners[:, :1])
+
+
+def test_the_shells_fill_their_octant():
+    exact = np.pi / 6.0 * (14.0**3 - 10.0**3)
+    coarse, fine = (shells(elements) for elements in (8, 16))
+    assert min(coarse.min(), fine.min()) > 0.0
+    assert 0.0 < exact - fine.sum() < 0.6 * (exact - coarse.sum())  # of first order in the size of the elements
+
+
+@pytest.mark.slow
+@pytest.mark.mixture_only
+def test_the_torque_of_a_twisting_hemisphere(runner):
+    rows = curves.hemisphere_rows("fine mesh", runner)
+    assert missed(curves.torque_measures(rows, "fine mesh")) == []
+
+
+@pytest.mark.slow
+@pytest.mark.mixture_only
+def test_the_force_of_concentric_spheres_until_the_inner_one_buckles(runner):
+    """After that it depends on the mesh, in the published runs, too."""
+    rows = curves.sphere_rows("fine mesh", runner)
+    ways, spans = published.WAYS[:3], published.spread(published.SPHERES)
+    found = curves.values_at(rows, "spheres", "fine mesh", ways)
+    assert [curves.outside(value, span) for value, span in zip(found.tolist(), spans, strict=False)] == [0.0, 0.0, 0.0]
