@@ -24,7 +24,7 @@ std::map<AmbientConditions::Face, AmbientConditions::NodeStatus> AmbientConditio
     const std::vector<FEMixtureContact*>& contacts) {
   std::map<Face, NodeStatus> nodes;
   for (const FEMixtureContact* contact : contacts) {
-    if (!contact->parameters().free_draining) continue;
+    if (!contact->parameters().ambient.free_draining) continue;
     for (const Side side : both_sides) {
       const FEMixtureSurface& surface = contact->surfaces()[side];
       for (int i = 0; i < surface.Nodes(); ++i) nodes.insert({face_of(surface, i), {false, contact}});

@@ -15,7 +15,7 @@ namespace {
 
 /// Where the entries of a layout stand in another over the same nodes and fields that has displacements, too.
 std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
-  std::vector<Index> places(newton::entries(layout.size()));
+  std::vector<Index> places(indexing::entries(layout.size()));
   for (Index block = 0; block < layout.blocks(); ++block) {
     for (Index i = 0; layout.has_displacements() && i < 3; ++i) {
       mixture_contact::at(places, layout.displacement(block, i)) = all.displacement(block, i);
@@ -36,7 +36,7 @@ bool have_same_unknowns(const Patch& one, const Patch& two) {
 /// Equations at their places in a larger layout, and none elsewhere.
 std::vector<int> scattered(const std::vector<int>& equations, const std::vector<Index>& places,
                            const LocalLayout& all) {
-  std::vector<int> result(newton::entries(all.size()), -1);
+  std::vector<int> result(indexing::entries(all.size()), -1);
   for (std::size_t i = 0; i < equations.size(); ++i) mixture_contact::at(result, places[i]) = equations[i];
   return result;
 }
@@ -51,12 +51,12 @@ FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const st
   const LocalLayout layout = all.layout();
   const std::vector<Index> row_places = dof_map(rows.layout(), layout);
   const std::vector<Index> column_places = dof_map(columns.layout(), layout);
-  const int size = newton::as_int(layout.size());
+  const int size = indexing::as_int(layout.size());
   FEElementMatrix stiffness;
   stiffness.resize(size, size);
   stiffness.zero();
   for (Index i = 0; i < values.rows(); ++i) {
-    double* row = stiffness[newton::as_int(mixture_contact::at(row_places, i))];
+    double* row = stiffness[indexing::as_int(mixture_contact::at(row_places, i))];
     for (Index j = 0; j < values.cols(); ++j) row[mixture_contact::at(column_places, j)] = -values(i, j);
   }
   stiffness.SetNodes(nodes);

@@ -22,7 +22,7 @@ PerSide<SurfaceFields> BoundContact::fields() const { return surfaces_.fields(do
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);
   const FESolver* solver = surfaces_[Side::primary].GetFEModel()->GetCurrentStep()->GetFESolver();
-  const bool keep_facets = parameters_.seg_up > 0 && solver->m_niter > parameters_.seg_up;
+  const bool keep_facets = parameters_.search.seg_up > 0 && solver->m_niter > parameters_.search.seg_up;
   core_->project(surfaces_.positions(),
                  keep_facets ? ContactInterface::Search::same_facets : ContactInterface::Search::everywhere);
 }

@@ -42,7 +42,7 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
 int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
   FENodeElemList& around = mesh.NodeElementList();
   FEElement** const elements = around.ElementList(nodes.front());
-  return newton::as_int(
+  return indexing::as_int(
       std::count_if(elements, elements + around.Valence(nodes.front()), [&](const FEElement* element) {
         const std::vector<int>& own = element->m_node;
         return element->Class() == FE_ELEM_SOLID && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
@@ -94,8 +94,8 @@ bool ContactSetup::has_sound_values() const {
 bool ContactSetup::check_parameters() const {
   const bool sound = has_sound_values();
   for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
-  const bool has_ambient = parameters_.ambient_pressure != 0 || !ambient_.empty();
-  if (!parameters_.free_draining && has_ambient && !has_friction(parameters_))
+  const bool has_ambient = parameters_.ambient.pressure != 0 || !ambient_.empty();
+  if (!parameters_.ambient.free_draining && has_ambient && !has_friction(parameters_))
     log_.say("ambient values have no effect: <free_draining> is 0.");
   return sound;
 }
@@ -219,10 +219,10 @@ std::optional<FacetMaterials> ContactSetup::facet_materials() const {
 }
 
 bool ContactSetup::lacks_stiffness(const FacetMaterials& materials) const {
-  if (parameters_.penalty_given && !parameters_.auto_penalty) return false;
+  if (parameters_.penalties.traction.given && !parameters_.penalties.auto_penalty) return false;
   const auto& primary = materials[Side::primary];
   const auto& secondary = materials[Side::secondary];
-  return lack_stiffness(primary, secondary) || (parameters_.two_pass && lack_stiffness(secondary, primary));
+  return lack_stiffness(primary, secondary) || (parameters_.enforcement.two_pass && lack_stiffness(secondary, primary));
 }
 
 std::optional<FacetMaterials> ContactSetup::materials() const {
@@ -250,7 +250,7 @@ void ContactSetup::say_stand_in() const {
 
 std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& materials) const {
   std::vector<std::string> names = solute_names(fem_);
-  names.resize(newton::entries(dofs_.concentrations()));
+  names.resize(indexing::entries(dofs_.concentrations()));
   std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
   if (dofs_.pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
   leave_out(left_out(parameters_), fields);
@@ -259,7 +259,7 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
 
 FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
   return {has_friction(parameters_),
-          dofs_.pressure(false) >= 0 && parameters_.contact_frac < 1 && has_fluid(materials)};
+          dofs_.pressure(false) >= 0 && parameters_.friction.contact_frac.value < 1 && has_fluid(materials)};
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {

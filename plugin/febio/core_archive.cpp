@@ -1,7 +1,7 @@
 #include "core_archive.h"
 
 #include "archive.h"
-#include "newton/vector_entry.h"
+#include "indexing/entries.h"
 
 #include <FECore/DumpStream.h>
 
@@ -21,8 +21,8 @@ void archive_facet(DumpStream& ar, Facet& facet) {
 /// Dump streams know no 64-bit integers.
 void archive_mask(DumpStream& ar, FieldMask& mask) {
   constexpr FieldMask lower = 0xffffffffU;
-  int low = newton::as_int(mask & lower);
-  int high = newton::as_int(mask >> 32U);
+  int low = indexing::as_int(mask & lower);
+  int high = indexing::as_int(mask >> 32U);
   ar & low & high;
   const auto half = [](int bits) { return FieldMask{static_cast<std::uint32_t>(bits)}; };
   mask = half(low) | half(high) << 32U;
@@ -39,7 +39,7 @@ void archive_flags(DumpStream& ar, NodeFlags& flags) {
   VectorXd numbers(flags.count());
   for (Index node = 0; node < numbers.size(); ++node) numbers[node] = flags[node] ? 1 : 0;
   archive(ar, numbers);
-  flags.assign(newton::entries(numbers.size()), false);
+  flags.assign(indexing::entries(numbers.size()), false);
   for (Index node = 0; node < numbers.size(); ++node) flags[node] = numbers[node] > 0;
 }
 
@@ -57,7 +57,7 @@ void archive_friction(DumpStream& ar, ContactInterface::State& state) {
 void archive_carriers(DumpStream& ar, LoadCarriers& carriers) {
   int facets = mixture_contact::number_of(carriers);
   ar & facets;
-  carriers.resize(newton::entries(facets));
+  carriers.resize(indexing::entries(facets));
   for (FacetVector& of_facet : carriers) archive(ar, of_facet);
 }
 
@@ -66,8 +66,8 @@ void archive_carriers(DumpStream& ar, LoadCarriers& carriers) {
 void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
   int facets = mixture_contact::number_of(mesh.facets);
   ar & mesh.nodes & facets;
-  mesh.facets.resize(newton::entries(facets));
-  mesh.permeable.resize(newton::entries(facets));
+  mesh.facets.resize(indexing::entries(facets));
+  mesh.permeable.resize(indexing::entries(facets));
   for (Facet& facet : mesh.facets) archive_facet(ar, facet);
   for (FieldMask& mask : mesh.permeable) archive_mask(ar, mask);
   archive(ar, mesh.stiffness);
@@ -78,7 +78,9 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
 }
 
 void archive_effects(DumpStream& ar, Effects& effects) {
-  ar & effects.traction & effects.solvent & effects.friction & effects.bearing_fluid;
+  int friction = static_cast<int>(effects.friction_kind);
+  ar & effects.traction & effects.solvent & friction;
+  effects.friction_kind = static_cast<mixture_contact::FrictionKind>(friction);
   archive(ar, effects.solutes);
 }
 
@@ -86,9 +88,9 @@ void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects
   int passes = mixture_contact::number_of(state.multipliers);
   archive(ar, state.check_nodes);
   ar & passes;
-  state.multipliers.resize(newton::entries(passes));
+  state.multipliers.resize(indexing::entries(passes));
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
-  state.carriers.resize(newton::entries(passes));
+  state.carriers.resize(indexing::entries(passes));
   for (LoadCarriers& carriers : state.carriers) archive_carriers(ar, carriers);
-  if (effects.friction) archive_friction(ar, state);
+  if (effects.may_rub()) archive_friction(ar, state);
 }

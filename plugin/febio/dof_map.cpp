@@ -85,16 +85,16 @@ void DofMap::add_multipliers(const ContactInterface& core, const Location& at, s
   const int node = *at.patch.multiplier_node;
   const int first = first_multiplier_;
   if (layout.has_displacements())
-    mixture_contact::at(ids, layout.traction_multiplier()) = first + newton::as_int(own.traction(node));
+    mixture_contact::at(ids, layout.traction_multiplier()) = first + indexing::as_int(own.traction(node));
   for (Index k = 0; k < layout.scalar_fields(); ++k)
-    mixture_contact::at(ids, layout.flux_multiplier(k)) = first + newton::as_int(own.flux(
+    mixture_contact::at(ids, layout.flux_multiplier(k)) = first + indexing::as_int(own.flux(
                                                                       node, mixture_contact::at(at.patch.fields, k)));
 }
 
 std::vector<int> DofMap::equations(const ContactInterface& core, const Location& at,
                                    const std::vector<int>& nodes) const {
   const LocalLayout layout = at.patch.layout();
-  std::vector<int> ids(newton::entries(layout.size()), -1);
+  std::vector<int> ids(indexing::entries(layout.size()), -1);
   add_multipliers(core, at, ids);
   for (Index node = 0; node < layout.nodes(); ++node) {
     const int mesh_node = mixture_contact::at(nodes, node);

@@ -5,18 +5,15 @@
 #include "contact/interface/multipliers.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
-#include "host/linear_solvers.h"
-#include "host/parameter_groups.h"
+#include "matrix_requests.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
-#include <FECore/FECoreKernel.h>
 #include <FECore/FEException.h>
 #include <FECore/FELinearConstraintManager.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FESolver.h>
-#include <FECore/LinearSolver.h>
 
 #include <utility>
 
@@ -38,14 +35,13 @@ const char* unit_of(Unit unit) {
   return UNIT_NONE;
 }
 
-/// Opens the group that the parameter belongs to; what has none is hidden.
-template <class Add>
-FEParam* in_its_group(FEParamContainer& owner, const char* name, const Add& add) {
-  const char* const heading = parameter_group(name);
-  owner.BeginParameterGroup(heading);
-  FEParam* const parameter = add();
+/// Adds a parameter to its group; what FEBio Studio does not offer is hidden.
+template <class Value>
+FEParam* add_to_group(FEParamContainer& owner, const ParameterTag& tag, Value& value) {
+  owner.BeginParameterGroup(heading(tag.group));
+  FEParam* const parameter = owner.AddParameter(value, tag.name);
   owner.EndParameterGroup();
-  if (heading == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
+  if (heading(tag.group) == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
   return parameter;
 }
 
@@ -53,13 +49,13 @@ FEParam* in_its_group(FEParamContainer& owner, const char* name, const Add& add)
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) {
-    FEParam* parameter = in_its_group(*this, tag.name, [&] { return AddParameter(value, tag.name); });
+    FEParam* parameter = add_to_group(*this, tag, value);
     parameter->setLongName(tag.long_name)->setUnits(unit_of(tag.unit));
     parameter->SetWatchVariable(tag.given);
     if (tag.choices != nullptr) parameter->setEnums(tag.choices);
   });
-  BEGIN_PARAM_GROUP(parameter_group("ambient_pressure"));
-  ADD_PARAMETER(parameters_.ambient_pressure, "ambient_pressure")
+  BEGIN_PARAM_GROUP(heading(ParameterGroup::ambient));
+  ADD_PARAMETER(parameters_.ambient.pressure, "ambient_pressure")
       ->setUnits(UNIT_PRESSURE)
       ->setLongName("ambient pressure");
   END_PARAM_GROUP();
@@ -100,15 +96,15 @@ bool FEMixtureContact::Init() {
   for (const Side side : both_sides) {
     if (!surfaces_[side].Init()) return false;
   }
-  if (parameters_.flip_primary) surfaces_[Side::primary].turn_round();
-  if (parameters_.flip_secondary) surfaces_[Side::secondary].turn_round();
+  for (const Side side : both_sides) {
+    if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
+  }
   return setup_.check_surfaces() && take_shell_bottoms() && setup_.build(bound_) && setup_.check_ambient();
 }
 
 bool FEMixtureContact::take_shell_bottoms() {
-  const PerSide<bool> bottoms{{parameters_.shell_bottom_primary, parameters_.shell_bottom_secondary}};
   for (const Side side : both_sides) {
-    if (!bottoms[side]) continue;
+    if (!parameters_.surfaces[side].shell_bottom) continue;
     if (!setup_.are_shells(side)) return false;
     surfaces_[side].take_shell_bottoms();
   }
@@ -119,36 +115,31 @@ void FEMixtureContact::find_self_contact() {
   const int common = surfaces_.common_facets();
   parameters_.self_contact = common > 0;
   const bool is_same = common == surfaces_[Side::primary].Elements() && common == surfaces_[Side::secondary].Elements();
-  if (is_same && std::exchange(parameters_.two_pass, false))
+  if (is_same && std::exchange(parameters_.enforcement.two_pass, false))
     log_.say("<two_pass> has no effect: both surfaces are the same, so that each side has conditions already.");
 }
 
 void FEMixtureContact::find_load_curves() {
-  const auto varies = [this](double& value) {
-    return GetFEModel()->GetLoadController(FindParameterFromData(&value)) != nullptr;
-  };
-  parameters_.penalty_varies = varies(parameters_.penalty);
-  parameters_.pressure_penalty_varies = varies(parameters_.pressure_penalty);
-  parameters_.concentration_penalty_varies = varies(parameters_.concentration_penalty);
-  parameters_.fric_coeff_varies = varies(parameters_.fric_coeff);
+  for (Varying* parameter : varying(parameters_))
+    parameter->varies = GetFEModel()->GetLoadController(FindParameterFromData(&parameter->value)) != nullptr;
 }
 
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction(bound_);
   dofs_.number_multipliers(first);
-  return newton::as_int(multiplier_layout(core()).size());
+  return indexing::as_int(multiplier_layout(core()).size());
 }
 
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
-  if (parameters_.node_reloc && !relocated_) {
+  if (parameters_.gap.node_reloc && !relocated_) {
     surfaces_.relocate_primary(without_overlap(core(), surfaces_.positions()));
     relocated_ = true;
   }
   setup_.update_laws(bound_, model_->penalty_reduction());
   setup_.update_properties(bound_);
-  ask_for_nonsymmetric_matrix();
-  judge_linear_solver();
+  if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), log_);
+  judge_linear_solver(*GetFEModel(), core().pass(0).has_unknown_multipliers(), log_);
   model_->activate(*this);
 }
 
@@ -156,33 +147,6 @@ void FEMixtureContact::Deactivate() {
   FEContactInterface::Deactivate();
   if (bound_.is_built()) core().forget_friction();  // FEBio deactivates what belongs to a step as it reads it
   model_->deactivate(*this);
-}
-
-void FEMixtureContact::ask_for_nonsymmetric_matrix() {
-  if (parameters_.symmetric_stiffness) return;
-  FEModel& model = *GetFEModel();
-  for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
-    auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
-    if (solver == nullptr || solver->m_msymm != REAL_SYMMETRIC) continue;
-    solver->m_msymm = REAL_UNSYMMETRIC;
-    log_.say("the matrix of step " + std::to_string(i + 1) +
-             " is set to non-symmetric, as that of this contact is. To keep it symmetric set "
-             "<symmetric_stiffness>1</symmetric_stiffness> in the contact; convergence is slower then.");
-  }
-}
-
-void FEMixtureContact::judge_linear_solver() const {
-  FEModel& model = *GetFEModel();
-  for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
-    auto* solver = dynamic_cast<FENewtonSolver*>(model.GetStep(i)->GetFESolver());
-    if (solver == nullptr) continue;
-    LinearSolver* const chosen = solver->GetLinearSolver();
-    const std::string type = chosen == nullptr ? FECoreKernel::GetInstance().GetLinearSolverType()
-                                               : chosen->GetTypeStr();
-    const MatrixKind matrix{solver->m_msymm == REAL_SYMMETRIC, core().pass(0).has_unknown_multipliers()};
-    const std::string complaint = linear_solver_complaint(type, matrix);
-    if (!complaint.empty()) return log_.say(complaint);
-  }
 }
 
 // ------------------------------------------------------------ steps and iterations
@@ -248,7 +212,7 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 // ------------------------------------------------------------ ambient values and restarts
 
 double FEMixtureContact::ambient_value(int dof) const {
-  if (dof == dofs_.pressure(false) || dof == dofs_.pressure(true)) return parameters_.ambient_pressure;
+  if (dof == dofs_.pressure(false) || dof == dofs_.pressure(true)) return parameters_.ambient.pressure;
   for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
     const int solute = ambient->solute > 0 ? ambient->solute - 1 : 0;
     if (dof == dofs_.concentration(false, solute) || dof == dofs_.concentration(true, solute)) return ambient->value;
@@ -267,8 +231,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       bool& given = *tag.given;
       ar & given;
     });
-    ar & parameters_.self_contact & parameters_.penalty_varies & parameters_.pressure_penalty_varies &
-        parameters_.concentration_penalty_varies & parameters_.fric_coeff_varies;
+    ar & parameters_.self_contact;
+    for (Varying* parameter : varying(parameters_)) ar & parameter->varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

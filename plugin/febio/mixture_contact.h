@@ -59,8 +59,6 @@ class FEMixtureContact : public FEContactInterface {
   void find_load_curves();
   void find_self_contact();
   bool take_shell_bottoms();
-  void ask_for_nonsymmetric_matrix();
-  void judge_linear_solver() const;
 
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;

@@ -93,32 +93,35 @@ std::vector<SteppedContact*> ModelContacts::active_contacts() {
 
 template <class Helper>
 void ModelContacts::offer(const HelperSwitch& which) {
-  helpers_.add(std::make_unique<Helper>(solver_), [this, which] { return is_on(which); });
+  auto helper = std::make_unique<Helper>(solver_);
+  offered_.push_back({which, helper.get()});
+  helpers_.add(std::move(helper), [this, which] { return is_on(which); });
 }
 
 /// As the active contacts say that give it, or its default.
 bool ModelContacts::is_on(const HelperSwitch& which) const {
   const std::vector<FEMixtureContact*> contacts = active();
   if (contacts.empty()) return false;
-  const auto given = std::find_if(contacts.begin(), contacts.end(),
-                                  [&](const FEMixtureContact* contact) { return contact->parameters().*which.given; });
-  return given == contacts.end() ? ContactParameters().*which.on : (*given)->parameters().*which.on;
+  const auto given = std::find_if(contacts.begin(), contacts.end(), [&](const FEMixtureContact* contact) {
+    return which.of(contact->parameters()).given;
+  });
+  return which.of(given == contacts.end() ? ContactParameters() : (*given)->parameters()).value;
 }
 
 std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& contact) const {
   std::vector<std::string> list;
-  const ContactParameters& own = contact.parameters();
-  for (const HelperSwitch& which : helper_switches) {
+  for (const OfferedHelper& offered : offered_) {
+    const HelperSwitch& which = offered.which;
+    const std::string name = "<" + std::string(which.name) + "> ";
+    const Given<bool>& one = which.of(contact.parameters());
     const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&](const FEMixtureContact* other) {
-      const ContactParameters& its = other->parameters();
-      return its.*which.given && own.*which.given && its.*which.on != own.*which.on;
+      const Given<bool>& its = which.of(other->parameters());
+      return one.given && its.given && one.value != its.value;
     });
-    if (differs)
-      list.push_back("<" + std::string(which.name) +
-                     "> acts on the whole model, and another contact sets it otherwise.");
+    if (differs) list.push_back(name + "acts on the whole model, and another contact sets it otherwise.");
+    const std::string unavailable = offered.helper->unavailable();
+    if (one.given && one.value && !unavailable.empty()) list.push_back(name + unavailable);
   }
-  if (own.predictor_given && own.predictor && !solver_.is_predictable())
-    list.emplace_back("<predictor> is not available in models with rigid bodies; set it to 0.");
   return list;
 }
 

@@ -11,8 +11,8 @@ namespace {
 using mixture_contact::PenaltyRule;
 
 /// A penalty that is not given is automatic and accurate; one that is given is a value, or with auto_penalty a factor.
-PenaltyRule penalty_rule(bool given, double value, bool auto_penalty, double default_factor) {
-  return given ? PenaltyRule{auto_penalty, value} : PenaltyRule{true, default_factor};
+PenaltyRule penalty_rule(const Varying& penalty, bool auto_penalty, double default_factor) {
+  return penalty.given ? PenaltyRule{auto_penalty, penalty.value} : PenaltyRule{true, default_factor};
 }
 
 void require_not_negative(std::vector<std::string>& list, const char* name, double value) {
@@ -30,12 +30,12 @@ mixture_contact::Enforcement enforcement(int laugon) {
 }
 
 /// Whether each of two surfaces that face each other has conditions of its own.
-bool sees_both_ways(const ContactParameters& p) { return p.two_pass || p.self_contact; }
+bool sees_both_ways(const ContactParameters& p) { return p.enforcement.two_pass || p.self_contact; }
 
 mixture_contact::Integration integration(const ContactParameters& p) {
   using mixture_contact::Integration;
-  if (!p.integration_given) return sees_both_ways(p) ? Integration::gauss : Integration::segments;
-  return p.integration == 1 ? Integration::segments : Integration::gauss;
+  if (!p.integration.rule.given) return sees_both_ways(p) ? Integration::gauss : Integration::segments;
+  return p.integration.rule.value == 1 ? Integration::segments : Integration::gauss;
 }
 
 /// The default traction factor that a solver without a tangent bears.
@@ -51,13 +51,13 @@ double largest_traction_factor(SolverKind solver) {
 
 /// What of a reduction an automatic traction factor bears: down to 1, the stiffness of the bodies.
 double borne_reduction(const ContactParameters& p, double factor, double reduction) {
-  const bool is_automatic = !p.penalty_given && p.laugon != lagmult;
+  const bool is_automatic = !p.penalties.traction.given && p.enforcement.laugon != lagmult;
   return is_automatic ? std::min(reduction, std::max(1.0, factor)) : 1.0;
 }
 
 /// Parameters of other interfaces, and of former versions, that mean nothing here.
 void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
-  if (p.extrapolation_given) {
+  if (p.unused.extrapolation.given) {
     list.emplace_back(
         "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
         "<predictor>1</predictor> to have it, and leave <extrapolation> out.");
@@ -65,18 +65,20 @@ void complain_of_unknown(std::vector<std::string>& list, const ContactParameters
 }
 
 void complain_of_friction(std::vector<std::string>& list, const ContactParameters& p) {
-  require_not_negative(list, "fric_coeff", p.fric_coeff);
-  const bool is_part = p.contact_frac >= 0 && p.contact_frac <= 1;
+  require_not_negative(list, "fric_coeff", p.friction.fric_coeff.value);
+  const bool is_part = p.friction.contact_frac.value >= 0 && p.friction.contact_frac.value <= 1;
   if (!is_part) {
-    list.emplace_back("<contact_frac> is " + std::to_string(p.contact_frac) + "; it must lie between 0 and 1.");
+    list.emplace_back("<contact_frac> is " + std::to_string(p.friction.contact_frac.value) +
+                      "; it must lie between 0 and 1.");
   }
-  const bool is_positive = std::isfinite(p.tangential_penalty) && p.tangential_penalty > 0;
+  const bool is_positive = std::isfinite(p.friction.tangential_penalty.value) &&
+                           p.friction.tangential_penalty.value > 0;
   if (!is_positive) {
     list.emplace_back(
-        "<tangential_penalty> is " + std::to_string(p.tangential_penalty) +
+        "<tangential_penalty> is " + std::to_string(p.friction.tangential_penalty.value) +
         "; it must be a positive number, the factor of the tangential penalty over that of the traction.");
   }
-  if (p.laugon == lagmult && has_friction(p)) {
+  if (p.enforcement.laugon == lagmult && has_friction(p)) {
     list.emplace_back(
         "<fric_coeff> is set with <laugon>LAGMULT</laugon>: multipliers that are unknowns hold the normal direction alone. "
         "Use AUGLAG, which makes stick as exact as its tolerance, or PENALTY.");
@@ -88,14 +90,14 @@ void note_friction(std::vector<std::string>& list, const ContactParameters& p) {
     const auto note = [&](bool given, const std::string& name) {
       if (given) list.push_back("<" + name + "> has no effect: <fric_coeff> is 0.");
     };
-    note(p.contact_frac_given, "contact_frac");
-    note(p.tangential_penalty_given, "tangential_penalty");
-    note(p.smooth_fls_given && p.smooth_fls, "smooth_fls");
+    note(p.friction.contact_frac.given, "contact_frac");
+    note(p.friction.tangential_penalty.given, "tangential_penalty");
+    note(p.unused.smooth_fls.given && p.unused.smooth_fls.value, "smooth_fls");
     return;
   }
-  if (p.smooth_fls_given && p.smooth_fls)
+  if (p.unused.smooth_fls.given && p.unused.smooth_fls.value)
     list.emplace_back("<smooth_fls> has no effect: the load that the fluid bears is averaged around nodes as it is.");
-  if (p.symmetric_stiffness) {
+  if (p.enforcement.symmetric_stiffness) {
     list.emplace_back(
         "<symmetric_stiffness> is 1, and the tangent of friction is not symmetric: its symmetric part is used, and "
         "convergence is slower.");
@@ -106,38 +108,40 @@ void note_friction(std::vector<std::string>& list, const ContactParameters& p) {
 
 std::vector<std::string> complaints(const ContactParameters& p) {
   std::vector<std::string> list;
-  require_not_negative(list, "tolerance", p.tolerance);
-  require_not_negative(list, "traction_tolerance", p.traction_tolerance);
-  require_not_negative(list, "solvent_tolerance", p.solvent_tolerance);
-  require_not_negative(list, "solute_tolerance", p.solute_tolerance);
-  require_not_negative(list, "gaptol", p.gaptol);
-  require_not_negative(list, "ptol", p.ptol);
-  require_not_negative(list, "ctol", p.ctol);
-  require_not_negative(list, "search_tol", p.search_tol);
-  require_not_negative(list, "penalty", p.penalty);
-  require_not_negative(list, "pressure_penalty", p.pressure_penalty);
-  require_not_negative(list, "concentration_penalty", p.concentration_penalty);
-  require_not_negative(list, "search_radius", p.search_radius);
-  if (p.integration < 0 || p.integration > 1) list.emplace_back("<integration> must be gauss or segments (0 or 1).");
-  if (p.integration_order < 0 || p.integration_order > mixture_contact::max_quadrature_order) {
-    list.emplace_back("<integration_order> is " + std::to_string(p.integration_order) + "; it must lie between 1 and " +
+  require_not_negative(list, "tolerance", p.tolerances.all);
+  require_not_negative(list, "traction_tolerance", p.tolerances.traction.value);
+  require_not_negative(list, "solvent_tolerance", p.tolerances.solvent.value);
+  require_not_negative(list, "solute_tolerance", p.tolerances.solute.value);
+  require_not_negative(list, "gaptol", p.tolerances.gaptol);
+  require_not_negative(list, "ptol", p.tolerances.ptol);
+  require_not_negative(list, "ctol", p.tolerances.ctol);
+  require_not_negative(list, "search_tol", p.search.tolerance.value);
+  require_not_negative(list, "penalty", p.penalties.traction.value);
+  require_not_negative(list, "pressure_penalty", p.penalties.solvent.value);
+  require_not_negative(list, "concentration_penalty", p.penalties.solute.value);
+  require_not_negative(list, "search_radius", p.search.radius.value);
+  if (p.integration.rule.value < 0 || p.integration.rule.value > 1)
+    list.emplace_back("<integration> must be gauss or segments (0 or 1).");
+  if (p.integration.order < 0 || p.integration.order > mixture_contact::max_quadrature_order) {
+    list.emplace_back("<integration_order> is " + std::to_string(p.integration.order) + "; it must lie between 1 and " +
                       std::to_string(mixture_contact::max_quadrature_order) + ", or be 0 for the default.");
   }
-  if (p.laugon == lagmult && p.two_pass) {
+  if (p.enforcement.laugon == lagmult && p.enforcement.two_pass) {
     list.emplace_back(
         "<two_pass> is set with <laugon>LAGMULT</laugon>: conditions on both surfaces would be twice as many as can be "
         "met. Leave <two_pass> out, or use AUGLAG.");
   }
-  if (p.laugon == lagmult && p.self_contact) {
+  if (p.enforcement.laugon == lagmult && p.self_contact) {
     list.emplace_back(
         "<laugon>LAGMULT</laugon> is set for surfaces that have facets in common: where a body meets itself there would be "
         "conditions on both sides, twice as many as can be met. Use PENALTY or AUGLAG.");
   }
-  if (p.seg_up < 0) list.emplace_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
-  if (p.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
-  if (p.maxaug < p.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
-  if (!std::isfinite(p.ambient_pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
-  if (!std::isfinite(p.offset)) list.emplace_back("<offset> is not a finite number.");
+  if (p.search.seg_up < 0)
+    list.emplace_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
+  if (p.enforcement.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
+  if (p.enforcement.maxaug < p.enforcement.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
+  if (!std::isfinite(p.ambient.pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
+  if (!std::isfinite(p.gap.offset)) list.emplace_back("<offset> is not a finite number.");
   complain_of_friction(list, p);
   complain_of_unknown(list, p);
   return list;
@@ -145,62 +149,59 @@ std::vector<std::string> complaints(const ContactParameters& p) {
 
 std::vector<std::string> notices(const ContactParameters& p) {
   std::vector<std::string> list;
-  const auto note_zero = [&](bool given, double value, const std::string& name, const std::string& meaning) {
-    if (given && value == 0) list.push_back("<" + name + "> is 0: " + meaning);
+  const auto note_zero = [&](const Given<double>& parameter, const std::string& name, const std::string& meaning) {
+    if (parameter.given && parameter.value == 0) list.push_back("<" + name + "> is 0: " + meaning);
   };
   const std::string instead = " while it is. Leave it out to have it chosen automatically.";
-  note_zero(p.penalty_given, p.penalty, "penalty", "no traction is transmitted" + instead);
-  note_zero(p.pressure_penalty_given, p.pressure_penalty, "pressure_penalty", "no solvent passes" + instead);
-  note_zero(p.concentration_penalty_given, p.concentration_penalty, "concentration_penalty",
-            "no solute passes" + instead);
-  note_zero(p.search_radius_given, p.search_radius, "search_radius", "it is chosen automatically.");
-  if (p.knmult_given) list.emplace_back("<knmult> has no effect: the linearisation is always complete.");
-  if (p.smooth_aug_given && p.smooth_aug)
+  note_zero(p.penalties.traction, "penalty", "no traction is transmitted" + instead);
+  note_zero(p.penalties.solvent, "pressure_penalty", "no solvent passes" + instead);
+  note_zero(p.penalties.solute, "concentration_penalty", "no solute passes" + instead);
+  note_zero(p.search.radius, "search_radius", "it is chosen automatically.");
+  if (p.unused.knmult.given) list.emplace_back("<knmult> has no effect: the linearisation is always complete.");
+  if (p.unused.smooth_aug.given && p.unused.smooth_aug.value)
     list.emplace_back("<smooth_aug> has no effect: multipliers take the contact's own loads.");
-  if (p.search_tol_given && integration(p) == mixture_contact::Integration::segments) {
+  if (p.search.tolerance.given && integration(p) == mixture_contact::Integration::segments) {
     list.emplace_back("<search_tol> has no effect with segments: they end where facets end.");
   }
   note_friction(list, p);
   return list;
 }
 
-bool has_friction(const ContactParameters& p) { return p.fric_coeff != 0 || p.fric_coeff_varies; }
+bool has_friction(const ContactParameters& p) {
+  return p.friction.fric_coeff.value != 0 || p.friction.fric_coeff.varies;
+}
 
 LeftOut left_out(const ContactParameters& p) {
-  const auto is_zero = [](bool given, double value, bool varies) { return given && value == 0 && !varies; };
-  return {is_zero(p.penalty_given, p.penalty, p.penalty_varies),
-          is_zero(p.pressure_penalty_given, p.pressure_penalty, p.pressure_penalty_varies),
-          is_zero(p.concentration_penalty_given, p.concentration_penalty, p.concentration_penalty_varies)};
+  const auto is_zero = [](const Varying& penalty) { return penalty.given && penalty.value == 0 && !penalty.varies; };
+  return {is_zero(p.penalties.traction), is_zero(p.penalties.solvent), is_zero(p.penalties.solute)};
 }
 
 bool reads_properties_again(const ContactParameters& parameters) {
-  return parameters.update_penalty || !parameters.concentration_penalty_given;
+  return parameters.penalties.update_penalty || !parameters.penalties.solute.given;
 }
 
 mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind solver, double reduction) {
   using namespace mixture_contact;
   Settings settings;
-  settings.enforcement = enforcement(p.laugon);
-  const double factor = std::min(traction_factor(sees_both_ways(p), p.tension), largest_traction_factor(solver));
+  settings.enforcement = enforcement(p.enforcement.laugon);
+  const double factor = std::min(traction_factor(sees_both_ways(p), p.gap.tension), largest_traction_factor(solver));
   const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
-  settings.traction = penalty_rule(p.penalty_given, p.penalty, p.auto_penalty, factor);
+  settings.traction = penalty_rule(p.penalties.traction, p.penalties.auto_penalty, factor);
   settings.traction_reduction = borne_reduction(p, factor, reduction);
-  settings.solvent = penalty_rule(p.pressure_penalty_given, p.pressure_penalty, p.auto_penalty, flux_factor);
-  settings.solute = penalty_rule(p.concentration_penalty_given, p.concentration_penalty, p.auto_penalty, flux_factor);
-  settings.tolerances.traction = {p.traction_tolerance_given ? p.traction_tolerance : p.tolerance, p.gaptol};
-  settings.tolerances.solvent = {p.solvent_tolerance_given ? p.solvent_tolerance : p.tolerance, p.ptol};
-  settings.tolerances.solute = {p.solute_tolerance_given ? p.solute_tolerance : p.tolerance, p.ctol};
-  settings.friction = {p.fric_coeff, p.contact_frac, p.ambient_pressure, p.tangential_penalty};
-  settings.min_augmentations = p.minaug;
-  settings.max_augmentations = p.maxaug;
-  settings.two_pass = p.two_pass;
-  settings.symmetric = p.symmetric_stiffness;
+  settings.solvent = penalty_rule(p.penalties.solvent, p.penalties.auto_penalty, flux_factor);
+  settings.solute = penalty_rule(p.penalties.solute, p.penalties.auto_penalty, flux_factor);
+  const auto relative = [&p](const Given<double>& own) { return own.given ? own.value : p.tolerances.all; };
+  settings.tolerances.traction = {relative(p.tolerances.traction), p.tolerances.gaptol};
+  settings.tolerances.solvent = {relative(p.tolerances.solvent), p.tolerances.ptol};
+  settings.tolerances.solute = {relative(p.tolerances.solute), p.tolerances.ctol};
+  settings.friction = {p.friction.fric_coeff.value, p.friction.contact_frac.value, p.ambient.pressure,
+                       p.friction.tangential_penalty.value};
+  settings.augmentations = {p.enforcement.minaug, p.enforcement.maxaug};
+  settings.two_pass = p.enforcement.two_pass;
+  settings.symmetric = p.enforcement.symmetric_stiffness;
   settings.integration = integration(p);
-  settings.integration_order = p.integration_order;
-  settings.tension = p.tension;
-  settings.offset = p.offset;
-  settings.may_touch = !left_out(p).contact;
-  settings.search_radius = p.search_radius_given ? p.search_radius : 0;
-  settings.search_tolerance = p.search_tol;
+  settings.integration_order = p.integration.order;
+  settings.gap = {p.gap.offset, p.gap.tension, !left_out(p).contact};
+  settings.search = {p.search.radius.given ? p.search.radius.value : 0, p.search.tolerance.value};
   return settings;
 }

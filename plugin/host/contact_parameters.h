@@ -2,165 +2,214 @@
 /// by the hosts.
 #pragma once
 
+#include "contact/base/indexed_vector.h"
 #include "contact/base/settings.h"
+#include "contact/base/side.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
-/// Values under FEBio's own names. A `_given` flag tells whether the model sets the parameter.
-struct ContactParameters {
-  std::string effects = "all";  ///< see decide_exchange()
-  int laugon = 0;               ///< 0: PENALTY, 1: AUGLAG, 2: LAGMULT
-  double tolerance = 2e-3;      ///< relative tolerance of every field [-]
-  double traction_tolerance = 0;
-  double solvent_tolerance = 0;
-  double solute_tolerance = 0;
-  bool traction_tolerance_given = false;
-  bool solvent_tolerance_given = false;
-  bool solute_tolerance_given = false;
+/// A value, and whether the model sets it.
+template <class T>
+struct Given {
+  T value{};
+  bool given = false;
+};
+
+/// A value that a load curve may change.
+struct Varying : Given<double> {
+  bool varies = false;
+};
+
+struct EnforcementParameters {
+  int laugon = 0;  ///< 0: PENALTY, 1: AUGLAG, 2: LAGMULT
+  int minaug = 0;
+  int maxaug = 10;
+  bool two_pass = false;
+  bool symmetric_stiffness = false;
+};
+
+struct ToleranceParameters {
+  double all = 2e-3;       ///< <tolerance>: relative tolerance of each field that has none of its own [-]
+  Given<double> traction;  ///< <traction_tolerance>
+  Given<double> solvent;
+  Given<double> solute;
   double gaptol = 0;  ///< [length]
   double ptol = 0;    ///< [pressure]
   double ctol = 0;    ///< [concentration]
+};
 
-  double penalty = 1;
-  double pressure_penalty = 1;
-  double concentration_penalty = 1;
-  bool penalty_given = false;
-  bool pressure_penalty_given = false;
-  bool concentration_penalty_given = false;
-  // Whether a load curve changes them.
-  bool penalty_varies = false;
-  bool pressure_penalty_varies = false;
-  bool concentration_penalty_varies = false;
-  bool self_contact = false;  ///< whether the surfaces have facets in common, as a host finds
+struct PenaltyParameters {
+  Varying traction{{1}};  ///< <penalty>
+  Varying solvent{{1}};   ///< <pressure_penalty>
+  Varying solute{{1}};    ///< <concentration_penalty>
   bool auto_penalty = false;
   bool update_penalty = false;
+};
 
-  bool two_pass = false;
-  bool symmetric_stiffness = false;
-  int integration = 0;  ///< 0: gauss, 1: segments
-  bool integration_given = false;
-  int integration_order = 0;
-  double search_tol = 0.01;
-  bool search_tol_given = false;
-  double search_radius = 0;  ///< [length]
-  bool search_radius_given = false;
+struct IntegrationParameters {
+  Given<int> rule;  ///< <integration>; 0: gauss, 1: segments
+  int order = 0;    ///< <integration_order>
+};
+
+struct SearchParameters {
+  Given<double> tolerance{0.01};  ///< <search_tol>
+  Given<double> radius;           ///< <search_radius> [length]
   int seg_up = 0;
-  bool node_reloc = false;
-  int minaug = 0;
-  int maxaug = 10;
-  bool free_draining = true;  ///< whether open nodes have the ambient values
-  double ambient_pressure = 0;
+};
 
+/// What a surface is made to be before the first step.
+struct SurfaceParameters {
+  bool flip = false;
+  bool shell_bottom = false;
+};
+
+struct GapParameters {
   double offset = 0;  ///< gap at which the surfaces are in contact without load [length]
   bool tension = false;
-  bool flip_primary = false;
-  bool flip_secondary = false;
+  bool node_reloc = false;
+};
 
-  // Whether helpers of the solver (newton/helper.h) are on. They act on the whole model.
-  bool predictor = false;
-  bool predictor_given = false;
-  bool non_negative_concentrations = true;
-  bool non_negative_concentrations_given = false;
-  bool line_search_guard = true;
-  bool line_search_guard_given = false;
+struct AmbientParameters {
+  bool free_draining = true;  ///< whether open nodes have the ambient values
+  double pressure = 0;        ///< <ambient_pressure>
+};
 
-  double fric_coeff = 0;          ///< [-]
-  double contact_frac = 0;        ///< [-]
-  double tangential_penalty = 1;  ///< over the traction penalty [-]
-  bool smooth_aug = false;
-  bool smooth_fls = false;
-  bool contact_frac_given = false;
-  bool tangential_penalty_given = false;
-  bool smooth_aug_given = false;
-  bool smooth_fls_given = false;
-  bool fric_coeff_varies = false;  ///< whether a load curve changes it
+struct FrictionParameters {
+  Varying fric_coeff;                   ///< [-]
+  Given<double> contact_frac;           ///< [-]
+  Given<double> tangential_penalty{1};  ///< over the traction penalty [-]
+};
 
-  // Parameters of FEBio's interfaces that this one has no use for, or not yet.
-  bool shell_bottom_primary = false;
-  bool shell_bottom_secondary = false;
-  int knmult = 1;
-  bool knmult_given = false;
+/// Whether helpers of the solver (newton/helper.h) are on. They act on the whole model.
+struct HelperParameters {
+  Given<bool> predictor;
+  Given<bool> non_negative_concentrations{true};
+  Given<bool> line_search_guard{true};
+};
 
-  // The former name of predictor.
-  bool extrapolation = false;
-  bool extrapolation_given = false;
+/// Parameters of FEBio's interfaces that this one has no use for, and a former name.
+struct UnusedParameters {
+  Given<int> knmult{1};
+  Given<bool> smooth_aug;
+  Given<bool> smooth_fls;
+  Given<bool> extrapolation;
+};
+
+/// Values under FEBio's own names, by what they are about.
+struct ContactParameters {
+  std::string effects = "all";  ///< see decide_exchange()
+  EnforcementParameters enforcement;
+  ToleranceParameters tolerances;
+  PenaltyParameters penalties;
+  IntegrationParameters integration;
+  SearchParameters search;
+  mixture_contact::PerSide<SurfaceParameters> surfaces;
+  GapParameters gap;
+  AmbientParameters ambient;
+  FrictionParameters friction;
+  HelperParameters helpers;
+  UnusedParameters unused;
+  bool self_contact = false;  ///< whether the surfaces have facets in common, as a host finds
 };
 
 /// The switch of one of the solver's helpers.
 struct HelperSwitch {
   const char* name;
-  bool ContactParameters::* on;
-  bool ContactParameters::* given;
+  Given<bool> HelperParameters::* parameter;
+
+  const Given<bool>& of(const ContactParameters& parameters) const { return parameters.helpers.*parameter; }
 };
-inline constexpr HelperSwitch predictor{"predictor", &ContactParameters::predictor,
-                                        &ContactParameters::predictor_given};
+inline constexpr HelperSwitch predictor{"predictor", &HelperParameters::predictor};
 inline constexpr HelperSwitch non_negative_concentrations{"non_negative_concentrations",
-                                                          &ContactParameters::non_negative_concentrations,
-                                                          &ContactParameters::non_negative_concentrations_given};
-inline constexpr HelperSwitch line_search_guard{"line_search_guard", &ContactParameters::line_search_guard,
-                                                &ContactParameters::line_search_guard_given};
-inline constexpr std::array<HelperSwitch, 3> helper_switches{predictor, non_negative_concentrations, line_search_guard};
+                                                          &HelperParameters::non_negative_concentrations};
+inline constexpr HelperSwitch line_search_guard{"line_search_guard", &HelperParameters::line_search_guard};
 
 /// What a parameter is measured in.
 enum class Unit { none, length, pressure, concentration };
+
+/// What a parameter belongs to, in the order in which a user finds it.
+enum class ParameterGroup { effects, enforcement, ambient, surfaces, solution, friction, old_models };
+
+/// The heading of a group in FEBio Studio, which is that of the documentation; null for what FEBio Studio does not
+/// offer.
+constexpr const char* heading(ParameterGroup group) {
+  constexpr std::array<const char*, 7> headings{"Effects",  "Enforcement", "Ambient values", "Surfaces and integration",
+                                                "Solution", "Friction",    nullptr};
+  return mixture_contact::at(headings, static_cast<int>(group));
+}
 
 /// How a parameter stands in a model file.
 struct ParameterTag {
   const char* name = "";
   const char* long_name = "";  ///< what a user reads in FEBio Studio
-  bool* given = nullptr;       ///< to be set where the model has the tag
+  ParameterGroup group = ParameterGroup::old_models;
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
+  bool* given = nullptr;          ///< to be set where the model has the tag
 };
 
 /// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for ambient_pressure,
 /// which hosts read with its load curve.
 template <class Take>
 void for_each_parameter(ContactParameters& p, const Take& take) {
-  take({"effects", "effects exchanged"}, p.effects);
-  take({"laugon", "enforcement method", nullptr, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"}, p.laugon);
-  take({"tolerance", "tolerance of all fields"}, p.tolerance);
-  take({"traction_tolerance", "tolerance of the gap", &p.traction_tolerance_given}, p.traction_tolerance);
-  take({"solvent_tolerance", "tolerance of the pressure jump", &p.solvent_tolerance_given}, p.solvent_tolerance);
-  take({"solute_tolerance", "tolerance of the concentration jumps", &p.solute_tolerance_given}, p.solute_tolerance);
-  take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol);
-  take({"ptol", "pressure jump tolerance", nullptr, Unit::pressure}, p.ptol);
-  take({"ctol", "concentration jump tolerance", nullptr, Unit::concentration}, p.ctol);
-  take({"penalty", "normal penalty", &p.penalty_given}, p.penalty);
-  take({"pressure_penalty", "solvent penalty", &p.pressure_penalty_given}, p.pressure_penalty);
-  take({"concentration_penalty", "solute penalty", &p.concentration_penalty_given}, p.concentration_penalty);
-  take({"auto_penalty", "automatic penalty"}, p.auto_penalty);
-  take({"update_penalty", "update penalty each step"}, p.update_penalty);
-  take({"two_pass", "two passes"}, p.two_pass);
-  take({"symmetric_stiffness", "symmetric stiffness"}, p.symmetric_stiffness);
-  take({"integration", "integration rule", &p.integration_given, Unit::none, "gauss\0segments\0"}, p.integration);
-  take({"integration_order", "integration order"}, p.integration_order);
-  take({"search_tol", "projection tolerance", &p.search_tol_given}, p.search_tol);
-  take({"search_radius", "search radius", &p.search_radius_given, Unit::length}, p.search_radius);
-  take({"seg_up", "iterations with a new search"}, p.seg_up);
-  take({"predictor", "predict the start of a step", &p.predictor_given}, p.predictor);
-  take({"non_negative_concentrations", "non-negative concentrations", &p.non_negative_concentrations_given},
-       p.non_negative_concentrations);
-  take({"line_search_guard", "guard the line search", &p.line_search_guard_given}, p.line_search_guard);
-  take({"node_reloc", "relocate primary nodes"}, p.node_reloc);
-  take({"minaug", "minimum augmentations"}, p.minaug);
-  take({"maxaug", "maximum augmentations"}, p.maxaug);
-  take({"free_draining", "drain outside contact"}, p.free_draining);
-  take({"flip_primary", "flip primary surface"}, p.flip_primary);
-  take({"flip_secondary", "flip secondary surface"}, p.flip_secondary);
-  take({"fric_coeff", "friction coefficient"}, p.fric_coeff);
-  take({"contact_frac", "solid contact fraction", &p.contact_frac_given}, p.contact_frac);
-  take({"tangential_penalty", "tangential penalty factor", &p.tangential_penalty_given}, p.tangential_penalty);
-  take({"offset", "gap offset", nullptr, Unit::length}, p.offset);
-  take({"tension", "allow tension"}, p.tension);
-  take({"shell_bottom_primary", "shell bottom of primary surface"}, p.shell_bottom_primary);
-  take({"shell_bottom_secondary", "shell bottom of secondary surface"}, p.shell_bottom_secondary);
-  take({"knmult", "stiffness factor", &p.knmult_given}, p.knmult);
-  take({"smooth_aug", "smoothed augmentation", &p.smooth_aug_given}, p.smooth_aug);
-  take({"smooth_fls", "smoothed fluid load support", &p.smooth_fls_given}, p.smooth_fls);
-  take({"extrapolation", "predictor (former name)", &p.extrapolation_given}, p.extrapolation);
+  using Group = ParameterGroup;
+  using mixture_contact::Side;
+  const auto take_given = [&take](ParameterTag tag, auto& parameter) {
+    tag.given = &parameter.given;
+    take(tag, parameter.value);
+  };
+  take({"effects", "effects exchanged", Group::effects}, p.effects);
+  take({"laugon", "enforcement method", Group::enforcement, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"},
+       p.enforcement.laugon);
+  take_given({"penalty", "normal penalty", Group::enforcement}, p.penalties.traction);
+  take_given({"pressure_penalty", "solvent penalty", Group::enforcement}, p.penalties.solvent);
+  take_given({"concentration_penalty", "solute penalty", Group::enforcement}, p.penalties.solute);
+  take({"auto_penalty", "automatic penalty", Group::enforcement}, p.penalties.auto_penalty);
+  take({"update_penalty", "update penalty each step", Group::enforcement}, p.penalties.update_penalty);
+  take({"tolerance", "tolerance of all fields", Group::enforcement}, p.tolerances.all);
+  take_given({"traction_tolerance", "tolerance of the gap", Group::enforcement}, p.tolerances.traction);
+  take_given({"solvent_tolerance", "tolerance of the pressure jump", Group::enforcement}, p.tolerances.solvent);
+  take_given({"solute_tolerance", "tolerance of the concentration jumps", Group::enforcement}, p.tolerances.solute);
+  take({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);
+  take({"ptol", "pressure jump tolerance", Group::enforcement, Unit::pressure}, p.tolerances.ptol);
+  take({"ctol", "concentration jump tolerance", Group::enforcement, Unit::concentration}, p.tolerances.ctol);
+  take({"minaug", "minimum augmentations", Group::enforcement}, p.enforcement.minaug);
+  take({"maxaug", "maximum augmentations", Group::enforcement}, p.enforcement.maxaug);
+  take({"free_draining", "drain outside contact", Group::ambient}, p.ambient.free_draining);
+  take({"two_pass", "two passes", Group::surfaces}, p.enforcement.two_pass);
+  take_given({"integration", "integration rule", Group::surfaces, Unit::none, "gauss\0segments\0"}, p.integration.rule);
+  take({"integration_order", "integration order", Group::surfaces}, p.integration.order);
+  take_given({"search_radius", "search radius", Group::surfaces, Unit::length}, p.search.radius);
+  take({"offset", "gap offset", Group::surfaces, Unit::length}, p.gap.offset);
+  take({"tension", "allow tension", Group::surfaces}, p.gap.tension);
+  take_given({"search_tol", "projection tolerance", Group::surfaces}, p.search.tolerance);
+  take({"seg_up", "iterations with a new search", Group::surfaces}, p.search.seg_up);
+  take({"node_reloc", "relocate primary nodes", Group::surfaces}, p.gap.node_reloc);
+  take({"flip_primary", "flip primary surface", Group::surfaces}, p.surfaces[Side::primary].flip);
+  take({"flip_secondary", "flip secondary surface", Group::surfaces}, p.surfaces[Side::secondary].flip);
+  take({"shell_bottom_primary", "shell bottom of primary surface", Group::surfaces},
+       p.surfaces[Side::primary].shell_bottom);
+  take({"shell_bottom_secondary", "shell bottom of secondary surface", Group::surfaces},
+       p.surfaces[Side::secondary].shell_bottom);
+  take({"symmetric_stiffness", "symmetric stiffness", Group::solution}, p.enforcement.symmetric_stiffness);
+  take_given({"predictor", "predict the start of a step", Group::solution}, p.helpers.predictor);
+  take_given({"non_negative_concentrations", "non-negative concentrations", Group::solution},
+             p.helpers.non_negative_concentrations);
+  take_given({"line_search_guard", "guard the line search", Group::solution}, p.helpers.line_search_guard);
+  take({"fric_coeff", "friction coefficient", Group::friction}, p.friction.fric_coeff.value);
+  take_given({"contact_frac", "solid contact fraction", Group::friction}, p.friction.contact_frac);
+  take_given({"tangential_penalty", "tangential penalty factor", Group::friction}, p.friction.tangential_penalty);
+  take_given({"knmult", "stiffness factor", Group::old_models}, p.unused.knmult);
+  take_given({"smooth_aug", "smoothed augmentation", Group::old_models}, p.unused.smooth_aug);
+  take_given({"smooth_fls", "smoothed fluid load support", Group::old_models}, p.unused.smooth_fls);
+  take_given({"extrapolation", "predictor (former name)", Group::old_models}, p.unused.extrapolation);
+}
+
+/// Those of which the contact asks whether a load curve changes them.
+inline std::array<Varying*, 4> varying(ContactParameters& p) {
+  return {&p.penalties.traction, &p.penalties.solvent, &p.penalties.solute, &p.friction.fric_coeff};
 }
 
 /// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing

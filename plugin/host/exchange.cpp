@@ -77,8 +77,8 @@ void decide_friction(bool wanted, bool named, const FrictionRequest& friction, E
     absent += " No friction: <effects> leaves it out.";
     return;
   }
-  result.effects.friction = true;
-  result.effects.bearing_fluid = friction.has_fluid;
+  using mixture_contact::FrictionKind;
+  result.effects.friction_kind = friction.has_fluid ? FrictionKind::on_solid_part : FrictionKind::on_traction;
   if (result.effects.traction) {
     present.emplace_back("friction");
   } else {

@@ -50,7 +50,7 @@ void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& material
       mesh.permeable[static_cast<std::size_t>(f)] |= only(field);
       mesh.conductance(field, f) = *found;
     }
-    if (effects.bearing_fluid && material.permeable)
+    if (effects.reads_fluid() && material.permeable)
       mesh.permeable[static_cast<std::size_t>(f)] |= only(effects.pressure_field());
   }
 }

@@ -40,7 +40,7 @@ std::string row(std::string_view title, const std::vector<std::string>& entries)
 
 std::vector<std::string> headings(const Effects& effects) {
   std::vector<std::string> names{"shared", "traction"};
-  if (effects.friction) names.emplace_back("friction");
+  if (effects.may_rub()) names.emplace_back("friction");
   if (effects.solvent) names.emplace_back("solvent");
   for (const int solute : effects.solutes) names.push_back("solute " + std::to_string(solute + 1));
   names.emplace_back("all");
@@ -56,7 +56,7 @@ std::string scientific(double value) {
 
 std::string seconds(std::string_view title, const TimingBreakdown& spent, const Effects& effects) {
   std::vector<double> values{spent.shared, spent.traction};
-  if (effects.friction) values.push_back(spent.friction);
+  if (effects.may_rub()) values.push_back(spent.friction);
   values.insert(values.end(), spent.fields.begin(), spent.fields.end());
   values.push_back(spent.total());
   values.push_back(spent.host);

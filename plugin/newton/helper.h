@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace newton {
@@ -21,6 +22,9 @@ class Helper {
   Helper(Helper&&) = delete;
   Helper& operator=(Helper&&) = delete;
   virtual ~Helper() = default;
+
+  /// Why it cannot help in this model, after its name in a sentence; empty where it can.
+  virtual std::string unavailable() const { return {}; }
 
   /// A time step begins, or an attempt at one.
   virtual void begin_step() {}

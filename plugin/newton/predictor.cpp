@@ -57,7 +57,7 @@ void for_each_free_value(const Solver& solver, const Use& use) {
 std::vector<MatrixXd> changes_of_step(const Solver& solver) {
   std::vector<MatrixXd> changes;
   for (const std::vector<int>& dofs : solver.variables())
-    changes.emplace_back(MatrixXd::Zero(count(dofs), solver.nodes()));
+    changes.emplace_back(MatrixXd::Zero(number_of(dofs), solver.nodes()));
   for_each_free_value(solver, [&](const FreeValue& value) {
     changes[value.variable](value.row, value.place.node) = solver.value(value.place) -
                                                            solver.previous_value(value.place);
@@ -67,7 +67,7 @@ std::vector<MatrixXd> changes_of_step(const Solver& solver) {
 
 /// Stores some past steps, or reads them.
 void archive_steps(Archive& archive, std::vector<PastSteps>& quantities) {
-  int size = count(quantities);
+  int size = number_of(quantities);
   archive.part(size);
   quantities.resize(entries(size));
   for (PastSteps& steps : quantities) steps.for_each_part([&](auto& part) { archive.part(part); });
@@ -146,6 +146,10 @@ bool Predictor::predicts_the_change() const {
   return variables_[solver_.displacements()].predicts(dt) &&
          std::any_of(variables_.begin(), variables_.end(),
                      [&](const PastSteps& variable) { return variable.changed() && variable.predicts(dt); });
+}
+
+std::string Predictor::unavailable() const {
+  return solver_.is_predictable() ? "" : "is not available in models with rigid bodies; set it to 0.";
 }
 
 bool Predictor::will_predict() const {

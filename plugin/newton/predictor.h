@@ -33,6 +33,7 @@ class Predictor : public Helper {
  public:
   explicit Predictor(Solver& solver) : solver_(solver) {}
 
+  std::string unavailable() const override;
   bool will_predict() const override;
   bool predict(const std::function<void()>& arrived) override;
   /// The right-hand side R(x + P) + theta K P.

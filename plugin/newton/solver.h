@@ -1,7 +1,7 @@
 /// What the helpers need of a Newton solver and its model. FEBio's is in newton/febio, the tests have a fake one.
 #pragma once
 
-#include "vector_entry.h"
+#include "indexing/entries.h"
 
 #include <cstddef>
 #include <stdexcept>
@@ -9,6 +9,10 @@
 #include <vector>
 
 namespace newton {
+
+using indexing::at;
+using indexing::entries;
+using indexing::number_of;
 
 /// An element of a trial state is inverted.
 struct InvertedElement : std::runtime_error {

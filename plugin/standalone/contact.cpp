@@ -98,7 +98,8 @@ mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials
   std::vector<FieldAtContact> fields = fields_at_contact(materials, definition_.surfaces, model_.solutes);
   leave_out(left_out(definition_.parameters), fields);
   const ContactParameters& parameters = definition_.parameters;
-  const FrictionRequest friction{has_friction(parameters), parameters.contact_frac < 1 && has_fluid(materials)};
+  const FrictionRequest friction{has_friction(parameters),
+                                 parameters.friction.contact_frac.value < 1 && has_fluid(materials)};
   const Exchange exchange = decide_exchange(parameters.effects, fields, motion(), friction);
   if (!exchange.complaints.empty())
     throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
@@ -122,9 +123,9 @@ mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
 }
 
 void Contact::follow(double time) {
-  if (!core_->effects().friction) return;
+  if (!core_->effects().may_rub()) return;
   ContactParameters now = definition_.parameters;
-  now.ambient_pressure = definition_.ambient_pressure.at(time, model_.curves);
+  now.ambient.pressure = definition_.ambient_pressure.at(time, model_.curves);
   core_->update_laws(core_settings(now));
 }
 

@@ -132,7 +132,7 @@ bool Problem::switch_ambient() {
     const auto status = contact.core().hold_nodes_in_contact();
     for (const auto side : mixture_contact::both_sides) {
       for (std::size_t i = 0; i < contact.nodes(side).size(); ++i) {
-        if (contact.definition().parameters.free_draining)
+        if (contact.definition().parameters.ambient.free_draining)
           definitions.emplace(contact.nodes(side)[i], &contact.definition());
         if (status[side][i]) in_contact.insert(contact.nodes(side)[i]);
       }

@@ -42,7 +42,7 @@ _OF_THE_REPOSITORY = (
     fuzz.fuzz_seeds,
     cost.cost,
     cost.cost_sweep,
-    cost.cost_turn,
+    cost.cost_interleaved,
     price.price,
     predictor.predictor,
     real_models.real_models,

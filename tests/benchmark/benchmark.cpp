@@ -45,7 +45,7 @@ class Case {
   Case(std::string name, int facets, const Effects& effects, Integration integration = Integration::gauss)
       : name_(std::move(name)), scene_(grids(facets), effects) {
     scene_.settings.integration = integration;
-    if (effects.friction) scene_.settings.friction.coefficient = 0.3;
+    if (effects.has_friction()) scene_.settings.friction.coefficient = 0.3;
     std::mt19937 random(1);
     const double size = 1 / std::sqrt(facets);
     scene_.disturb(0.05 * size, random);
@@ -144,8 +144,7 @@ void measure_in_turn(std::vector<Case>& cases, int iterations) {
 }
 
 Effects with_friction(Effects effects) {
-  effects.friction = true;
-  effects.bearing_fluid = effects.solvent;
+  effects.friction_kind = effects.solvent ? FrictionKind::on_solid_part : FrictionKind::on_traction;
   return effects;
 }
 

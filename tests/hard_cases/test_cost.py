@@ -85,8 +85,8 @@ def test_no_run_has_the_mesh_of_its_reference():
     assert all(len(point.model().mesh.nodes) < nodes for point in own)
 
 
-def timing(interface, parameter, value, cpu, *, turn=1, error=1e-6, instructions=math.nan):
-    return Timing("3.2", interface, parameter, value, "wide", turn, error, 24, 44, cpu, instructions)
+def timing(interface, parameter, value, cpu, *, round_number=1, error=1e-6, instructions=math.nan):
+    return Timing("3.2", interface, parameter, value, "wide", round_number, error, 24, 44, cpu, instructions)
 
 
 def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
@@ -105,15 +105,15 @@ def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
     }
 
 
-def test_ratios_are_those_within_a_turn_to_the_faster_that_is_good_enough():
+def test_ratios_are_those_within_a_round_to_the_faster_that_is_good_enough():
     ours, slow, poor = (
         ("sliding-mixture", "default", 0.0),
         ("sliding-multiphasic", "default", 0.0),
         ("sliding-biphasic-solute", "penalty factor", 1.0),
     )
-    found = [timing(*ours, cpu, turn=n) for n, cpu in enumerate((1.0, 3.0, 2.2), 1)]
-    found += [timing(*slow, cpu, turn=n) for n, cpu in enumerate((2.0, 4.0, 2.0), 1)]
-    found += [timing(*poor, 0.1, turn=n, error=0.05) for n in (1, 2, 3)]
+    found = [timing(*ours, cpu, round_number=n) for n, cpu in enumerate((1.0, 3.0, 2.2), 1)]
+    found += [timing(*slow, cpu, round_number=n) for n, cpu in enumerate((2.0, 4.0, 2.0), 1)]
+    found += [timing(*poor, 0.1, round_number=n, error=0.05) for n in (1, 2, 3)]
     assert interleaved.ratios(found, ours, slow) == pytest.approx((0.625, 0.75, 0.925))
     rows = interleaved.ratio_table(found).splitlines()[2:]
     assert len(rows) == 2
@@ -124,5 +124,8 @@ def test_ratios_are_those_within_a_turn_to_the_faster_that_is_good_enough():
 
 def test_instructions_are_compared_where_they_were_counted():
     ours, theirs = ("sliding-mixture", "default", 0.0), ("sliding-multiphasic", "default", 0.0)
-    counted = [timing(*ours, 50.0, turn=0, instructions=9e8), timing(*theirs, 40.0, turn=0, instructions=1e9)]
+    counted = [
+        timing(*ours, 50.0, round_number=0, instructions=9e8),
+        timing(*theirs, 40.0, round_number=0, instructions=1e9),
+    ]
     assert interleaved.ratio_table(counted).endswith("default | 24 | 0.900 | 0.900 |")

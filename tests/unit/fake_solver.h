@@ -67,21 +67,21 @@ class FakeSolver : public newton::Solver {
   std::vector<std::vector<int>> variables() const override { return {{0}, {1}}; }
   std::size_t displacements() const override { return 0; }
   std::vector<int> concentrations() const override { return {1}; }
-  int equation(Place place) const override { return newton::at(codes_, index(place)); }
-  void set_equation(Place place, int code) override { newton::at(codes_, index(place)) = code; }
-  double value(Place place) const override { return newton::at(state_.values, index(place)); }
-  void set_value(Place place, double value) override { newton::at(state_.values, index(place)) = value; }
-  double previous_value(Place place) const override { return newton::at(state_.previous, index(place)); }
+  int equation(Place place) const override { return indexing::at(codes_, index(place)); }
+  void set_equation(Place place, int code) override { indexing::at(codes_, index(place)) = code; }
+  double value(Place place) const override { return indexing::at(state_.values, index(place)); }
+  void set_value(Place place, double value) override { indexing::at(state_.values, index(place)) = value; }
+  double previous_value(Place place) const override { return indexing::at(state_.previous, index(place)); }
   newton::Vectors vectors() override { return {total, change, increment, load, prescribed_load}; }
 
   /// Free values become total + change + increment, negative concentrations 0 with the clamp.
   void update(std::vector<double>& by) override {
     for (int n = 0; n < 2 * nodes_; ++n) {
-      double& value = newton::at(state_.values, n);
-      if (newton::at(codes_, n) >= 0)
-        value = newton::at(total, n) + newton::at(change, n) + newton::at(by, n);
+      double& value = indexing::at(state_.values, n);
+      if (indexing::at(codes_, n) >= 0)
+        value = indexing::at(total, n) + indexing::at(change, n) + indexing::at(by, n);
       else if (n % 2 == 0)
-        value += newton::at(by, n);
+        value += indexing::at(by, n);
       if (clamps && n % 2 == 1 && value < 0) value = 0;
     }
     if (is_inverted(state_.values)) throw newton::InvertedElement();

@@ -10,6 +10,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CORE = ROOT / "plugin" / "contact"
 UNIT = ROOT / "tests" / "unit"
 HELPERS = ROOT / "plugin" / "newton"
+INDEXING = ROOT / "plugin" / "indexing"
+"""Below all others: the core and the helpers index alike and know nothing of each other."""
 ADAPTER = ROOT / "plugin" / "febio"
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
@@ -37,7 +39,7 @@ def test_every_folder_has_a_purpose_and_every_file_a_folder() -> None:
 
 
 def test_no_folder_uses_one_above_it() -> None:
-    height = {folder: floor for floor, folder in enumerate(floors())}
+    height = {folder: floor for floor, folder in enumerate([INDEXING.name, *floors()])}
     arrows_up = [
         f"{path.relative_to(CORE)} includes {name}"
         for path in sources()
@@ -67,16 +69,22 @@ def test_what_helps_the_solver_knows_nothing_of_contact() -> None:
     assert of_others == []
 
 
+def test_indexing_knows_nothing_of_the_project() -> None:
+    assert [name for path in sorted(INDEXING.iterdir()) for name in includes(path)] == []
+
+
 def test_the_adapter_names_a_helper_where_it_registers_it_and_nowhere_else() -> None:
     helpers = "Predictor", "NonNegativeConcentrations", "LineSearchGuard"
+    lines = [
+        line.strip()
+        for path in sorted(ADAPTER.iterdir())
+        if path.suffix in (".h", ".cpp")
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if not line.startswith("#include")
+    ]
+    snake_case = {helper: re.sub(r"(?<!^)([A-Z])", r"_\1", helper).lower() for helper in helpers}
     found = {
-        helper: [
-            line.strip()
-            for path in sorted(ADAPTER.iterdir())
-            if path.suffix in (".h", ".cpp")
-            for line in path.read_text(encoding="utf-8").splitlines()
-            if helper in line
-        ]
-        for helper in helpers
+        helper: [line for line in lines if re.search(rf"\b(?:{helper}|{switch})\b", line)]
+        for helper, switch in snake_case.items()
     }
     assert {helper: len(lines) for helper, lines in found.items()} == dict.fromkeys(helpers, 1), found

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 import pytest
 
 from harness import cli  # noqa: F401 - its commands know the pages of studies
 from harness.errors import DataFileError
 from harness.pages import command, plugin_parameters, verification
-from harness.pages.parameter_notes import GROUPS
-from harness.paths import DOCS, REPOSITORY
+from harness.paths import DOCS
 from harness.validate.checks import CHECKS
 
 
@@ -30,8 +27,9 @@ def altered(tmp_path, monkeypatch, old: str, new: str) -> None:
 
 
 def test_a_parameter_without_a_note_is_named(tmp_path, monkeypatch):
-    line = '  take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol);'
-    altered(tmp_path, monkeypatch, line, f'  take({{"gap_limit", "gap limit"}}, p.gaptol);\n{line}')
+    line = '  take({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);'
+    another = '  take({"gap_limit", "gap limit", Group::enforcement}, p.tolerances.gaptol);'
+    altered(tmp_path, monkeypatch, line, f"{another}\n{line}")
     with pytest.raises(DataFileError, match="do not agree on gap_limit"):
         plugin_parameters.page()
 
@@ -46,20 +44,25 @@ def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
     altered(
         tmp_path,
         monkeypatch,
-        'take({"gaptol", "gap tolerance", nullptr, Unit::length}, p.gaptol)',
-        "take(tag, p.gaptol)",
+        'take({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol)',
+        "take(tag, p.tolerances.gaptol)",
     )
     with pytest.raises(DataFileError, match="is not of the form"):
         plugin_parameters.page()
 
 
-def test_febio_studio_has_the_headings_of_the_page():
-    """All but that of old models, which FEBio Studio hides; ambient concentrations are no parameter but a list."""
-    table = (REPOSITORY / "plugin" / "host" / "parameter_groups.cpp").read_text(encoding="utf-8")
-    found = re.findall(r'\{"([A-Z][^"]+)",\s*\{([^}]*)\}\}', table)
-    shown = {heading: re.findall(r'"(\w+)"', names) for heading, names in found}
-    page = {group.title: [name for name in group.names if name != "ambient_concentration"] for group in GROUPS[:-1]}
-    assert shown == page
+def test_a_group_without_a_sentence_is_named(tmp_path, monkeypatch):
+    altered(tmp_path, monkeypatch, "{ effects, enforcement,", "{ effects, fulfilment,")
+    with pytest.raises(DataFileError, match="do not agree on enforcement, fulfilment"):
+        plugin_parameters.page()
+
+
+def test_a_parameter_stands_under_the_heading_of_its_group(tmp_path, monkeypatch):
+    assert plugin_parameters.page().index("## Enforcement") < plugin_parameters.page().index("| `maxaug` |")
+    altered(
+        tmp_path, monkeypatch, '"maximum augmentations", Group::enforcement', '"maximum augmentations", Group::effects'
+    )
+    assert plugin_parameters.page().index("| `maxaug` |") < plugin_parameters.page().index("## Enforcement")
 
 
 def test_defaults_come_from_the_code(tmp_path, monkeypatch):

@@ -1,12 +1,15 @@
-"""Functions of the plugin stay small, and indices need no cast."""
+"""Classes and functions of the plugin stay small, and indices need no cast."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 PLUGIN = Path(__file__).resolve().parents[2] / "plugin"
+MOST_METHODS, MOST_MEMBERS, MOST_BOOLEANS = 30, 14, 3
+"""Of a class; functions that are deleted or defaulted do not count."""
 MOST_CASTS = 6.0
 """`static_cast` per 1000 lines."""
 MEDIAN_LINES, MOST_LINES = 6, 33
@@ -14,9 +17,22 @@ MEDIAN_LINES, MOST_LINES = 6, 33
 
 NOT_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.DOTALL | re.MULTILINE)
 QUOTED = re.compile(r"\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])'")
+CLASS = re.compile(r"(?<!enum )\b(?:class|struct) (\w+)(?: final)?(?:\s*:[^{;()]*)?\s*\{")
 SCOPE = re.compile(r"\bnamespace\b[^{};]*$|^extern \"\"$|\b(?:class|struct) \w+(?: final)?(?:\s*:[^{;()]*)?$")
 FUNCTION = re.compile(r"\)\s*(?:const|noexcept|override|final|->[\w\s:<>,&*]+|\s)*$|\)\s*:\s[^;]*[)}]$")
 LABEL = re.compile(r"\b(?:public|private|protected):(?!:)")
+NO_MEMBER = re.compile(r"(?:using|friend|typedef|enum|static constexpr|static inline constexpr|DECLARE_\w+)\b")
+TEMPLATE_ARGUMENTS = re.compile(r"<[^<>]*>")
+
+
+@dataclass(frozen=True)
+class Shape:
+    """How many methods, data members and booleans a class has."""
+
+    name: str
+    methods: int
+    members: int
+    booleans: int
 
 
 def plain(text: str) -> str:
@@ -51,8 +67,65 @@ def functions(code: str) -> Iterator[int]:
         at += 1
 
 
+def declarations(body: str) -> Iterator[str]:
+    """What a class declares, what stands in braces left out."""
+    statement, at = "", 0
+    while at < len(body):
+        if body[at] == "{":
+            at = closing(body, at)
+            statement += "{}"
+            ends = not re.match(r"\}\s*[;,){]", body[at:])
+        else:
+            ends = body[at] == ";"
+            statement += "" if ends else body[at]
+        if ends:
+            yield " ".join(LABEL.sub("", statement).split())
+            statement = ""
+        at += 1
+
+
+def without_templates(text: str) -> str:
+    """The same without template arguments, so that no comma or parenthesis of theirs is left."""
+    while (shorter := TEMPLATE_ARGUMENTS.sub("", text)) != text:
+        text = shorter
+    return text
+
+
+def shape(name: str, body: str) -> Shape:
+    """The shape of a class."""
+    methods = members = booleans = 0
+    for declaration in declarations(body):
+        head = re.split(r"(?<![=!<>])=(?!=)|\{", without_templates(declaration))[0]
+        if not head.strip() or NO_MEMBER.match(declaration):
+            continue
+        if "(" in head or "operator" in head:
+            methods += re.search(r"= (?:delete|default)$", declaration) is None
+        elif not re.match(r"(?:class|struct) \w+$", head.strip()):
+            count = 1 + without_templates(declaration).count(",")
+            members += count
+            booleans += count if re.match(r"(?:mutable )?bool\b", head) else 0
+    return Shape(name, methods, members, booleans)
+
+
+def shapes(text: str) -> list[Shape]:
+    """Of the classes in a file, nested ones too."""
+    code = plain(text)
+    return [shape(m[1], code[m.end() : closing(code, m.end() - 1)]) for m in CLASS.finditer(code)]
+
+
 def sources() -> list[str]:
     return [path.read_text(encoding="utf-8") for path in sorted(PLUGIN.rglob("*")) if path.suffix in (".h", ".cpp")]
+
+
+def test_no_class_does_everything() -> None:
+    found = [each for text in sources() for each in shapes(text)]
+    assert len(found) > 200
+    large = [
+        each
+        for each in found
+        if each.methods > MOST_METHODS or each.members > MOST_MEMBERS or each.booleans > MOST_BOOLEANS
+    ]
+    assert large == []
 
 
 def test_functions_are_small() -> None:
@@ -66,6 +139,32 @@ def test_indices_need_no_cast() -> None:
     texts = sources()
     lines = sum(len(text.splitlines()) for text in texts)
     assert sum(text.count("static_cast<") for text in texts) <= MOST_CASTS * lines / 1000.0
+
+
+def test_the_shape_of_a_class_is_counted() -> None:
+    """The test of this test."""
+    text = """
+    /// A comment with a brace {.
+    class Box final : public Base {
+     public:
+      explicit Box(int n) : size_(n), name_("{") {}
+      Box(const Box&) = delete;
+      ~Box() override = default;
+      int size() const { return size_; }
+      std::function<void(int, int)> call;
+      void set(int size, bool open = false);
+      bool operator==(const Box& other) const { return size_ == other.size_; }
+      enum class Kind { a, b };
+      struct Inner {
+        bool one = true, two = false;
+      };
+     private:
+      bool open_ = true, shut_ = false;
+      std::array<std::pair<int, int>, 3> pairs_{};
+      int size_;
+    };
+    """
+    assert shapes(text) == [Shape("Box", 4, 5, 2), Shape("Inner", 0, 2, 2)]
 
 
 def test_the_lines_of_a_function_are_counted() -> None:

@@ -14,6 +14,13 @@ inline constexpr int max_scalar_fields = 64;
 inline bool contains(FieldMask mask, int field) { return (mask >> static_cast<unsigned>(field)) & 1U; }
 inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(field); }
 
+/// What friction is in proportion to.
+enum class FrictionKind : std::uint8_t {
+  none,
+  on_traction,   ///< the traction
+  on_solid_part  ///< what of it the fluid, of both sides or of the one that has it, does not bear
+};
+
 /// What is exchanged between two surfaces. Scalar fields are counted solvent first (if exchanged),
 /// then solutes.
 struct Effects {
@@ -21,18 +28,20 @@ struct Effects {
                              ///< is a displacement then, and contact is linear transport
   bool solvent = false;      ///< both surfaces are permeable to the solvent
   std::vector<int> solutes;  ///< host's ids of the solutes that both surfaces share, ascending
-  bool friction = false;     ///< the surfaces resist sliding, where they exchange traction
-  bool bearing_fluid = false;  ///< friction depends on the fluid pressure, of both sides or of the one that has fluid
+  FrictionKind friction_kind = FrictionKind::none;  ///< where they exchange traction
 
   /// Number of exchanged scalar fields.
   int scalar_fields() const { return (solvent ? 1 : 0) + number_of(solutes); }
-  bool has_friction() const { return traction && friction; }
+  /// Whether there is friction in the steps in which traction is exchanged.
+  bool may_rub() const { return friction_kind != FrictionKind::none; }
+  bool has_friction() const { return traction && may_rub(); }
   /// Whether friction depends on the fluid pressure.
-  bool has_bearing_fluid() const { return has_friction() && bearing_fluid; }
+  bool has_bearing_fluid() const { return traction && reads_fluid(); }
+  bool reads_fluid() const { return friction_kind == FrictionKind::on_solid_part; }
   /// The scalar field that is the fluid pressure: the exchanged one, or one more that friction alone reads.
   int pressure_field() const { return solvent ? 0 : scalar_fields(); }
   /// Number of scalar fields that nodes have: the exchanged ones, and what friction reads beside them.
-  int nodal_fields() const { return scalar_fields() + (bearing_fluid && !solvent ? 1 : 0); }
+  int nodal_fields() const { return scalar_fields() + (reads_fluid() && !solvent ? 1 : 0); }
 };
 
 }  // namespace mixture_contact

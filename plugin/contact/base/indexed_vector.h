@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/types.h"
+#include "indexing/entries.h"
 
 #include <type_traits>
 #include <utility>
@@ -15,17 +16,8 @@ Index count_of(const Container& entries) {
   return static_cast<Index>(entries.size());
 }
 
-/// The same as an int, for what hosts and files count in ints.
-template <class Container>
-int number_of(const Container& entries) {
-  return static_cast<int>(entries.size());
-}
-
-/// An entry of an array or a std::vector, by an index of any kind.
-template <class Container, class I>
-constexpr decltype(auto) at(Container&& entries, I index) {
-  return std::forward<Container>(entries)[static_cast<std::size_t>(index)];
-}
+using indexing::at;
+using indexing::number_of;
 
 /// A std::vector that any integer indexes, so that it stands beside matrices without a cast.
 template <class T>

@@ -75,6 +75,25 @@ struct Tolerances {
   Field solute;
 };
 
+/// How often an augmented Lagrangian solution takes its multipliers up.
+struct Augmentations {
+  int least = 0;
+  int most = 10;
+};
+
+/// Which gaps the surfaces answer with a traction.
+struct GapRule {
+  double offset = 0;      ///< gap at which the surfaces are in contact without load [mm]
+  bool tension = false;   ///< whether paired surfaces pull, too, and never part
+  bool may_touch = true;  ///< false: no node ever comes into contact, whatever the gaps
+};
+
+/// How far a point looks for the other surface.
+struct SearchRule {
+  double radius = 0;        ///< largest distance or overlap at which facets are paired [mm]; 0: from the surfaces' size
+  double tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still accepted [-]
+};
+
 /// All settings of a contact, with the defaults users get.
 struct Settings {
   Enforcement enforcement = Enforcement::penalty;
@@ -84,20 +103,14 @@ struct Settings {
   FrictionRule friction;
   double traction_reduction = 1;  ///< by which the penalty of the traction is divided
   Tolerances tolerances;
-  int min_augmentations = 0;
-  int max_augmentations = 10;
+  Augmentations augmentations;
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
   bool symmetric = false;  ///< hand out the symmetric part of the tangent
-  bool tension = false;    ///< whether paired surfaces pull, too, and never part
-  double offset = 0;       ///< gap at which the surfaces are in contact without load [mm]
-  bool may_touch = true;   ///< false: no node ever comes into contact, whatever the gaps
+  GapRule gap;
   Integration integration = Integration::segments;
   int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on
                               ///< segments alike
-  double search_radius = 0;  ///< largest distance or overlap at which facets see each other [mm]; 0: from the surfaces'
-                             ///< size
-  double search_tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still
-                                   ///< accepted [-]
+  SearchRule search;
 };
 
 inline bool same_penalties(const Settings& a, const Settings& b) {

@@ -2,7 +2,6 @@
 
 #include "base/bytes.h"
 #include "base/parallel.h"
-#include "enforcement/virtual_work.h"
 #include "mortar/trial_variation.h"
 #include "mortar/varying_pairs.h"
 
@@ -32,23 +31,25 @@ NodalLoads geometric_loads(const LinearisationPoint& point) {
   return loads;
 }
 
-/// Hands on the geometric part of a pair, given for a time increment of 1: fluxes are proportional to it.
-void add_geometric(const std::vector<TangentBlock>& blocks, double dt, const AddBlock& add) {
-  for (const TangentBlock& block : blocks) {
-    if (block.rows.fields.empty()) {
-      add(block);
-    } else {
-      add({block.rows, block.columns, dt * block.values});
-    }
-  }
+/// Hands on the geometric part of a pair that is given for a time increment of 1.
+void add_geometric(const GeometricTangent& unit, double dt, const AddBlock& add) {
+  for (const TangentBlock& flux : unit.fluxes) add({flux.rows, flux.columns, dt * flux.values});
+  add(unit.traction);
 }
 
-std::size_t bytes_of(const IndexedVector<std::vector<TangentBlock>>& pairs) {
+std::size_t bytes_of(const TangentBlock& block) {
+  return bytes(block.rows) + bytes(block.columns) + bytes(block.values);
+}
+
+std::size_t bytes_of(const GeometricTangent& tangent) {
+  std::size_t sum = bytes(tangent.fluxes) + bytes_of(tangent.traction);
+  for (const TangentBlock& flux : tangent.fluxes) sum += bytes_of(flux);
+  return sum;
+}
+
+std::size_t bytes_of(const IndexedVector<std::optional<GeometricTangent>>& pairs) {
   std::size_t sum = bytes(pairs);
-  for (const std::vector<TangentBlock>& blocks : pairs) {
-    sum += bytes(blocks);
-    for (const TangentBlock& block : blocks) sum += bytes(block.rows) + bytes(block.columns) + bytes(block.values);
-  }
+  for (const std::optional<GeometricTangent>& tangent : pairs) sum += tangent ? bytes_of(*tangent) : 0;
   return sum;
 }
 
@@ -229,7 +230,9 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlo
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, point_ ? point_->nodes : present, now, weights, dt, add);
   if (const GeometricPart* held = geometric_at(positions(fields))) {
-    for (const std::vector<TangentBlock>& blocks : *held) add_geometric(blocks, dt, add);
+    for (const std::optional<GeometricTangent>& unit : *held) {
+      if (unit) add_geometric(*unit, dt, add);
+    }
   } else {
     geometric_tangents(space_, point_ ? geometric_loads(*point_) : now, fields, dt, add);
   }

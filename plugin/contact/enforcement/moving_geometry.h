@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enforcement/contact_geometry.h"
+#include "enforcement/virtual_work.h"
 
 #include <functional>
 #include <optional>
@@ -30,7 +31,7 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  using GeometricPart = IndexedVector<std::vector<TangentBlock>>;
+  using GeometricPart = IndexedVector<std::optional<GeometricTangent>>;
   /// Decides about friction from the loads at a state.
   using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
   /// What an iteration holds but for its linearisation and the loads of the geometric part.

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <optional>
 #include <utility>
 
 namespace mixture_contact {
@@ -22,12 +23,12 @@ std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& pat
 
 }  // namespace
 
-std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const FacetPair& pair,
-                                            const std::vector<VaryingPoint>& points) {
+GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
+                                   const std::vector<VaryingPoint>& points) {
   const Patch patch = space.facing().patch(pair);
   const LocalLayout displacements = patch.of_displacements().layout();
   MatrixXd traction = MatrixXd::Zero(displacements.size(), displacements.size());
-  std::vector<TangentBlock> blocks = flux_blocks(space, patch);
+  std::vector<TangentBlock> fluxes = flux_blocks(space, patch);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   for (const auto& [point, vary] : points) {
     traction += traction_tangent(point.kinematics, vary, point.loads, displacements);
@@ -38,15 +39,14 @@ std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const Face
       add_friction_tangent(point.kinematics, vary, point.loads, displacements, traction);
     laps.friction();
   }
-  for (Index k = 0; k < count_of(blocks); ++k) {
-    TangentBlock& block = at(blocks, k);
+  for (Index k = 0; k < count_of(fluxes); ++k) {
+    TangentBlock& block = at(fluxes, k);
     for (const auto& [point, vary] : points) {
       block.values += flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), block.columns.layout());
     }
     laps.field(patch.fields[k]);
   }
-  blocks.push_back(traction_block(space, patch, std::move(traction)));
-  return blocks;
+  return {std::move(fluxes), traction_block(space, patch, std::move(traction))};
 }
 
 void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
@@ -73,12 +73,14 @@ void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const Fac
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                         const AddBlock& add) {
   const IndexedVector<FacetPair>& pairs = space.facing().pairs();
-  const auto of_pair = [&](Index index) {
-    if (!space.facing().has_node_among(pairs[index], loads.in_contact)) return std::vector<TangentBlock>();
+  const auto of_pair = [&](Index index) -> std::optional<GeometricTangent> {
+    if (!space.facing().has_node_among(pairs[index], loads.in_contact)) return std::nullopt;
     return geometric_tangent(space, pairs[index], varying_points(space, pairs[index], loads, fields, dt));
   };
-  in_order(pairs.count(), of_pair, [&](Index /*index*/, const std::vector<TangentBlock>& blocks) {
-    for (const TangentBlock& block : blocks) add(block);
+  in_order(pairs.count(), of_pair, [&](Index /*index*/, const std::optional<GeometricTangent>& tangent) {
+    if (!tangent) return;
+    for (const TangentBlock& flux : tangent->fluxes) add(flux);
+    add(tangent->traction);
   });
 }
 

@@ -10,9 +10,14 @@ namespace mixture_contact {
 void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add);
 
-/// The part of the tangent in which loads stay and the geometry changes, effect by effect for one of these pairs.
-std::vector<TangentBlock> geometric_tangent(const MortarSpace& space, const FacetPair& pair,
-                                            const std::vector<VaryingPoint>& points);
+/// The part of the tangent in which loads stay and the geometry changes, of a pair.
+struct GeometricTangent {
+  std::vector<TangentBlock> fluxes;  ///< proportional to the time increment; none in a symmetric tangent
+  TangentBlock traction;             ///< friction included
+};
+
+GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
+                                   const std::vector<VaryingPoint>& points);
 
 /// The same for each of these pairs.
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,

@@ -36,7 +36,7 @@ std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const Surf
     return std::make_unique<Segments>(primary.facets, secondary.facets, settings.integration_order, std::move(self));
   }
   return std::make_unique<GaussPoints>(primary.facets, secondary.facets, settings.integration_order,
-                                       settings.search_tolerance, std::move(self));
+                                       settings.search.tolerance, std::move(self));
 }
 
 GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,

@@ -10,10 +10,10 @@
 namespace mixture_contact {
 
 Reach reach_of(const Settings& settings, const PerSide<Matrix3Xd>& position) {
-  const double radius = settings.search_radius > 0 ? settings.search_radius
+  const double radius = settings.search.radius > 0 ? settings.search.radius
                                                    : std::min(half_diagonal(position[Side::primary]),
                                                               half_diagonal(position[Side::secondary]));
-  return {radius, settings.search_tolerance};
+  return {radius, settings.search.tolerance};
 }
 
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {

@@ -11,7 +11,7 @@ namespace {
 
 bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
   const Index fields = effects.scalar_fields();
-  const Index with_friction = effects.friction ? nodes : 0;
+  const Index with_friction = effects.may_rub() ? nodes : 0;
   return multipliers.traction.size() == nodes && multipliers.flux.rows() == fields &&
          multipliers.flux.cols() == nodes && multipliers.flux_penalty_scale.size() == fields &&
          multipliers.friction.cols() == with_friction && multipliers.slips.count() == with_friction &&
@@ -33,6 +33,20 @@ SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& 
 
 void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Settings& settings) {
   pass.integral->project(seen_from(pass.side, position), reach_of(settings, position).distance);
+}
+
+NodeFlags flux_coupled(const SidedPass& pass, const PerSide<Matrix3Xd>& position) {
+  return pass.integral->flux_coupled(seen_from(pass.side, position));
+}
+
+/// The nodes of the other surface that face contact.
+NodeFlags facing_contact(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
+                         const NodeFlags& in_contact, const Settings& settings) {
+  return in_contact_of(facing_nodes(pass, mesh, position, in_contact, reach_of(settings, position)));
+}
+
+void measure_slips(const std::vector<SidedPass>& passes, const PerSide<Matrix3Xd>& from) {
+  for (const SidedPass& pass : passes) pass.integral->measure_slips_from(seen_from(pass.side, from));
 }
 
 Memory memory_of(const std::vector<SidedPass>& passes) {
@@ -71,7 +85,7 @@ void check(const ContactInterface::State& state, const ContactInterface& contact
   }
   for (const Side side : both_sides) {
     const Index nodes = state.slips_from[side].cols();
-    require(nodes == 0 || (contact.effects().friction && nodes == contact.mesh(side).nodes),
+    require(nodes == 0 || (contact.effects().may_rub() && nodes == contact.mesh(side).nodes),
             "positions that slips are measured from");
   }
   require(state.carriers.size() == passes, "load carriers of " + std::to_string(state.carriers.size()) + " passes");
@@ -104,7 +118,10 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   const bool search_all = search == Search::everywhere;
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
-  if (effects_.friction && slips_from_[Side::primary].size() == 0) measure_slips_from(position);
+  if (effects_.may_rub() && slips_from_[Side::primary].size() == 0) {
+    slips_from_ = position;
+    measure_slips(passes_, slips_from_);
+  }
   searched_ = search_all;
   for (SidedPass& pass : passes_) {
     if (!effects_.traction) pass.faced.reset();
@@ -116,21 +133,17 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   }
 }
 
-void ContactInterface::measure_slips_from(const PerSide<Matrix3Xd>& position) {
-  slips_from_ = position;
-  for (const SidedPass& pass : passes_) pass.integral->measure_slips_from(seen_from(pass.side, slips_from_));
-}
-
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
-  if (!effects_.friction) return;
+  if (!effects_.may_rub()) return;
   const TaskClock timed = measurements_.clock(Task::augmentation);
   for (const SidedPass& pass : passes_) pass.integral->accept_friction(seen_from(pass.side, fields));
-  measure_slips_from({{fields[Side::primary].position, fields[Side::secondary].position}});
+  slips_from_ = {{fields[Side::primary].position, fields[Side::secondary].position}};
+  measure_slips(passes_, slips_from_);
   end_iterations();
 }
 
 void ContactInterface::forget_friction() {
-  if (!effects_.friction) return;
+  if (!effects_.may_rub()) return;
   for (const SidedPass& pass : passes_) pass.integral->laws().multipliers.friction.setZero();
   for (Matrix3Xd& position : slips_from_) position.resize(3, 0);
 }
@@ -158,14 +171,6 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
 
 void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
   for (const SidedPass& pass : passes_) pass.integral->linearise_at(seen_from(pass.side, fields));
-}
-
-NodeFlags ContactInterface::flux_coupled(const SidedPass& pass) const {
-  return pass.integral->flux_coupled(seen_from(pass.side, position_));
-}
-
-IndexedVector<FacingNode> ContactInterface::facing(const SidedPass& pass, const NodeFlags& in_contact) const {
-  return facing_nodes(pass, mesh_, position_, in_contact, reach_of(settings_, position_));
 }
 
 void ContactInterface::end_iterations() {
@@ -240,7 +245,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
     const TaskClock timed = measurements_.clock(Task::stiffness);
     for (SidedPass& pass : passes_) {
       if (pass.faced && !effects_.traction) continue;
-      hold_facing(pass, in_contact_of(facing(pass, flux_coupled(pass))));
+      hold_facing(pass, facing_contact(pass, mesh_, position_, flux_coupled(pass, position_), settings_));
     }
   }
   return nodes_in_contact();
@@ -251,11 +256,12 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   if (settings_.two_pass || !effects_.traction || mesh_[Side::primary].may_meet_itself()) return {};
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
-  const NodeFlags in_contact = flux_coupled(passes_.front());
-  const IndexedVector<FacingNode> nodes = facing(passes_.front(), in_contact);
+  const NodeFlags in_contact = flux_coupled(passes_.front(), position_);
+  const IndexedVector<FacingNode> nodes = facing_nodes(passes_.front(), mesh_, position_, in_contact,
+                                                       reach_of(settings_, position_));
   const VectorXd shares = overlap_shares(nodes, in_contact, facets, position_[Side::primary]);
   const bool joins = passes_.size() == 1;
-  check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : flux_coupled(passes_.back()));
+  check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : flux_coupled(passes_.back(), position_));
   const UndetectedPenetration found = overlap_among(nodes, shares, check_.nodes);
   if (found.nodes == 0) return found;
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
@@ -267,7 +273,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
 
 void ContactInterface::restrict_second_pass() {
   if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, check_.settings));
-  if (effects_.friction) passes_.back().integral->measure_slips_from(seen_from(Side::secondary, slips_from_));
+  if (effects_.may_rub()) passes_.back().integral->measure_slips_from(seen_from(Side::secondary, slips_from_));
   passes_.back().integral->restrict_active_set(check_.nodes);
 }
 
@@ -297,7 +303,7 @@ void ContactInterface::restore(State state) {
   }
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     passes_[pass].integral->laws().multipliers = std::move(state.multipliers[pass]);
-    if (effects_.friction) passes_[pass].integral->measure_slips_from(seen_from(passes_[pass].side, slips_from_));
+    if (effects_.may_rub()) passes_[pass].integral->measure_slips_from(seen_from(passes_[pass].side, slips_from_));
   }
   end_iterations();
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
@@ -315,9 +321,9 @@ PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {
     }
   };
   for (const SidedPass& pass : passes_) {
-    const NodeFlags own = flux_coupled(pass);
+    const NodeFlags own = flux_coupled(pass, position_);
     add(pass.side, own);
-    add(other(pass.side), pass.faced ? *pass.faced : in_contact_of(facing(pass, own)));
+    add(other(pass.side), pass.faced ? *pass.faced : facing_contact(pass, mesh_, position_, own, settings_));
   }
   return in_contact;
 }

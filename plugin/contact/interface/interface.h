@@ -115,9 +115,6 @@ class ContactInterface {
   void restore(State state);
 
  private:
-  NodeFlags flux_coupled(const SidedPass& pass) const;
-  IndexedVector<FacingNode> facing(const SidedPass& pass, const NodeFlags& in_contact) const;
-  void measure_slips_from(const PerSide<Matrix3Xd>& position);
   /// Restricts a second pass, which joins the first one if need be, to the penetration-check nodes.
   void restrict_second_pass();
 

@@ -16,7 +16,7 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       active_set_(laws_),
       method_(enforcement_method(settings.enforcement, space_, laws_)),
       geometry_(geometry()) {
-  if (!settings.may_touch) restrict_active_set(NodeFlags(primary.nodes, false));
+  if (!settings.gap.may_touch) restrict_active_set(NodeFlags(primary.nodes, false));
 }
 
 std::unique_ptr<ContactGeometry> ContactPass::geometry() {

@@ -55,7 +55,7 @@ NodeFlags with_entered(NodeFlags check_nodes, const IndexedVector<FacingNode>& n
 }
 
 Settings settings_of_check(Settings settings) {
-  settings.tension = false;  // these nodes are to be kept out of the other body, not to be held to it
+  settings.gap.tension = false;  // these nodes are to be kept out of the other body, not to be held to it
   if (settings.enforcement != Enforcement::lagrange_multipliers) return settings;
   settings.enforcement = Enforcement::penalty;
   settings.traction = {true, default_traction_factor};

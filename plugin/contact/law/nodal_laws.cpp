@@ -18,7 +18,7 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
-  if (!effects.friction) return;
+  if (!effects.may_rub()) return;
   multipliers.friction.setZero(3, primary.nodes);
   multipliers.slips = NodeFlags(primary.nodes, false);
   multipliers.exchanged = NodeFlags(primary.nodes, true);

@@ -65,7 +65,7 @@ class NodalLaws {
   double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
 
   /// Whether nodes in contact may pull.
-  bool bear_tension() const { return settings_.tension; }
+  bool bear_tension() const { return settings_.gap.tension; }
   /// Tractions as the laws admit them.
   VectorXd admissible(const VectorXd& traction) const { return bear_tension() ? traction : traction.cwiseMin(0.0); }
 

@@ -54,7 +54,7 @@ MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondar
       redistributes_(settings.integration == Integration::segments),
       unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
       symmetric_(settings.symmetric),
-      offset_(settings.offset),
+      offset_(settings.gap.offset),
       friction_(settings.friction),
       effect_times_(effects.scalar_fields()) {}
 

@@ -20,9 +20,9 @@ void gather(std::vector<double>& total, FEModel& fem, const std::vector<double>&
   auto entry = total.begin();
   for (int i = 0; i < mesh.Nodes(); ++i) {
     for (const int dof : dofs) {
-      const int equation = dof < 0 ? -1 : newton::equation_of(newton::at(mesh.Node(i).m_ID, dof));
+      const int equation = dof < 0 ? -1 : newton::equation_of(indexing::at(mesh.Node(i).m_ID, dof));
       if (equation == -1 || entry == total.end()) continue;
-      *entry++ = newton::at(change, equation);
+      *entry++ = indexing::at(change, equation);
     }
   }
 }
@@ -36,9 +36,9 @@ void gather_displacements_and_pressure(std::vector<double>& displacements, std::
 
 void gather_concentrations(std::vector<std::vector<double>>& concentrations, FEModel& fem,
                            const std::vector<double>& change) {
-  for (int k = 0; k < newton::count(concentrations); ++k) {
+  for (int k = 0; k < indexing::number_of(concentrations); ++k) {
     const auto dof = [&](const char* variable) { return fem.GetDOFIndex(variable, k); };
-    gather(newton::at(concentrations, k), fem, change, {dof("concentration"), dof("shell concentration")});
+    gather(indexing::at(concentrations, k), fem, change, {dof("concentration"), dof("shell concentration")});
   }
 }
 

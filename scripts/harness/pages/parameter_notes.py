@@ -30,96 +30,29 @@ class Note:
     default: str = ""
 
 
-@dataclass(frozen=True)
-class Group:
-    """Parameters that belong together: heading, a sentence on them, names in the order of the page."""
-
-    title: str
-    about: str
-    names: tuple[str, ...]
-
-
 AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_radius"}
 """Parameters that are chosen by the contact where the model does not give them."""
 
-GROUPS = (
-    Group(
-        "Effects",
-        "What is exchanged, of that which the materials on both sides allow; see [the log](../start/first-model.md).",
-        ("effects",),
-    ),
-    Group(
-        "Enforcement",
-        "How exactly overlap and jumps are closed; see [penalties](../how-to/parameters.md#penalties) and "
-        "[which enforcement](../how-to/parameters.md#which-enforcement).",
-        (
-            "laugon",
-            "penalty",
-            "pressure_penalty",
-            "concentration_penalty",
-            "auto_penalty",
-            "update_penalty",
-            "tolerance",
-            "traction_tolerance",
-            "solvent_tolerance",
-            "solute_tolerance",
-            "gaptol",
-            "ptol",
-            "ctol",
-            "minaug",
-            "maxaug",
-        ),
-    ),
-    Group(
-        "Ambient values",
-        "What wets the nodes that are not in contact; see [ambient conditions](../how-to/ambient.md).",
-        ("free_draining", "ambient_pressure", "ambient_concentration"),
-    ),
-    Group(
-        "Surfaces and integration",
-        "Which points see each other, and where (2.5) is integrated.",
-        (
-            "two_pass",
-            "integration",
-            "integration_order",
-            "search_radius",
-            "offset",
-            "tension",
-            "search_tol",
-            "seg_up",
-            "node_reloc",
-            "flip_primary",
-            "flip_secondary",
-            "shell_bottom_primary",
-            "shell_bottom_secondary",
-        ),
-    ),
-    Group(
-        "Solution",
-        "What the solver gets. The last three switch "
-        "[what helps the solver](../how-to/solver.md#what-helps-the-solver). "
-        "They act on the whole model: contacts that give one must give the same value.",
-        ("symmetric_stiffness", "predictor", "non_negative_concentrations", "line_search_guard"),
-    ),
-    Group(
-        "Friction",
-        "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
-        "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
-        ("fric_coeff", "contact_frac", "tangential_penalty"),
-    ),
-    Group(
-        "Accepted for the sake of old models",
-        "They belong to physics or devices that are not part of this contact. Each is an error or a notice, as said. "
-        "FEBio gives every contact two more, hidden parameters, `penalty_sf` and `max_penalty_sf`. They have no effect "
-        "here; a notice says so.",
-        (
-            "knmult",
-            "smooth_aug",
-            "smooth_fls",
-            "extrapolation",
-        ),
-    ),
-)
+ABOUT = {
+    "effects": "What is exchanged, of that which the materials on both sides allow; "
+    "see [the log](../start/first-model.md).",
+    "enforcement": "How exactly overlap and jumps are closed; see [penalties](../how-to/parameters.md#penalties) and "
+    "[which enforcement](../how-to/parameters.md#which-enforcement).",
+    "ambient": "What wets the nodes that are not in contact; see [ambient conditions](../how-to/ambient.md).",
+    "surfaces": "Which points see each other, and where (2.5) is integrated.",
+    "solution": "What the solver gets. The last three switch "
+    "[what helps the solver](../how-to/solver.md#what-helps-the-solver). "
+    "They act on the whole model: contacts that give one must give the same value.",
+    "friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
+    "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
+    "old_models": "They belong to physics or devices that are not part of this contact. Each is an error or a notice, "
+    "as said. FEBio gives every contact two more, hidden parameters, "
+    "`penalty_sf` and `max_penalty_sf`. They have no effect "
+    "here; a notice says so.",
+}
+"""A sentence on each group of parameters, by its name in plugin/host/contact_parameters.h."""
+OLD_MODELS = "Accepted for the sake of old models"
+"""The heading of parameters that FEBio Studio does not offer."""
 
 NOTES = {
     "laugon": Note(

@@ -1,8 +1,8 @@
 """The page of the contact's parameters, from the code that registers them: docs/reference/parameters.md.
 
-Names, order, names of choices, kinds and defaults come from plugin/host/contact_parameters.h, the names of the two that
-hosts read in their own ways from plugin/febio/mixture_contact.cpp, and what code does not say from
-`harness.pages.parameter_notes`.
+Names, groups, order, names of choices, kinds and defaults come from plugin/host/contact_parameters.h, the names of the
+two ambient values that hosts read in their own ways from plugin/febio/mixture_contact.cpp, and what code does not say
+from `harness.pages.parameter_notes`.
 """
 
 from __future__ import annotations
@@ -12,17 +12,31 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from harness.errors import DataFileError
-from harness.pages.parameter_notes import AUTOMATIC, GROUPS, NOTES, Note
+from harness.pages.parameter_notes import ABOUT, AUTOMATIC, NOTES, OLD_MODELS, Note
 from harness.paths import REPOSITORY
 
 REGISTRATION = REPOSITORY / "plugin" / "febio" / "mixture_contact.cpp"
 DECLARATION = REPOSITORY / "plugin" / "host" / "contact_parameters.h"
 PAGE = "reference/parameters.md"
 
-_TABLE = re.compile(r'take\(\{"(?P<name>\w+)",\s+"[^"]+"(?P<rest>[^}]*)\},\s+p\.(?P<member>\w+)\);')
-_REGISTERED = re.compile(r'ADD_(?P<what>PARAMETER|PROPERTY)\(\w+(?:\.(?P<member>\w+))?, "(?P<name>\w+)"(?P<rest>[^;]*)')
-_DECLARED = re.compile(r"^  (?P<kind>bool|int|double|std::string) (?P<member>\w+) = (?P<value>[^;]+);", re.MULTILINE)
+OWN_GROUP = "ambient"
+"""The group of the two that hosts read in their own ways."""
+
+_TABLE = re.compile(
+    r'take(?:_given)?\(\{"(?P<name>\w+)",\s+"[^"]+",\s+Group::(?P<group>\w+)(?P<rest>[^}]*)\},'
+    r"\s+p\.(?P<member>[\w.]+?)(?:\[Side::\w+\])?(?P<further>\.\w+)?\);"
+)
+_REGISTERED = re.compile(r'ADD_(?:PARAMETER|PROPERTY)\((?:\w+\.)?(?P<member>[\w.]+), "(?P<name>\w+)"(?P<rest>[^;]*)')
+_STRUCT = re.compile(r"^struct (?P<name>\w+) \{\n(?P<body>.*?)^\};", re.MULTILINE | re.DOTALL)
+_DECLARED = re.compile(
+    r"^  (?:(?P<kind>bool|int|double|std::string)|Given<(?P<given>\w+)>|(?P<varying>Varying)"
+    r"|(?:mixture_contact::PerSide<)?(?P<struct>\w+Parameters)>?) "
+    r"(?P<member>\w+)(?: = (?P<value>[^;]+)|\{+(?P<braced>[^{}]+)\}+)?;",
+    re.MULTILINE,
+)
 _CHOICES = re.compile(r'"([^"]+\\0)"')
+_HEADINGS = re.compile(r"headings\{([^}]*)\}")
+_GROUPS = re.compile(r"enum class ParameterGroup \{([^}]*)\}")
 
 
 @dataclass(frozen=True)
@@ -32,6 +46,8 @@ class Parameter:
     Attributes
     ----------
     name : str
+    group : str
+        Name of its group in the code.
     kind : str
         ``bool``, ``int``, ``double`` or ``std::string``; ``property`` for what has values of its own.
     default : str
@@ -40,6 +56,7 @@ class Parameter:
     """
 
     name: str
+    group: str
     kind: str
     default: str
     choices: tuple[str, ...] = ()
@@ -53,11 +70,40 @@ def registered() -> list[Parameter]:
     DataFileError
         Where a registration is not understood, or a registered member is not declared.
     """
-    table = DECLARATION.read_text(encoding="utf-8")
-    declared = {match["member"]: match for match in _DECLARED.finditer(table)}
-    shared = _matches(_TABLE, r"  take\(", DECLARATION)
+    declared = _declared(DECLARATION.read_text(encoding="utf-8"), "ContactParameters")
+    shared = _matches(_TABLE, r"\n  take(?:_given)?\(", DECLARATION)
     own = _matches(_REGISTERED, r"ADD_(?:PARAMETER|PROPERTY)\(", REGISTRATION)
     return [_parameter(match, declared) for match in (*shared, *own)]
+
+
+def headings() -> dict[str, str]:
+    """The heading of each group of parameters, by its name in the code.
+
+    Raises
+    ------
+    DataFileError
+        Where the code does not say them.
+    """
+    text = DECLARATION.read_text(encoding="utf-8")
+    names, titles = _GROUPS.search(text), _HEADINGS.search(text)
+    if names is None or titles is None:
+        raise DataFileError(f"{DECLARATION}: the groups of parameters and their headings are not found")
+    shown = [OLD_MODELS if title.strip() == "nullptr" else title.strip(' \n"') for title in titles[1].split(",")]
+    return dict(zip((name.strip() for name in names[1].split(",")), shown, strict=True))
+
+
+def _declared(text: str, struct: str) -> dict[str, tuple[str, str]]:
+    """Kind and default of each member of a struct, and of those of its members, with dots between names."""
+    bodies = {match["name"]: match["body"] for match in _STRUCT.finditer(text)}
+    members: dict[str, tuple[str, str]] = {}
+    for match in _DECLARED.finditer(bodies[struct]):
+        name, inner = match["member"], match["struct"]
+        if inner is not None:
+            members |= {f"{name}.{member}": found for member, found in _declared(text, inner).items()}
+            continue
+        kind = match["kind"] or match["given"] or "double"
+        members[name] = kind, match["value"] or match["braced"] or {"bool": "false"}.get(kind, "0")
+    return members
 
 
 def _matches(pattern: re.Pattern[str], begin: str, path: Path) -> list[re.Match[str]]:
@@ -69,16 +115,18 @@ def _matches(pattern: re.Pattern[str], begin: str, path: Path) -> list[re.Match[
     return found
 
 
-def _parameter(match: re.Match[str], declared: dict[str, re.Match[str]]) -> Parameter:
-    name, member = match["name"], match["member"]
-    if member is None:
-        return Parameter(name, "property", "0")
+def _parameter(match: re.Match[str], declared: dict[str, tuple[str, str]]) -> Parameter:
+    found = match.groupdict()
+    name, group = match["name"], found.get("group") or OWN_GROUP
+    if match[0].startswith("ADD_PROPERTY"):
+        return Parameter(name, group, "property", "0")
+    member = (match["member"] + (found.get("further") or "")).removesuffix(".value")
     if member not in declared:
         raise DataFileError(f"{DECLARATION}: '{member}', which is registered as '{name}', is not declared there")
-    kind, value = declared[member]["kind"], declared[member]["value"]
+    kind, value = declared[member]
     choices = _CHOICES.search(match["rest"])
     names = tuple(choices.group(1).strip("\\0").split("\\0")) if choices else ()
-    return Parameter(name, kind, _shown(kind, value, names), names)
+    return Parameter(name, group, kind, _shown(kind, value, names), names)
 
 
 def _shown(kind: str, value: str, choices: tuple[str, ...]) -> str:
@@ -97,14 +145,17 @@ def page() -> str:
     DataFileError
         Where the notes and the registration do not name the same parameters.
     """
-    parameters = {parameter.name: parameter for parameter in registered()}
-    noted = [name for group in GROUPS for name in group.names]
-    if set(parameters) != set(NOTES) or sorted(noted) != sorted(NOTES):
-        odd = set(parameters) ^ set(NOTES) | set(noted) ^ set(NOTES)
+    parameters, titles = registered(), headings()
+    names = {parameter.name for parameter in parameters}
+    odd = names ^ set(NOTES) | set(titles) ^ set(ABOUT)
+    if odd:
         raise DataFileError(
-            f"harness/pages/parameter_notes.py and {REGISTRATION.name} do not agree on {', '.join(sorted(odd))}"
+            f"harness/pages/parameter_notes.py and {DECLARATION.name} do not agree on {', '.join(sorted(odd))}"
         )
-    sections = [f"## {group.title}\n\n{group.about}\n\n{_table(parameters, group.names)}" for group in GROUPS]
+    sections = [
+        f"## {title}\n\n{ABOUT[group]}\n\n{_table([each for each in parameters if each.group == group])}"
+        for group, title in titles.items()
+    ]
     return "\n\n".join([_INTRODUCTION, *sections]) + "\n"
 
 
@@ -122,12 +173,12 @@ it.
 Which one to change first stands in the [how-to](../how-to/parameters.md#which-parameter-first)."""
 
 
-def _table(parameters: dict[str, Parameter], names: tuple[str, ...]) -> str:
+def _table(parameters: list[Parameter]) -> str:
     lines = [
         "| parameter | unit | default | meaning and effect | price | in FEBio's interfaces |",
         "|---|---|---|---|---|---|",
     ]
-    return "\n".join([*lines, *(_row(parameters[name], NOTES[name]) for name in names)])
+    return "\n".join([*lines, *(_row(parameter, NOTES[parameter.name]) for parameter in parameters)])
 
 
 def _row(parameter: Parameter, note: Note) -> str:

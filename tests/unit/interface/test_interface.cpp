@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_where_surfaces_apart_pull_a
   for_random_contacts(2, [&](const Scene& scene, const ContactInterface&) {
     for (const bool tension : {false, true}) {
       Scene changed = scene;
-      changed.settings.tension = tension;
-      changed.settings.offset = tension ? 0.05 : 0.4;
+      changed.settings.gap.tension = tension;
+      changed.settings.gap.offset = tension ? 0.05 : 0.4;
       changed.fields[Side::secondary].position.row(2).array() += 0.3;
       const auto contact = changed.contact();
       BOOST_TEST(tangent_error(changed, *contact) <= difference_tolerance);
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_where_surfaces_apart_pull_a
 BOOST_AUTO_TEST_CASE(an_offset_is_the_distance_that_gaps_are_measured_from) {
   Scene scene = uniform_scene(FacetType::quad4, FacetType::tri3, false);
   const Balance touching = balance(*scene.contact(), scene.fields);
-  scene.settings.offset = 0.25;
+  scene.settings.gap.offset = 0.25;
   scene.fields[Side::secondary].position.row(2).array() += 0.25;
   const Balance apart = balance(*scene.contact(), scene.fields);
   BOOST_TEST((touching.force - apart.force).norm() <= rounding);
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(under_tension_surfaces_apart_pull_and_others_do_not) {
   BOOST_TEST(balance(*scene.contact(), scene.fields).force.norm() == 0.0);
   Scene overlapping = uniform_scene(FacetType::quad4, FacetType::quad4, false);
   const double pressed = balance(*overlapping.contact(), overlapping.fields).force[2];
-  scene.settings.tension = true;
+  scene.settings.gap.tension = true;
   BOOST_TEST(std::abs(balance(*scene.contact(), scene.fields).force[2] + pressed) <= rounding);
 }
 

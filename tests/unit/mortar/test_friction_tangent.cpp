@@ -23,8 +23,7 @@ struct Sliders {
 
 Scene sliding_scene(FacetType one, FacetType two, const Sliders& sliding, int cells_two = 2) {
   Effects effects = effects_of(sliding.solvent, sliding.solvent ? 1 : 0);
-  effects.friction = true;
-  effects.bearing_fluid = sliding.fluid;
+  effects.friction_kind = sliding.fluid ? FrictionKind::on_solid_part : FrictionKind::on_traction;
   Settings settings = explicit_settings(2.5, 1.5, 0.8);
   settings.integration = sliding.integration;
   settings.two_pass = sliding.two_pass;

@@ -265,3 +265,10 @@ BOOST_AUTO_TEST_CASE(a_continued_run_predicts_as_one_that_was_not_interrupted) {
     BOOST_TEST(continued.will_predict() == ramp.predictor.will_predict());
   }
 }
+
+BOOST_AUTO_TEST_CASE(it_says_where_it_cannot_help) {
+  Ramp ramp;
+  BOOST_TEST(ramp.predictor.unavailable().empty());
+  ramp.solver.predictable = false;
+  BOOST_TEST(ramp.predictor.unavailable() == "is not available in models with rigid bodies; set it to 0.");
+}

@@ -45,7 +45,7 @@ def cost(
     problem: Annotated[list[Problem] | None, typer.Option(help="This problem alone; may be repeated.")] = None,
     data: Annotated[Path, typer.Option(help="Where answers, and settings to be timed in turn, come from.")] = DATA,
     only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
-    number: Annotated[int, typer.Option("--turns", min=1, help="How often interfaces are timed in turn.")] = 9,
+    number: Annotated[int, typer.Option("--rounds", min=1, help="How often interfaces are timed in turn.")] = 9,
     folder: Annotated[Path, typer.Option(help="Where measurements and pictures go.")] = RESULTS / "cost",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
@@ -103,18 +103,18 @@ def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
 
 def _interleaved(chosen: list[Problem], number: int, data: Path, folder: Path, start: Start) -> None:
     wanted = {
-        f"turn-{problem.value}-{kind.value}-{turn}": (
-            "cost-turn",
+        f"interleaved-{problem.value}-{kind.value}-{round_number}": (
+            "cost-interleaved",
             problem.value,
             kind.value,
-            str(turn),
+            str(round_number),
             "--data",
             str(data),
         )
         for kind in interleaved.Kind
         for problem in interleaved.PROBLEMS
         if problem in chosen
-        for turn in (range(1, number + 1) if kind is not interleaved.Kind.SHORT else (0,))
+        for round_number in (range(1, number + 1) if kind is not interleaved.Kind.SHORT else (0,))
     }
     paths = start(wanted)
     found = [timing for path in paths for timing in files.read_json(path, Timing)]
@@ -143,12 +143,12 @@ def cost_sweep(
     files.write_json([point_runs.measure(point, runner) for point in chosen], out)
 
 
-def cost_turn(
+def cost_interleaved(
     problem: Problem,
     kind: Annotated[interleaved.Kind, typer.Argument(help="Which size; instructions are counted of the short one.")],
-    number: Annotated[int, typer.Argument(min=0, help="Which turn.")],
+    number: Annotated[int, typer.Argument(min=0, help="Which round.")],
     data: Annotated[Path, typer.Option(help="Where settings come from.")] = DATA,
-    out: Annotated[Path, typer.Option(help="Where the times go, as JSON.")] = Path("turn.json"),
+    out: Annotated[Path, typer.Option(help="Where the times go, as JSON.")] = Path("interleaved.json"),
 ) -> None:
     """Time the interfaces once, one after the other, on one of the problems 3.1 and 3.2."""
     if problem not in interleaved.PROBLEMS:
@@ -157,7 +157,7 @@ def cost_turn(
     chosen = interleaved.contenders(files.read_csv(data, Datum), problem)
     short = kind is interleaved.Kind.SHORT
     files.write_json(
-        interleaved.count(chosen, runner) if short else interleaved.turn(chosen, kind, number, runner), out
+        interleaved.count(chosen, runner) if short else interleaved.one_round(chosen, kind, number, runner), out
     )
 
 
@@ -166,7 +166,11 @@ def answer(data: list[Datum], error: float, problems: list[Problem]) -> str:
     lines = []
     for problem in problems:
         own = pareto.comparable(data, problem)
-        what = "difference from the finest run" if problem is Problem.INDENTATION else "difference from the uncut body"
+        what = (
+            "difference from the finest run"
+            if problem is Problem.INDENTATION
+            else "difference from the conforming reference"
+        )
         lines.append(f"Problem {problem.value}, {what} at most {error:g}:")
         for interface in INTERFACES:
             best = pareto.cheapest([d for d in own if d.interface == interface.value], error)
@@ -177,7 +181,7 @@ def answer(data: list[Datum], error: float, problems: list[Problem]) -> str:
 
 
 def _setting(datum: Datum) -> str:
-    unit = "s" if datum.problem == Problem.INDENTATION.value else "times the uncut body's time"
+    unit = "s" if datum.problem == Problem.INDENTATION.value else "times the conforming reference's time"
     parameters = " ".join(f"<{p.tag}>{_text(p.value)}</{p.tag}>" for p in point_runs.settings_of(datum))
     if datum.parameter == Parameter.NEWTON.value:
         parameters += f" and dtol, ptol, ctol {datum.value:g} in the solver"

@@ -54,7 +54,7 @@ class Timing:
     value : float
     size : str
         Value of `Kind`.
-    turn : int
+    round : int
         From 1; 0 where instructions were counted.
     contact_error : float
         Largest difference of c from the conforming reference, relative to c*; nan for a run that failed.
@@ -70,7 +70,7 @@ class Timing:
     parameter: str
     value: float
     size: str
-    turn: int
+    round: int
     contact_error: float
     iterations: int
     residuals: int
@@ -102,7 +102,7 @@ def _fewest(data: Sequence[Datum], error: float) -> Datum | None:
     return min(good, key=lambda d: (d.iterations, d.residuals, parameters.index(d.parameter), d.value), default=None)
 
 
-def turn(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> list[Timing]:
+def one_round(points: Sequence[Point], kind: Kind, number: int, runner: Runner) -> list[Timing]:
     """Time each point once, one after the other.
 
     Raises
@@ -145,7 +145,7 @@ def _timed(point: Point, kind: Kind, number: int, run: engine.Run, runner: Runne
 
 
 def ratio_table(timings: Sequence[Timing]) -> str:
-    """A Markdown table: our processor time over that of the faster of FEBio's, as accurate and run in the same turn.
+    """A Markdown table: our processor time over that of the faster of FEBio's, as accurate and run in the same round.
 
     Medians, with quartiles in brackets; beside them the ratio of the least costs, as other work on the machine can only
     add to a time. At the size of the sweep the ratio is one of instructions.
@@ -188,8 +188,8 @@ def _rows(good: Sequence[Timing]) -> Iterator[str]:
 
 
 def costs(timings: Sequence[Timing], setting: Setting) -> dict[int, float]:
-    """By turn, the processor time (s) of a setting; its instructions where they were counted."""
-    return {t.turn: t.cpu if math.isnan(t.instructions) else t.instructions for t in timings if t.setting == setting}
+    """By round, the processor time (s) of a setting; its instructions where they were counted."""
+    return {t.round: t.cpu if math.isnan(t.instructions) else t.instructions for t in timings if t.setting == setting}
 
 
 def ratios(timings: Sequence[Timing], ours: Setting, theirs: Setting) -> tuple[float, float, float]:

@@ -1,0 +1,12 @@
+/// What a contact asks of the matrices of the model's steps.
+#pragma once
+
+#include "contact_log.h"
+
+#include <FECore/FEModel.h>
+
+/// Makes the matrices non-symmetric from the present step on, and says so.
+void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log);
+
+/// Says in the log where a linear solver cannot solve the matrix with this contact.
+void judge_linear_solver(FEModel& model, bool has_unknown_multipliers, const ContactLog& log);
