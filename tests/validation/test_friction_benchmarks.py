@@ -58,9 +58,9 @@ def test_the_torque_of_a_twisting_hemisphere(runner):
 
 @pytest.mark.slow
 @pytest.mark.mixture_only
-def test_the_force_of_concentric_spheres_until_the_inner_one_buckles(runner):
-    """After that it depends on the mesh, in the published runs, too."""
-    rows = curves.sphere_rows("fine mesh", runner)
-    ways, spans = published.WAYS[:3], published.spread(published.SPHERES)
-    found = curves.values_at(rows, "spheres", "fine mesh", ways)
-    assert [curves.outside(value, span) for value, span in zip(found.tolist(), spans, strict=False)] == [0.0, 0.0, 0.0]
+def test_the_force_of_concentric_spheres(runner):
+    """On the coarse mesh; `friction-benchmarks` runs the fine one, too."""
+    rows = curves.sphere_rows("coarse mesh", runner)
+    found = curves.values_at(rows, "spheres", "coarse mesh", published.WAYS)
+    spans = published.spread(published.SPHERES)
+    assert [curves.outside(value, span) for value, span in zip(found.tolist(), spans, strict=True)] == [0.0] * 5

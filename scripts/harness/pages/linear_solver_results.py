@@ -86,8 +86,7 @@ Multipliers put zeros on the diagonal, on which incomplete factorisations divide
 The log and `scripts/mixcontact check` warn of a solver for symmetric matrices and of an iterative one with `LAGMULT`.
 FEBio's message is "Linear solver failed to find solution" where a solver fails, and "The selected linear solver does
 not support the requested matrix format" where it is for symmetric matrices or was not built in.
-`hypre_gmres` reports no failure: Newton's method does not converge then. The creep of one body, without contact, ends
-the same way with it.
+`hypre_gmres` reports no failure: Newton's method does not converge then.
 
 ```console
 scripts/mixcontact linear-solvers --only pardiso
