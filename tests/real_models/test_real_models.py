@@ -8,10 +8,11 @@ from harness.pages import scene_results
 from harness.studies.real_models import comparison
 from harness.studies.real_models.all_scenes import SCENES
 
-QUICK = ("material-Mooney-Rivlin", "elements-tet10", "rigid-free", "multiphasic", "quasi-newton", "shells-back")
+QUICK = ("material-Mooney-Rivlin", "rigid-free", "multiphasic", "quasi-newton", "shells-back")
 SLOW = (
     "material-damage",
     "material-mixture-with-exponential-fibres",
+    "elements-tet10",
     "elements-hex20",
     "elements-penta6",
     "type-sliding-facet-on-facet",

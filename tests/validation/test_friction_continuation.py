@@ -59,6 +59,7 @@ def test_a_failed_attempt_leaves_no_friction_behind(runner):
     np.testing.assert_allclose(straight.nodes.values, cut_back.nodes.values, atol=EQUAL, rtol=0.0)
 
 
+@pytest.mark.slow
 def test_two_threads_make_the_same_run(tmp_path, monkeypatch):
     """The contact adds in a fixed order; FEBio's own assembly does not, so the whole run agrees to rounding alone."""
     runs = []
