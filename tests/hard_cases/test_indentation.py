@@ -73,8 +73,9 @@ def test_the_measures_of_validation_meet_their_bars(runner):
     assert [measure.name for measure in found if not measure.passed] == []
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("clamp", "end", "saved"), [(False, 20.0, 0.15), (True, 200.0, 0.08)])
+@pytest.mark.parametrize(
+    ("clamp", "end", "saved"), [(False, 20.0, 0.15), pytest.param(True, 200.0, 0.08, marks=pytest.mark.slow)]
+)
 def test_the_predictor_saves_iterations_and_keeps_the_solution(runner, clamp, end, saved):
     """On the coarse mesh; FEBio's tolerance on the change of a step is 1e-3. With the clamp, until concentrations that
     it holds have become few. Measured: 99 iterations instead of 120, and 187 instead of 207. 15 and 33 steps start
