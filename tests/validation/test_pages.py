@@ -52,8 +52,8 @@ def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
 
 
 def test_a_group_without_a_sentence_is_named(tmp_path, monkeypatch):
-    altered(tmp_path, monkeypatch, "{ effects, enforcement,", "{ effects, fulfilment,")
-    with pytest.raises(DataFileError, match="do not agree on enforcement, fulfilment"):
+    altered(tmp_path, monkeypatch, "{ effects, enforcement,", "{ effects, insistence,")
+    with pytest.raises(DataFileError, match="do not agree on enforcement, insistence"):
         plugin_parameters.page()
 
 
