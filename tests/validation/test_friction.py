@@ -16,7 +16,7 @@ from harness.post.compare import missed
 from harness.run import engine, logdata
 from harness.studies.hard_cases import rubbing_record
 from harness.studies.hard_cases.rubbing import CASES
-from harness.studies.hard_cases.scene import Fineness, Interface
+from harness.studies.hard_cases.scene import Fineness
 from harness.validate import friction_checks as checks
 
 pytestmark = pytest.mark.mixture_only
@@ -98,23 +98,3 @@ def test_hard_cases_of_friction_end_and_are_in_balance(runner, name, mesh):
 @pytest.mark.parametrize(("name", "mesh"), cases(FALLS_SHORT))
 def test_what_hard_cases_of_friction_cost(runner, name, mesh):
     assert missed(rubbing_record.make(runner, name, mesh).costs) == []
-
-
-@pytest.mark.parametrize("name", ["stick-slip-stick", "suction"])
-def test_friction_changes_no_balance_of_solvent_and_solutes(runner, name):
-    """What one side loses at each time the other one gains, as well as without friction."""
-    case = CASES[name]
-    with_it, without = (
-        runner(each.model(Fineness.COARSE, Interface.MIXTURE)) for each in (case.scene, case.frictionless)
-    )
-    for flow in ("contact solvent flow", "contact solute flow 1"):
-        lost, lost_without = unbalanced(with_it, flow), unbalanced(without, flow)
-        assert lost - lost_without <= rubbing_record.BALANCE, flow
-
-
-def unbalanced(run, flow):
-    """The largest sum of both sides over the largest flow."""
-    (contact,) = run.model.contacts
-    first, second = (run.surface(name)[flow] for name in run.model.mesh.pairs[contact.pair])
-    assert np.abs(first).max() > 0.0
-    return np.abs(first + second).max() / np.abs(first).max()
