@@ -96,10 +96,11 @@ def _took(name: str, predictor: bool, model: Model, runner: Runner) -> Took:
 
 
 def runs(pairs: Iterable[Pair]) -> list[Took]:
-    """The runs of all pairs, in turn: without, and with."""
+    """The runs of all pairs, a row of a table each."""
     return [took for pair in pairs for took in (pair.without, pair.predicted)]
 
 
 def pairs(found: Sequence[Took]) -> list[Pair]:
     """What `runs` was made from."""
-    return [Pair(*two) for two in zip(found[::2], found[1::2], strict=True)]
+    predicted = {took.model: took for took in found if took.predictor}
+    return [Pair(took, predicted[took.model]) for took in found if not took.predictor]
