@@ -1,6 +1,6 @@
 #include "integration/clipping.h"
 
-#include <Eigen/Geometry>
+#include "base/indexed_vector.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,54 +8,60 @@
 namespace mixture_contact {
 namespace {
 
+double cross_of_values(const Vector2d& one, const Vector2d& two) { return one[0] * two[1] - one[1] * two[0]; }
+
 /// The point of the segment from a to b at which a number that is va at a and vb at b, of opposite signs, is zero.
-VaryingVector crossing(const VaryingVector& a, const VaryingVector& b, const VaryingNumber& va,
-                       const VaryingNumber& vb) {
-  const double drop = va.value - vb.value;
-  const double t = va.value / drop;
-  const PairVariation<1> dt = (va.value * vb.variation - vb.value * va.variation) / (drop * drop);
-  const Vector3d along = b.value - a.value;
-  return {a.value + t * along, (1 - t) * a.variation + t * b.variation + along * dt};
+template <class Number>
+Place<Number> crossing(const Place<Number>& a, const Place<Number>& b, const Number& va, const Number& vb) {
+  const Number t = va / (va - vb);
+  return a + t * (b - a);
 }
 
 /// Cuts off what of a polygon is not on the left of the line through two points.
-void keep_left(Polygon& polygon, const VaryingVector& from, const VaryingVector& to, const VaryingVector& n,
-               double coincident) {
-  const Vector3d along = to.value - from.value;
+template <class Number>
+void keep_left(Polygon<Number>& polygon, const Place<Number>& from, const Place<Number>& to, double coincident) {
+  const Vector2d along = to.value() - from.value();
   const double on_line = coincident * along.norm();
-  std::vector<double> side;
-  side.reserve(polygon.size());
-  for (const VaryingVector& corner : polygon) side.push_back(n.value.dot(along.cross(corner.value - from.value)));
-  if (*std::min_element(side.begin(), side.end()) >= -on_line) return;
-  const VaryingVector edge = to - from;
-  const auto varying_side = [&](std::size_t i) { return triple(n, edge, polygon[i] - from); };
-  Polygon rest;
+  const auto value = [&](const Place<Number>& corner) { return cross_of_values(along, corner.value() - from.value()); };
+  const auto is_kept = [&](const Place<Number>& corner) { return value(corner) >= -on_line; };
+  if (std::all_of(polygon.begin(), polygon.end(), is_kept)) return;
+  const Place<Number> edge = to - from;
+  const auto side = [&](const Place<Number>& corner) -> Number { return cross(edge, Place<Number>(corner - from)); };
+  Polygon<Number> rest;
   rest.reserve(polygon.size() + 1);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const std::size_t next = (i + 1) % polygon.size();
-    if (side[i] >= -on_line) rest.push_back(polygon[i]);
-    const bool leaves = side[i] > on_line && side[next] < -on_line;
-    const bool enters = side[i] < -on_line && side[next] > on_line;
-    if (leaves || enters) rest.push_back(crossing(polygon[i], polygon[next], varying_side(i), varying_side(next)));
+    const Place<Number>& corner = polygon[i];
+    const Place<Number>& next = polygon[(i + 1) % polygon.size()];
+    if (is_kept(corner)) rest.push_back(corner);
+    const bool leaves = value(corner) > on_line && value(next) < -on_line;
+    const bool enters = value(corner) < -on_line && value(next) > on_line;
+    if (leaves || enters) rest.push_back(crossing(corner, next, side(corner), side(next)));
   }
   polygon = std::move(rest);
 }
 
 }  // namespace
 
-double twice_area(const Polygon& polygon, const Vector3d& n) {
+template <class Number>
+double twice_area(const Polygon<Number>& polygon) {
   double sum = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
-    sum += n.dot((polygon[i - 1].value - polygon[0].value).cross(polygon[i].value - polygon[0].value));
+    sum += cross_of_values(polygon[i - 1].value() - polygon[0].value(), polygon[i].value() - polygon[0].value());
   }
   return sum;
 }
 
-Polygon clip(Polygon polygon, const Polygon& window, const VaryingVector& n, double coincident) {
+template <class Number>
+Polygon<Number> clip(Polygon<Number> polygon, const Polygon<Number>& window, double coincident) {
   for (std::size_t i = 0; i < window.size() && !polygon.empty(); ++i) {
-    keep_left(polygon, window[i], window[(i + 1) % window.size()], n, coincident);
+    keep_left(polygon, window[i], window[(i + 1) % window.size()], coincident);
   }
   return polygon;
 }
+
+template double twice_area(const Polygon<double>&);
+template double twice_area(const Polygon<VaryingNumber>&);
+template Polygon<double> clip(Polygon<double>, const Polygon<double>&, double);
+template Polygon<VaryingNumber> clip(Polygon<VaryingNumber>, const Polygon<VaryingNumber>&, double);
 
 }  // namespace mixture_contact

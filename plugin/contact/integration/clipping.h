@@ -1,23 +1,19 @@
-/// Clipping of polygons in space seen along a direction, with the exact variations of the corners.
+/// Clipping of polygons in a plane, with the exact variations of the corners where they vary.
 #pragma once
 
-#include "integration/varying.h"
-
-#include <vector>
+#include "integration/plane.h"
 
 namespace mixture_contact {
 
-/// Corners in counter-clockwise order, seen from where the direction n points to. Only where they appear along n
-/// counts.
-using Polygon = std::vector<VaryingVector>;
+/// Twice the area of a polygon; negative if its corners go clockwise.
+template <class Number>
+double twice_area(const Polygon<Number>& polygon);
 
-/// Twice the area of a polygon seen along -n; negative if its corners go clockwise.
-double twice_area(const Polygon& polygon, const Vector3d& n);
-
-/// The part of a polygon within a convex window, both seen along n (Sutherland and Hodgman 1974, Commun ACM 17(1):32).
+/// The part of a polygon within a convex window (Sutherland and Hodgman 1974, Commun ACM 17(1):32).
 ///
 /// Corners within `coincident` [length] of the line along an edge of the window count as within: edges that coincide
 /// leave the corners of the polygon, and move with it. Empty if nothing is left.
-Polygon clip(Polygon polygon, const Polygon& window, const VaryingVector& n, double coincident);
+template <class Number>
+Polygon<Number> clip(Polygon<Number> polygon, const Polygon<Number>& window, double coincident);
 
 }  // namespace mixture_contact

@@ -1,5 +1,6 @@
 #include "integration/polygon_quadrature.h"
 
+#include "base/indexed_vector.h"
 #include "geometry/quadrature.h"
 
 #include <cmath>
@@ -9,80 +10,92 @@ namespace mixture_contact {
 namespace {
 
 /// Sum of the corners of a polygon with given weights.
-VaryingVector combined(const Polygon& corners, const Eigen::Ref<const VectorXd>& weights) {
-  VaryingVector sum = weights[0] * corners[0];
+template <class Number>
+Place<Number> combined(const Polygon<Number>& corners, const Eigen::Ref<const VectorXd>& weights) {
+  Place<Number> sum = weights[0] * corners[0];
   for (Index a = 1; a < count_of(corners); ++a) sum = sum + weights[a] * at(corners, a);
   return sum;
 }
 
 /// Of a polygon of three or four corners.
-FacetType shape_of(const Polygon& polygon) { return polygon.size() == 3 ? FacetType::tri3 : FacetType::quad4; }
+template <class Number>
+FacetType shape_of(const Polygon<Number>& polygon) {
+  return polygon.size() == 3 ? FacetType::tri3 : FacetType::quad4;
+}
 
 /// Twice the area of a polygon and the centre of it.
+template <class Number>
 struct Middle {
-  VaryingNumber twice_area;
-  VaryingVector centroid;
+  Number twice_area;
+  Place<Number> centroid;
 };
 
-Middle middle(const Polygon& polygon, const VaryingVector& n) {
-  VaryingNumber area = triple(n, polygon[1] - polygon[0], polygon[2] - polygon[0]);
-  VaryingVector moment = area * (polygon[1] + polygon[2] - 2 * polygon[0]);
-  for (std::size_t i = 3; i < polygon.size(); ++i) {
-    const VaryingVector one = polygon[i - 1] - polygon[0];
-    const VaryingVector two = polygon[i] - polygon[0];
-    const VaryingNumber part = triple(n, one, two);
-    area = area + part;
+template <class Number>
+Middle<Number> middle(const Polygon<Number>& polygon) {
+  Number area{0};
+  Place<Number> moment;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Place<Number> one = polygon[i - 1] - polygon[0];
+    const Place<Number> two = polygon[i] - polygon[0];
+    const Number part = cross(one, two);
+    area += part;
     moment = moment + part * (one + two);
   }
-  const VaryingNumber third{1 / (3 * area.value), -area.variation / (3 * area.value * area.value)};
+  const Number third = 1 / (3 * area);
   return {area, polygon[0] + third * moment};
 }
 
-/// A symmetric matrix in the directions of an alignment.
+template <class Number>
 struct Symmetric {
-  VaryingNumber xx;
-  VaryingNumber xy;
-  VaryingNumber yy;
+  Number xx{0};
+  Number xy{0};
+  Number yy{0};
 };
 
-/// The covariance of a polygon: the mean of u u about the centroid, where u = x e1 + y e2 as it appears along n.
-Symmetric covariance(const Polygon& polygon, const VaryingVector& n, const Alignment& aligned, const Middle& middle) {
-  const VaryingNumber unit = triple(n, aligned.first, aligned.second);
-  struct Coordinates {
-    VaryingNumber x;
-    VaryingNumber y;
-  };
-  std::vector<Coordinates> corners;
-  corners.reserve(polygon.size());
-  for (const VaryingVector& corner : polygon) {
-    const VaryingVector u = corner - middle.centroid;
-    corners.push_back({triple(n, u, aligned.second) / unit, triple(n, aligned.first, u) / unit});
-  }
+/// INT u u da times 12, where u is the place from the centroid.
+template <class Number>
+Symmetric<Number> inertia(const Polygon<Number>& polygon, const Place<Number>& centroid) {
   // Of a triangle 0, u, v: INT x x da = area/12 (u u + v v + (u + v)(u + v)).
-  const auto zero = 0.0 * unit;
-  Symmetric sum{zero, zero, zero};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto& [ux, uy] = corners[i];
-    const auto& [vx, vy] = corners[(i + 1) % corners.size()];
-    const VaryingNumber part = ux * vy - uy * vx;
-    const VaryingNumber x = ux + vx;
-    const VaryingNumber y = uy + vy;
-    sum.xx = sum.xx + part * (ux * ux + vx * vx + x * x);
-    sum.xy = sum.xy + part * (ux * uy + vx * vy + x * y);
-    sum.yy = sum.yy + part * (uy * uy + vy * vy + y * y);
+  Symmetric<Number> sum;
+  Place<Number> u = polygon.back() - centroid;
+  for (const Place<Number>& corner : polygon) {
+    const Place<Number> v = corner - centroid;
+    const Place<Number> both = u + v;
+    const Number part = 0.5 * cross(u, v);
+    sum.xx += part * (u.x * u.x + v.x * v.x + both.x * both.x);
+    sum.xy += part * (u.x * u.y + v.x * v.y + both.x * both.y);
+    sum.yy += part * (u.y * u.y + v.y * v.y + both.y * both.y);
+    u = v;
   }
-  const VaryingNumber share = unit / (12 * middle.twice_area);
-  return {share * sum.xx, share * sum.xy, share * sum.yy};
+  return sum;
+}
+
+/// The covariance of a polygon in the directions of an alignment: the mean of u u about the centroid, where
+/// u = x e1 + y e2, x = (u x e2)/(e1 x e2), y = (e1 x u)/(e1 x e2).
+template <class Number>
+Symmetric<Number> covariance(const Polygon<Number>& polygon, const Alignment<Number>& aligned,
+                             const Middle<Number>& middle) {
+  const Symmetric<Number> m = inertia(polygon, middle.centroid);
+  const Place<Number>& a = aligned.first;
+  const Place<Number>& b = aligned.second;
+  const Number unit = cross(a, b);
+  const Number share = 1 / (6 * middle.twice_area * unit * unit);
+  const Place<Number> mb{b.y * m.xx - b.x * m.xy, b.y * m.xy - b.x * m.yy};
+  const Place<Number> ma{a.x * m.xy - a.y * m.xx, a.x * m.yy - a.y * m.xy};
+  return {share * (b.y * mb.x - b.x * mb.y), share * (b.y * ma.x - b.x * ma.y), share * (a.x * ma.y - a.y * ma.x)};
 }
 
 /// The symmetric root S of a positive M: S = (M + sqrt(det M) I)/sqrt(tr M + 2 sqrt(det M)). A determinant that is
 /// rounding is 0: of a sliver whose area is rounding, too.
-Symmetric root(const Symmetric& m) {
-  const VaryingNumber determinant = m.xx * m.yy - m.xy * m.xy;
-  const bool sliver = determinant.value <= 4 * std::numeric_limits<double>::epsilon() * m.xx.value * m.yy.value;
-  const VaryingNumber part = sliver ? 0.0 * determinant : sqrt(determinant);
-  const VaryingNumber scale = sqrt(m.xx + m.yy + 2 * part);
-  return {(m.xx + part) / scale, m.xy / scale, (m.yy + part) / scale};
+template <class Number>
+Symmetric<Number> root(const Symmetric<Number>& m) {
+  using std::sqrt;
+  const Number determinant = m.xx * m.yy - m.xy * m.xy;
+  const bool sliver = value_of(determinant) <= 4 * std::numeric_limits<double>::epsilon() * value_of(m.xx) * value_of(m.yy);
+  Number part{0};
+  if (!sliver) part = sqrt(determinant);
+  const Number share = 1 / sqrt(m.xx + m.yy + 2 * part);
+  return {(m.xx + part) * share, m.xy * share, (m.yy + part) * share};
 }
 
 /// Directions of unit covariance: to the corners of a square, or of a triangle with equal sides.
@@ -98,26 +111,28 @@ Eigen::Matrix2Xd directions(FacetType type) {
 }
 
 /// Points on the ellipse of inertia.
-std::vector<PolygonPoint> points_of_inertia(const Polygon& polygon, const VaryingVector& n, const Alignment& aligned) {
-  const Middle middle_of = middle(polygon, n);
-  const Symmetric s = root(covariance(polygon, n, aligned, middle_of));
+template <class Number>
+std::vector<PolygonPoint<Number>> points_of_inertia(const Polygon<Number>& polygon, const Alignment<Number>& aligned) {
+  const Middle<Number> middle_of = middle(polygon);
+  const Symmetric<Number> s = root(covariance(polygon, aligned, middle_of));
+  const Place<Number> first = s.xx * aligned.first + s.xy * aligned.second;
+  const Place<Number> second = s.xy * aligned.first + s.yy * aligned.second;
   const Eigen::Matrix2Xd to = directions(aligned.type);
-  const VaryingNumber area = 0.5 / static_cast<double>(to.cols()) * middle_of.twice_area;
-  std::vector<PolygonPoint> points;
+  const Number area = 0.5 / static_cast<double>(to.cols()) * middle_of.twice_area;
+  std::vector<PolygonPoint<Number>> points;
   points.reserve(static_cast<std::size_t>(to.cols()));
   for (Index q = 0; q < to.cols(); ++q) {
-    const VaryingNumber x = to(0, q) * s.xx + to(1, q) * s.xy;
-    const VaryingNumber y = to(0, q) * s.xy + to(1, q) * s.yy;
-    points.push_back({middle_of.centroid + x * aligned.first + y * aligned.second, area});
+    points.push_back({middle_of.centroid + to(0, q) * first + to(1, q) * second, area});
   }
   return points;
 }
 
 /// A quadrilateral as it is; any other polygon as triangles around its centroid.
-std::vector<Polygon> pieces(const Polygon& polygon, const VaryingVector& n) {
+template <class Number>
+std::vector<Polygon<Number>> pieces(const Polygon<Number>& polygon) {
   if (polygon.size() == 4) return {polygon};
-  const VaryingVector centre = middle(polygon, n).centroid;
-  std::vector<Polygon> triangles;
+  const Place<Number> centre = middle(polygon).centroid;
+  std::vector<Polygon<Number>> triangles;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     triangles.push_back({centre, polygon[i], polygon[(i + 1) % polygon.size()]});
   }
@@ -125,15 +140,15 @@ std::vector<Polygon> pieces(const Polygon& polygon, const VaryingVector& n) {
 }
 
 /// Points of the rules of triangles and quadrilaterals.
-std::vector<PolygonPoint> points_of_pieces(const Polygon& polygon, const VaryingVector& n, int order) {
-  std::vector<PolygonPoint> points;
-  for (const Polygon& piece : pieces(polygon, n)) {
+template <class Number>
+std::vector<PolygonPoint<Number>> points_of_pieces(const Polygon<Number>& polygon, int order) {
+  std::vector<PolygonPoint<Number>> points;
+  for (const Polygon<Number>& piece : pieces(polygon)) {
     const FacetType type = shape_of(piece);
     for (const QuadraturePoint& q : quadrature(type, order)) {
       const ShapeFunctions shape = shape_functions(type, q.xi);
-      const VaryingNumber area = triple(n, combined(piece, shape.gradient.col(0)),
-                                        combined(piece, shape.gradient.col(1)));
-      if (area.value > 0) points.push_back({combined(piece, shape.value), q.weight * area});
+      const Number area = cross(combined(piece, shape.gradient.col(0)), combined(piece, shape.gradient.col(1)));
+      if (value_of(area) > 0) points.push_back({combined(piece, shape.value), q.weight * area});
     }
   }
   return points;
@@ -141,21 +156,29 @@ std::vector<PolygonPoint> points_of_pieces(const Polygon& polygon, const Varying
 
 }  // namespace
 
-Alignment alignment(const Polygon& polygon) {
+template <class Number>
+Alignment<Number> alignment(const Polygon<Number>& polygon) {
   const FacetType type = shape_of(polygon);
   const FacetGradient gradient = shape_functions(type, parametric_centre(type)).gradient;
-  const VaryingVector first = combined(polygon, gradient.col(0));
-  const VaryingVector second = combined(polygon, gradient.col(1));
+  const Place<Number> first = combined(polygon, gradient.col(0));
+  const Place<Number> second = combined(polygon, gradient.col(1));
   if (!is_triangle(type)) return {type, first, second};
-  return {type, first, 1 / std::sqrt(3.0) * (2 * second - first)};
+  return {type, first, 1 / std::sqrt(3.0) * (2.0 * second - first)};
 }
 
-std::vector<PolygonPoint> polygon_quadrature(const Polygon& polygon, const VaryingVector& n, const Alignment& aligned,
-                                             int order) {
-  if (order == 2) return points_of_inertia(polygon, n, aligned);
-  if (order > 2) return points_of_pieces(polygon, n, order);
-  const Middle only = middle(polygon, n);
+template <class Number>
+std::vector<PolygonPoint<Number>> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned,
+                                                     int order) {
+  if (order == 2) return points_of_inertia(polygon, aligned);
+  if (order > 2) return points_of_pieces(polygon, order);
+  const Middle<Number> only = middle(polygon);
   return {{only.centroid, 0.5 * only.twice_area}};
 }
+
+template Alignment<double> alignment(const Polygon<double>&);
+template Alignment<VaryingNumber> alignment(const Polygon<VaryingNumber>&);
+template std::vector<PolygonPoint<double>> polygon_quadrature(const Polygon<double>&, const Alignment<double>&, int);
+template std::vector<PolygonPoint<VaryingNumber>> polygon_quadrature(const Polygon<VaryingNumber>&,
+                                                                     const Alignment<VaryingNumber>&, int);
 
 }  // namespace mixture_contact

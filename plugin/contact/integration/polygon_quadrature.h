@@ -1,31 +1,32 @@
-/// Quadrature on convex polygons in space seen along a direction, with the exact variations of its points.
+/// Quadrature on convex polygons in a plane, with the exact variations of its points where the polygons vary.
 ///
 /// Whatever corners a polygon gains or loses, its integrals change smoothly with orders 1 and 2, and by what is beyond
 /// the degree of the rule with higher ones. Those of a mirrored polygon are mirrored.
 #pragma once
 
 #include "geometry/facet.h"
-#include "integration/clipping.h"
-
-#include <vector>
+#include "integration/plane.h"
 
 namespace mixture_contact {
 
-/// A quadrature point of a polygon seen along n.
+/// A quadrature point of a polygon.
+template <class Number>
 struct PolygonPoint {
-  VaryingVector place;  ///< where it appears along n
-  VaryingNumber area;   ///< the part of the area seen along n that belongs to it
+  Place<Number> place;
+  Number area;  ///< the part of the polygon's area that belongs to it
 };
 
 /// What the points are aligned with: a triangle (tri3) or quadrilateral (quad4) that the polygon is a part of.
+template <class Number>
 struct Alignment {
   FacetType type = FacetType::quad4;
-  VaryingVector first;   ///< of two directions in which all sides of a triangle, or those of a square, are equally long
-  VaryingVector second;  ///< the other one
+  Place<Number> first;   ///< of two directions in which all sides of a triangle, or those of a square, are equally long
+  Place<Number> second;  ///< the other one
 };
 
 /// The alignment with a polygon of three or four corners.
-Alignment alignment(const Polygon& polygon);
+template <class Number>
+Alignment<Number> alignment(const Polygon<Number>& polygon);
 
 /// The points of a polygon that has an area.
 ///
@@ -34,7 +35,8 @@ Alignment alignment(const Polygon& polygon);
 /// polynomials of the second degree, where the polygon is symmetric about its centroid of the third. Of a parallelogram
 /// aligned with its sides these are the 2 x 2 Gauss points, of a triangle those of its rule of order 2. From order 3:
 /// the rule of this order on a quadrilateral, or on the triangles around the centroid.
-std::vector<PolygonPoint> polygon_quadrature(const Polygon& polygon, const VaryingVector& n, const Alignment& aligned,
-                                             int order);
+template <class Number>
+std::vector<PolygonPoint<Number>> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned,
+                                                     int order);
 
 }  // namespace mixture_contact

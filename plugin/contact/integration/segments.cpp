@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "geometry/quadrature.h"
 #include "integration/polygon_quadrature.h"
+#include "integration/view.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -22,50 +23,31 @@ constexpr double negligible_fraction = 1e-8;
 /// How far outside a facet a point may be carried, in parametric coordinates: as far as a neighbour reaches.
 constexpr double reach_outside = 2;
 
-/// A point of a piece as it is seen along n, before it is carried to the primary facet, and how it varies.
-struct Sample {
-  const PolygonPoint& point;
-  const VaryingVector& n;
-  int sub_facet;  ///< of the primary facet
-};
-
-/// Nodal coordinates of a facet, and the columns of its nodes in variations; no columns: values only.
-struct VaryingFacet {
+/// A facet of a pair with its nodal coordinates.
+struct PlacedFacet {
   FacetType type;
   FacetCoordinates x;
-  Index first_node;  ///< of the facet within the pair
-  Index nodes;       ///< of the pair; 0: no variations
-
-  VaryingVector at_node(Index node) const {
-    VaryingVector point{x.col(node), PairVariation<3>::Zero(3, 3 * nodes)};
-    if (nodes > 0) point.variation.middleCols<3>(3 * (first_node + node)).setIdentity();
-    return point;
-  }
-
-  VaryingVector at(const Vector2d& xi) const {
-    const FacetVector shape = shape_functions(type, xi).value;
-    VaryingVector point{x * shape, PairVariation<3>::Zero(3, 3 * nodes)};
-    for (Index a = 0; nodes > 0 && a < shape.size(); ++a) {
-      point.variation.middleCols<3>(3 * (first_node + a)) = shape[a] * Eigen::Matrix3d::Identity();
-    }
-    return point;
-  }
 };
 
-/// A corner of a linear piece; the middle of an 8-node quadrilateral is no node.
-Vector3d corner(const VaryingFacet& facet, const SubFacet& piece, int a) {
-  const int node = at(piece.nodes, a);
-  if (node < facet.x.cols()) return facet.x.col(node);
-  return facet.x * shape_functions(facet.type, parametric_node(facet.type, node)).value;
+/// What a corner of a linear piece weighs its facet's nodes with: the middle of an 8-node quadrilateral is no node.
+FacetVector node_weights(FacetType type, int node) {
+  if (node < node_count(type)) return FacetVector::Unit(node_count(type), node);
+  return shape_functions(type, parametric_node(type, node)).value;
 }
 
-/// A linear piece of a facet as a polygon in space.
-Polygon in_space(const VaryingFacet& facet, const SubFacet& piece) {
-  Polygon polygon;
+Vector3d corner(const PlacedFacet& facet, const SubFacet& piece, int a) {
+  const int node = at(piece.nodes, a);
+  if (node < facet.x.cols()) return facet.x.col(node);
+  return facet.x * node_weights(facet.type, node);
+}
+
+/// A linear piece of a facet as it is seen; its corners are numbered on from the first.
+template <class Number>
+Polygon<Number> seen(const View& view, const PlacedFacet& facet, const SubFacet& piece, int first_corner) {
+  Polygon<Number> polygon;
   polygon.reserve(piece.nodes.size());
   for (int a = 0; a < node_count(piece.type); ++a) {
-    const int node = at(piece.nodes, a);
-    polygon.push_back(node < facet.x.cols() ? facet.at_node(node) : facet.at(parametric_node(facet.type, node)));
+    polygon.push_back(corner_place<Number>(view.seen(corner(facet, piece, a)), first_corner + a));
   }
   return polygon;
 }
@@ -78,51 +60,82 @@ Vector2d middle(FacetType type, const SubFacet& piece) {
   return sum / corners;
 }
 
-/// Unit normal at a place on the facet that comes first in its pair.
-VaryingVector normal_at(const VaryingFacet& facet, const Vector2d& xi) {
-  const FacetGradient gradient = shape_functions(facet.type, xi).gradient;
-  const Eigen::Matrix<double, 3, 2> tangents = facet.x * gradient;
-  VaryingVector area{tangents.col(0).cross(tangents.col(1)), PairVariation<3>::Zero(3, 0)};
-  if (facet.nodes > 0) area.variation = area_vector_variation(tangents, gradient, facet.nodes);
-  return normalized(area);
-}
+/// A point on the overlap of two linear pieces, before it is carried to the primary facet.
+template <class Number>
+struct Sample {
+  const PolygonPoint<Number>& point;
+  const View& view;
+  const SubFacet& primary;
+  const SubFacet& secondary;
+  int sub_facet;  ///< number of the primary piece
+};
 
 /// Where a sample stands on the primary facet, carried along n: x1(xi) = y + s n. Empty if the line misses the facet.
-std::optional<Vector2d> carried(const VaryingFacet& facet, const Sample& sample) {
-  const auto hit = intersect(facet.type, facet.x, sample.point.place.value, sample.n.value, reach_outside);
+std::optional<Vector2d> carried(const PlacedFacet& facet, const Sample<double>& sample) {
+  const Vector3d place = sample.view.place(sample.point.place.value());
+  const auto hit = intersect(facet.type, facet.x, place, sample.view.normal, reach_outside);
   return hit ? std::optional(hit->eta) : std::nullopt;
 }
 
 /// The quadrature weight of a sample carried to a place on the primary facet: area/(a.n).
-double carried_weight(const VaryingFacet& facet, const Sample& sample, const Vector2d& xi) {
+double carried_weight(const PlacedFacet& facet, const Sample<double>& sample, const Vector2d& xi) {
   const Eigen::Matrix<double, 3, 2> tangents = facet.x * shape_functions(facet.type, xi).gradient;
-  return sample.point.area.value / tangents.col(0).cross(tangents.col(1)).dot(sample.n.value);
+  return sample.point.area / tangents.col(0).cross(tangents.col(1)).dot(sample.view.normal);
 }
 
-/// How that place and weight move with the nodes.
-PointMotion projection_motion(const VaryingFacet& facet, const Sample& sample, const Vector2d& xi) {
-  const VaryingVector& y = sample.point.place;
-  const VaryingVector& n = sample.n;
-  const ShapeFunctions shape = shape_functions(facet.type, xi);
-  const Eigen::Matrix<double, 3, 2> tangents = facet.x * shape.gradient;
-  const Vector3d area_vector = tangents.col(0).cross(tangents.col(1));
-  const double s = n.value.dot(facet.x * shape.value - y.value);
-
-  // x1,alpha dxi_alpha - n ds = dy + s dn - N dx1
-  Eigen::Matrix3d slope;
-  slope << tangents, -n.value;
-  PairVariation<3> shift = y.variation + s * n.variation;
-  for (Index a = 0; a < shape.value.size(); ++a) {
-    shift.middleCols<3>(3 * (facet.first_node + a)) -= shape.value[a] * Eigen::Matrix3d::Identity();
+/// Adds how numbers vary with the corners of a piece, whose nodes come after `first_node` of the pair.
+template <int R, class ByCorner>
+void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& facet, const SubFacet& piece,
+                 Index first_node, const ByCorner& by_corner) {
+  for (int a = 0; a < node_count(piece.type); ++a) {
+    const FacetVector weights = node_weights(facet.type, at(piece.nodes, a));
+    for (Index node = 0; node < weights.size(); ++node) {
+      if (weights[node] == 0) continue;
+      sum.add(first_node + node, view.height(facet.x.col(node)), weights[node] * by_corner(a));
+    }
   }
+}
+
+/// How the place on the primary facet and the weight of a sample move with the nodes of both facets.
+///
+/// As it is seen along n the sample is at y, and the primary facet at q(xi) = SUM N_a q_a: q(xi) = y gives xi, and the
+/// weight is area/(q,1 x q,2).
+PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& secondary,
+                              const Sample<VaryingNumber>& sample, const Vector2d& xi) {
+  const View& view = sample.view;
+  const auto& [y, area] = sample.point;
+  const ShapeFunctions shape = shape_functions(primary.type, xi);
   PointMotion motion;
-  motion.xi = Eigen::Matrix3d(slope.inverse()).topRows<2>() * shift;
-  motion.curvature = facet.x * shape_hessian(facet.type, xi);
-  const PairVariation<3> area_variation = area_vector_variation(tangents, shape.gradient, facet.nodes) +
-                                          area_vector_slope(tangents, motion.curvature) * motion.xi;
-  motion.weight = sample.point.area.variation / sample.point.area.value -
-                  (n.value.transpose() * area_variation + area_vector.transpose() * n.variation) /
-                      area_vector.dot(n.value);
+  motion.curvature = primary.x * shape_hessian(primary.type, xi);
+  const Eigen::Matrix2d slope = view.axes * (primary.x * shape.gradient);  // columns q,1 and q,2
+  const Eigen::Matrix<double, 2, 3> bend = view.axes * motion.curvature;   // columns q,11, q,22 and q,12
+  const double determinant = slope.determinant();
+  // d(q,1 x q,2) = r1 dq,1 + r2 dq,2
+  const Eigen::RowVector2d r1(slope(1, 1), -slope(0, 1));
+  const Eigen::RowVector2d r2(-slope(1, 0), slope(0, 0));
+
+  const Index nodes = primary.x.cols() + secondary.x.cols();
+  SeenVariation<2> shift(nodes);   // dy - SUM N_a dq_a
+  SeenVariation<1> weight(nodes);  // d(area)/area - d(q,1 x q,2)/(q,1 x q,2) at fixed xi
+  const auto add_sides = [&](auto& sum, const auto& by) {
+    add_corners(sum, view, primary, sample.primary, 0, by);
+    add_corners(sum, view, secondary, sample.secondary, primary.x.cols(),
+                [&](int a) { return by(max_polygon_corners + a); });
+  };
+  add_sides(shift, [&](int corner) -> Eigen::Matrix2d {
+    return (Eigen::Matrix2d() << by_corner(y.x, corner), by_corner(y.y, corner)).finished();
+  });
+  add_sides(weight, [&](int corner) -> Eigen::RowVector2d { return by_corner(area, corner) / area.value(); });
+  for (Index a = 0; a < primary.x.cols(); ++a) {
+    const double height = view.height(primary.x.col(a));
+    shift.add(a, height, -shape.value[a] * Eigen::Matrix2d::Identity());
+    weight.add(a, height, -(shape.gradient(a, 0) * r1 + shape.gradient(a, 1) * r2) / determinant);
+  }
+
+  const ViewTilt tilt = view_tilt(view, primary.type, primary.x, middle(primary.type, sample.primary));
+  motion.xi = slope.inverse() * shift.with_nodes(view, tilt);
+  const Eigen::RowVector2d by_xi(r1.dot(bend.col(0)) + r2.dot(bend.col(2)), r1.dot(bend.col(2)) + r2.dot(bend.col(1)));
+  motion.weight = weight.with_nodes(view, tilt) - by_xi / determinant * motion.xi;
   return motion;
 }
 
@@ -132,7 +145,7 @@ struct Circle {
   double radius;
 };
 
-Circle circle_around(const VaryingFacet& facet, const SubFacet& piece) {
+Circle circle_around(const PlacedFacet& facet, const SubFacet& piece) {
   const int corners = node_count(piece.type);
   Circle circle{Vector3d::Zero(), 0};
   for (int a = 0; a < corners; ++a) circle.centre += corner(facet, piece, a) / corners;
@@ -148,38 +161,40 @@ bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
   return (two.centre - one.centre).cross(n).squaredNorm() > reach * reach;
 }
 
-/// A linear piece of the primary facet, seen along a direction, which others are clipped against.
+/// A linear piece of the primary facet as it is seen, which others are clipped against.
+template <class Number>
 struct Piece {
-  Polygon polygon;
+  Polygon<Number> polygon;
   double area;  ///< twice that which is seen
-  Alignment aligned;
+  Alignment<Number> aligned;
 };
 
-Piece piece_of(const VaryingFacet& facet, const SubFacet& part, const Vector3d& n) {
-  Polygon polygon = in_space(facet, part);
-  const double area = twice_area(polygon, n);
-  Alignment aligned = alignment(polygon);
+template <class Number>
+Piece<Number> piece_of(const View& view, const PlacedFacet& facet, const SubFacet& part) {
+  Polygon<Number> polygon = seen<Number>(view, facet, part, 0);
+  const double area = twice_area(polygon);
+  Alignment<Number> aligned = alignment(polygon);
   return {std::move(polygon), area, std::move(aligned)};
 }
 
 /// Calls use(sample) for the points on the overlap of two facets, in a fixed order.
-template <class Use>
-void sample_overlap(const VaryingFacet& primary, const VaryingFacet& secondary, int order, const Use& use) {
+template <class Number, class Use>
+void sample_overlap(const PlacedFacet& primary, const PlacedFacet& secondary, int order, const Use& use) {
   int sub_facet = 0;
   for (const SubFacet& part : sub_facets(primary.type)) {
-    const VaryingVector n = normal_at(primary, middle(primary.type, part));
-    std::optional<Piece> piece;  // most facets of a search are apart
+    const View view = view_at(primary.type, primary.x, middle(primary.type, part));
+    std::optional<Piece<Number>> piece;  // most facets of a search are apart
     const Circle circle = circle_around(primary, part);
     for (const SubFacet& other : sub_facets(secondary.type)) {
-      if (are_apart(circle, circle_around(secondary, other), n.value)) continue;
-      Polygon window = in_space(secondary, other);
-      if (twice_area(window, n.value) >= 0) continue;  // it faces away
+      if (are_apart(circle, circle_around(secondary, other), view.normal)) continue;
+      Polygon<Number> window = seen<Number>(view, secondary, other, max_polygon_corners);
+      if (twice_area(window) >= 0) continue;  // it faces away
       std::reverse(window.begin(), window.end());
-      if (!piece) piece = piece_of(primary, part, n.value);
-      const Polygon both = clip(piece->polygon, window, n, coincident_fraction * std::sqrt(piece->area));
-      if (both.size() < 3 || twice_area(both, n.value) <= negligible_fraction * piece->area) continue;
-      for (const PolygonPoint& point : polygon_quadrature(both, n, piece->aligned, order))
-        use(Sample{point, n, sub_facet});
+      if (!piece) piece = piece_of<Number>(view, primary, part);
+      const Polygon<Number> both = clip(piece->polygon, window, coincident_fraction * std::sqrt(piece->area));
+      if (both.size() < 3 || twice_area(both) <= negligible_fraction * piece->area) continue;
+      for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece->aligned, order))
+        use(Sample<Number>{point, view, part, other, sub_facet});
     }
     ++sub_facet;
   }
@@ -225,11 +240,11 @@ int Segments::order(const Facing& facing) const {
 FacetPair Segments::pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   const Facet& one = primary_[facing.primary];
   const Facet& two = secondary_[facing.secondary];
-  const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, 0};
-  const VaryingFacet secondary{two.type, facet_coordinates(two, x2), 0, 0};
+  const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
+  const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   FacetPair pair{facing.primary, facing.secondary, {}};
   bool complete = true;
-  sample_overlap(primary, secondary, order(facing), [&](const Sample& sample) {
+  sample_overlap<double>(primary, secondary, order(facing), [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary, sample);
     if (!xi) return void(complete = false);
     const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
@@ -322,15 +337,14 @@ IndexedVector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Mat
 std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
-  const Index first = node_count(one.type);
-  const Index nodes = first + node_count(two.type);
-  const VaryingFacet primary{one.type, facet_coordinates(one, x1), 0, nodes};
-  const VaryingFacet secondary{two.type, facet_coordinates(two, x2), first, nodes};
+  const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
+  const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   std::vector<PointMotion> motions;
   motions.reserve(pair.points.size());
-  sample_overlap(primary, secondary, order({pair.primary, pair.secondary}), [&](const Sample& sample) {
-    motions.push_back(projection_motion(primary, sample, pair.points[motions.size()].xi));
-  });
+  const auto add = [&](const Sample<VaryingNumber>& sample) {
+    motions.push_back(projection_motion(primary, secondary, sample, pair.points[motions.size()].xi));
+  };
+  sample_overlap<VaryingNumber>(primary, secondary, order({pair.primary, pair.secondary}), add);
   return motions;
 }
 

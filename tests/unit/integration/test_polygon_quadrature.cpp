@@ -27,20 +27,17 @@ const std::array<Corners, 4> polygons{{{{0.1, 0.2}, {0.9, 0.3}, {0.4, 0.8}},
                                        {{0.1, 0.2}, {0.6, 0.1}, {0.9, 0.4}, {0.7, 0.8}, {0.2, 0.7}},
                                        {{0.1, 0.4}, {0.3, 0.1}, {0.8, 0.1}, {0.9, 0.4}, {0.6, 0.9}, {0.2, 0.7}}}};
 
-VaryingVector fixed(const Vector3d& value) { return {value, PairVariation<3>::Zero(3, 0)}; }
-
-Polygon in_space(const Corners& corners) {
-  Polygon polygon;
-  for (const Vector2d& corner : corners) polygon.push_back(fixed({corner[0], corner[1], 0}));
+Polygon<double> polygon_of(const Corners& corners) {
+  Polygon<double> polygon;
+  for (const Vector2d& corner : corners) polygon.push_back({corner[0], corner[1]});
   return polygon;
 }
 
 /// Places in the plane and areas.
 Points points_of(const Corners& corners, const Corners& facet, int order) {
   Points points;
-  for (const PolygonPoint& point :
-       polygon_quadrature(in_space(corners), fixed({0, 0, 1}), alignment(in_space(facet)), order)) {
-    points.emplace_back(point.place.value.head<2>(), point.area.value);
+  for (const auto& [place, area] : polygon_quadrature(polygon_of(corners), alignment(polygon_of(facet)), order)) {
+    points.emplace_back(place.value(), area);
   }
   return points;
 }
