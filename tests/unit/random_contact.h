@@ -167,7 +167,13 @@ struct RandomContact {
 
   VectorXd residual(const VectorXd& q) const {
     const PointKinematics point = kinematics(q);
-    return point_residual(point, loads(point, q), layout);
+    return residual(point, loads(point, q));
+  }
+
+  VectorXd residual(const PointKinematics& point, const PointLoads& loads) const {
+    VectorXd sum = VectorXd::Zero(layout.size());
+    add_residual(point, loads, layout, sum);
+    return sum;
   }
 
   MatrixXd tangent(const VectorXd& q) const {
@@ -182,11 +188,15 @@ struct RandomContact {
     const LocalLayout one_field(layout.primary_nodes(), layout.nodes() - layout.primary_nodes(), 1);
     const std::vector<Index> displacements = entries(solid, -1);
     MatrixXd all = MatrixXd::Zero(layout.size(), layout.size());
-    all(displacements, displacements) = traction_tangent(point, vary, loads, solid);
+    MatrixXd traction = MatrixXd::Zero(solid.size(), solid.size());
+    add_traction_tangent(point, vary, loads, traction);
+    all(displacements, displacements) = traction;
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
       std::vector<Index> rows;
       for (Index node = 0; node < layout.nodes(); ++node) rows.push_back(layout.scalar(node, k));
-      all(rows, entries(one_field, k)) = flux_tangent(point, vary, loads, k, fields(q).col(k), one_field);
+      MatrixXd flux = MatrixXd::Zero(layout.nodes(), one_field.size());
+      add_flux_tangent(point, vary, loads, k, fields(q).col(k), one_field, flux);
+      all(rows, entries(one_field, k)) = flux;
     }
     return all;
   }

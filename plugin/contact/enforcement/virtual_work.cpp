@@ -30,19 +30,18 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
   MatrixXd traction = MatrixXd::Zero(displacements.size(), displacements.size());
   std::vector<TangentBlock> fluxes = flux_blocks(space, patch);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
-  for (const auto& [point, vary] : points) {
-    traction += traction_tangent(point.kinematics, vary, point.loads, displacements);
-  }
+  for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, traction);
   laps.traction();
   if (space.effects().has_friction()) {
     for (const auto& [point, vary] : points)
-      add_friction_tangent(point.kinematics, vary, point.loads, displacements, traction);
+      add_friction_tangent(point.kinematics, vary, point.loads, traction);
     laps.friction();
   }
   for (Index k = 0; k < count_of(fluxes); ++k) {
     TangentBlock& block = at(fluxes, k);
     for (const auto& [point, vary] : points) {
-      block.values += flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), block.columns.layout());
+      add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), block.columns.layout(),
+                       block.values);
     }
     laps.field(patch.fields[k]);
   }
@@ -60,7 +59,7 @@ void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const Fac
     sum.setZero(layout.size());
     for (const IntegrationPoint& place : pair.points) {
       const PointContact point = loaded_point(space, pair, place, loads, fields, dt);
-      sum += point_residual(point.kinematics, point.loads, layout);
+      add_residual(point.kinematics, point.loads, layout, sum);
       if (!loads.friction.empty()) add_friction(point.kinematics, point.loads, layout, sum);
     }
     return sum;

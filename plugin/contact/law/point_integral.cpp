@@ -3,57 +3,55 @@
 namespace mixture_contact {
 namespace {
 
-/// One row per node of a pair, variations with the nodal positions, shape (n1 + n2, 3 (n1 + n2)).
-using PairRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, max_pair_nodes,
-                               max_pair_displacements>;
-
-/// Derivative of the weights h = (N1(xi), -N2(eta)) with the nodal positions.
-PairRows weight_variation(const PointKinematics& point, const KinematicVariations& vary) {
-  PairRows rows(point.nodes(), 3 * point.nodes());
-  // Small products: Eigen's kernels for large ones would cost more than they save.
-  rows.topRows(point.primary_nodes()) = point.primary_gradient.lazyProduct(vary.xi);
-  rows.bottomRows(point.secondary_shape.size()) = -point.secondary_gradient.lazyProduct(vary.eta);
-  return rows;
+/// Adds the derivative of h_a F, where h = (N1(xi), -N2(eta)) and F is a force on the primary side: three rows per node.
+void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
+                       const PairVariation<3>& dforce, MatrixXd& tangent) {
+  const auto add = [&](Index node, double weight, const auto& slope, const PairVariation<3>& along_1,
+                       const PairVariation<3>& along_2) {
+    tangent.middleRows<3>(3 * node) += weight * dforce + slope[0] * along_1 + slope[1] * along_2;
+  };
+  const auto along = [&](const auto& variation) -> PairVariation<3> { return force.lazyProduct(variation); };
+  const PairVariation<3> xi_1 = along(vary.xi.row(0));
+  const PairVariation<3> xi_2 = along(vary.xi.row(1));
+  const PairVariation<3> eta_1 = along(vary.eta.row(0));
+  const PairVariation<3> eta_2 = along(vary.eta.row(1));
+  const Index first = point.primary_nodes();
+  for (Index a = 0; a < first; ++a) add(a, point.primary_shape[a], point.primary_gradient.row(a), xi_1, xi_2);
+  for (Index b = 0; first + b < point.nodes(); ++b) {
+    add(first + b, -point.secondary_shape[b], -point.secondary_gradient.row(b), eta_1, eta_2);
+  }
 }
 
-/// Derivative of a jump h.phi with the nodal positions, phi1,alpha dxi_alpha - phi2,beta deta_beta.
-PairVariation<1> jump_projection_variation(const PointKinematics& point, const KinematicVariations& vary,
-                                           const PairVector& values) {
-  const Eigen::RowVector2d one = values.head(point.primary_nodes()).transpose() * point.primary_gradient;
-  const Eigen::RowVector2d two = values.tail(point.secondary_shape.size()).transpose() * point.secondary_gradient;
-  return one * vary.xi - two * vary.eta;
+/// Derivative of the weights h of one node with the nodal positions.
+PairVariation<1> weight_variation(const PointKinematics& point, const KinematicVariations& vary, Index node) {
+  const Index first = point.primary_nodes();
+  if (node < first) return point.primary_gradient.row(node).lazyProduct(vary.xi);
+  return -point.secondary_gradient.row(node - first).lazyProduct(vary.eta);
 }
 
 }  // namespace
 
-VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout) {
+void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
+                  VectorXd& residual) {
   const PairVector h = point.jump_weights();
   const Vector3d traction = loads.weight * loads.traction.value * point.area_vector;  // t1 da1
   const double flux_weight = loads.weight * loads.time_increment * point.area;        // dt da1
-  VectorXd residual(layout.size());
   for (Index node = 0; node < layout.nodes(); ++node) {
-    residual.segment<3>(layout.displacement(node, 0)) = h[node] * traction;
+    residual.segment<3>(layout.displacement(node, 0)) += h[node] * traction;
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      residual[layout.scalar(node, k)] = flux_weight * loads.flux[k].value * h[node];
+      residual[layout.scalar(node, k)] += flux_weight * loads.flux[k].value * h[node];
     }
   }
-  return residual;
 }
 
-MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                          const LocalLayout& layout) {
+void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                          MatrixXd& tangent) {
   // d[w t_n h_a a] = w [ h_a ((dt_n + t_n dw/w) a + t_n da) + t_n a dh_a ],  dt_n = t_n' dg + t_n,alpha dxi_alpha
-  const PairVector h = point.jump_weights();
-  const PairRows dh = weight_variation(point, vary);
   const PairVariation<1> dtn = loads.traction.derivative * vary.gap + loads.traction_slope.transpose() * vary.xi +
                                loads.traction.value * vary.weight;
-  const PairVariation<3> dtraction = loads.weight * (point.area_vector * dtn + loads.traction.value * vary.area_vector);
-  const Vector3d traction = loads.weight * loads.traction.value * point.area_vector;
-  MatrixXd tangent(layout.size(), layout.size());
-  for (Index node = 0; node < layout.nodes(); ++node) {
-    tangent.middleRows<3>(layout.displacement(node, 0)) = h[node] * dtraction + traction * dh.row(node);
-  }
-  return tangent;
+  const PairVariation<3> dforce = loads.weight * (point.area_vector.lazyProduct(dtn) +
+                                                  loads.traction.value * vary.area_vector);
+  add_force_tangent(point, vary, loads.weight * loads.traction.value * point.area_vector, dforce, tangent);
 }
 
 void add_friction(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
@@ -65,47 +63,43 @@ void add_friction(const PointKinematics& point, const PointLoads& loads, const L
 }
 
 void add_friction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                          const LocalLayout& layout, MatrixXd& tangent) {
+                          MatrixXd& tangent) {
   // d[w |a| t_T h_a] = w [ h_a (t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha) + |a| t_T dh_a ]
-  const PairVector h = point.jump_weights();
-  const PairRows dh = weight_variation(point, vary);
   const PairVariation<1> darea = vary.area + point.area * vary.weight;
-  const PairVariation<3> dforce = loads.weight *
-                                  (loads.friction * darea + point.area * (loads.friction_slope * vary.xi));
-  const Vector3d force = loads.weight * point.area * loads.friction;
-  for (Index node = 0; node < layout.nodes(); ++node)
-    tangent.middleRows<3>(layout.displacement(node, 0)) += h[node] * dforce + force * dh.row(node);
+  const PairVariation<3> dforce = loads.weight * (loads.friction.lazyProduct(darea) +
+                                                  point.area * loads.friction_slope.lazyProduct(vary.xi));
+  add_force_tangent(point, vary, loads.weight * point.area * loads.friction, dforce, tangent);
 }
 
-MatrixXd flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
-                      const PairVector& values, const LocalLayout& layout) {
+void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
+                      const PairVector& values, const LocalLayout& layout, MatrixXd& tangent) {
   // d[w dt |a| q h_a] = w dt [ h_a (q (d|a| + |a| dw/w) + |a| dq) + |a| q dh_a ],  dq = q' djump + q,alpha dxi_alpha
   const PairVector h = point.jump_weights();
   const LawValue& flux = loads.flux[k];
   const double weight = loads.weight * loads.time_increment;
-  PairVariation<1> dq = flux.derivative * jump_projection_variation(point, vary, values) + flux.value * vary.weight;
+  PairVariation<1> dq = flux.derivative * jump_variation(point, vary, values) + flux.value * vary.weight;
   if (loads.flux_slope.rows() > 0) dq += loads.flux_slope.row(k) * vary.xi;
   const PairVariation<1> dflux = weight * (flux.value * vary.area + point.area * dq);
-  const PairRows with_motion = h * dflux + weight * point.area * flux.value * weight_variation(point, vary);
-  MatrixXd tangent(layout.nodes(), layout.size());
-  for (Index column = 0; column < layout.nodes(); ++column) {
-    tangent.middleCols<3>(layout.displacement(column, 0)) = with_motion.middleCols<3>(3 * column);
-    tangent.col(layout.scalar(column, 0)) = weight * point.area * flux.derivative * h[column] * h;
+  for (Index node = 0; node < layout.nodes(); ++node) {
+    const PairVariation<1> moved = h[node] * dflux +
+                                   weight * point.area * flux.value * weight_variation(point, vary, node);
+    for (Index column = 0; column < layout.nodes(); ++column) {
+      tangent.block<1, 3>(node, layout.displacement(column, 0)) += moved.segment<3>(3 * column);
+      tangent(node, layout.scalar(column, 0)) += weight * point.area * flux.derivative * h[column] * h[node];
+    }
   }
-  return tangent;
 }
 
-WeightedVariation gap_variation(const PointKinematics& point, const KinematicVariations& vary,
+PairVariation<1> area_variation(const PointKinematics& point, const KinematicVariations& vary,
                                 const PointShare& share) {
-  const PairVariation<1> area = share.value * vary.area + point.area * share.variation;
-  return {share.value * point.area * vary.gap + point.gap * area, area};
+  return share.value * (vary.area + point.area * vary.weight) + point.area * share.slope.lazyProduct(vary.xi);
 }
 
-WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share,
-                                 const PairVector& values) {
-  const PairVariation<1> area = share.value * vary.area + point.area * share.variation;
-  const double jump = point.jump_weights().dot(values);
-  return {share.value * point.area * jump_projection_variation(point, vary, values) + jump * area, area};
+PairVariation<1> jump_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                const PairVector& values) {
+  const Eigen::RowVector2d one = values.head(point.primary_nodes()).transpose() * point.primary_gradient;
+  const Eigen::RowVector2d two = values.tail(point.secondary_shape.size()).transpose() * point.secondary_gradient;
+  return one.lazyProduct(vary.xi) - two.lazyProduct(vary.eta);
 }
 
 }  // namespace mixture_contact

@@ -23,16 +23,17 @@ struct PointLoads {
   double time_increment = 0;  ///< fluxes are integrated over the time step: their rows carry dt [s]
 };
 
-/// Contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape (layout.size()).
+/// Adds the contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape
+/// (layout.size()).
 ///
 /// Displacement rows: w t_n h_a a  [N]; row of field k: w dt |a| q_k h_a  [mm^3 or nmol], with h = (N1, -N2).
-VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout);
+void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
-/// Exact derivative of the displacement rows of point_residual with the nodal positions, eq (2.6), including the
+/// Adds the exact derivative of the displacement rows of the residual with the nodal positions, eq (2.6), including the
 /// changes of da1, of n1, of the projected position and of the tractions there; rows and columns in the order of
-/// `layout`, which has no fields.
-MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                          const LocalLayout& layout);
+/// displacements alone.
+void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                          MatrixXd& tangent);
 
 /// The part of friction: displacement rows w |a| h_a t_T. It acts at the two points that face each other, as the normal
 /// traction does: equal and opposite.
@@ -40,29 +41,27 @@ void add_friction(const PointKinematics& point, const PointLoads& loads, const L
 
 /// Exact derivative of it with the nodal positions, t_T of the nodes held; added to that of the traction.
 void add_friction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                          const LocalLayout& layout, MatrixXd& tangent);
+                          MatrixXd& tangent);
 
-/// Exact derivative of the rows of field k of point_residual, one per node, with the nodal positions and that field's
-/// nodal values; columns in the order of `layout`, which has one field.
-MatrixXd flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
-                      const PairVector& values, const LocalLayout& layout);
+/// Adds the exact derivative of the rows of field k of the residual, one per node, with the nodal positions and that
+/// field's nodal values; columns in the order of `layout`, which has one field.
+void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
+                      const PairVector& values, const LocalLayout& layout, MatrixXd& tangent);
 
-/// Share of a point in an average, w psi_a, with its variation.
+/// Share of a point in an average: w psi_a, and w psi_a,alpha.
 struct PointShare {
   double value;
-  PairVariation<1> variation;
+  Eigen::RowVector2d slope;
+
+  /// d(w psi_a)
+  PairVariation<1> variation(const KinematicVariations& vary) const { return value * vary.weight + slope * vary.xi; }
 };
 
-/// First variation of the contributions w psi_a |a| g to an average of the gap and w psi_a |a| to its area, with the
-/// positions of the pair.
-struct WeightedVariation {
-  PairVariation<1> integral;  ///< d(w psi_a |a| value), three columns per node
-  PairVariation<1> area;      ///< d(w psi_a |a|)
-};
-WeightedVariation gap_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share);
+/// First variation of a point's area, d(w psi_a |a|)
+PairVariation<1> area_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share);
 
-/// The same for the jump of a field with the given nodal values; its variation with those values is w psi_a |a| h.
-WeightedVariation jump_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share,
-                                 const PairVector& values);
+/// Derivative of a jump h.phi with the nodal positions, phi1,alpha dxi_alpha - phi2,beta deta_beta.
+PairVariation<1> jump_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                const PairVector& values);
 
 }  // namespace mixture_contact

@@ -80,38 +80,42 @@ void scatter(const NodeLinearisation& pair, NodeLinearisation& sum) {
 
 PointShare share_of(const VaryingPoint& point, Index corner) {
   const double weight = point.contact.loads.weight;
-  const double psi = point.contact.psi[corner];
-  return {weight * psi, weight * (psi * point.vary.weight + point.contact.psi_gradient.row(corner) * point.vary.xi)};
+  return {weight * point.contact.psi[corner], weight * point.contact.psi_gradient.row(corner)};
 }
 
-/// First variation of an average over a node, g_a = INT psi_a g da / A_a:
+/// Adds a point's part in the first variation of an average over a node, g_a = INT psi_a g da / A_a:
 /// dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
-PairVariation<1> mean_variation(const WeightedVariation& varied, double mean, double area) {
-  return (varied.integral - mean * varied.area) / area;
+void add_mean_variation(VectorXd& sum, const PointKinematics& point, const PointShare& share,
+                        const PairVariation<1>& variation, double excess, const PairVariation<1>& area_varied,
+                        double area) {
+  sum += (share.value * point.area / area * variation + excess / area * area_varied).transpose();
 }
 
 void add_gap(NodeLinearisation& linear, const NodalLoads& loads, Index node, const VaryingPoint& point,
-             const PointShare& share) {
+             const PointShare& share, const PairVariation<1>& area_varied) {
   const PointKinematics& kinematics = point.contact.kinematics;
-  const LocalLayout layout = linear.patch.of_displacements().layout();
-  const PairVector h = kinematics.jump_weights();
-  linear.gap_variation += mean_variation(gap_variation(kinematics, point.vary, share), loads.gap[node] + loads.offset,
-                                         loads.area[node]);
-  for (Index n = 0; n < layout.nodes(); ++n) {
-    linear.traction_work.segment<3>(layout.displacement(n, 0)) += share.value * h[n] * kinematics.area_vector;
+  const double excess = kinematics.gap - loads.gap[node] - loads.offset;
+  add_mean_variation(linear.gap_variation, kinematics, share, point.vary.gap, excess, area_varied, loads.area[node]);
+  const Vector3d traction = share.value * kinematics.area_vector;
+  const Index first = kinematics.primary_nodes();
+  for (Index n = 0; n < kinematics.nodes(); ++n) {
+    const double h = n < first ? kinematics.primary_shape[n] : -kinematics.secondary_shape[n - first];
+    linear.traction_work.segment<3>(3 * n) += h * traction;
   }
 }
 
 void add_jump(NodeLinearisation& linear, Index k, const NodalLoads& loads, Index node, const VaryingPoint& point,
-              const PointShare& share) {
+              const PointShare& share, const PairVariation<1>& area_varied) {
   const PointKinematics& kinematics = point.contact.kinematics;
   const int field = point.contact.fields[k];
   const double area = loads.flux_area(field, node);
-  linear.jumps[k].weights += share.value * kinematics.area / area * kinematics.jump_weights();
+  const PairVector h = kinematics.jump_weights();
+  linear.jumps[k].weights += share.value * kinematics.area / area * h;
   if (!linear.patch.displacements) return;
   const PairVector values = point.contact.values.col(k);
-  const WeightedVariation varied = jump_variation(kinematics, point.vary, share, values);
-  linear.jumps[k].projection_variation += mean_variation(varied, loads.jump(field, node), area);
+  add_mean_variation(linear.jumps[k].projection_variation, kinematics, share,
+                     jump_variation(kinematics, point.vary, values), h.dot(values) - loads.jump(field, node),
+                     area_varied, area);
 }
 
 /// What friction needs of a point, whichever of its nodes is looked at.
@@ -140,11 +144,11 @@ void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads,
                  const SlidingPoint& sliding, const PointShare& share) {
   const PointKinematics& kinematics = point.contact.kinematics;
   const double part = share.value * kinematics.area;
-  const PairVariation<1> area = share.value * point.vary.area + kinematics.area * share.variation;
+  const PairVariation<1> area = area_variation(kinematics, point.vary, share);
   const double whole = loads.area[node];
   const Vector3d slip = sliding.slip - loads.friction.slip.col(node);
   friction.slip_variation += (part * sliding.slip_variation + slip * area) / whole;
-  friction.area_vector_variation += (share.value * point.vary.area_vector + kinematics.area_vector * share.variation -
+  friction.area_vector_variation += (share.value * point.vary.area_vector + kinematics.area_vector * share.variation(point.vary) -
                                      loads.friction.area_vector.col(node) * area) /
                                     whole;
   friction.work += part * kinematics.jump_weights();
@@ -179,13 +183,15 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
     for (const VaryingPoint& point : points) {
       for (Index a = 0; a < corners.count(); ++a) {
         const int node = patch.primary[a];
-        if (loads.in_contact[node]) use(corners[a], node, point, share_of(point, a));
+        if (!loads.in_contact[node]) continue;
+        const PointShare share = share_of(point, a);
+        use(corners[a], node, point, share, area_variation(point.contact.kinematics, point.vary, share));
       }
     }
   };
   if (patch.displacements) {
-    for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
-      add_gap(linear, loads, node, point, share);
+    for_each_corner_of_points([&](auto& linear, int node, const auto&... of_point) {
+      add_gap(linear, loads, node, of_point...);
     });
     laps.traction();
   }
@@ -194,8 +200,8 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
-    for_each_corner_of_points([&](auto& linear, int node, const VaryingPoint& point, const PointShare& share) {
-      add_jump(linear, k, loads, node, point, share);
+    for_each_corner_of_points([&](auto& linear, int node, const auto&... of_point) {
+      add_jump(linear, k, loads, node, of_point...);
     });
     laps.field(patch.fields[k]);
   }

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(loads_are_spread_with_the_shape_functions) {
   for_every_pair(5, 2, [](const RandomContact& contact) {
     const PointKinematics point = contact.kinematics(contact.unknowns);
     const PointLoads loads = contact.loads(point, contact.unknowns);
-    const VectorXd residual = point_residual(point, loads, contact.layout);
+    const VectorXd residual = contact.residual(point, loads);
     for (Index node = 0; node < contact.layout.nodes(); ++node) {
       const double share = loads.weight * point.jump_weights()[node];
       const Vector3d force = share * loads.traction.value * point.area_vector;
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_field_without_a_law_has_no_residual_and_no_tangent) {
     const PointKinematics point = contact.kinematics(q);
     PointLoads loads = contact.loads(point, q);
     loads.flux[1] = {0, 0};
-    const VectorXd residual = point_residual(point, loads, contact.layout);
+    const VectorXd residual = contact.residual(point, loads);
     const MatrixXd tangent = contact.tangent(point, loads, q);
     for (const bool side : {true, false}) {
       const std::vector<Index> rows = entries(contact.layout, side, 1);
