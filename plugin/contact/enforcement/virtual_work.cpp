@@ -33,8 +33,7 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
   for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, traction);
   laps.traction();
   if (space.effects().has_friction()) {
-    for (const auto& [point, vary] : points)
-      add_friction_tangent(point.kinematics, vary, point.loads, traction);
+    for (const auto& [point, vary] : points) add_friction_tangent(point.kinematics, vary, point.loads, traction);
     laps.friction();
   }
   for (Index k = 0; k < count_of(fluxes); ++k) {

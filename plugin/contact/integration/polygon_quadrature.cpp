@@ -91,7 +91,8 @@ template <class Number>
 Symmetric<Number> root(const Symmetric<Number>& m) {
   using std::sqrt;
   const Number determinant = m.xx * m.yy - m.xy * m.xy;
-  const bool sliver = value_of(determinant) <= 4 * std::numeric_limits<double>::epsilon() * value_of(m.xx) * value_of(m.yy);
+  const bool sliver = value_of(determinant) <=
+                      4 * std::numeric_limits<double>::epsilon() * value_of(m.xx) * value_of(m.yy);
   Number part{0};
   if (!sliver) part = sqrt(determinant);
   const Number share = 1 / sqrt(m.xx + m.yy + 2 * part);

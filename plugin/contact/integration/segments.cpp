@@ -164,40 +164,81 @@ bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
 /// A linear piece of the primary facet as it is seen, which others are clipped against.
 template <class Number>
 struct Piece {
+  SubFacet part;
+  View view;
+  Circle circle;
   Polygon<Number> polygon;
   double area;  ///< twice that which is seen
   Alignment<Number> aligned;
 };
 
 template <class Number>
-Piece<Number> piece_of(const View& view, const PlacedFacet& facet, const SubFacet& part) {
-  Polygon<Number> polygon = seen<Number>(view, facet, part, 0);
-  const double area = twice_area(polygon);
-  Alignment<Number> aligned = alignment(polygon);
-  return {std::move(polygon), area, std::move(aligned)};
+std::vector<Piece<Number>> pieces_of(const PlacedFacet& facet) {
+  std::vector<Piece<Number>> pieces;
+  for (const SubFacet& part : sub_facets(facet.type)) {
+    const View view = view_at(facet.type, facet.x, middle(facet.type, part));
+    Polygon<Number> polygon = seen<Number>(view, facet, part, 0);
+    const double area = twice_area(polygon);
+    const Alignment<Number> aligned = alignment(polygon);
+    pieces.push_back({part, view, circle_around(facet, part), std::move(polygon), area, aligned});
+  }
+  return pieces;
 }
 
-/// Calls use(sample) for the points on the overlap of two facets, in a fixed order.
+/// The overlap of a piece with one of another facet; fewer than three corners where there is none.
+template <class Number>
+Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const SubFacet& part) {
+  if (are_apart(piece.circle, circle_around(facet, part), piece.view.normal)) return {};
+  Polygon<Number> window = seen<Number>(piece.view, facet, part, max_polygon_corners);
+  if (twice_area(window) >= 0) return {};  // it faces away
+  std::reverse(window.begin(), window.end());
+  Polygon<Number> both = clip(piece.polygon, window, coincident_fraction * std::sqrt(piece.area));
+  if (both.size() >= 3 && twice_area(both) <= negligible_fraction * piece.area) return {};
+  return both;
+}
+
+/// Calls use(sample) for the points on the overlap of a facet, in pieces, and another one, in a fixed order.
 template <class Number, class Use>
-void sample_overlap(const PlacedFacet& primary, const PlacedFacet& secondary, int order, const Use& use) {
+void sample_overlap(const std::vector<Piece<Number>>& pieces, const PlacedFacet& secondary, int order, const Use& use) {
   int sub_facet = 0;
-  for (const SubFacet& part : sub_facets(primary.type)) {
-    const View view = view_at(primary.type, primary.x, middle(primary.type, part));
-    std::optional<Piece<Number>> piece;  // most facets of a search are apart
-    const Circle circle = circle_around(primary, part);
-    for (const SubFacet& other : sub_facets(secondary.type)) {
-      if (are_apart(circle, circle_around(secondary, other), view.normal)) continue;
-      Polygon<Number> window = seen<Number>(view, secondary, other, max_polygon_corners);
-      if (twice_area(window) >= 0) continue;  // it faces away
-      std::reverse(window.begin(), window.end());
-      if (!piece) piece = piece_of<Number>(view, primary, part);
-      const Polygon<Number> both = clip(piece->polygon, window, coincident_fraction * std::sqrt(piece->area));
-      if (both.size() < 3 || twice_area(both) <= negligible_fraction * piece->area) continue;
-      for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece->aligned, order))
-        use(Sample<Number>{point, view, part, other, sub_facet});
+  for (const Piece<Number>& piece : pieces) {
+    for (const SubFacet& part : sub_facets(secondary.type)) {
+      const Polygon<Number> both = overlap(piece, secondary, part);
+      if (both.size() < 3) continue;
+      for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece.aligned, order))
+        use(Sample<Number>{point, piece.view, piece.part, part, sub_facet});
     }
     ++sub_facet;
   }
+}
+
+/// A facet whose overlaps are sampled, and what is the same for all of them.
+struct SampledFacet {
+  PlacedFacet placed;
+  std::vector<Piece<double>> pieces;
+};
+
+SampledFacet sampled(const Facet& facet, const Matrix3Xd& x) {
+  const PlacedFacet placed{facet.type, facet_coordinates(facet, x)};
+  return {placed, pieces_of<double>(placed)};
+}
+
+/// The points between a facet at x1 and one of the other surface at x2; none where not all of them are found.
+std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFacet& primary, const Facet& two, int order,
+                                             const Matrix3Xd& x1, const Matrix3Xd& x2) {
+  const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
+  std::vector<IntegrationPoint> points;
+  bool complete = true;
+  sample_overlap(primary.pieces, secondary, order, [&](const Sample<double>& sample) {
+    const std::optional<Vector2d> xi = carried(primary.placed, sample);
+    if (!xi) return void(complete = false);
+    const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
+    const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
+    if (!hit) return void(complete = false);
+    points.push_back({*xi, hit->eta, carried_weight(primary.placed, sample, *xi), sample.sub_facet});
+  });
+  if (!complete) points.clear();
+  return points;
 }
 
 /// Whether the shape functions of a facet are polynomials of the second degree at most, in total.
@@ -235,25 +276,6 @@ Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Face
 int Segments::order(const Facing& facing) const {
   if (order_ > 0) return order_;
   return default_segment_order(primary_[facing.primary].type, secondary_[facing.secondary].type);
-}
-
-FacetPair Segments::pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  const Facet& one = primary_[facing.primary];
-  const Facet& two = secondary_[facing.secondary];
-  const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
-  const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
-  FacetPair pair{facing.primary, facing.secondary, {}};
-  bool complete = true;
-  sample_overlap<double>(primary, secondary, order(facing), [&](const Sample<double>& sample) {
-    const std::optional<Vector2d> xi = carried(primary, sample);
-    if (!xi) return void(complete = false);
-    const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
-    const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
-    if (!hit) return void(complete = false);
-    pair.points.push_back({*xi, hit->eta, carried_weight(primary, sample, *xi), sample.sub_facet});
-  });
-  if (!complete) pair.points.clear();
-  return pair;
 }
 
 bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const {
@@ -305,8 +327,11 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
   const auto pairs_of = [&](Index index) {
     const int f = static_cast<int>(index);
     IndexedVector<FacetPair> pairs;
-    for (const int candidate : candidates(f, tree, x1, radius)) {
-      FacetPair pair = pair_of({f, candidate}, x1, x2);
+    const std::vector<int> others = candidates(f, tree, x1, radius);
+    if (others.empty()) return pairs;
+    const SampledFacet facet = sampled(primary_[f], x1);
+    for (const int other : others) {
+      FacetPair pair{f, other, points_between(primary_[f], facet, secondary_[other], order({f, other}), x1, x2)};
       if (!pair.points.empty() && within_reach(pair, x1, x2, radius) && opposed(pair, x1, x2))
         pairs.push_back(std::move(pair));
     }
@@ -328,8 +353,9 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
 IndexedVector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   IndexedVector<FacetPair> found;
   for (const Facing& facing : paired_) {
-    FacetPair pair = pair_of(facing, x1, x2);
-    if (!pair.points.empty()) found.push_back(std::move(pair));
+    const Facet& one = primary_[facing.primary];
+    auto points = points_between(one, sampled(one, x1), secondary_[facing.secondary], order(facing), x1, x2);
+    if (!points.empty()) found.push_back({facing.primary, facing.secondary, std::move(points)});
   }
   return found;
 }
@@ -344,7 +370,7 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const auto add = [&](const Sample<VaryingNumber>& sample) {
     motions.push_back(projection_motion(primary, secondary, sample, pair.points[motions.size()].xi));
   };
-  sample_overlap<VaryingNumber>(primary, secondary, order({pair.primary, pair.secondary}), add);
+  sample_overlap(pieces_of<VaryingNumber>(primary), secondary, order({pair.primary, pair.secondary}), add);
   return motions;
 }
 

@@ -38,7 +38,6 @@ class Segments : public PointFinder {
     int primary = 0;
     int secondary = 0;
   };
-  FacetPair pair_of(const Facing& facing, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   /// The secondary facets that may face a primary one.
   std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const;
   bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;

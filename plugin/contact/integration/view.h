@@ -1,5 +1,5 @@
-/// Seeing facets along a direction: where their nodes appear in the plane across it, and how what depends on that varies
-/// with the nodes.
+/// Seeing facets along a direction: where their nodes appear in the plane across it, and how what depends on that
+/// varies with the nodes.
 #pragma once
 
 #include "geometry/kinematics.h"

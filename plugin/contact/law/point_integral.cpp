@@ -3,7 +3,8 @@
 namespace mixture_contact {
 namespace {
 
-/// Adds the derivative of h_a F, where h = (N1(xi), -N2(eta)) and F is a force on the primary side: three rows per node.
+/// Adds the derivative of h_a F, where h = (N1(xi), -N2(eta)) and F is a force on the primary side: three rows per
+/// node.
 void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
                        const PairVariation<3>& dforce, MatrixXd& tangent) {
   const auto add = [&](Index node, double weight, const auto& slope, const PairVariation<3>& along_1,
@@ -49,8 +50,8 @@ void add_traction_tangent(const PointKinematics& point, const KinematicVariation
   // d[w t_n h_a a] = w [ h_a ((dt_n + t_n dw/w) a + t_n da) + t_n a dh_a ],  dt_n = t_n' dg + t_n,alpha dxi_alpha
   const PairVariation<1> dtn = loads.traction.derivative * vary.gap + loads.traction_slope.transpose() * vary.xi +
                                loads.traction.value * vary.weight;
-  const PairVariation<3> dforce = loads.weight * (point.area_vector.lazyProduct(dtn) +
-                                                  loads.traction.value * vary.area_vector);
+  const PairVariation<3> dforce = loads.weight *
+                                  (point.area_vector.lazyProduct(dtn) + loads.traction.value * vary.area_vector);
   add_force_tangent(point, vary, loads.weight * loads.traction.value * point.area_vector, dforce, tangent);
 }
 

@@ -148,7 +148,8 @@ void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads,
   const double whole = loads.area[node];
   const Vector3d slip = sliding.slip - loads.friction.slip.col(node);
   friction.slip_variation += (part * sliding.slip_variation + slip * area) / whole;
-  friction.area_vector_variation += (share.value * point.vary.area_vector + kinematics.area_vector * share.variation(point.vary) -
+  friction.area_vector_variation += (share.value * point.vary.area_vector +
+                                     kinematics.area_vector * share.variation(point.vary) -
                                      loads.friction.area_vector.col(node) * area) /
                                     whole;
   friction.work += part * kinematics.jump_weights();
@@ -190,9 +191,8 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
     }
   };
   if (patch.displacements) {
-    for_each_corner_of_points([&](auto& linear, int node, const auto&... of_point) {
-      add_gap(linear, loads, node, of_point...);
-    });
+    for_each_corner_of_points(
+        [&](auto& linear, int node, const auto&... of_point) { add_gap(linear, loads, node, of_point...); });
     laps.traction();
   }
   if (space.effects().has_friction()) {
@@ -200,9 +200,8 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
-    for_each_corner_of_points([&](auto& linear, int node, const auto&... of_point) {
-      add_jump(linear, k, loads, node, of_point...);
-    });
+    for_each_corner_of_points(
+        [&](auto& linear, int node, const auto&... of_point) { add_jump(linear, k, loads, node, of_point...); });
     laps.field(patch.fields[k]);
   }
   return corners;
