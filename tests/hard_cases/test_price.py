@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from harness.errors import DataFileError
 from harness.models import pairs
 from harness.models.interface import InterfaceType
-from harness.studies.price import bars, effect_costs, page, paired_runs, table
+from harness.studies.price import bars, effect_costs, joints, page, paired_runs, table
 from harness.studies.price.paired_runs import Timed
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
@@ -121,3 +122,27 @@ def test_the_table_says_where_febio_adds_less():
     failed = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4, ended=False)])
     assert "does not end" in failed
     assert failed.endswith("`sliding-mixture` |")
+
+
+def test_a_table_of_joints_names_the_run_that_takes_less_time():
+    def price(kind: str, ratio: float, *, ended: bool = True) -> joints.JointPrice:
+        counts = (60, 0, 60) if kind == "sliding-mixture" else (50, 1, 40)
+        return joints.JointPrice("knee", kind, ended, *counts, 2.0, ratio, 1.0, 1.5, 0.2, 600, 100, 500, 9000)
+
+    ours, theirs = price("sliding-mixture", 1.25), price("sliding-elastic", 1.0)
+    (row,) = joints.joints_table([ours, theirs]).splitlines()[2:]
+    assert row == "| knee | 60, 50 | 0, 1 | 60, 40 | 1.25 (1.00 to 1.50) | 20 % | 6.0 | 1.00 | `sliding-elastic` |"
+    (row,) = joints.joints_table([price("sliding-mixture", 0.8), theirs]).splitlines()[2:]
+    assert row.endswith("`sliding-mixture` |")
+    (row,) = joints.joints_table([ours, price("sliding-elastic", 1.0, ended=False)]).splitlines()[2:]
+    assert "60, does not end" in row
+    assert row.endswith("`sliding-mixture` |")
+
+
+def test_both_contacts_of_a_joint_have_the_same_mesh_and_conditions():
+    for scene in joints.SCENES.values():
+        ours, theirs = scene.model(), joints.rival(scene).model()
+        assert ours.contacts[0].kind == "sliding-mixture" != theirs.contacts[0].kind
+        assert replace(ours, contacts=(), header="", mesh=None) == replace(theirs, contacts=(), header="", mesh=None)
+        np.testing.assert_array_equal(ours.mesh.nodes, theirs.mesh.nodes)
+        assert ours.mesh.pairs == theirs.mesh.pairs

@@ -9,12 +9,15 @@ import pytest
 from lxml import etree
 
 from harness.errors import ModelError
+from harness.models import spherical_shells
 from harness.models.ambient import Apart, HalfWet
+from harness.models.blocks import boundary
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType, automatic
 from harness.models.mesh import Layer, Section, conforming_column, split_column
 from harness.models.parts import Control, Param, fix
 from harness.models.patches import Patches
+from harness.models.tetrahedra import tetrahedra
 from harness.pages import collection
 from harness.paths import MODELS
 from harness.post import compare
@@ -162,3 +165,21 @@ def test_missing_and_misnamed_model_files_are_explained(tmp_path):
         febfile.inspect(tmp_path / "none.feb")
     with pytest.raises(ModelError, match=r"ends in \.feb"):
         febfile.inspect(tmp_path / "none.xml")
+
+
+@pytest.mark.parametrize("elements", [2, 4])
+def test_tetrahedra_fill_hexahedra_and_their_faces_match(elements):
+    shell = spherical_shells.hemisphere(elements, np.linspace(1.0, 2.0, elements))
+    cut = tetrahedra(shell)
+    corners = cut.nodes[cut.elements]
+    volume = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6.0
+    assert np.all(volume > 0.0)
+    assert len(cut.elements) == 6 * len(shell.elements)
+    # What is on the boundary are triangles of the boundary before: no inner face is left without its neighbour.
+    outside = {frozenset(facet) for facet in boundary(shell).tolist()}
+    triangles = boundary(cut)
+    assert len(triangles) == 2 * len(outside)
+    assert all(any(set(triangle) <= quad for quad in outside) for triangle in triangles.tolist())
+    x = cut.nodes[triangles]
+    outward = np.einsum("ij,ij->i", np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]), x[:, 0])
+    assert volume.sum() == pytest.approx(outward.sum() / 6.0)

@@ -1,4 +1,4 @@
-"""Hexahedral meshes put together from mapped blocks: merging, boundary facets, quadratic elements."""
+"""Meshes put together from mapped blocks: merging, boundary facets, quadratic elements."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ Middles = Callable[[Points], Points]
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 """Corners (from 0) of the faces of a hex8 in FEBio's order, counterclockwise seen from outside."""
+TET_FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
+"""The same of a tet4."""
 EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 """Ends of the edges on which nodes 9 to 20 of FEBio's hex20 lie."""
 
@@ -29,7 +31,7 @@ class Body:
     ----------
     nodes : ndarray, shape (n_nodes, 3)
         mm.
-    elements : ndarray of int, shape (n_elements, 8 or 20)
+    elements : ndarray of int, shape (n_elements, 4, 8 or 20)
         Node numbers from 0.
     """
 
@@ -94,12 +96,19 @@ def quadratic(body: Body, middles: Middles = straight) -> Body:
 
 
 def boundary(body: Body) -> Ids:
-    """Outer facets of a body, shape (n_facets, 4 or 8): corners counterclockwise seen from outside, then middles."""
-    corners = np.array(FACES)
-    locals_ = corners if body.elements.shape[1] == 8 else np.concatenate([corners, _middles(corners)], axis=1)
-    facets = body.elements[:, locals_].reshape(-1, locals_.shape[1])
+    """Outer facets of a body, shape (n_facets, 3, 4 or 8): corners counterclockwise seen from outside, then middles."""
+    faces = _faces(body.elements.shape[1])
+    facets = body.elements[:, faces].reshape(-1, faces.shape[1])
     _, index, count = np.unique(np.sort(facets[:, :4], axis=1), axis=0, return_index=True, return_counts=True)
     return np.asarray(facets[np.sort(index[count == 1])], dtype=np.int64)
+
+
+def _faces(nodes: int) -> Ids:
+    """Local numbers of the nodes of the faces of an element of 4, 8 or 20 nodes."""
+    if nodes == 4:
+        return np.array(TET_FACES)
+    corners = np.array(FACES)
+    return corners if nodes == 8 else np.concatenate([corners, _middles(corners)], axis=1)
 
 
 def _middles(corners: Ids) -> Ids:

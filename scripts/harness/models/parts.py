@@ -374,6 +374,8 @@ class Control:
         End of the analysis, s, instead of `steps` times `step`: FEBio's number of steps has 32 bits.
     analysis : str, optional
         FEBio's type of analysis; STATIC in the module `solid` and TRANSIENT elsewhere without it.
+    updates : int
+        Largest number of quasi-Newton updates (BFGS) between two matrices.
     """
 
     steps: int
@@ -388,6 +390,7 @@ class Control:
     solver: tuple[Param, ...] = ()
     end: float | None = None
     analysis: str | None = None
+    updates: int = 0
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
         """Append the control section to the model `parent`."""
@@ -412,7 +415,7 @@ class Control:
             child(solver, "ctol", self.concentration_tolerance)
         for param in self.solver:
             param.write(solver)
-        child(child(solver, "qn_method", type="BFGS"), "max_ups", 0)
+        child(child(solver, "qn_method", type="BFGS"), "max_ups", self.updates)
 
 
 @dataclass(frozen=True)

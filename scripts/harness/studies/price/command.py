@@ -16,7 +16,7 @@ from harness.pages.evidence import DATA
 from harness.paths import DOCS, RESULTS
 from harness.run import provenance
 from harness.studies import files
-from harness.studies.price import bars, effect_costs, page, paired_runs, table
+from harness.studies.price import bars, effect_costs, joints, page, paired_runs, table
 from harness.studies.price.effect_costs import EffectCost
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
@@ -26,6 +26,8 @@ console = Console(highlight=False, soft_wrap=True)
 class Part(str, Enum):
     """What there is to measure."""
 
+    JOINTS = "joints"
+    """A ball in its socket, of tetrahedra, beside FEBio's own interface."""
     EFFECTS = "effects"
     """Times at the end of runs with more and more effects, as a bar chart."""
     COMPARISON = "comparison"
@@ -52,6 +54,9 @@ def price(
     chosen = only or list(Part)
     stamp = provenance.stamp(paired_runs.LIMIT)
     tell = partial(console.print, markup=False)
+    if Part.JOINTS in chosen:
+        found = joints.measure(joints.SCENES, repetitions, tell)
+        files.write_csv(found, joints.JointPrice, folder / page.JOINTS, stamp)
     if Part.EFFECTS in chosen:
         costs = effect_costs.measure(effects_added(), repetitions, tell)
         files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)

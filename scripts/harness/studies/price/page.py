@@ -12,10 +12,12 @@ from matplotlib.figure import Figure
 from harness.pages.evidence import DATA, EvidencePage
 from harness.studies import files
 from harness.studies.price.effect_costs import EffectCost
+from harness.studies.price.joints import JointPrice, joints_table
 from harness.studies.price.paired_runs import Price
 from harness.studies.price.scenes import effects_added
 
-EFFECTS, COMPARISON, PICTURE = "price-effects.csv", "price-comparison.csv", "images/price.svg"
+JOINTS, EFFECTS, COMPARISON = "price-joints.csv", "price-effects.csv", "price-comparison.csv"
+PICTURE = "images/price.svg"
 ASKED = (
     '<material type="neo-Hookean">',
     '<material type="biphasic">',
@@ -36,6 +38,7 @@ def figures() -> Mapping[str, str]:
     prices = files.read_csv(DATA / COMPARISON, Price)
     return {
         "headline": _headline(costs),
+        "joints": joints_table(files.read_csv(DATA / JOINTS, JointPrice)),
         "facets": str(next(iter(effects_added().values())).section),
         "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),
         "comparison": comparison_table(prices),
@@ -130,4 +133,4 @@ def _less(ours: Price, price: Price) -> str:
     return f"`{price.type if price.ended and price.added < ours.added else ours.type}`"
 
 
-PAGE = EvidencePage("evidence/price.md", (EFFECTS, COMPARISON), Path(__file__).with_name("page.md"), figures)
+PAGE = EvidencePage("evidence/price.md", (JOINTS, EFFECTS, COMPARISON), Path(__file__).with_name("page.md"), figures)

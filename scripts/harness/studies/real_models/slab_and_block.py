@@ -8,7 +8,7 @@ from itertools import permutations
 
 import numpy as np
 
-from harness.models.blocks import FACES, structured
+from harness.models.blocks import FACES, TET_FACES, structured
 from harness.models.mesh import Ids, Mesh, Nodes, Part
 from harness.models.quadratic import quadratic
 
@@ -51,9 +51,8 @@ class _Body:
     elements: Ids
 
 
-_TET_FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
 _PENTA_FACES = ((0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2))
-_FACES_OF: dict[int, tuple[tuple[int, ...], ...]] = {4: _TET_FACES, 6: _PENTA_FACES, 8: FACES}
+_FACES_OF: dict[int, tuple[tuple[int, ...], ...]] = {4: TET_FACES, 6: _PENTA_FACES, 8: FACES}
 _CORNERS = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)])
 
 

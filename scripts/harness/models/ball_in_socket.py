@@ -1,0 +1,142 @@
+"""A joint in its simplest shape: two layers on rigid bone, a ball and its socket, pressed together and slid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models import spherical_shells
+from harness.models.assembly import NEAR, Chosen, assembled
+from harness.models.blocks import Body
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import InterfaceType
+from harness.models.mesh import Mesh
+from harness.models.parts import (
+    Condition,
+    Contact,
+    Control,
+    Curve,
+    Elastic,
+    Material,
+    Mixture,
+    Param,
+    Solid,
+    TimeStepper,
+    displace,
+    hold,
+    pressure,
+)
+from harness.models.quadratic import quadratic
+from harness.models.tetrahedra import tetrahedra
+
+RADIUS, THICKNESS, GAP = 10.0, 2.0, 0.05
+"""Of the ball, of both layers, and of the gap between them, mm."""
+SOLID = Solid(1.0, 0.1)
+PERMEABILITY = 1e-3
+"""mm^4/(N s)."""
+PRESSED, SLID = 0.25, 1.0
+"""mm by which the bone of the ball comes down, and then goes sideways."""
+ABOUT = """\
+A ball in its socket: two layers of {material}, 2 mm thick, on rigid bone. The ball has a radius of 10 mm.
+Its bone comes down by {pressed:g} mm and then goes sideways by {slid:g} mm."""
+
+
+@dataclass(frozen=True)
+class BallInSocket:
+    """Choices of the scene.
+
+    Attributes
+    ----------
+    elements : int
+        Of the ball along each edge of the lowest patch of its hemisphere, even; the socket has two more.
+    quadratic : bool
+        Tetrahedra of ten nodes.
+    porous : bool
+        Biphasic layers, wet where they are not in contact.
+    slides : bool
+    updates : int
+        Quasi-Newton updates (BFGS) between two matrices.
+    primary : str
+        Surface that the contact integrates over: ``ball`` or ``socket``.
+    contact : str
+        Type of the contact.
+    params : tuple of Param
+        Of the contact.
+    steps : int
+        Time steps to press, and as many to slide.
+    """
+
+    elements: int = 8
+    quadratic: bool = False
+    porous: bool = False
+    slides: bool = True
+    updates: int = 0
+    primary: str = "ball"
+    contact: str = InterfaceType.MIXTURE.value
+    params: tuple[Param, ...] = ()
+    steps: int = 10
+    name: str = "ball-in-socket"
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh, material = self._mesh(), self._material()
+        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.CONFORMING
+        what = "biphasic tissue" if self.porous else "elastic tissue"
+        return Model(
+            self.name,
+            header(self.name, ABOUT.format(material=what, pressed=PRESSED, slid=SLID if self.slides else 0), interface),
+            "biphasic" if self.porous else "solid",
+            mesh,
+            {"ball": material, "socket": material},
+            self._conditions(),
+            self._control(),
+            (Contact(self.contact, "joint", self.params),),
+            (Curve(((0.0, 0.0), (self.steps, 1.0))), Curve(((self.steps, 0.0), (2.0 * self.steps, 1.0)))),
+        )
+
+    def _control(self) -> Control:
+        steps = (2 if self.slides else 1) * self.steps
+        stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
+        return Control(steps, 1.0, reformations=25, stepper=stepper, updates=self.updates)
+
+    def _material(self) -> Material:
+        return Mixture(SOLID, PERMEABILITY) if self.porous else Elastic(SOLID)
+
+    def _conditions(self) -> tuple[Condition, ...]:
+        sideways = displace("ball-bone", "x", SLID, 2) if self.slides else None
+        held = hold("ball-bone", "y" if self.slides else "xy")
+        wet = (pressure("rims", 0.0),) if self.porous else ()
+        moved = (displace("ball-bone", "z", -PRESSED, 1), *((sideways,) if sideways else ()))
+        return (*hold("socket-bone", "xyz"), *held, *moved, *wet)
+
+    def _mesh(self) -> Mesh:
+        inner = RADIUS + GAP
+        bodies = {
+            "ball": self._layer(self.elements, RADIUS - THICKNESS),
+            "socket": self._layer(self.elements + 2, inner),
+        }
+        sets = {
+            "ball-bone": Chosen("ball", _at(RADIUS - THICKNESS)),
+            "socket-bone": Chosen("socket", _at(inner + THICKNESS)),
+            "rims": Chosen("", lambda x: np.asarray(np.abs(x[..., 2]) < NEAR)),
+        }
+        surfaces = {"ball": Chosen("ball", _at(RADIUS)), "socket": Chosen("socket", _at(inner))}
+        other = "socket" if self.primary == "ball" else "ball"
+        mesh = assembled(bodies, sets, surfaces, {"joint": (self.primary, other)})
+        return quadratic(mesh, 10) if self.quadratic else mesh
+
+    def _layer(self, elements: int, radius: float) -> Body:
+        through = max(1, self.elements // 4)
+        radii = np.linspace(radius, radius + THICKNESS, through + 1)
+        return tetrahedra(spherical_shells.hemisphere(elements, radii))
+
+
+def _at(radius: float) -> Callable[[NDArray[np.float64]], NDArray[np.bool_]]:
+    def near(x: NDArray[np.float64]) -> NDArray[np.bool_]:
+        return np.asarray(np.abs(np.linalg.norm(x, axis=-1) - radius) < NEAR)
+
+    return near

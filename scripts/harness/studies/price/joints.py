@@ -1,0 +1,153 @@
+"""A ball in its socket, of tetrahedra: ours with its defaults beside FEBio's own interface, run in turn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from statistics import median
+
+from harness.models.ball_in_socket import BallInSocket
+from harness.studies import timing
+from harness.studies.price import table
+from harness.studies.price.paired_runs import LIMIT
+from harness.studies.price.scenes import Kind, penalties
+
+FACTOR = 10.0
+"""Of FEBio's automatic penalties: what its users set."""
+SCENES: Mapping[str, BallInSocket] = {
+    "tet4, pressed": BallInSocket(slides=False),
+    "tet4, sliding": BallInSocket(),
+    "tet4, sliding, socket primary": BallInSocket(primary="socket"),
+    "tet4, sliding, 10 BFGS updates": BallInSocket(updates=10),
+    "tet4, biphasic, sliding": BallInSocket(elements=6, porous=True),
+    "tet10, pressed": BallInSocket(elements=4, quadratic=True, slides=False),
+}
+"""By what the page calls them."""
+
+
+@dataclass(frozen=True)
+class JointPrice:
+    """One contact on one scene, from several runs.
+
+    Attributes
+    ----------
+    scene : str
+    type : str
+        Type of the contact.
+    ended : bool
+    iterations, retries, matrices : int
+        Newton iterations, time steps tried again, and matrices formed.
+    seconds : float
+        Median of the processor time of the run, s.
+    ratio, ratio_low, ratio_high : float
+        Median, least and largest of that time over that of FEBio's interface, run in turn.
+    share : float
+        Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's.
+    points : int
+        Integration points that face the other surface; 0 for FEBio's.
+    facets : int
+        Of the primary surface.
+    unknowns, entries : int
+        Equations, and the most entries of the matrix.
+    """
+
+    scene: str
+    type: str
+    ended: bool
+    iterations: int
+    retries: int
+    matrices: int
+    seconds: float
+    ratio: float
+    ratio_low: float
+    ratio_high: float
+    share: float
+    points: int
+    facets: int
+    unknowns: int
+    entries: int
+
+
+@dataclass(frozen=True)
+class _Run:
+    ended: bool
+    counts: tuple[int, int, int]
+    cpu: float
+    log: str
+
+
+def rival(scene: BallInSocket) -> BallInSocket:
+    """The same scene with FEBio's own interface."""
+    kind = Kind.BIPHASIC if scene.porous else Kind.ELASTIC
+    return replace(scene, contact=kind.rival, params=penalties(kind, FACTOR).params())
+
+
+def measure(scenes: Mapping[str, BallInSocket], repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
+    """Run both contacts of each scene in turn, `repetitions` times."""
+    return [price for name, scene in scenes.items() for price in _prices(name, scene, repetitions, announce)]
+
+
+def _prices(name: str, scene: BallInSocket, repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
+    contacts = {one.contact: one for one in (scene, rival(scene))}
+    runs = timing.interleave(
+        {contact: partial(_run, one) for contact, one in contacts.items()},
+        repetitions,
+        lambda contact, number: announce(f"{name}: {contact} ({number} of {repetitions})"),
+    )
+    *_, reference = runs.values()
+    mesh = scene.model().mesh
+    facets = len(mesh.surfaces[scene.primary])
+    return [_price(name, contact, found, reference, facets) for contact, found in runs.items()]
+
+
+def _run(scene: BallInSocket) -> _Run:
+    done, log = timing.execute(scene.model(), check=False, processor_limit=LIMIT)
+    report = done.report
+    return _Run(report.normal, (report.iterations, report.retries, report.reformations), done.cpu, log)
+
+
+def _price(name: str, contact: str, runs: Sequence[_Run], reference: Sequence[_Run], facets: int) -> JointPrice:
+    ratios = [one.cpu / other.cpu for one, other in zip(runs, reference, strict=True)]
+    times = [found for run in runs for found in table.read(run.log)]
+    least = min(times, key=lambda found: found.share, default=None)
+    return JointPrice(
+        name,
+        contact,
+        all(run.ended for run in runs),
+        *runs[0].counts,
+        median(run.cpu for run in runs),
+        median(ratios),
+        min(ratios),
+        max(ratios),
+        least.share if least else float("nan"),
+        least.points if least else 0,
+        facets,
+        table.unknowns(runs[0].log),
+        table.entries(runs[0].log),
+    )
+
+
+def joints_table(prices: Sequence[JointPrice]) -> str:
+    """Both contacts of each scene in one row, as Markdown: ours, then FEBio's."""
+    heads = ("scene", "iterations", "retries", "matrices", "time, ours over FEBio's", "our contact, part of the run")
+    more = ("points on a primary facet", "matrix entries, ours over FEBio's", "less time")
+    lines = ["| " + " | ".join((*heads, *more)) + " |", "|---" * len((*heads, *more)) + "|"]
+    pairs = zip(prices[::2], prices[1::2], strict=True)
+    return "\n".join([*lines, *(_row(ours, theirs) for ours, theirs in pairs)])
+
+
+def _row(ours: JointPrice, theirs: JointPrice) -> str:
+    both = [f"{a}, {b}" for a, b in zip(_counts(ours), _counts(theirs), strict=True)]
+    ended = ours.ended and theirs.ended
+    ratio = f"{ours.ratio:.2f} ({ours.ratio_low:.2f} to {ours.ratio_high:.2f})" if ended else ""
+    less = theirs if theirs.ended and (not ours.ended or ours.ratio > 1.0) else ours
+    points = f"{ours.points / ours.facets:.1f}"
+    cells = (ours.scene, *both, ratio, f"{100 * ours.share:.0f} %", points, f"{ours.entries / theirs.entries:.2f}")
+    return "| " + " | ".join((*cells, f"`{less.type}`")) + " |"
+
+
+def _counts(price: JointPrice) -> tuple[str, str, str]:
+    if not price.ended:
+        return ("does not end", "", "")
+    return (str(price.iterations), str(price.retries), str(price.matrices))
