@@ -33,7 +33,8 @@ SLOW = (
 
 def cases():
     slow = {name: [pytest.mark.slow] if name in SLOW else [] for name in CASES}
-    return [*(pytest.param(name, Fineness.COARSE, marks=marks) for name, marks in slow.items()), TOUCH]
+    coarse = (pytest.param(name, Fineness.COARSE, marks=marks) for name, marks in slow.items())
+    return [*coarse, pytest.param(*TOUCH, marks=pytest.mark.slow)]
 
 
 @pytest.mark.parametrize(("name", "mesh"), cases())
