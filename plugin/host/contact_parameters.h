@@ -125,6 +125,7 @@ inline constexpr HelperSwitch predictor{"predictor", &HelperParameters::predicto
 inline constexpr HelperSwitch non_negative_concentrations{"non_negative_concentrations",
                                                           &HelperParameters::non_negative_concentrations};
 inline constexpr HelperSwitch line_search_guard{"line_search_guard", &HelperParameters::line_search_guard};
+inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concentrations, line_search_guard, predictor};
 
 /// What a parameter is measured in.
 enum class Unit { none, length, pressure, concentration };
