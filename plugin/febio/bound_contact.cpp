@@ -17,7 +17,21 @@ void BoundContact::build(PerSide<SurfaceMesh> meshes, const Effects& effects) {
   core_ = std::make_unique<ContactInterface>(std::move(meshes), effects, core_settings(parameters_));
 }
 
-PerSide<SurfaceFields> BoundContact::fields() const { return surfaces_.fields(dofs_, core_->effects()); }
+PerSide<SurfaceFields> BoundContact::fields() const {
+  const Effects& effects = core_->effects();
+  PerSide<SurfaceFields> all;
+  PerSide<Matrix3Xd> x = surfaces_.positions();
+  for (const Side side : both_sides) {
+    FEMixtureSurface& surface = surfaces_[side];
+    all[side].position = std::move(x[side]);
+    all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
+    for (int k = 0; k < effects.nodal_fields(); ++k) {
+      const int dof = dofs_.field(side, effects, k);
+      for (int i = 0; i < surface.Nodes(); ++i) all[side].scalar(i, k) = surface.Node(i).get(dof);
+    }
+  }
+  return all;
+}
 
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);

@@ -1,6 +1,5 @@
 #include "contact_surfaces.h"
 
-#include "dof_map.h"
 #include "mixture_contact.h"
 
 #include <FECore/FEMesh.h>
@@ -54,21 +53,6 @@ PerSide<Matrix3Xd> ContactSurfaces::positions() {
     for (int i = 0; i < surface.Nodes(); ++i) {
       const vec3d r = surface.position(i);
       all[side].col(i) << r.x, r.y, r.z;
-    }
-  }
-  return all;
-}
-
-PerSide<SurfaceFields> ContactSurfaces::fields(const DofMap& dofs, const Effects& effects) {
-  PerSide<SurfaceFields> all;
-  PerSide<Matrix3Xd> x = positions();
-  for (const Side side : both_sides) {
-    FEMixtureSurface& surface = (*this)[side];
-    all[side].position = std::move(x[side]);
-    all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
-    for (int k = 0; k < effects.nodal_fields(); ++k) {
-      const int dof = dofs.field(side, effects, k);
-      for (int i = 0; i < surface.Nodes(); ++i) all[side].scalar(i, k) = surface.Node(i).get(dof);
     }
   }
   return all;

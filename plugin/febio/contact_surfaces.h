@@ -1,9 +1,7 @@
-/// The two surfaces of a contact, and the values at their nodes as the core takes them.
+/// The two surfaces of a contact: where their nodes are, and which facets they have in common.
 #pragma once
 
 #include "mixture_surface.h"
-
-class DofMap;
 
 class ContactSurfaces {
  public:
@@ -21,7 +19,6 @@ class ContactSurfaces {
   int common_facets() const;
 
   PerSide<mixture_contact::Matrix3Xd> positions();
-  PerSide<mixture_contact::SurfaceFields> fields(const DofMap& dofs, const mixture_contact::Effects& effects);
   /// Moves the nodes of the primary surface, in the reference configuration.
   void relocate_primary(const mixture_contact::Matrix3Xd& positions);
 

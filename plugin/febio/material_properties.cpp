@@ -1,5 +1,7 @@
 #include "material_properties.h"
 
+#include "indexing/entries.h"
+
 #include <FEBioMech/FEElasticMaterial.h>
 #include <FEBioMech/FERigidMaterial.h>
 #include <FEBioMix/FEBiphasic.h>
@@ -51,8 +53,7 @@ double modulus_along(const vec3d& n, const tens4ds& elasticity) {
   const std::array<double, 6> stress{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
   double component = 0;
   for (int i = 0; i < 6; ++i) {
-    for (int j = 0; j < 6; ++j)
-      component += stress[static_cast<std::size_t>(i)] * compliance(i, j) * stress[static_cast<std::size_t>(j)];
+    for (int j = 0; j < 6; ++j) component += indexing::at(stress, i) * compliance(i, j) * indexing::at(stress, j);
   }
   return 1.0 / component;
 }

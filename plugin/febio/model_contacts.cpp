@@ -93,9 +93,7 @@ std::vector<SteppedContact*> ModelContacts::active_contacts() {
 
 template <class Helper>
 void ModelContacts::offer(const HelperSwitch& which) {
-  auto helper = std::make_unique<Helper>(solver_);
-  offered_.push_back({which, helper.get()});
-  helpers_.add(std::move(helper), [this, which] { return is_on(which); });
+  helpers_.add(which.name, std::make_unique<Helper>(solver_), [this, which] { return is_on(which); });
 }
 
 /// As the active contacts say that give it, or its default.
@@ -110,8 +108,7 @@ bool ModelContacts::is_on(const HelperSwitch& which) const {
 
 std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& contact) const {
   std::vector<std::string> list;
-  for (const OfferedHelper& offered : offered_) {
-    const HelperSwitch& which = offered.which;
+  for (const HelperSwitch& which : helper_switches) {
     const std::string name = "<" + std::string(which.name) + "> ";
     const Given<bool>& one = which.of(contact.parameters());
     const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&](const FEMixtureContact* other) {
@@ -119,7 +116,7 @@ std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& conta
       return one.given && its.given && one.value != its.value;
     });
     if (differs) list.push_back(name + "acts on the whole model, and another contact sets it otherwise.");
-    const std::string unavailable = offered.helper->unavailable();
+    const std::string unavailable = helpers_.unavailable(which.name);
     if (one.given && one.value && !unavailable.empty()) list.push_back(name + unavailable);
   }
   return list;

@@ -16,12 +16,6 @@
 class DumpStream;
 class FEGlobalMatrix;
 
-/// A helper of the solver, which the model's contacts switch.
-struct OfferedHelper {
-  HelperSwitch which;
-  const newton::Helper* helper;
-};
-
 class ModelContacts : public mixture_contact::SteppedModel {
  public:
   explicit ModelContacts(FEModel& fem);
@@ -71,7 +65,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   FEModel& fem_;
   newton::FEBioSolver solver_;
   newton::Helpers helpers_;
-  std::vector<OfferedHelper> offered_;
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
   mixture_contact::PenaltyReduction reduction_;

@@ -125,6 +125,7 @@ inline constexpr HelperSwitch predictor{"predictor", &HelperParameters::predicto
 inline constexpr HelperSwitch non_negative_concentrations{"non_negative_concentrations",
                                                           &HelperParameters::non_negative_concentrations};
 inline constexpr HelperSwitch line_search_guard{"line_search_guard", &HelperParameters::line_search_guard};
+inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concentrations, line_search_guard, predictor};
 
 /// What a parameter is measured in.
 enum class Unit { none, length, pressure, concentration };
@@ -135,9 +136,23 @@ enum class ParameterGroup { effects, enforcement, ambient, surfaces, solution, f
 /// The heading of a group in FEBio Studio, which is that of the documentation; null for what FEBio Studio does not
 /// offer.
 constexpr const char* heading(ParameterGroup group) {
-  constexpr std::array<const char*, 7> headings{"Effects",  "Enforcement", "Ambient values", "Surfaces and integration",
-                                                "Solution", "Friction",    nullptr};
-  return mixture_contact::at(headings, static_cast<int>(group));
+  switch (group) {
+    case ParameterGroup::effects:
+      return "Effects";
+    case ParameterGroup::enforcement:
+      return "Enforcement";
+    case ParameterGroup::ambient:
+      return "Ambient values";
+    case ParameterGroup::surfaces:
+      return "Surfaces and integration";
+    case ParameterGroup::solution:
+      return "Solution";
+    case ParameterGroup::friction:
+      return "Friction";
+    case ParameterGroup::old_models:
+      return nullptr;
+  }
+  return nullptr;
 }
 
 /// How a parameter stands in a model file.
@@ -150,17 +165,22 @@ struct ParameterTag {
   bool* given = nullptr;          ///< to be set where the model has the tag
 };
 
-/// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for ambient_pressure,
-/// which hosts read with its load curve.
+/// Calls take(tag, value) for a parameter that knows whether the model sets it.
 template <class Take>
-void for_each_parameter(ContactParameters& p, const Take& take) {
-  using Group = ParameterGroup;
-  using mixture_contact::Side;
-  const auto take_given = [&take](ParameterTag tag, auto& parameter) {
+struct TakeGiven {
+  const Take& take;
+
+  template <class Parameter>
+  void operator()(ParameterTag tag, Parameter& parameter) const {
     tag.given = &parameter.given;
     take(tag, parameter.value);
-  };
-  take({"effects", "effects exchanged", Group::effects}, p.effects);
+  }
+};
+
+template <class Take>
+void for_each_enforcement_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  const TakeGiven<Take> take_given{take};
   take({"laugon", "enforcement method", Group::enforcement, Unit::none, "PENALTY\0AUGLAG\0LAGMULT\0"},
        p.enforcement.laugon);
   take_given({"penalty", "normal penalty", Group::enforcement}, p.penalties.traction);
@@ -177,7 +197,13 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   take({"ctol", "concentration jump tolerance", Group::enforcement, Unit::concentration}, p.tolerances.ctol);
   take({"minaug", "minimum augmentations", Group::enforcement}, p.enforcement.minaug);
   take({"maxaug", "maximum augmentations", Group::enforcement}, p.enforcement.maxaug);
-  take({"free_draining", "drain outside contact", Group::ambient}, p.ambient.free_draining);
+}
+
+template <class Take>
+void for_each_surface_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  using mixture_contact::Side;
+  const TakeGiven<Take> take_given{take};
   take({"two_pass", "two passes", Group::surfaces}, p.enforcement.two_pass);
   take_given({"integration", "integration rule", Group::surfaces, Unit::none, "gauss\0segments\0"}, p.integration.rule);
   take({"integration_order", "integration order", Group::surfaces}, p.integration.order);
@@ -193,18 +219,50 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
        p.surfaces[Side::primary].shell_bottom);
   take({"shell_bottom_secondary", "shell bottom of secondary surface", Group::surfaces},
        p.surfaces[Side::secondary].shell_bottom);
+}
+
+template <class Take>
+void for_each_solution_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  const TakeGiven<Take> take_given{take};
   take({"symmetric_stiffness", "symmetric stiffness", Group::solution}, p.enforcement.symmetric_stiffness);
   take_given({"predictor", "predict the start of a step", Group::solution}, p.helpers.predictor);
   take_given({"non_negative_concentrations", "non-negative concentrations", Group::solution},
              p.helpers.non_negative_concentrations);
   take_given({"line_search_guard", "guard the line search", Group::solution}, p.helpers.line_search_guard);
+}
+
+template <class Take>
+void for_each_friction_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  const TakeGiven<Take> take_given{take};
   take({"fric_coeff", "friction coefficient", Group::friction}, p.friction.fric_coeff.value);
   take_given({"contact_frac", "solid contact fraction", Group::friction}, p.friction.contact_frac);
   take_given({"tangential_penalty", "tangential penalty factor", Group::friction}, p.friction.tangential_penalty);
+}
+
+template <class Take>
+void for_each_unused_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  const TakeGiven<Take> take_given{take};
   take_given({"knmult", "stiffness factor", Group::old_models}, p.unused.knmult);
   take_given({"smooth_aug", "smoothed augmentation", Group::old_models}, p.unused.smooth_aug);
   take_given({"smooth_fls", "smoothed fluid load support", Group::old_models}, p.unused.smooth_fls);
   take_given({"extrapolation", "predictor (former name)", Group::old_models}, p.unused.extrapolation);
+}
+
+/// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for ambient_pressure,
+/// which hosts read with its load curve.
+template <class Take>
+void for_each_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  take({"effects", "effects exchanged", Group::effects}, p.effects);
+  for_each_enforcement_parameter(p, take);
+  take({"free_draining", "drain outside contact", Group::ambient}, p.ambient.free_draining);
+  for_each_surface_parameter(p, take);
+  for_each_solution_parameter(p, take);
+  for_each_friction_parameter(p, take);
+  for_each_unused_parameter(p, take);
 }
 
 /// Those of which the contact asks whether a load curve changes them.

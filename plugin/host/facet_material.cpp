@@ -42,16 +42,15 @@ void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& material
   mesh.conductance.setZero(effects.scalar_fields(), facets);
   mesh.permeable.assign(materials.size(), 0);
   for (Index f = 0; f < facets; ++f) {
-    const FacetMaterial& material = materials[static_cast<std::size_t>(f)];
+    const FacetMaterial& material = at(materials, f);
     mesh.stiffness[f] = material.stiffness;
     for (int field = 0; field < effects.scalar_fields(); ++field) {
       const std::optional<double> found = conductance(material, solute_of(effects, field));
       if (!found) continue;
-      mesh.permeable[static_cast<std::size_t>(f)] |= only(field);
+      mesh.permeable[f] |= only(field);
       mesh.conductance(field, f) = *found;
     }
-    if (effects.reads_fluid() && material.permeable)
-      mesh.permeable[static_cast<std::size_t>(f)] |= only(effects.pressure_field());
+    if (effects.reads_fluid() && material.permeable) mesh.permeable[f] |= only(effects.pressure_field());
   }
 }
 
@@ -64,5 +63,5 @@ void update_materials(ContactInterface& core, const FacetMaterials& materials) {
 
 int solute_of(const Effects& effects, int field) {
   if (field == effects.pressure_field()) return -1;
-  return effects.solutes[static_cast<std::size_t>(field - (effects.solvent ? 1 : 0))];
+  return at(effects.solutes, field - (effects.solvent ? 1 : 0));
 }

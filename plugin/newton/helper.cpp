@@ -1,11 +1,20 @@
 #include "helper.h"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace newton {
 
-void Helpers::add(std::unique_ptr<Helper> helper, Switch is_on) {
-  helpers_.push_back({std::move(helper), std::move(is_on)});
+void Helpers::add(std::string name, std::unique_ptr<Helper> helper, Switch is_on) {
+  helpers_.push_back({std::move(name), std::move(helper), std::move(is_on)});
+}
+
+std::string Helpers::unavailable(const std::string& name) const {
+  const auto named = [&](const Switched& switched) { return switched.name == name; };
+  const auto found = std::find_if(helpers_.begin(), helpers_.end(), named);
+  if (found == helpers_.end()) throw std::invalid_argument("no helper of the solver is named " + name);
+  return found->helper->unavailable();
 }
 
 template <class Use>

@@ -72,7 +72,10 @@ class Helpers {
 
   /// Switches that can change from step to step.
   using Switch = std::function<bool()>;
-  void add(std::unique_ptr<Helper> helper, Switch is_on);
+  /// `name`: that of its switch, by which it is known here.
+  void add(std::string name, std::unique_ptr<Helper> helper, Switch is_on);
+  /// What Helper::unavailable() says of the one of this name.
+  std::string unavailable(const std::string& name) const;
 
   void begin_step();
   void begin_iterations();
@@ -92,6 +95,7 @@ class Helpers {
 
  private:
   struct Switched {
+    std::string name;
     std::unique_ptr<Helper> helper;
     Switch is_on;
   };

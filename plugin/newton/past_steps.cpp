@@ -85,7 +85,7 @@ std::optional<PastSteps::Coordinates> PastSteps::in_stretched_time(double dt) co
 
 /// What the terms of Newton's polynomial, from degree 1 on, foretell of the next change.
 std::vector<MatrixXd> PastSteps::terms(const Coordinates& at, int degree) const {
-  const auto count = std::min({static_cast<std::size_t>(degree), changes_.size(), at.past.size() - 1});
+  const auto count = std::min({indexing::entries(degree), changes_.size(), at.past.size() - 1});
   std::vector<MatrixXd> differences;
   for (std::size_t n = 0; n < count; ++n) differences.emplace_back(changes_[n].values / (at.past[n] - at.past[n + 1]));
   std::vector<MatrixXd> result;

@@ -7,6 +7,8 @@
 /// (divided differences), whose terms add one degree each.
 #pragma once
 
+#include "indexing/entries.h"
+
 #include <Eigen/Core>
 
 #include <optional>
@@ -70,7 +72,7 @@ template <class Use>
 void PastSteps::for_each_part(const Use& use) {
   int count = static_cast<int>(changes_.size());
   use(count);
-  changes_.resize(static_cast<std::size_t>(count));
+  changes_.resize(indexing::entries(count));
   for (Change& change : changes_) {
     use(change.values);
     use(change.dt);

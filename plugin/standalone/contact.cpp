@@ -65,7 +65,7 @@ bool Contact::can_move() const {
 }
 
 FacetMaterial Contact::material(const SurfaceFacet& facet, const MatrixXd& values) const {
-  const auto element = static_cast<std::size_t>(facet.element);
+  const auto element = entries(facet.element);
   const Material& material = bodies_.material(element);
   FacetMaterial found;
   found.stiffness = std::numeric_limits<double>::infinity();

@@ -16,7 +16,7 @@ double LoadCurve::at(double time) const {
 }
 
 double Parameter::at(double time, const std::vector<LoadCurve>& curves) const {
-  return curve < 0 ? value : value * curves.at(static_cast<std::size_t>(curve)).at(time);
+  return curve < 0 ? value : value * curves.at(entries(curve)).at(time);
 }
 
 std::vector<std::string> Model::node_data() const {

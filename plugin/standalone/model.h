@@ -18,6 +18,7 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using indexing::entries;
 using mixture_contact::at;
 using mixture_contact::count_of;
 using mixture_contact::number_of;

@@ -25,7 +25,7 @@ void check_rigid(const Model& model, const Bodies& bodies, const std::vector<Sta
 
 /// What stands at each place at first.
 std::vector<Status> initial_status(const Model& model, const Bodies& bodies) {
-  std::vector<Status> status(static_cast<std::size_t>(model.dofs() * model.mesh.nodes.cols()), Status::absent);
+  std::vector<Status> status(entries(model.dofs() * model.mesh.nodes.cols()), Status::absent);
   for (std::size_t e = 0; e < bodies.elements(); ++e) {
     for (const int place : bodies.places(e)) at(status, place) = Status::free;
   }

@@ -71,7 +71,7 @@ SurfaceFacet read_facet(const Tag& tag, mixture_contact::FacetType type, const I
   tag.find_attribute("id");
   SurfaceFacet facet;
   facet.facet.type = type;
-  const std::vector<int> nodes = node_indices(tag, ids, static_cast<std::size_t>(node_count(type)));
+  const std::vector<int> nodes = node_indices(tag, ids, entries(node_count(type)));
   std::copy(nodes.begin(), nodes.end(), facet.facet.nodes.begin());
   const auto face = faces.find(in_order({nodes[0], nodes[1], nodes[2], nodes[3]}));
   if (face == faces.end())

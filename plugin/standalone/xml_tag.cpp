@@ -1,6 +1,7 @@
 #include "xml_tag.h"
 
 #include "error.h"
+#include "indexing/entries.h"
 
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
@@ -123,7 +124,7 @@ int Tag::integer(int least, int most) const { return to_integer(text(), least, m
 std::size_t Tag::one_of(const Names& words) const {
   const auto word = std::find(words.begin(), words.end(), text());
   if (word == words.end()) fail("\"" + text() + "\" is not supported; allowed: " + listed(words));
-  return static_cast<std::size_t>(word - words.begin());
+  return indexing::entries(word - words.begin());
 }
 
 std::vector<double> Tag::numbers(std::size_t count) const {

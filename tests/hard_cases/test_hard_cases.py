@@ -27,13 +27,15 @@ TOUCH = ("touch-gap-element", Fineness.FINE)
 SLOW = (
     *("slide-20-facets", "1000-steps", "curved-1-to-8", "rotation-90", "curved-two-pass", "cutback-at-touch"),
     *("ten-cycles", "slide-off-edge", "corner-on-face", "permeability-1e8", "corner-two-pass"),
+    *("diffusivity-1e6", "lost-and-regained", "peclet-1e4"),
 )
 """Cases of more than three seconds of processor time."""
 
 
 def cases():
     slow = {name: [pytest.mark.slow] if name in SLOW else [] for name in CASES}
-    return [*(pytest.param(name, Fineness.COARSE, marks=marks) for name, marks in slow.items()), TOUCH]
+    coarse = (pytest.param(name, Fineness.COARSE, marks=marks) for name, marks in slow.items())
+    return [*coarse, pytest.param(*TOUCH, marks=pytest.mark.slow)]
 
 
 @pytest.mark.parametrize(("name", "mesh"), cases())
@@ -71,6 +73,7 @@ def test_a_feature_that_primary_facets_do_not_resolve_is_reported(runner, name):
     assert f'secondary surface "{surface}" inside the body of "{missed_by}"' in said
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["curved-1-to-8", "slide-off-edge", "curved-two-pass"])
 def test_where_it_is_resolved_nothing_is_said(runner, name):
     run = runner(CASES[name].scene.model(Fineness.COARSE, Interface.MIXTURE))
@@ -83,6 +86,7 @@ def test_what_both_sides_leave_open_is_warned_of(runner):
     assert len([text for text in run.report.warnings if "without any load" in text]) == 1
 
 
+@pytest.mark.slow
 def test_restart_with_penetration_check_nodes(runner, tmp_path):
     """From the archive after 12 of 20 steps. febio4 cannot continue a run that logs data of surfaces or facets."""
     swapped = variants.swapped(CASES["curved-1-to-8"].scene.model(Fineness.COARSE, Interface.MIXTURE))

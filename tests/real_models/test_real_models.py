@@ -8,12 +8,11 @@ from harness.pages import scene_results
 from harness.studies.real_models import comparison
 from harness.studies.real_models.all_scenes import SCENES
 
-QUICK = ("material-Mooney-Rivlin", "rigid-free", "multiphasic", "quasi-newton", "shells-back")
+QUICK = ("material-Mooney-Rivlin", "rigid-free", "quasi-newton", "shells-back")
 SLOW = (
     "material-damage",
     "material-mixture-with-exponential-fibres",
     "elements-tet10",
-    "elements-hex20",
     "elements-penta6",
     "type-sliding-facet-on-facet",
     "type-sliding-node-on-facet",
@@ -27,6 +26,7 @@ SLOW = (
     "biphasic-creep",
     "biphasic-impermeable",
     "solute-tet4",
+    "multiphasic",
     "quasi-newton-biphasic",
     "symmetric",
     "begins-with-a-step",

@@ -43,6 +43,7 @@ def runs(tmp_path_factory: pytest.TempPathFactory):
     return both
 
 
+@pytest.mark.slow
 def test_diffusion_agrees_at_every_node_and_time(runs):
     found = differences(*runs(strict(Diffusion(control=Control(400, 20.0)).model(), FLOORS[10.0])))
     assert max(found.values()) <= BAR, found

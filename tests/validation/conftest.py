@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 
 import pytest
 
@@ -36,16 +37,15 @@ def _can_be_tested(request: pytest.FixtureRequest) -> None:
 
 
 @pytest.fixture(scope="session")
-def runner(interface: InterfaceType, tmp_path_factory: pytest.TempPathFactory) -> Runner:
-    """Runs models, each once a session, also where several processes share the session."""
+def runner(interface: InterfaceType, runs_folder: Path) -> Runner:
+    """Runs models, each once a session."""
     try:
         engine.find_engine()
         if interface is InterfaceType.MIXTURE:
             engine.required_plugin()
     except (EngineNotFoundError, PluginNotFoundError) as error:
         pytest.skip(str(error))
-    base = tmp_path_factory.getbasetemp()
-    return Runner((base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "runs")
+    return Runner(runs_folder)
 
 
 @pytest.fixture(scope="session")

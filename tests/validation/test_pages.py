@@ -52,7 +52,7 @@ def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
 
 
 def test_a_group_without_a_sentence_is_named(tmp_path, monkeypatch):
-    altered(tmp_path, monkeypatch, "{ effects, enforcement,", "{ effects, insistence,")
+    altered(tmp_path, monkeypatch, "case ParameterGroup::enforcement:", "case ParameterGroup::insistence:")
     with pytest.raises(DataFileError, match="do not agree on enforcement, insistence"):
         plugin_parameters.page()
 

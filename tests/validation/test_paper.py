@@ -39,8 +39,9 @@ def test_diffusion_follows_the_closed_form_as_well_as_the_conforming_reference(c
     assert compare.missed(checks.diffusion_against_closed_form(context)) == []
 
 
-def test_convection_follows_the_closed_form_as_well_as_the_conforming_reference(context):
-    assert compare.missed(checks.convection_against_closed_form(context)) == []
+@pytest.mark.parametrize("peclet", [*(pytest.param(k, marks=pytest.mark.slow) for k in (0, 1)), 10])
+def test_convection_follows_the_closed_form_as_well_as_the_conforming_reference(context, peclet):
+    assert compare.missed(checks.convection_against_closed_form(context, [peclet])) == []
 
 
 def test_a_penalty_leaks_what_its_value_says(context):

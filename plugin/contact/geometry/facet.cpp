@@ -207,9 +207,8 @@ Vector2d parametric_centre(FacetType type) {
 Vector2d parametric_node(FacetType type, int node) {
   constexpr std::array<std::array<double, 2>, 7> triangle{
       {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}, {1.0 / 3.0, 1.0 / 3.0}}};
-  const auto a = static_cast<std::size_t>(node);
-  if (is_triangle(type)) return {triangle[a][0], triangle[a][1]};
-  return {static_cast<double>(quad9_grid[a][0]), static_cast<double>(quad9_grid[a][1])};
+  if (is_triangle(type)) return {at(triangle, node)[0], at(triangle, node)[1]};
+  return {static_cast<double>(at(quad9_grid, node)[0]), static_cast<double>(at(quad9_grid, node)[1])};
 }
 
 double distance_outside(FacetType type, const Vector2d& xi) {

@@ -206,8 +206,7 @@ NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSi
   divide_by_areas(out, of_all_passes, contact.pass(0).space().offset());
   if (sliding.empty()) return out;
   divide_by_areas(out.friction, of_all_passes, inverse_or_zero(out.tributary_area));
-  const auto own = static_cast<std::size_t>(side);
-  if (own < sliding.size()) take_status(sliding[own], out.friction);
+  if (static_cast<int>(side) < number_of(sliding)) take_status(at(sliding, side), out.friction);
   return out;
 }
 

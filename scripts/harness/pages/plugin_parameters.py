@@ -35,8 +35,7 @@ _DECLARED = re.compile(
     re.MULTILINE,
 )
 _CHOICES = re.compile(r'"([^"]+\\0)"')
-_HEADINGS = re.compile(r"headings\{([^}]*)\}")
-_GROUPS = re.compile(r"enum class ParameterGroup \{([^}]*)\}")
+_HEADING = re.compile(r'case ParameterGroup::(\w+):\s+return (?:"([^"]+)"|nullptr);')
 
 
 @dataclass(frozen=True)
@@ -84,12 +83,10 @@ def headings() -> dict[str, str]:
     DataFileError
         Where the code does not say them.
     """
-    text = DECLARATION.read_text(encoding="utf-8")
-    names, titles = _GROUPS.search(text), _HEADINGS.search(text)
-    if names is None or titles is None:
+    found = _HEADING.findall(DECLARATION.read_text(encoding="utf-8"))
+    if not found:
         raise DataFileError(f"{DECLARATION}: the groups of parameters and their headings are not found")
-    shown = [OLD_MODELS if title.strip() == "nullptr" else title.strip(' \n"') for title in titles[1].split(",")]
-    return dict(zip((name.strip() for name in names[1].split(",")), shown, strict=True))
+    return {group: title or OLD_MODELS for group, title in found}
 
 
 def _declared(text: str, struct: str) -> dict[str, tuple[str, str]]:

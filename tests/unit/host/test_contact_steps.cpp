@@ -80,7 +80,7 @@ class FakeHost : public SteppedModel {
   explicit FakeHost(int count) : helpers_(solver_), steps(*this, helpers_) {
     auto made = std::make_unique<FakeHelper>(notes);
     helper = made.get();
-    helpers_.add(std::move(made), [] { return true; });
+    helpers_.add("fake", std::move(made), [] { return true; });
     for (int n = 0; n < count; ++n) {
       contacts.push_back(std::make_unique<FakeContact>(std::string(1, char('A' + n)), notes));
       is_active.push_back(true);

@@ -124,13 +124,14 @@ BOOST_AUTO_TEST_CASE(after_a_cutback_the_vectors_are_those_of_the_start) {
 BOOST_AUTO_TEST_CASE(a_value_can_be_left_to_somebody_else) {
   Undershoot solver;
   newton::Helpers helpers(solver);
-  helpers.add(std::make_unique<NonNegativeConcentrations>(solver), [] { return true; });
+  helpers.add("non_negative_concentrations", std::make_unique<NonNegativeConcentrations>(solver), [] { return true; });
   helpers.adapt();
   BOOST_TEST(helpers.keeps(first, true));
   BOOST_TEST(!helpers.keeps(second, true));
   BOOST_TEST(!helpers.keeps(first, false));
   BOOST_TEST(!helpers.keeps(first, true));
   BOOST_TEST(solver.equation(first) == newton::prescribed(1));  // as it was
+  BOOST_CHECK_THROW(helpers.unavailable("another"), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_helper_that_is_off_and_a_solver_that_is_not_newtons_do_nothing) {
@@ -138,7 +139,8 @@ BOOST_AUTO_TEST_CASE(a_helper_that_is_off_and_a_solver_that_is_not_newtons_do_no
     Undershoot solver;
     solver.newton = !on;
     newton::Helpers helpers(solver);
-    helpers.add(std::make_unique<NonNegativeConcentrations>(solver), [on] { return on; });
+    helpers.add("non_negative_concentrations", std::make_unique<NonNegativeConcentrations>(solver),
+                [on] { return on; });
     BOOST_TEST(helpers.are_settled());
     BOOST_TEST(!helpers.adapt());
     BOOST_TEST(solver.equation(first) == 1);
