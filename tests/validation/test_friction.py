@@ -68,24 +68,16 @@ def test_a_converted_model_has_the_friction_it_had(runner, tmp_path):
 
 QUICK = ("stick-slip-stick", "touch-in-motion", "fluid-bears-all", "suction")
 """The cases of friction that are run always, on the coarse mesh; the others are slow."""
-FALLS_SHORT = {
-    ("reversal", Fineness.COARSE): "one retry more than without friction, where sliding begins",
-    ("reversal", Fineness.FINE): "iterations: 1.32 times those without friction",
-    ("mu-1", Fineness.FINE): "iterations: 1.36 times those without friction",
-    ("fluid-bears-all", Fineness.FINE): "iterations: 1.33 times those without friction, and one retry",
-    ("twenty-facets", Fineness.FINE): "one retry more than without friction",
-}
 
 
-def cases(short=()):
-    """By name and mesh; those in `short` are expected to fail."""
-    return [_case(name, mesh, short) for name, mesh in product(CASES, Fineness)]
+def cases():
+    """By name and mesh."""
+    return [_case(name, mesh) for name, mesh in product(CASES, Fineness)]
 
 
-def _case(name, mesh, short):
+def _case(name, mesh):
     slow = [] if name in QUICK and mesh is Fineness.COARSE else [pytest.mark.slow]
-    falls = [pytest.mark.xfail(strict=True, reason=short[name, mesh])] if (name, mesh) in short else []
-    return pytest.param(name, mesh, marks=[*slow, *falls], id=f"{name}-{mesh.value}")
+    return pytest.param(name, mesh, marks=slow, id=f"{name}-{mesh.value}")
 
 
 @pytest.mark.parametrize(("name", "mesh"), cases())
@@ -95,6 +87,6 @@ def test_hard_cases_of_friction_end_and_are_in_balance(runner, name, mesh):
     assert missed(made.measures) == []
 
 
-@pytest.mark.parametrize(("name", "mesh"), cases(FALLS_SHORT))
+@pytest.mark.parametrize(("name", "mesh"), cases())
 def test_what_hard_cases_of_friction_cost(runner, name, mesh):
     assert missed(rubbing_record.make(runner, name, mesh).costs) == []
