@@ -34,11 +34,6 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
     traction += traction_tangent(point.kinematics, vary, point.loads, displacements);
   }
   laps.traction();
-  if (space.effects().has_friction()) {
-    for (const auto& [point, vary] : points)
-      add_friction_tangent(point.kinematics, vary, point.loads, displacements, traction);
-    laps.friction();
-  }
   for (Index k = 0; k < count_of(fluxes); ++k) {
     TangentBlock& block = at(fluxes, k);
     for (const auto& [point, vary] : points) {

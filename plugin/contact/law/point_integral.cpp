@@ -24,6 +24,19 @@ PairVariation<1> jump_projection_variation(const PointKinematics& point, const K
   return one * vary.xi - two * vary.eta;
 }
 
+/// The force of friction on the primary side, w |a| t_T.
+Vector3d friction_force(const PointKinematics& point, const PointLoads& loads) {
+  return loads.weight * point.area * loads.friction;
+}
+
+PairVariation<3> friction_force_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                          const PointLoads& loads) {
+  // d[w |a| t_T] = w [ t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha ]
+  const PairVariation<1> darea = vary.area + point.area * vary.weight;
+  const Eigen::Matrix<double, 3, 2> slope = point.area * loads.friction_slope;
+  return loads.weight * (loads.friction.lazyProduct(darea) + slope.lazyProduct(vary.xi));
+}
+
 }  // namespace
 
 VectorXd point_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout) {
@@ -47,11 +60,15 @@ MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariation
   const PairRows dh = weight_variation(point, vary);
   const PairVariation<1> dtn = loads.traction.derivative * vary.gap + loads.traction_slope.transpose() * vary.xi +
                                loads.traction.value * vary.weight;
-  const PairVariation<3> dtraction = loads.weight * (point.area_vector * dtn + loads.traction.value * vary.area_vector);
-  const Vector3d traction = loads.weight * loads.traction.value * point.area_vector;
+  PairVariation<3> dforce = loads.weight * (point.area_vector * dtn + loads.traction.value * vary.area_vector);
+  Vector3d force = loads.weight * loads.traction.value * point.area_vector;
+  if (loads.has_friction()) {
+    dforce += friction_force_variation(point, vary, loads);
+    force += friction_force(point, loads);
+  }
   MatrixXd tangent(layout.size(), layout.size());
   for (Index node = 0; node < layout.nodes(); ++node) {
-    tangent.middleRows<3>(layout.displacement(node, 0)) = h[node] * dtraction + traction * dh.row(node);
+    tangent.middleRows<3>(layout.displacement(node, 0)) = h[node] * dforce + force * dh.row(node);
   }
   return tangent;
 }
@@ -59,22 +76,9 @@ MatrixXd traction_tangent(const PointKinematics& point, const KinematicVariation
 void add_friction(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
                   VectorXd& residual) {
   const PairVector h = point.jump_weights();
-  const Vector3d force = loads.weight * point.area * loads.friction;
+  const Vector3d force = friction_force(point, loads);
   for (Index node = 0; node < layout.nodes(); ++node)
     residual.segment<3>(layout.displacement(node, 0)) += h[node] * force;
-}
-
-void add_friction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                          const LocalLayout& layout, MatrixXd& tangent) {
-  // d[w |a| t_T h_a] = w [ h_a (t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha) + |a| t_T dh_a ]
-  const PairVector h = point.jump_weights();
-  const PairRows dh = weight_variation(point, vary);
-  const PairVariation<1> darea = vary.area + point.area * vary.weight;
-  const PairVariation<3> dforce = loads.weight *
-                                  (loads.friction * darea + point.area * (loads.friction_slope * vary.xi));
-  const Vector3d force = loads.weight * point.area * loads.friction;
-  for (Index node = 0; node < layout.nodes(); ++node)
-    tangent.middleRows<3>(layout.displacement(node, 0)) += h[node] * dforce + force * dh.row(node);
 }
 
 MatrixXd flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
