@@ -28,13 +28,6 @@ void archive_mask(DumpStream& ar, FieldMask& mask) {
   mask = half(low) | half(high) << 32U;
 }
 
-void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
-  archive(ar, multipliers.traction);
-  archive(ar, multipliers.flux);
-  archive(ar, multipliers.traction_penalty_scale);
-  archive(ar, multipliers.flux_penalty_scale);
-}
-
 void archive_flags(DumpStream& ar, NodeFlags& flags) {
   VectorXd numbers(flags.count());
   for (Index node = 0; node < numbers.size(); ++node) numbers[node] = flags[node] ? 1 : 0;
@@ -43,12 +36,19 @@ void archive_flags(DumpStream& ar, NodeFlags& flags) {
   for (Index node = 0; node < numbers.size(); ++node) flags[node] = numbers[node] > 0;
 }
 
+void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
+  archive(ar, multipliers.traction);
+  archive(ar, multipliers.flux);
+  archive(ar, multipliers.traction_penalty_scale);
+  archive(ar, multipliers.flux_penalty_scale);
+  archive_flags(ar, multipliers.flux_coupled);
+}
+
 /// What friction adds to a state.
 void archive_friction(DumpStream& ar, ContactInterface::State& state) {
   for (Multipliers& multipliers : state.multipliers) {
     archive(ar, multipliers.friction);
     archive_flags(ar, multipliers.slips);
-    archive_flags(ar, multipliers.exchanged);
     archive(ar, multipliers.friction_penalty_scale);
   }
   for (Matrix3Xd& position : state.slips_from) archive(ar, position);

@@ -171,6 +171,18 @@ bool has_friction(const ContactParameters& p) {
   return p.friction.fric_coeff.value != 0 || p.friction.fric_coeff.varies;
 }
 
+namespace {
+
+/// Tangential penalty over a traction penalty that is by default `factor` times the stiffness. Beside a given penalty
+/// it is the same one, as in FEBio's interfaces.
+double tangential_factor(const ContactParameters& p, double factor) {
+  const Given<double>& own = p.friction.tangential_penalty;
+  if (own.given || p.penalties.traction.given) return own.value;
+  return mixture_contact::friction_factor(factor);
+}
+
+}  // namespace
+
 LeftOut left_out(const ContactParameters& p) {
   const auto is_zero = [](const Varying& penalty) { return penalty.given && penalty.value == 0 && !penalty.varies; };
   return {is_zero(p.penalties.traction), is_zero(p.penalties.solvent), is_zero(p.penalties.solute)};
@@ -195,7 +207,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.tolerances.solvent = {relative(p.tolerances.solvent), p.tolerances.ptol};
   settings.tolerances.solute = {relative(p.tolerances.solute), p.tolerances.ctol};
   settings.friction = {p.friction.fric_coeff.value, p.friction.contact_frac.value, p.ambient.pressure,
-                       p.friction.tangential_penalty.value};
+                       tangential_factor(p, factor)};
   settings.augmentations = {p.enforcement.minaug, p.enforcement.maxaug};
   settings.two_pass = p.enforcement.two_pass;
   settings.symmetric = p.enforcement.symmetric_stiffness;

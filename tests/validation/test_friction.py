@@ -75,27 +75,19 @@ QUICK = ("stick-slip-stick", "touch-in-motion", "fluid-bears-all")
 """The cases of friction that are run always, on the coarse mesh; the others are slow."""
 ON_FINE_MESH = ("touch-in-motion", "fast-and-drained")
 """Run on the fine mesh, too. `friction-cases` runs all on both meshes, and its results are looked at below."""
-FALLS_SHORT = {
-    ("reversal", Fineness.COARSE): "one retry more than without friction, where sliding begins",
-    ("reversal", Fineness.FINE): "iterations: 1.32 times those without friction",
-    ("mu-1", Fineness.FINE): "iterations: 1.36 times those without friction",
-    ("fluid-bears-all", Fineness.FINE): "iterations: 1.33 times those without friction, and one retry",
-    ("twenty-facets", Fineness.FINE): "one retry more than without friction",
-}
 RECORDED = arranged(files.read_csv(DATA / page.CASES_SOURCE, Outcome))
 """What the page of friction says."""
 
 
-def cases(short=()):
-    """By name and mesh, as far as they are run here; those in `short` are expected to fail."""
+def cases():
+    """By name and mesh, as far as they are run here."""
     coarse, fine = product(CASES, [Fineness.COARSE]), product(ON_FINE_MESH, [Fineness.FINE])
-    return [_case(name, mesh, short) for name, mesh in (*coarse, *fine)]
+    return [_case(name, mesh) for name, mesh in (*coarse, *fine)]
 
 
-def _case(name, mesh, short):
+def _case(name, mesh):
     slow = [] if name in QUICK and mesh is Fineness.COARSE else [pytest.mark.slow]
-    falls = [pytest.mark.xfail(strict=True, reason=short[name, mesh])] if (name, mesh) in short else []
-    return pytest.param(name, mesh, marks=[*slow, *falls], id=f"{name}-{mesh.value}")
+    return pytest.param(name, mesh, marks=slow, id=f"{name}-{mesh.value}")
 
 
 @pytest.mark.parametrize(("name", "mesh"), cases())
@@ -105,7 +97,7 @@ def test_hard_cases_of_friction_end_and_are_in_balance(runner, name, mesh):
     assert missed(made.measures) == []
 
 
-@pytest.mark.parametrize(("name", "mesh"), cases(FALLS_SHORT))
+@pytest.mark.parametrize(("name", "mesh"), cases())
 def test_what_hard_cases_of_friction_cost(runner, name, mesh):
     assert missed(rubbing_record.make(runner, name, mesh).costs) == []
 
@@ -119,8 +111,8 @@ def test_the_data_of_the_page_are_what_the_code_gives(runner, name, mesh):
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_on_the_fine_mesh_the_page_has_every_case_and_what_it_misses_is_known(name):
-    """Which checks a case misses is in the data; the test above tells whether these are of today."""
+def test_on_the_fine_mesh_the_page_has_every_case_and_misses_no_check(name):
+    """The test above tells whether its data are of today."""
     written = RECORDED[name, Fineness.FINE.value][OURS]
     assert written.ended
-    assert bool(written.missed) == ((name, Fineness.FINE) in FALLS_SHORT)
+    assert not written.missed

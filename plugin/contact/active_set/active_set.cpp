@@ -138,9 +138,9 @@ NodeFlags ActiveSet::next_slip(const NodalLoads& predicted, const NodalLoads& no
 }
 
 NodeFlags ActiveSet::moved_slip(const NodalLoads& last, const NodalLoads& now) const {
-  NodeFlags slips(laws_.nodes(), false);
+  NodeFlags slips = laws_.beyond_bound(now);
   for (Index node = 0; node < slips.count(); ++node) {
-    slips[node] = now.in_contact[node] && (!last.in_contact[node] || last.slips[node]);
+    if (now.in_contact[node] && last.in_contact[node]) slips[node] = last.slips[node];
   }
   return slips;
 }
@@ -162,18 +162,18 @@ NodeFlags ActiveSet::updated_rubs(const NodalLoads& predicted) const {
 }
 
 NodeFlags ActiveSet::next_rubs(const NodalLoads& predicted, const NodalLoads& now) const {
+  NodeFlags rubs = initial_rubs(now);
   const NodeFlags updated = updated_rubs(predicted);
-  NodeFlags rubs(laws_.nodes(), false);
   for (Index node = 0; node < rubs.count(); ++node) {
-    rubs[node] = now.in_contact[node] && predicted.in_contact[node] && updated[node];
+    if (now.in_contact[node] && predicted.in_contact[node]) rubs[node] = updated[node];
   }
   return rubs;
 }
 
 NodeFlags ActiveSet::moved_rubs(const NodalLoads& last, const NodalLoads& now) const {
-  NodeFlags rubs(laws_.nodes(), false);
+  NodeFlags rubs = initial_rubs(now);
   for (Index node = 0; node < rubs.count(); ++node) {
-    rubs[node] = now.in_contact[node] && last.in_contact[node] && last.rubs[node];
+    if (now.in_contact[node] && last.in_contact[node]) rubs[node] = last.rubs[node];
   }
   return rubs;
 }

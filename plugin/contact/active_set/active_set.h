@@ -50,9 +50,8 @@ struct ActiveSetOptions {
 /// the overlap that is measured at the start of an iteration can make of it and a large penalty. What decides is what
 /// the iteration predicts.
 ///
-/// A node that closes within iterations begins without friction: the overlap does not tell its load, and the bound that
-/// it would make is as much too large. A node that sticks and is pulled slides before it opens: what pulls it may be
-/// what holds it.
+/// A node that closes within iterations begins as one does where iterations begin. A node that sticks and is pulled
+/// slides before it opens: what pulls it may be what holds it.
 ///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
@@ -88,7 +87,7 @@ class ActiveSet {
   /// Which slide as the loads that an iteration predicts ask for; loads with friction.
   NodeFlags updated_slip(const NodalLoads& predicted) const;
   /// The same for the next iteration, at the loads `now`: the updated ones, but where changes lead in cycles; nodes
-  /// that come into contact there slide. Counts changes.
+  /// that come into contact there as their own trial says. Counts changes.
   NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
   /// What loads of the last iteration hold on to at another state within a step.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
@@ -97,7 +96,8 @@ class ActiveSet {
   NodeFlags initial_rubs(const NodalLoads& now) const;
   /// Which rub as the loads that an iteration predicts have it.
   NodeFlags updated_rubs(const NodalLoads& predicted) const;
-  /// The same for the next iteration, at the loads `now`; nodes that come into contact there do not.
+  /// The same for the next iteration, at the loads `now`; nodes that come into contact there as their own loads have
+  /// it.
   NodeFlags next_rubs(const NodalLoads& predicted, const NodalLoads& now) const;
   /// What loads of the last iteration hold on to at another state within a step.
   NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;

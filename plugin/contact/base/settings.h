@@ -35,7 +35,7 @@ struct FrictionRule {
   double coefficient = 0;       ///< mu [-]
   double contact_fraction = 0;  ///< phi: the part of the area where solid touches solid, from 0 to 1 [-]
   double ambient_pressure = 0;  ///< p* [MPa]
-  double penalty_factor = 1;    ///< tangential penalty over that of the traction [-]
+  double penalty_factor = 0.1;  ///< tangential penalty over that of the traction [-]; see friction_factor()
 
   friend bool operator==(const FrictionRule& a, const FrictionRule& b) {
     return a.coefficient == b.coefficient && a.contact_fraction == b.contact_fraction &&
@@ -61,6 +61,14 @@ inline double traction_factor(bool both_ways, bool tension) {
   const double factor = both_ways ? two_pass_traction_factor : default_traction_factor;
   return tension ? std::min(factor, tension_traction_factor) : factor;
 }
+
+/// Default multiple of the stiffness that the tangential penalty is: what sticks gives way by 1/factor of the shear of
+/// the adjoining elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find what
+/// sticks.
+inline constexpr double default_friction_factor = 1e2;
+
+/// The default of the tangential penalty over a traction penalty that is `factor` times the stiffness: at most 1.
+inline double friction_factor(double factor) { return std::min(1.0, default_friction_factor / factor); }
 
 /// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
 struct Tolerances {

@@ -104,9 +104,8 @@ IndexedVector<NodeLinearisation> MovingGeometry::linearised(const NodalLoads& lo
   return nodes;
 }
 
-NodeFlags MovingGeometry::updated_status(const FacingFields& fields) const {
-  if (!point_) return initial_status(positions(fields));
-  return active_set_.updated(method_.predicted_loads(*point_, fields), space_.gaps(positions(fields)));
+NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const FacingPositions& x) const {
+  return point_ ? active_set_.updated(now, space_.gaps(x)) : initial_status(x);
 }
 
 bool MovingGeometry::begin_iteration(const FacingFields& fields) {
@@ -120,8 +119,9 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
     if (!predicted) return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
     return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
-  LinearisationPoint next = evaluated_at(fields, active_set_.next(before.in_contact, updated_status(fields), predicted),
-                                         decide, predicted ? &before : nullptr);
+  const NodeFlags updated = updated_status(before, positions(fields));
+  LinearisationPoint next = evaluated_at(fields, active_set_.next(before.in_contact, updated, predicted), decide,
+                                         predicted ? &before : nullptr);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
   const bool augmented = std::exchange(augmented_, false);
@@ -170,9 +170,9 @@ void MovingGeometry::end_iterations() {
 
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
-  if (updated_status(fields) != point_->loads.in_contact) return false;
-  if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
+  if (updated_status(predicted, positions(fields)) != point_->loads.in_contact) return false;
+  if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
   if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
   NodalLoads now = space_.averages(fields, point_->loads.status());

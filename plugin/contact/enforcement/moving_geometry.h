@@ -43,7 +43,8 @@ class MovingGeometry : public ContactGeometry {
   const GeometricPart* geometric_at(const FacingPositions& x) const;
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
-  NodeFlags updated_status(const FacingFields& fields) const;
+  /// Status that the present loads ask for, at these positions.
+  NodeFlags updated_status(const NodalLoads& now, const FacingPositions& x) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
   /// Multipliers of friction, carried along with the surface since the step began.
   Matrix3Xd present_multipliers(const NodalFriction& friction) const;

@@ -18,7 +18,9 @@ void PenaltyMethod::add_friction(Index node, const NodeLinearisation& linear, co
   const NodeLinearisation::Friction& friction = linear.friction;
   Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();
   if (friction.has_fluid()) d_bound += bound.d_pressure * friction.pressure_variation.transpose();
-  const Matrix3Xd change = law.d_trial * friction.trial_variation + law.d_bound * d_bound;
+  const Matrix3Xd change = loads.slips[node] ? Matrix3Xd(law.d_trial.lazyProduct(friction.trial_variation) +
+                                                         law.d_bound.lazyProduct(d_bound))
+                                             : friction.trial_variation;
   for (Index n = 0; n < friction.work.size(); ++n) tangent.middleRows<3>(3 * n) += friction.work[n] * change;
   if (!friction.has_fluid() || bound.d_pressure == 0 || !loads.slips[node] || space().symmetric()) return;
   const Patch columns = linear.patch.of_field(friction.pressure_field, false);

@@ -32,10 +32,6 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, traction);
   laps.traction();
-  if (space.effects().has_friction()) {
-    for (const auto& [point, vary] : points) add_friction_tangent(point.kinematics, vary, point.loads, traction);
-    laps.friction();
-  }
   for (Index k = 0; k < count_of(fluxes); ++k) {
     TangentBlock& block = at(fluxes, k);
     for (const auto& [point, vary] : points) {

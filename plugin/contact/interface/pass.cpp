@@ -47,7 +47,9 @@ void ContactPass::augment(const FacingFields& fields) {
   geometry_->take_multipliers();
 }
 
-void ContactPass::accept_friction(const FacingFields& fields) {
+void ContactPass::accept_step(const FacingFields& fields) {
+  if (effects_.scalar_fields() > 0) laws_.multipliers.flux_coupled = flux_coupled(positions(fields));
+  if (!effects_.may_rub()) return;
   NodalLoads loads = nodal_loads(fields);
   space_.measure_slips_from(positions(fields));
   if (loads.friction.empty()) return;

@@ -18,10 +18,14 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
-  if (!effects.may_rub()) return;
-  multipliers.friction.setZero(3, primary.nodes);
-  multipliers.slips = NodeFlags(primary.nodes, false);
-  multipliers.exchanged = NodeFlags(primary.nodes, true);
+  forget_steps();
+}
+
+void NodalLaws::forget_steps() {
+  if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), true);
+  if (!effects_.may_rub()) return;
+  multipliers.friction.setZero(3, nodes());
+  multipliers.slips = NodeFlags(nodes(), false);
 }
 
 void NodalLaws::update_penalties() {
@@ -77,7 +81,8 @@ void NodalLaws::refer_friction(NodalLoads& loads, const NodalLoads* predicted) c
     const bool known = predicted != nullptr && predicted->in_contact[node];
     const NodalLoads& from = known ? *predicted : loads;
     if (known) friction.reference.col(node) = predicted->friction.trial.col(node);
-    friction.reference_bound[node] = loads.rubs[node] ? std::max(0.0, rubbing(from, node)) : 0.0;
+    const bool closes = predicted != nullptr && !known;
+    friction.reference_bound[node] = loads.rubs[node] && !closes ? std::max(0.0, rubbing(from, node)) : 0.0;
     const FrictionTrial trial = friction_trial(loads.slips[node] ? friction : from.friction, node);
     friction.geometric.col(node) = trial.past;
     const double size = trial.value.norm();
@@ -139,12 +144,11 @@ Matrix3Xd NodalLaws::friction_multipliers(const NodalFriction& friction) const {
 void NodalLaws::take_friction(const NodalLoads& loads) {
   multipliers.friction = friction_multipliers(loads.friction);
   multipliers.slips = loads.slips;
-  multipliers.exchanged = loads.flux_coupled;
 }
 
 void NodalLaws::drop_new_fluxes(MatrixXd& flux) const {
-  for (Index node = 0; node < multipliers.exchanged.count(); ++node) {
-    if (!multipliers.exchanged[node]) flux.col(node).setZero();
+  for (Index node = 0; node < multipliers.flux_coupled.count(); ++node) {
+    if (!multipliers.flux_coupled[node]) flux.col(node).setZero();
   }
 }
 

@@ -14,10 +14,10 @@ struct Multipliers {
   MatrixXd flux;                      ///< lambda per (field, node)
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
-  Matrix3Xd friction;   ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
-                        ///< friction
-  NodeFlags slips;      ///< which nodes slid when friction had these values
-  NodeFlags exchanged;  ///< which exchanged fluxes then
+  Matrix3Xd friction;      ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
+                           ///< friction
+  NodeFlags slips;         ///< which nodes slid when friction had these values
+  NodeFlags flux_coupled;  ///< which nodes were so when the last step was accepted; empty without fluxes
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
 };
 
@@ -81,7 +81,8 @@ class NodalLaws {
   /// Sets bound and friction of the nodes in contact as their status has it.
   void load_friction(NodalLoads& loads) const;
   /// Sets what friction refers to in an iteration that begins with status and trials of `loads`: the trials and bounds
-  /// that the last one predicted, or its own.
+  /// that the last one predicted, or its own. Friction of a node that closes after an iteration does not turn: the
+  /// bound that its overlap makes is as much too large as the penalty is.
   void refer_friction(NodalLoads& loads, const NodalLoads* predicted) const;
   /// Which nodes in contact slide where nothing has been decided: those whose trial exceeds the bound.
   NodeFlags beyond_bound(const NodalLoads& loads) const;
@@ -89,10 +90,12 @@ class NodalLaws {
   Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
   /// Takes the present friction and status over.
   void take_friction(const NodalLoads& loads);
-  /// Where a step begins, with friction: sets fluxes to zero at nodes that exchanged none when the last one ended, for
-  /// the geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would
-  /// be a wrong stiffness of that size.
+  /// Where a step begins: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
+  /// geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would be
+  /// a wrong stiffness of that size.
   void drop_new_fluxes(MatrixXd& flux) const;
+  /// Forgets friction, stick and slip, and which nodes were flux-coupled.
+  void forget_steps();
 
   /// What a large penalty makes of the rounding of gaps [MPa].
   double traction_rounding(double surface_size) const;

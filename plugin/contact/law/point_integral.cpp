@@ -30,6 +30,19 @@ PairVariation<1> weight_variation(const PointKinematics& point, const KinematicV
   return -point.secondary_gradient.row(node - first).lazyProduct(vary.eta);
 }
 
+/// The force of friction on the primary side, w |a| t_T.
+Vector3d friction_force(const PointKinematics& point, const PointLoads& loads) {
+  return loads.weight * point.area * loads.friction;
+}
+
+PairVariation<3> friction_force_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                          const PointLoads& loads) {
+  // d[w |a| t_T] = w [ t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha ]
+  const PairVariation<1> darea = vary.area + point.area * vary.weight;
+  const Eigen::Matrix<double, 3, 2> slope = point.area * loads.friction_slope;
+  return loads.weight * (loads.friction.lazyProduct(darea) + slope.lazyProduct(vary.xi));
+}
+
 }  // namespace
 
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
@@ -50,26 +63,21 @@ void add_traction_tangent(const PointKinematics& point, const KinematicVariation
   // d[w t_n h_a a] = w [ h_a ((dt_n + t_n dw/w) a + t_n da) + t_n a dh_a ],  dt_n = t_n' dg + t_n,alpha dxi_alpha
   const PairVariation<1> dtn = loads.traction.derivative * vary.gap + loads.traction_slope.transpose() * vary.xi +
                                loads.traction.value * vary.weight;
-  const PairVariation<3> dforce = loads.weight *
-                                  (point.area_vector.lazyProduct(dtn) + loads.traction.value * vary.area_vector);
-  add_force_tangent(point, vary, loads.weight * loads.traction.value * point.area_vector, dforce, tangent);
+  PairVariation<3> dforce = loads.weight * (point.area_vector.lazyProduct(dtn) + loads.traction.value * vary.area_vector);
+  Vector3d force = loads.weight * loads.traction.value * point.area_vector;
+  if (loads.has_friction()) {
+    dforce += friction_force_variation(point, vary, loads);
+    force += friction_force(point, loads);
+  }
+  add_force_tangent(point, vary, force, dforce, tangent);
 }
 
 void add_friction(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
                   VectorXd& residual) {
   const PairVector h = point.jump_weights();
-  const Vector3d force = loads.weight * point.area * loads.friction;
+  const Vector3d force = friction_force(point, loads);
   for (Index node = 0; node < layout.nodes(); ++node)
     residual.segment<3>(layout.displacement(node, 0)) += h[node] * force;
-}
-
-void add_friction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                          MatrixXd& tangent) {
-  // d[w |a| t_T h_a] = w [ h_a (t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha) + |a| t_T dh_a ]
-  const PairVariation<1> darea = vary.area + point.area * vary.weight;
-  const PairVariation<3> dforce = loads.weight * (loads.friction.lazyProduct(darea) +
-                                                  point.area * loads.friction_slope.lazyProduct(vary.xi));
-  add_force_tangent(point, vary, loads.weight * point.area * loads.friction, dforce, tangent);
 }
 
 void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,

@@ -143,20 +143,19 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
 void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads, Index node, const VaryingPoint& point,
                  const SlidingPoint& sliding, const PointShare& share) {
   const PointKinematics& kinematics = point.contact.kinematics;
-  const double part = share.value * kinematics.area;
-  const PairVariation<1> area = area_variation(kinematics, point.vary, share);
-  const double whole = loads.area[node];
+  const double per_area = share.value / loads.area[node];
+  const double part = per_area * kinematics.area;
+  const PairVariation<1> weight = share.variation(point.vary) / loads.area[node];
+  const PairVariation<1> area = per_area * point.vary.area + kinematics.area * weight;
   const Vector3d slip = sliding.slip - loads.friction.slip.col(node);
-  friction.slip_variation += (part * sliding.slip_variation + slip * area) / whole;
-  friction.area_vector_variation += (share.value * point.vary.area_vector +
-                                     kinematics.area_vector * share.variation(point.vary) -
-                                     loads.friction.area_vector.col(node) * area) /
-                                    whole;
-  friction.work += part * kinematics.jump_weights();
+  friction.slip_variation += part * sliding.slip_variation + slip.lazyProduct(area);
+  friction.area_vector_variation += per_area * point.vary.area_vector + kinematics.area_vector.lazyProduct(weight) -
+                                    loads.friction.area_vector.col(node).lazyProduct(area);
+  friction.work += share.value * kinematics.area * kinematics.jump_weights();
   if (!friction.has_fluid()) return;
   const double pressure = sliding.pressure - loads.friction.pressure[node];
-  friction.pressure_variation += (part * sliding.pressure_variation + pressure * area).transpose() / whole;
-  friction.pressure_weights += part / whole * sliding.pressure_weights;
+  friction.pressure_variation += (part * sliding.pressure_variation + pressure * area).transpose();
+  friction.pressure_weights += part * sliding.pressure_weights;
 }
 
 void add_sliding(IndexedVector<NodeLinearisation>& corners, const MortarSpace& space, const FacetPair& pair,

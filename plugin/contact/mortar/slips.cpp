@@ -32,6 +32,26 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   return sums;
 }
 
+/// Has the primary facets of pairs around a node used: with their area there when the step began and the coefficients
+/// of convection(), one column per node of the facet. Returns the sum of the areas.
+template <class Use>
+double for_each_facet_around(const FacingPairs& facing, const Matrix3Xd& past, Index node,
+                             const std::vector<const FacetPair*>& pairs, const Use& use) {
+  double areas = 0;
+  int done = -1;
+  for (const FacetPair* pair : pairs) {
+    if (pair->primary == done) continue;  // pairs come in the order of their primary facets
+    done = pair->primary;
+    const Facet& facet = facing.primary_facet(*pair);
+    const FacetCoordinates x = facet_coordinates(facet, past);
+    const Index corner = std::find(facet.begin(), facet.end(), node) - facet.begin();
+    const double area = area_at_node(facet, corner, x);
+    use(facet, area, convection(facet, corner, x));
+    areas += area;
+  }
+  return areas;
+}
+
 }  // namespace
 
 NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields) {
@@ -62,32 +82,25 @@ void set_convection(NodalFriction& friction, const MortarSpace& space, const Nod
   const auto around = space.facing().around(in_contact);
   friction.convection.fill(around.count(), Eigen::Matrix3d::Zero());
   in_parallel(around.count(), [&](Index node) {
-    if (around[node].empty()) return;
-    const IndexedVector<int> primary = space.node_patch(node, around[node]).primary;
-    const Matrix3Xd c = convection_around(space.facing(), space.past().primary, node, around[node], primary);
-    for (Index b = 0; b < primary.count(); ++b) friction.convection[node] += x1.col(primary[b]) * c.col(b).transpose();
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    const auto add = [&](const Facet& facet, double area, const FacetCoordinates& c) {
+      sum += area * facet_coordinates(facet, x1).lazyProduct(c.transpose());
+    };
+    const double areas = for_each_facet_around(space.facing(), space.past().primary, node, around[node], add);
+    if (areas > 0) friction.convection[node] = sum / areas;
   });
 }
 
 Matrix3Xd convection_around(const FacingPairs& facing, const Matrix3Xd& past, Index node,
                             const std::vector<const FacetPair*>& pairs, const IndexedVector<int>& primary) {
   Matrix3Xd sum = Matrix3Xd::Zero(3, primary.count());
-  double areas = 0;
-  int done = -1;
-  for (const FacetPair* pair : pairs) {
-    if (pair->primary == done) continue;  // pairs come in the order of their primary facets
-    done = pair->primary;
-    const Facet& facet = facing.primary_facet(*pair);
-    const FacetCoordinates x = facet_coordinates(facet, past);
-    const Index corner = std::find(facet.begin(), facet.end(), node) - facet.begin();
-    const double area = area_at_node(facet, corner, x);
-    const FacetCoordinates c = convection(facet, corner, x);
+  const auto add = [&](const Facet& facet, double area, const FacetCoordinates& c) {
     for (Index b = 0; b < c.cols(); ++b) {
       const auto column = std::find(primary.begin(), primary.end(), facet.node(b)) - primary.begin();
       sum.col(column) += area * c.col(b);
     }
-    areas += area;
-  }
+  };
+  const double areas = for_each_facet_around(facing, past, node, pairs, add);
   return areas > 0 ? Matrix3Xd(sum / areas) : sum;
 }
 

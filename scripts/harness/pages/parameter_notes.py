@@ -218,8 +218,12 @@ NOTES = {
         febio="same",
     ),
     "tangential_penalty": Note(
-        "Factor of the tangential penalty over that of the traction: how little what sticks gives way.",
-        febio="not there",
+        "Factor of the tangential penalty over that of the traction: how little what sticks gives way. By default the "
+        "tangential penalty is 100 times the stiffness where `penalty` is left out, and that of the traction where "
+        "`penalty` is given.",
+        "a larger one: more iterations where sticking and sliding meet",
+        febio="not there: the penalty of the traction",
+        default="0.1; 1 beside a given `penalty`",
     ),
     "offset": Note(
         "Distance of the surfaces, along the normal of the primary one, at which they touch: gaps are measured from "

@@ -142,6 +142,45 @@ BOOST_AUTO_TEST_CASE(an_augmentation_leaves_the_tangent_as_it_is) {
   BOOST_TEST(relative_error(assembled_residual(*contact, layout, scene.fields, 0.3), VectorXd(2 * load)) <= rounding);
 }
 
+/// Where a step begins, a jump at nodes that were not flux-coupled when the last one ended is not one that fluxes have
+/// made: times a large penalty its area would be a wrong stiffness of that size. The jump of one value everywhere
+/// varies with the fields alone, so what is left is the tangent without a jump.
+BOOST_AUTO_TEST_CASE(a_step_begins_without_fluxes_at_nodes_that_were_not_flux_coupled) {
+  std::mt19937 random(18);
+  Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 1, 2), effects_of(true, 1),
+              explicit_settings(2.5, 1.5, 0.8));
+  scene.disturb(0.02, random);
+  const auto contact = scene.contact();
+  const auto tangent_where = [&](bool flux_coupled, double jump) {
+    scene.fields[Side::primary].scalar.setConstant(jump);
+    scene.fields[Side::secondary].scalar.setZero();
+    contact->pass(0).laws().multipliers.flux_coupled = NodeFlags(scene.mesh[Side::primary].nodes, flux_coupled);
+    contact->end_iterations();
+    contact->begin_iteration(scene.fields);
+    return assembled_tangent(*contact, GlobalLayout(scene), scene.fields, 0.3);
+  };
+  const MatrixXd without = tangent_where(true, 0);
+  BOOST_TEST((tangent_where(false, 2) - without).norm() <= rounding * without.norm());
+  BOOST_TEST((tangent_where(true, 2) - without).norm() > 0.01 * without.norm());
+}
+
+/// What an accepted step leaves behind is its status.
+BOOST_AUTO_TEST_CASE(an_accepted_step_remembers_which_nodes_were_flux_coupled) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.08, 1, 1), effects_of(true, 0),
+              explicit_settings(2.5, 1.5, 0.8));
+  scene.fields[Side::secondary].position.row(2).array() += 0.2;  // apart
+  const auto contact = scene.contact();
+  contact->begin_iteration(scene.fields);
+  contact->accept_step(scene.fields);
+  const NodeFlags& flux_coupled = contact->pass(0).laws().multipliers.flux_coupled;
+  BOOST_TEST((flux_coupled == NodeFlags(4, false)));
+  const ContactInterface::State state = contact->state();
+  contact->forget_steps();
+  BOOST_TEST((flux_coupled == NodeFlags(4, true)));
+  contact->restore(state);
+  BOOST_TEST((flux_coupled == NodeFlags(4, false)));
+}
+
 /// The geometric part of the tangent is made as an iteration begins, from the points that averages are linearised at.
 /// Elsewhere it is made from the points there.
 BOOST_AUTO_TEST_CASE(the_tangent_is_the_same_a_rounding_away_from_where_an_iteration_linearises) {

@@ -50,7 +50,7 @@ class Parameter(str, Enum):
 
 VALUES: dict[Parameter, tuple[float, ...]] = {
     Parameter.DEFAULT: (0.0,),
-    Parameter.TANGENTIAL: (1e-3, 1e-2, 1e-1, 10.0, 100.0),
+    Parameter.TANGENTIAL: (1e-3, 1e-2, 1.0, 10.0, 100.0),
     Parameter.PENALTY: (10.0, 100.0, 1e4),
     Parameter.AUGLAG: (1e-1, 1e-3, 1e-5, 1e-7),
 }

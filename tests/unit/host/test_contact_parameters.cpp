@@ -1,0 +1,44 @@
+// What parameters leave open is chosen.
+#include "host/contact_parameters.h"
+
+#include <boost/test/unit_test.hpp>
+
+namespace {
+
+ContactParameters with_friction() {
+  ContactParameters parameters;
+  parameters.friction.fric_coeff.value = 0.2;
+  return parameters;
+}
+
+/// Tangential penalty over the stiffness of the bodies.
+double friction_factor(const ContactParameters& parameters) {
+  const mixture_contact::Settings settings = core_settings(parameters);
+  return settings.friction.penalty_factor * settings.traction.value;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_tangential_penalty_is_by_default_a_hundred_times_the_stiffness) {
+  ContactParameters parameters = with_friction();
+  BOOST_TEST(friction_factor(parameters) == mixture_contact::default_friction_factor);
+  parameters.enforcement.two_pass = true;
+  BOOST_TEST(friction_factor(parameters) == mixture_contact::default_friction_factor);
+}
+
+BOOST_AUTO_TEST_CASE(beside_a_given_penalty_the_tangential_one_is_the_same) {
+  ContactParameters parameters = with_friction();
+  parameters.penalties.traction.given = true;
+  parameters.penalties.traction.value = 1000;
+  BOOST_TEST(core_settings(parameters).friction.penalty_factor == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_given_tangential_penalty_is_a_factor_whatever_the_other) {
+  ContactParameters parameters = with_friction();
+  parameters.friction.tangential_penalty.given = true;
+  parameters.friction.tangential_penalty.value = 3;
+  for (const bool given : {false, true}) {
+    parameters.penalties.traction.given = given;
+    BOOST_TEST(core_settings(parameters).friction.penalty_factor == 3);
+  }
+}
