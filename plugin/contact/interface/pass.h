@@ -31,6 +31,10 @@ class ContactPass {
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const FacingFields& fields) { return geometry_->begin_iteration(fields); }
 
+  /// Begins at a state where no tangent follows, as in explicit dynamics: decides which nodes are in contact by the
+  /// true laws, and holds the loads of this state, without their linearisation, for residuals at it.
+  void hold_loads(const FacingFields& fields) { geometry_->hold_loads(fields); }
+
   /// Restricts the active set: only these nodes may close, all of whose facets then take part, and no others. Takes
   /// effect with the next project().
   void restrict_active_set(const NodeFlags& nodes);

@@ -220,6 +220,19 @@ BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_bits_and_changes_no_state) 
   });
 }
 
+BOOST_AUTO_TEST_CASE(loads_held_for_residuals_are_those_of_an_iteration_without_its_linearisation) {
+  for_random_contacts(53, [](const Scene& scene, ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    contact.begin_iteration(scene.fields);
+    const VectorXd linearised = assembled_residual(contact, layout, scene.fields, dt);
+    const std::size_t memory = contact.pass(0).memory();
+    contact.end_iterations();
+    contact.hold_loads(scene.fields);
+    BOOST_TEST((assembled_residual(contact, layout, scene.fields, dt) == linearised));
+    BOOST_TEST(2 * contact.pass(0).memory() < memory);
+  });
+}
+
 BOOST_AUTO_TEST_CASE(projecting_away_and_back_leaves_no_trace) {
   for_random_contacts(6, [](const Scene& scene, ContactInterface& contact) {
     const VectorXd first = answers(contact, scene);
