@@ -72,7 +72,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       dofs_(*fem, surfaces_),
       bound_(surfaces_, dofs_, parameters_, log_),
       setup_(*fem, surfaces_, dofs_, parameters_, ambient_concentrations_, log_),
-      assembly_(bound_, dofs_),
+      assembly_(bound_, surfaces_, dofs_),
       output_(bound_, surfaces_, log_) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;

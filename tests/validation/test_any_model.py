@@ -349,6 +349,22 @@ def test_both_faces_of_rigid_shells_are_hard(solve):
     np.testing.assert_allclose(block_force(back), block_force(front), rtol=1e-9, atol=1e-12)
 
 
+def test_friction_turns_rigid_shells_about_the_face_that_it_acts_on(solve):
+    def reaction(name: str, *, faces_up: bool):
+        document = under_plate(faces_up=faces_up, is_rigid=True)
+        bottom = "<shell_bottom_secondary>1</shell_bottom_secondary>" if faces_up else ""
+        document.contacts = (contact("c", "pair", params=f"<fric_coeff>0.3</fric_coeff>{bottom}"),)
+        rubs = (fixed("low-bottom", "y"), moved("low-bottom", "x", 0.05), moved("low-bottom", "z", 0.06))
+        document.boundary = rubs
+        document.rigid_data = {2: "Fx;Fz;Mx;My;Mz"}
+        folder, _ = solve(name, document)
+        return small.table(folder / "rigid-2.txt")[-1, 0]
+
+    back, front = reaction("back", faces_up=True), reaction("front", faces_up=False)
+    assert abs(front[0]) * THICKNESS > 1e-3 * abs(front[3])
+    np.testing.assert_allclose(back, front, rtol=1e-6, atol=1e-9)
+
+
 def test_the_back_face_of_a_solid_is_an_error(solve):
     document = under_solid_plate()
     document.contacts = (contact("c", "pair", params="<shell_bottom_secondary>1</shell_bottom_secondary>"),)
