@@ -145,7 +145,7 @@ void FEMixtureContact::Activate() {
 
 void FEMixtureContact::Deactivate() {
   FEContactInterface::Deactivate();
-  if (bound_.is_built()) core().forget_friction();  // FEBio deactivates what belongs to a step as it reads it
+  if (bound_.is_built()) core().forget_steps();  // FEBio deactivates what belongs to a step as it reads it
   model_->deactivate(*this);
 }
 

@@ -42,7 +42,7 @@ def displacements(folder):
 # ------------------------------------------------------------ penalties that give way
 
 
-def overlapping(params: str = "", overlap: float = 0.3, steps: int = 2) -> Document:
+def overlapping(params: str = "", overlap: float = 0.6, steps: int = 2) -> Document:
     """A stiff block that begins deep in a soft one, over all of its upper side."""
     parts = Parts()
     parts.box("low", (0, 0, 0), (1, 1, 1), (6, 6, 6), "soft")

@@ -12,10 +12,10 @@ namespace {
 bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
   const Index fields = effects.scalar_fields();
   const Index with_friction = effects.may_rub() ? nodes : 0;
-  return multipliers.traction.size() == nodes && multipliers.flux.rows() == fields &&
-         multipliers.flux.cols() == nodes && multipliers.flux_penalty_scale.size() == fields &&
-         multipliers.friction.cols() == with_friction && multipliers.slips.count() == with_friction &&
-         multipliers.exchanged.count() == with_friction;
+  return multipliers.traction.size() == nodes && multipliers.accepted_traction.size() == nodes &&
+         multipliers.flux.rows() == fields && multipliers.flux.cols() == nodes &&
+         multipliers.flux_penalty_scale.size() == fields && multipliers.friction.cols() == with_friction &&
+         multipliers.slips.count() == with_friction && multipliers.exchanged.count() == with_friction;
 }
 
 GapReport measure_gaps(const ContactPass& pass, const FacingFields& fields) {
@@ -134,17 +134,17 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 }
 
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
-  if (!effects_.may_rub()) return;
+  if (!effects_.traction && !effects_.may_rub()) return;
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  for (const SidedPass& pass : passes_) pass.integral->accept_friction(seen_from(pass.side, fields));
+  for (const SidedPass& pass : passes_) pass.integral->accept_step(seen_from(pass.side, fields));
+  if (!effects_.may_rub()) return;
   slips_from_ = {{fields[Side::primary].position, fields[Side::secondary].position}};
   measure_slips(passes_, slips_from_);
   end_iterations();
 }
 
-void ContactInterface::forget_friction() {
-  if (!effects_.may_rub()) return;
-  for (const SidedPass& pass : passes_) pass.integral->laws().multipliers.friction.setZero();
+void ContactInterface::forget_steps() {
+  for (const SidedPass& pass : passes_) pass.integral->forget_steps();
   for (Matrix3Xd& position : slips_from_) position.resize(3, 0);
 }
 

@@ -56,11 +56,11 @@ class ContactInterface {
   /// The patches that tangent() would fill with the present status.
   void for_each_coupling(const std::function<void(const Location&)>& use) const;
 
-  /// Takes a state over as that which the next step begins with: its friction, and the positions that slips are
-  /// measured from. Iterations end with it. Nothing without friction.
+  /// Takes a state over as that which the next step begins with: its tractions, and with friction the positions that
+  /// slips are measured from; with friction iterations end with it.
   void accept_step(const PerSide<SurfaceFields>& fields);
-  /// Forgets friction and slip: the surfaces begin to slide where the next projection finds them.
-  void forget_friction();
+  /// Forgets accepted steps: loads begin, and the surfaces begin to slide, where the next projection finds them.
+  void forget_steps();
 
   /// Gaps at the current state, the worst of both passes; meets() tells whether they meet the tolerances.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;

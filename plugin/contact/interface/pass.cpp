@@ -47,12 +47,19 @@ void ContactPass::augment(const FacingFields& fields) {
   geometry_->take_multipliers();
 }
 
-void ContactPass::accept_friction(const FacingFields& fields) {
+void ContactPass::accept_step(const FacingFields& fields) {
   NodalLoads loads = nodal_loads(fields);
+  laws_.multipliers.accepted_traction = loads.traction;
+  if (!effects_.may_rub()) return;
   space_.measure_slips_from(positions(fields));
   if (loads.friction.empty()) return;
   set_convection(loads.friction, space_, loads.in_contact, fields.primary.position);
   laws_.take_friction(loads);
+}
+
+void ContactPass::forget_steps() {
+  laws_.multipliers.accepted_traction.setZero();
+  laws_.multipliers.friction.setZero();
 }
 
 void ContactPass::forget() {

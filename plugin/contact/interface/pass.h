@@ -56,9 +56,11 @@ class ContactPass {
   /// Slips are measured from these positions from now on.
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
-  /// Takes the friction of an accepted state over as that which the next step begins with, and its positions as those
+  /// Takes the loads of an accepted state over as those which the next step begins with, and its positions as those
   /// that slips are measured from.
-  void accept_friction(const FacingFields& fields);
+  void accept_step(const FacingFields& fields);
+  /// Forgets the loads of accepted states.
+  void forget_steps();
 
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { geometry_->end_iterations(); }

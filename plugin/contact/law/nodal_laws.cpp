@@ -16,6 +16,7 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
       settings_(settings),
       penalties_(at_nodes(mixture_contact::penalties(primary, secondary, effects, settings), primary)) {
   multipliers.traction.setZero(primary.nodes);
+  multipliers.accepted_traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
   if (!effects.may_rub()) return;
@@ -146,6 +147,12 @@ void NodalLaws::drop_new_fluxes(MatrixXd& flux) const {
   for (Index node = 0; node < multipliers.exchanged.count(); ++node) {
     if (!multipliers.exchanged[node]) flux.col(node).setZero();
   }
+}
+
+VectorXd NodalLaws::within_accepted(const VectorXd& traction, double surface_size) const {
+  const VectorXd accepted = multipliers.accepted_traction.cwiseAbs();
+  const VectorXd most = accepted.array() + accepted_margin * accepted.maxCoeff() + traction_rounding(surface_size);
+  return traction.cwiseMax(-most).cwiseMin(most);
 }
 
 double NodalLaws::traction_rounding(double surface_size) const {

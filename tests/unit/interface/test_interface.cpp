@@ -233,6 +233,29 @@ BOOST_AUTO_TEST_CASE(loads_held_for_residuals_are_those_of_an_iteration_without_
   });
 }
 
+/// Meshes that overlap at the start, times a large penalty, would be a geometric stiffness of that size.
+BOOST_AUTO_TEST_CASE(the_geometric_part_of_a_steps_first_tangent_is_that_of_accepted_loads) {
+  for_random_contacts(59, [](const Scene& scene, ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    contact.end_iterations();
+    const auto first_tangent = [&] {
+      contact.begin_iteration(scene.fields);
+      contact.end_iterations();
+      contact.begin_iteration(scene.fields);
+      return assembled_tangent(contact, layout, scene.fields, dt);
+    };
+    const MatrixXd overlap_of_no_step = first_tangent();
+    contact.accept_step(scene.fields);
+    const MatrixXd of_accepted_step = first_tangent();
+    contact.end_iterations();
+    const MatrixXd exact = assembled_tangent(contact, layout, scene.fields, dt);
+    BOOST_TEST(relative_error(of_accepted_step, exact) < rounding);
+    BOOST_TEST(relative_error(overlap_of_no_step, exact) > 1e-3);
+    contact.forget_steps();
+    BOOST_TEST((first_tangent() == overlap_of_no_step));
+  });
+}
+
 BOOST_AUTO_TEST_CASE(projecting_away_and_back_leaves_no_trace) {
   for_random_contacts(6, [](const Scene& scene, ContactInterface& contact) {
     const VectorXd first = answers(contact, scene);
