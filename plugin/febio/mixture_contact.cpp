@@ -139,7 +139,7 @@ void FEMixtureContact::Activate() {
   setup_.update_laws(bound_, model_->penalty_reduction());
   setup_.update_properties(bound_);
   if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), log_);
-  judge_linear_solver(*GetFEModel(), core().pass(0).has_unknown_multipliers(), log_);
+  judge_linear_solver(*GetFEModel(), core().pass(0).space().has_unknown_multipliers(), log_);
   model_->activate(*this);
 }
 

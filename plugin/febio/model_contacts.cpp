@@ -33,6 +33,11 @@ std::map<const FEModel*, std::weak_ptr<ModelContacts>>& registry() {
   return entries;
 }
 
+/// Writes a line into the log, where there is one.
+void say(FEModel& fem, const std::string& line) {
+  if (!line.empty()) feLogEx(&fem, "\n%s\n", line.c_str());
+}
+
 class FEBioArchive : public newton::Archive {
  public:
   explicit FEBioArchive(DumpStream& stream) : stream_(stream) {}
@@ -196,14 +201,10 @@ void ModelContacts::on_callback(unsigned int when) {
     steps_.end_step();
   }
   if (when == CB_TIMESTEP_FAILED) reduce_penalties();
-  if (when == CB_SOLVED) say(reducible_.summary());
+  if (when == CB_SOLVED) say(fem_, reducible_.summary());
 }
 
 // ------------------------------------------------------------ penalties that are reduced where steps fail
-
-void ModelContacts::say(const std::string& line) const {
-  if (!line.empty()) feLogEx(&fem_, "\n%s\n", line.c_str());
-}
 
 bool ModelContacts::will_retry() const {
   const FETimeStepController* const controller = fem_.GetCurrentStep()->m_timeController;
@@ -214,7 +215,7 @@ void ModelContacts::reduce_penalties() {
   const std::vector<FEMixtureContact*> contacts = active();
   const auto is_reducible = [](const FEMixtureContact* contact) { return contact->has_reducible_penalty(); };
   if (!will_retry() || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
-  say(reducible_.fail(fem_.GetCurrentTime()));
+  say(fem_, reducible_.fail(fem_.GetCurrentTime()));
 }
 
 void ModelContacts::note_overlap() {

@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 class DumpStream;
@@ -62,7 +61,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   bool is_on(const HelperSwitch& which) const;
   std::vector<FEMixtureContact*> active() const;
   void keep_matrix_if_it_fits();
-  void say(const std::string& line) const;
   bool will_retry() const;
   void reduce_penalties();
   void note_overlap();

@@ -18,7 +18,7 @@ class RigidShellBottoms {
 
  private:
   struct Moved {
-    FENode* node;
+    FENode* node = nullptr;
     vec3d present;  ///< its own positions
     vec3d past;
   };

@@ -92,6 +92,11 @@ def test_where_no_step_fails_nothing_gives_way(solve):
     assert (automatic / "nodes.txt").read_text() == (given / "nodes.txt").read_text()
 
 
+def test_bodies_that_overlap_deeply_at_the_start_are_not_thrown_apart(solve):
+    _, found = solve("deep", overlapping(FACTOR, overlap=0.3))
+    assert found.report.retries == 0
+
+
 # ------------------------------------------------------------ two rigid bodies
 
 ALL = "<Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof><Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof>"

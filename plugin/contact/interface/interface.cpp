@@ -144,7 +144,7 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
 }
 
 void ContactInterface::forget_steps() {
-  for (const SidedPass& pass : passes_) pass.integral->forget_steps();
+  for (const SidedPass& pass : passes_) pass.integral->laws().forget_steps();
   for (Matrix3Xd& position : slips_from_) position.resize(3, 0);
 }
 
@@ -167,12 +167,6 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   }
   measurements_.note(memory_of(passes_));
   return changed;
-}
-
-void ContactInterface::hold_loads(const PerSide<SurfaceFields>& fields) {
-  const TaskClock timed = measurements_.clock(Task::residual);
-  for (const SidedPass& pass : passes_) pass.integral->hold_loads(seen_from(pass.side, fields));
-  measurements_.note(memory_of(passes_));
 }
 
 void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {

@@ -42,8 +42,6 @@ class ContactInterface {
   /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
   /// evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
-  /// Decides at a state, after project(), what a residual needs and no tangent (see ContactPass::hold_loads).
-  void hold_loads(const PerSide<SurfaceFields>& fields);
   /// Moves what an iteration holds to another state (see ContactPass::linearise_at), after project().
   void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.

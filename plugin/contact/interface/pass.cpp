@@ -57,11 +57,6 @@ void ContactPass::accept_step(const FacingFields& fields) {
   laws_.take_friction(loads);
 }
 
-void ContactPass::forget_steps() {
-  laws_.multipliers.accepted_traction.setZero();
-  laws_.multipliers.friction.setZero();
-}
-
 void ContactPass::forget() {
   end_iterations();
   space_.facing().clear();

@@ -59,8 +59,6 @@ class ContactPass {
   /// Takes the loads of an accepted state over as those which the next step begins with, and its positions as those
   /// that slips are measured from.
   void accept_step(const FacingFields& fields);
-  /// Forgets the loads of accepted states.
-  void forget_steps();
 
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { geometry_->end_iterations(); }
@@ -97,7 +95,6 @@ class ContactPass {
 
   /// How the conditions are enforced. Unknown multipliers have an equation each in residual() and tangent().
   Enforcement enforcement() const { return settings_.enforcement; }
-  bool has_unknown_multipliers() const { return space_.has_unknown_multipliers(); }
 
   const MortarSpace& space() const { return space_; }
   /// The pairs of facets that face each other, with their integration points.

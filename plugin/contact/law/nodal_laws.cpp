@@ -25,6 +25,11 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
   multipliers.exchanged = NodeFlags(primary.nodes, true);
 }
 
+void NodalLaws::forget_steps() {
+  multipliers.accepted_traction.setZero();
+  multipliers.friction.setZero();
+}
+
 void NodalLaws::update_penalties() {
   penalties_ = at_nodes(mixture_contact::penalties(primary_, secondary_, effects_, settings_), primary_);
 }

@@ -45,6 +45,8 @@ class NodalLaws {
   /// Keeps references to the surfaces and what they exchange.
   NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings);
 
+  /// Forgets the loads of accepted steps.
+  void forget_steps();
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 

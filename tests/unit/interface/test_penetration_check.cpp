@@ -222,8 +222,8 @@ BOOST_AUTO_TEST_CASE(beside_unknown_multipliers_penetration_check_nodes_have_pen
   Spike spike(deep, around, settings);
   spike.check();
   spike.go_on();
-  BOOST_TEST(spike.contact->pass(0).has_unknown_multipliers());
-  BOOST_TEST(!spike.contact->pass(1).has_unknown_multipliers());
+  BOOST_TEST(spike.contact->pass(0).space().has_unknown_multipliers());
+  BOOST_TEST(!spike.contact->pass(1).space().has_unknown_multipliers());
   BOOST_TEST(balance(*spike.contact, spike.scene.fields).force[2] < 0.0);
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
 }
