@@ -2,6 +2,7 @@
 
 #include "contact/base/indexed_vector.h"
 #include "matrix_rows.h"
+#include "rigid_shell_bottoms.h"
 
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>
@@ -84,7 +85,9 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix) {
 void Assembly::residual(FEGlobalVector& residual, double dt) const {
   const ContactInterface& core = contact_.core();
   const TaskClock timed = core.measurements().clock(Task::residual);
-  core.residual(contact_.fields(), dt, [&](const ContactInterface::Location& place, const VectorXd& values) {
+  const PerSide<SurfaceFields> fields = contact_.fields();
+  const RigidShellBottoms arms(surfaces_);
+  core.residual(fields, dt, [&](const ContactInterface::Location& place, const VectorXd& values) {
     std::vector<int> nodes = dofs_.nodes(place);
     std::vector<int> ids = dofs_.equations(core, place, nodes);
     std::vector<double> entries(values.data(), values.data() + values.size());
@@ -97,7 +100,9 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& global, bool is_c
   const ContactInterface& core = contact_.core();
   const TaskClock timed = core.measurements().clock(Task::stiffness);
   const MatrixRows matrix(global);
-  core.tangent(contact_.fields(), dt, [&](const Location& rows, const Location& columns, const MatrixXd& values) {
+  const PerSide<SurfaceFields> fields = contact_.fields();
+  const RigidShellBottoms arms(surfaces_);
+  core.tangent(fields, dt, [&](const Location& rows, const Location& columns, const MatrixXd& values) {
     const std::vector<int> nodes = dofs_.nodes(columns);
     const std::vector<int> column_ids = dofs_.equations(core, columns, nodes);
     const std::vector<int> row_ids = have_same_unknowns(rows.patch, columns.patch) ? column_ids

@@ -10,7 +10,8 @@ class FELinearSystem;
 
 class Assembly {
  public:
-  Assembly(const BoundContact& contact, const DofMap& dofs) : contact_(contact), dofs_(dofs) {}
+  Assembly(const BoundContact& contact, ContactSurfaces& surfaces, const DofMap& dofs)
+      : contact_(contact), surfaces_(surfaces), dofs_(dofs) {}
 
   /// Adds the blocks of the present active set to the profile of the matrix.
   void add_to_profile(FEGlobalMatrix& matrix);
@@ -25,6 +26,7 @@ class Assembly {
   Fingerprint couplings() const;
 
   const BoundContact& contact_;
+  ContactSurfaces& surfaces_;
   const DofMap& dofs_;
   Fingerprint couplings_of_matrix_;
 };

@@ -1,6 +1,7 @@
 #include "bound_contact.h"
 
 #include "archive.h"
+#include "contact/interface/held_loads.h"
 #include "contact/interface/multipliers.h"
 #include "core_archive.h"
 #include "host/warnings.h"
@@ -49,6 +50,8 @@ bool BoundContact::begin_iteration() {
   const TaskClock timed = core_->measurements().clock(Task::stiffness);
   return core_->begin_iteration(fields());
 }
+
+void BoundContact::hold_loads() { mixture_contact::hold_loads(*core_, fields()); }
 
 bool BoundContact::finds_overlap() {
   const UndetectedPenetration undetected = core_->check_penetration(fields());

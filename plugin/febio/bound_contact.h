@@ -24,6 +24,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   void prepare_step() override;
   void end_iterations() override { core_->end_iterations(); }
   bool begin_iteration() override;
+  void hold_loads() override;
   void linearise_at() override { core_->linearise_at(fields()); }
   bool is_solution() override { return core_->is_solution(fields()); }
   bool finds_overlap() override;

@@ -2,7 +2,6 @@
 
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/multipliers.h"
-#include "host/penalty_reduction.h"
 #include "material_properties.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
@@ -304,9 +303,7 @@ void ContactSetup::update_laws(const BoundContact& contact, double reduction) co
   contact.core().update_laws(core_settings(parameters_, solver_kind(), reduction));
 }
 
-bool ContactSetup::is_reducible() const {
-  return core_settings(parameters_, solver_kind(), PenaltyReduction::per_level).traction_reduction > 1;
-}
+bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind()); }
 
 bool ContactSetup::follow_load_curves(const BoundContact& contact, double reduction) const {
   const bool sound = has_sound_values() && check_ambient();

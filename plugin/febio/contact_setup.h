@@ -35,7 +35,7 @@ class ContactSetup {
   /// The same, where all values make sense. Returns whether they do; the log says which do not.
   bool follow_load_curves(const BoundContact& contact, double reduction) const;
   /// Whether a reduction has an effect.
-  bool is_reducible() const;
+  bool has_reducible_penalty() const;
   /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the effects that
   /// the model asks for exist in it.
   bool decide_traction(const BoundContact& contact);

@@ -41,6 +41,7 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux);
   archive(ar, multipliers.traction_penalty_scale);
   archive(ar, multipliers.flux_penalty_scale);
+  archive(ar, multipliers.accepted_traction);
   archive_flags(ar, multipliers.flux_coupled);
 }
 

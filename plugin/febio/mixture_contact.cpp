@@ -72,7 +72,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       dofs_(*fem, surfaces_),
       bound_(surfaces_, dofs_, parameters_, log_),
       setup_(*fem, surfaces_, dofs_, parameters_, ambient_concentrations_, log_),
-      assembly_(bound_, dofs_),
+      assembly_(bound_, surfaces_, dofs_),
       output_(bound_, surfaces_, log_) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
@@ -139,7 +139,7 @@ void FEMixtureContact::Activate() {
   setup_.update_laws(bound_, model_->penalty_reduction());
   setup_.update_properties(bound_);
   if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), log_);
-  judge_linear_solver(*GetFEModel(), core().pass(0).has_unknown_multipliers(), log_);
+  judge_linear_solver(*GetFEModel(), core().pass(0).space().has_unknown_multipliers(), log_);
   model_->activate(*this);
 }
 

@@ -49,7 +49,7 @@ class FEMixtureContact : public FEContactInterface {
   /// That of a degree of freedom outside contact.
   double ambient_value(int dof) const;
   /// Whether its traction penalty is reduced where steps fail.
-  bool has_reducible_penalty() const { return core().effects().traction && setup_.is_reducible(); }
+  bool has_reducible_penalty() const { return core().effects().traction && setup_.has_reducible_penalty(); }
   /// Whether the matrix has room for the present active set.
   bool fits_matrix() const { return assembly_.fits_matrix(); }
   /// When a step or the run has been solved.

@@ -33,6 +33,11 @@ std::map<const FEModel*, std::weak_ptr<ModelContacts>>& registry() {
   return entries;
 }
 
+/// Writes a line into the log, where there is one.
+void say(FEModel& fem, const std::string& line) {
+  if (!line.empty()) feLogEx(&fem, "\n%s\n", line.c_str());
+}
+
 class FEBioArchive : public newton::Archive {
  public:
   explicit FEBioArchive(DumpStream& stream) : stream_(stream) {}
@@ -162,9 +167,7 @@ void ModelContacts::serialize(FEMixtureContact& contact, DumpStream& ar) {
   FEBioArchive archive(ar);
   if (!ar.IsShallow()) {
     helpers_.archive(archive);
-    reduction_.for_each_value([&](int& value) { ar & value; });
-    ar & accepted_overlap_.contact & accepted_overlap_.overlap.depth & accepted_overlap_.overlap.share;
-    ar & accepted_overlap_.time;
+    reducible_.for_each_value([&](auto& value) { ar & value; });
   }
   if (!ar.IsLoading()) return;
   if (ar.IsShallow()) {
@@ -195,8 +198,7 @@ void ModelContacts::on_callback(unsigned int when) {
     steps_.end_step();
   }
   if (when == CB_TIMESTEP_FAILED) reduce_penalties();
-  if (when == CB_SOLVED && accepted_overlap_.overlap.depth > 0)
-    feLogEx(&fem_, "\n%s\n", accepted_overlap_line(accepted_overlap_, penalty_reduction()).c_str());
+  if (when == CB_SOLVED) say(fem_, reducible_.summary());
 }
 
 // ------------------------------------------------------------ penalties that are reduced where steps fail
@@ -210,18 +212,16 @@ void ModelContacts::reduce_penalties() {
   const std::vector<FEMixtureContact*> contacts = active();
   const auto is_reducible = [](const FEMixtureContact* contact) { return contact->has_reducible_penalty(); };
   if (!will_retry() || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
-  if (reduction_.fail() && !std::exchange(said_reduction_, true))
-    feLogEx(&fem_, "\n%s\n", reduction_line(fem_.GetCurrentTime()).c_str());
+  say(fem_, reducible_.fail(fem_.GetCurrentTime()));
 }
 
 void ModelContacts::note_overlap() {
   for (FEMixtureContact* contact : active()) {
-    if (reduction_.is_full() || !contact->has_reducible_penalty()) continue;
+    if (!reducible_.are_reduced() || !contact->has_reducible_penalty()) continue;
     const mixture_contact::Overlap overlap = largest_overlap(contact->core(), contact->bound().fields());
-    if (overlap.share > accepted_overlap_.overlap.share)
-      accepted_overlap_ = {contact->GetName(), overlap, fem_.GetCurrentTime()};
+    reducible_.note(contact->GetName(), overlap, fem_.GetCurrentTime());
   }
-  reduction_.accept();
+  reducible_.accept();
 }
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it

@@ -4,8 +4,7 @@
 #include "ambient_conditions.h"
 #include "host/contact_parameters.h"
 #include "host/contact_steps.h"
-#include "host/penalty_reduction.h"
-#include "host/warnings.h"
+#include "host/reducible_penalties.h"
 
 #include <functional>
 #include <memory>
@@ -38,7 +37,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
 
   newton::FEBioSolver& solver() { return solver_; }
   /// What automatic penalties of the traction are divided by at present.
-  double penalty_reduction() const { return reduction_.divisor(); }
+  double penalty_reduction() const { return reducible_.divisor(); }
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
   bool apply_ambient() override;
@@ -67,9 +66,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   newton::Helpers helpers_;
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
-  mixture_contact::PenaltyReduction reduction_;
-  AcceptedOverlap accepted_overlap_;               ///< the deepest one under reduced penalties
-  bool said_reduction_ = false;                    ///< in this run
+  ReduciblePenalties reducible_;
   std::vector<FEMixtureContact*> contacts_;        ///< in the order of the model
   std::set<const FEMixtureContact*> unactivated_;  ///< whose state is not known to the core yet
   mixture_contact::Round dumps_;

@@ -1,6 +1,7 @@
 #include "contact_parameters.h"
 
 #include "contact/geometry/quadrature.h"
+#include "penalty_reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -216,4 +217,8 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.gap = {p.gap.offset, p.gap.tension, !left_out(p).contact};
   settings.search = {p.search.radius.given ? p.search.radius.value : 0, p.search.tolerance.value};
   return settings;
+}
+
+bool is_reducible(const ContactParameters& p, SolverKind solver) {
+  return core_settings(p, solver, mixture_contact::PenaltyReduction::per_level).traction_reduction > 1;
 }

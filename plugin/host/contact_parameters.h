@@ -303,3 +303,5 @@ enum class SolverKind {
 /// stiffness of the bodies; one that is given stays as it is.
 mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton,
                                         double reduction = 1);
+/// Whether a reduction has an effect.
+bool is_reducible(const ContactParameters& parameters, SolverKind solver);

@@ -26,7 +26,14 @@ bool ContactSteps::prepare_step(const void* told) {
 /// Decides what is in contact at this state, and what is at ambient values.
 ContactSteps::Changes ContactSteps::begin_iteration() {
   bool loads = false;
-  for (SteppedContact* contact : model_.active_contacts()) loads = contact->begin_iteration() || loads;
+  const bool linearises = model_.matrix_use() != MatrixUse::none;
+  for (SteppedContact* contact : model_.active_contacts()) {
+    if (linearises) {
+      loads = contact->begin_iteration() || loads;
+    } else {
+      contact->hold_loads();
+    }
+  }
   return {loads, model_.apply_ambient()};
 }
 

@@ -26,6 +26,8 @@ class SteppedContact {
   virtual void end_iterations() = 0;
   /// Returns whether loads have changed.
   virtual bool begin_iteration() = 0;
+  /// Where no matrix follows: loads of the true laws at this state, without their linearisation.
+  virtual void hold_loads() = 0;
   virtual void linearise_at() = 0;
   virtual bool is_solution() = 0;
   /// Whether what a converged state tells of overlaps changes the loads.

@@ -1,10 +1,11 @@
 #include "analysis.h"
 
-#include "host/warnings.h"
+#include "host/reducible_penalties.h"
 #include "newton.h"
 #include "output.h"
 #include "time_stepper.h"
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 
@@ -45,14 +46,19 @@ class Steps {
         log_.box("ERROR", "The time step has become too small for the time to advance.");
         return false;
       }
-      if (!step(std::min(time_ + stepper_.increment(), end))) {
+      const double to = std::min(time_ + stepper_.increment(), end);
+      if (!step(to)) {
         if (!stepper_.retry()) return false;
+        reduce_penalties(to);
       } else if (time_ + near < end) {
         stepper_.advance(time_, newton_.effort().iterations);
       }
     }
     return true;
   }
+
+  /// Says what is to be said at the end of a run.
+  void end() const { say(reducible_.summary()); }
 
   int done() const { return done_; }
   const Effort& total() const { return total_; }
@@ -80,10 +86,33 @@ class Steps {
     }
     log_.print("\n------- converged at time : %g\n\n", time);
     warn_of_overlap();
+    note_overlap(time);
     time_ = time;
     output_.write(++done_, time);
     stepper_.succeeded();
     return true;
+  }
+
+  void say(const std::string& line) const {
+    if (!line.empty()) log_.print("\n%s\n", line.c_str());
+  }
+
+  void reduce_penalties(double time) {
+    const std::vector<Contact>& contacts = problem_.contacts();
+    const auto is_reducible = [](const Contact& contact) { return contact.has_reducible_penalty(); };
+    if (std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
+    say(reducible_.fail(time));
+    problem_.reduce_penalties(reducible_.divisor());
+  }
+
+  void note_overlap(double time) {
+    for (const Contact& contact : problem_.contacts()) {
+      if (!reducible_.are_reduced() || !contact.has_reducible_penalty()) continue;
+      const mixture_contact::Overlap overlap = largest_overlap(contact.core(), contact.fields(problem_.values()));
+      reducible_.note(contact.definition().name, overlap, time);
+    }
+    reducible_.accept();
+    problem_.reduce_penalties(reducible_.divisor());
   }
 
   void warn_of_overlap() {
@@ -103,6 +132,7 @@ class Steps {
   Newton newton_;
   Output output_;
   TimeStepper stepper_;
+  ReduciblePenalties reducible_;
   double time_ = 0;
   int done_ = 0;
   Effort total_;
@@ -116,6 +146,7 @@ bool run(const Model& model, Log& log) {
   for (const std::string& notice : model.notices) log.print("Note: %s\n", notice.c_str());
   Steps steps(model, log);
   const bool done = steps.run();
+  steps.end();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   log_summary(log, steps.done(), steps.total(), done, seconds.count());
   return done;

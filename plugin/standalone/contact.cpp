@@ -122,11 +122,14 @@ mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
   return mesh;
 }
 
-void Contact::follow(double time) {
-  if (!core_->effects().may_rub()) return;
+void Contact::update_laws(double time, double reduction) {
   ContactParameters now = definition_.parameters;
   now.ambient.pressure = definition_.ambient_pressure.at(time, model_.curves);
-  core_->update_laws(core_settings(now));
+  core_->update_laws(core_settings(now, SolverKind::newton, reduction));
+}
+
+bool Contact::has_reducible_penalty() const {
+  return core_->effects().traction && is_reducible(definition_.parameters, SolverKind::newton);
 }
 
 void Contact::update_properties(const MatrixXd& values) { update_materials(*core_, materials(values)); }

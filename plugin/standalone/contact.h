@@ -24,8 +24,11 @@ class Contact {
   /// A line that says which effects the contact exchanges, and why others are absent.
   const std::string& effects_line() const { return effects_line_; }
 
-  /// Has friction know the ambient pressure at a time.
-  void follow(double time);
+  /// Takes laws as they are at a time: friction knows the ambient pressure, and an automatic penalty of the traction is
+  /// divided by `reduction`.
+  void update_laws(double time, double reduction);
+  /// Whether a reduction has an effect.
+  bool has_reducible_penalty() const;
   /// Reads the materials behind the facets again: the convective part follows the current flow.
   void update_properties(const MatrixXd& values);
   /// Finds out which facets face each other.

@@ -1,5 +1,6 @@
 #include "newton.h"
 
+#include "contact/interface/held_loads.h"
 #include "error.h"
 #include "host/augmentation.h"
 #include "host/warnings.h"
@@ -27,6 +28,7 @@ class ContactAtState : public mixture_contact::SteppedContact {
   void prepare_step() override {}
   void end_iterations() override { contact_.core().end_iterations(); }
   bool begin_iteration() override { return contact_.core().begin_iteration(fields()); }
+  void hold_loads() override { mixture_contact::hold_loads(contact_.core(), fields()); }
   void linearise_at() override { contact_.core().linearise_at(fields()); }
   bool is_solution() override { return contact_.core().is_solution(fields()); }
   bool finds_overlap() override {

@@ -111,7 +111,7 @@ void Problem::start_step(double time, double dt) {
     }
   }
   for (Contact& contact : contacts_) {
-    contact.follow(time);
+    contact.update_laws(time, penalty_divisor_);
     if (reads_properties_again(contact.definition().parameters)) contact.update_properties(state_.values);
   }
 }

@@ -26,6 +26,8 @@ class Problem {
   /// Which places hold unknowns now: neither prescribed nor at ambient values.
   std::vector<bool> free() const;
 
+  /// Has automatic penalties of the traction divided by this from the next step on.
+  void reduce_penalties(double divisor) { penalty_divisor_ = divisor; }
   /// Starts a time step that ends at `time` [s].
   void start_step(double time, double dt);
   /// Keeps the current state as what the next step starts from.
@@ -68,6 +70,7 @@ class Problem {
   VectorXd pending_;
   VectorXd forces_;  ///< of the last residual(), on all places
   double time_ = 0, dt_ = 0;
+  double penalty_divisor_ = 1;
 };
 
 }  // namespace standalone

@@ -49,6 +49,15 @@ def fates(made):
     return {change.name: change.action for changes in made.changes.values() for change in changes}
 
 
+def test_tags_over_several_lines_and_comments_in_values_are_read_as_febio_reads_them(converted):
+    old = text(Param("penalty", 10)).replace('" surface_pair', '"\n  surface_pair', 1)
+    old = old.replace("<penalty>10<", "<penalty><!-- ten -->10<")
+    made = converted(old)
+    assert fates(made)["penalty"] is Action.KEPT
+    assert '"sliding-mixture"\n  surface_pair' in made.data.decode("iso-8859-1")
+    assert "<penalty><!-- ten -->10</penalty>" in made.data.decode("iso-8859-1")
+
+
 def test_defaults_are_written_out_and_the_rest_stays(converted):
     old = text()
     new = converted(old).data.decode("iso-8859-1")

@@ -135,6 +135,14 @@ struct Scene {
   }
 };
 
+/// As if a step had been accepted with larger loads than any to come.
+inline void accept_any_load(ContactInterface& contact) {
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
+    VectorXd& accepted = contact.pass(pass).laws().multipliers.accepted_traction;
+    accepted.setConstant(-std::numeric_limits<double>::infinity());
+  }
+}
+
 inline bool is_converged(const ContactInterface& contact, const GapReport& report) {
   return meets(report, contact.settings().tolerances, contact.effects());
 }

@@ -42,7 +42,7 @@ def displacements(folder):
 # ------------------------------------------------------------ penalties that give way
 
 
-def overlapping(params: str = "", overlap: float = 0.3, steps: int = 2) -> Document:
+def overlapping(params: str = "", overlap: float = 0.6, steps: int = 2) -> Document:
     """A stiff block that begins deep in a soft one, over all of its upper side."""
     parts = Parts()
     parts.box("low", (0, 0, 0), (1, 1, 1), (6, 6, 6), "soft")
@@ -90,6 +90,11 @@ def test_where_no_step_fails_nothing_gives_way(solve):
     given, _ = solve("given", overlapping(FACTOR, overlap=0.1))
     assert found.report.retries == 0
     assert (automatic / "nodes.txt").read_text() == (given / "nodes.txt").read_text()
+
+
+def test_bodies_that_overlap_deeply_at_the_start_are_not_thrown_apart(solve):
+    _, found = solve("deep", overlapping(FACTOR, overlap=0.3))
+    assert found.report.retries == 0
 
 
 # ------------------------------------------------------------ two rigid bodies
@@ -347,6 +352,22 @@ def test_both_faces_of_rigid_shells_are_hard(solve):
     front, _ = solve("front", under_plate(faces_up=False, is_rigid=True))
     assert abs(block_force(front)[-1]) > 0.05
     np.testing.assert_allclose(block_force(back), block_force(front), rtol=1e-9, atol=1e-12)
+
+
+def test_friction_turns_rigid_shells_about_the_face_that_it_acts_on(solve):
+    def reaction(name: str, *, faces_up: bool):
+        document = under_plate(faces_up=faces_up, is_rigid=True)
+        bottom = "<shell_bottom_secondary>1</shell_bottom_secondary>" if faces_up else ""
+        document.contacts = (contact("c", "pair", params=f"<fric_coeff>0.3</fric_coeff>{bottom}"),)
+        rubs = (fixed("low-bottom", "y"), moved("low-bottom", "x", 0.05), moved("low-bottom", "z", 0.06))
+        document.boundary = rubs
+        document.rigid_data = {2: "Fx;Fz;Mx;My;Mz"}
+        folder, _ = solve(name, document)
+        return small.table(folder / "rigid-2.txt")[-1, 0]
+
+    back, front = reaction("back", faces_up=True), reaction("front", faces_up=False)
+    assert abs(front[0]) * THICKNESS > 1e-3 * abs(front[3])
+    np.testing.assert_allclose(back, front, rtol=1e-6, atol=1e-9)
 
 
 def test_the_back_face_of_a_solid_is_an_error(solve):

@@ -22,6 +22,7 @@ class ContactGeometry {
 
   /// What ContactPass documents under the same names.
   virtual bool begin_iteration(const FacingFields& fields) = 0;
+  virtual void hold_loads(const FacingFields& fields) = 0;
   virtual void relinearise(const FacingFields& fields) = 0;
   virtual void start_inactive(const FacingFields& fields) = 0;
   virtual void take_multipliers() = 0;

@@ -108,15 +108,20 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const FacingPosi
   return point_ ? active_set_.updated(now, space_.gaps(x)) : initial_status(x);
 }
 
+bool MovingGeometry::find_points(const FacingPositions& x) {
+  const bool finds_more = space_.facing().begin_iteration(x);
+  if (finds_more && !point_) space_.boundary_weights().reconsider();
+  space_.update_boundary_weights(x);
+  return finds_more;
+}
+
 bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const bool predicted = point_.has_value();
-  const bool finds_more = space_.facing().begin_iteration(positions(fields));
-  if (finds_more && !predicted) space_.boundary_weights().reconsider();
-  space_.update_boundary_weights(positions(fields));
+  const bool finds_more = find_points(positions(fields));
   const NodalLoads before = loads(fields);
   if (!predicted) active_set_.start_counting();
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
-    if (!predicted) return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
+    if (!predicted) return initial_friction(now);
     return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
   const NodeFlags updated = updated_status(before, positions(fields));
@@ -127,6 +132,11 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const bool augmented = std::exchange(augmented_, false);
   next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
+  if (!predicted && !augmented && method_.predicts()) {
+    // Before any step has been accepted, jumps are none that fluxes have made, either.
+    if (laws_.multipliers.accepted_traction.isZero(0)) next.geometric_flux.setZero();
+    next.geometric_traction = laws_.within_accepted(next.geometric_traction, space_.facing().surface_size());
+  }
   if (!predicted) laws_.drop_new_fluxes(next.geometric_flux);
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
@@ -135,6 +145,15 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
                        differ(before, next.loads, active_set_.options().same_load, fields);
   hold(std::move(next), fields);
   return changed;
+}
+
+void MovingGeometry::hold_loads(const FacingFields& fields) {
+  find_points(positions(fields));
+  const NodeFlags status = initial_status(positions(fields));
+  active_set_.start_counting();
+  const auto decide = [&](const NodalLoads& now) { return initial_friction(now); };
+  geometric_.reset();
+  point_ = evaluated_at(fields, {status, status, {}}, decide, nullptr);
 }
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
@@ -226,15 +245,16 @@ void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVe
 void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
   const NodalLoads now = loads(fields);
   IndexedVector<NodeLinearisation> present;
-  if (!point_) present = linearised(now, fields);
+  const bool is_linearised = point_ && point_->is_linearised();
+  if (!is_linearised) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
-  node_tangents(method_, point_ ? point_->nodes : present, now, weights, dt, add);
+  node_tangents(method_, is_linearised ? point_->nodes : present, now, weights, dt, add);
   if (const GeometricPart* held = geometric_at(positions(fields))) {
     for (const std::optional<GeometricTangent>& unit : *held) {
       if (unit) add_geometric(*unit, dt, add);
     }
   } else {
-    geometric_tangents(space_, point_ ? geometric_loads(*point_) : now, fields, dt, add);
+    geometric_tangents(space_, is_linearised ? geometric_loads(*point_) : now, fields, dt, add);
   }
 }
 

@@ -17,6 +17,7 @@ class MovingGeometry : public ContactGeometry {
 
   void update(const FacingPositions& x) override;
   bool begin_iteration(const FacingFields& fields) override;
+  void hold_loads(const FacingFields& fields) override;
   void relinearise(const FacingFields& fields) override;
   void start_inactive(const FacingFields& fields) override;
   void take_multipliers() override { augmented_ = true; }
@@ -37,11 +38,16 @@ class MovingGeometry : public ContactGeometry {
   /// What an iteration holds but for its linearisation and the loads of the geometric part.
   LinearisationPoint evaluated_at(const FacingFields& fields, ContactStatus status, const DecideFriction& decide,
                                   const NodalLoads* predicted) const;
+  /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.
+  bool find_points(const FacingPositions& x);
   /// Linearises, and holds what an iteration does.
   void hold(LinearisationPoint point, const FacingFields& fields);
   /// The geometric part of the tangent where it is held for these positions.
   const GeometricPart* geometric_at(const FacingPositions& x) const;
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
+  FrictionStatus initial_friction(const NodalLoads& now) const {
+    return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
+  }
   NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
   /// Status that the present loads ask for, at these positions.
   NodeFlags updated_status(const NodalLoads& now, const FacingPositions& x) const;
@@ -55,7 +61,7 @@ class MovingGeometry : public ContactGeometry {
   const NodalLaws& laws_;
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
-  std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun
+  std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
   /// The geometric part of the tangent there, per pair of facets, in a time increment of 1; until the surfaces move.
   std::optional<GeometricPart> geometric_;
   bool augmented_ = false;  ///< since the last iteration began

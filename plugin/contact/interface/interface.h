@@ -54,10 +54,10 @@ class ContactInterface {
   /// The patches that tangent() would fill with the present status.
   void for_each_coupling(const std::function<void(const Location&)>& use) const;
 
-  /// Takes a state over as that which the next step begins with: which nodes are flux-coupled, and with friction its
-  /// tractions and the positions that slips are measured from; then iterations end with it, too.
+  /// Takes a state over as that which the next step begins with: its tractions, which nodes are flux-coupled, and with
+  /// friction the positions that slips are measured from; then iterations end with it, too.
   void accept_step(const PerSide<SurfaceFields>& fields);
-  /// Forgets that state: the surfaces begin to slide where the next projection finds them.
+  /// Forgets accepted steps: loads begin, and the surfaces begin to slide, where the next projection finds them.
   void forget_steps();
 
   /// Gaps at the current state, the worst of both passes; meets() tells whether they meet the tolerances.

@@ -49,8 +49,10 @@ void ContactPass::augment(const FacingFields& fields) {
 
 void ContactPass::accept_step(const FacingFields& fields) {
   if (effects_.scalar_fields() > 0) laws_.multipliers.flux_coupled = flux_coupled(positions(fields));
-  if (!effects_.may_rub()) return;
+  if (!effects_.traction) return;
   NodalLoads loads = nodal_loads(fields);
+  laws_.multipliers.accepted_traction = loads.traction;
+  if (!effects_.may_rub()) return;
   space_.measure_slips_from(positions(fields));
   if (loads.friction.empty()) return;
   set_convection(loads.friction, space_, loads.in_contact, fields.primary.position);

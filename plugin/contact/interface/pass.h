@@ -31,6 +31,10 @@ class ContactPass {
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const FacingFields& fields) { return geometry_->begin_iteration(fields); }
 
+  /// Begins at a state where no tangent follows, as in explicit dynamics: decides which nodes are in contact by the
+  /// true laws, and holds the loads of this state, without their linearisation, for residuals at it.
+  void hold_loads(const FacingFields& fields) { geometry_->hold_loads(fields); }
+
   /// Restricts the active set: only these nodes may close, all of whose facets then take part, and no others. Takes
   /// effect with the next project().
   void restrict_active_set(const NodeFlags& nodes);
@@ -52,8 +56,8 @@ class ContactPass {
   /// Slips are measured from these positions from now on.
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
-  /// Takes an accepted state over as that which the next step begins with: which nodes are flux-coupled, its friction,
-  /// and its positions as those that slips are measured from.
+  /// Takes an accepted state over as that which the next step begins with: its loads, which nodes are flux-coupled, and
+  /// its positions as those that slips are measured from.
   void accept_step(const FacingFields& fields);
 
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
@@ -91,7 +95,6 @@ class ContactPass {
 
   /// How the conditions are enforced. Unknown multipliers have an equation each in residual() and tangent().
   Enforcement enforcement() const { return settings_.enforcement; }
-  bool has_unknown_multipliers() const { return space_.has_unknown_multipliers(); }
 
   const MortarSpace& space() const { return space_; }
   /// The pairs of facets that face each other, with their integration points.

@@ -22,6 +22,7 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
 }
 
 void NodalLaws::forget_steps() {
+  multipliers.accepted_traction.setZero(nodes());
   if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), true);
   if (!effects_.may_rub()) return;
   multipliers.friction.setZero(3, nodes());
@@ -150,6 +151,12 @@ void NodalLaws::drop_new_fluxes(MatrixXd& flux) const {
   for (Index node = 0; node < multipliers.flux_coupled.count(); ++node) {
     if (!multipliers.flux_coupled[node]) flux.col(node).setZero();
   }
+}
+
+VectorXd NodalLaws::within_accepted(const VectorXd& traction, double surface_size) const {
+  const VectorXd accepted = multipliers.accepted_traction.cwiseAbs();
+  const VectorXd most = accepted.array() + accepted_margin * accepted.maxCoeff() + traction_rounding(surface_size);
+  return traction.cwiseMax(-most).cwiseMin(most);
 }
 
 double NodalLaws::traction_rounding(double surface_size) const {

@@ -14,10 +14,11 @@ struct Multipliers {
   MatrixXd flux;                      ///< lambda per (field, node)
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
-  Matrix3Xd friction;      ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty without
-                           ///< friction
-  NodeFlags slips;         ///< which nodes slid when friction had these values
-  NodeFlags flux_coupled;  ///< which nodes were so when the last step was accepted; empty without fluxes
+  VectorXd accepted_traction;         ///< t_a of the step that was accepted last [MPa]; 0 before any
+  NodeFlags flux_coupled;             ///< which nodes were so then; empty without fluxes
+  Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty
+                                      ///< without friction
+  NodeFlags slips;                    ///< which nodes slid when friction had these values
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
 };
 
@@ -35,11 +36,17 @@ FrictionTraction friction_law(const NodalLoads& loads, Index node);
 /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
 inline constexpr double rounding_fraction = 1e-13;
 
+/// Where a step begins, tractions may have changed since the last one was accepted by twice what that was accepted with
+/// (see ActiveSetOptions::solution_load), as a part of the largest one.
+inline constexpr double accepted_margin = 2e-2;
+
 class NodalLaws {
  public:
   /// Keeps references to the surfaces and what they exchange.
   NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings);
 
+  /// Forgets accepted steps: their tractions, friction, stick and slip, and which nodes were flux-coupled.
+  void forget_steps();
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 
@@ -90,12 +97,14 @@ class NodalLaws {
   Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
   /// Takes the present friction and status over.
   void take_friction(const NodalLoads& loads);
+  /// Where a step begins: tractions for the geometric part of the tangent, none larger than in the equilibrium that the
+  /// last one ended with. More is what a large penalty makes of an overlap that is in no equilibrium: of meshes at the
+  /// start, or where averages are taken over other facets than before.
+  VectorXd within_accepted(const VectorXd& traction, double surface_size) const;
   /// Where a step begins: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
   /// geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would be
   /// a wrong stiffness of that size.
   void drop_new_fluxes(MatrixXd& flux) const;
-  /// Forgets friction, stick and slip, and which nodes were flux-coupled.
-  void forget_steps();
 
   /// What a large penalty makes of the rounding of gaps [MPa].
   double traction_rounding(double surface_size) const;

@@ -56,12 +56,13 @@ struct LinearisationPoint {
   SurfaceFields primary;  ///< the state
   SurfaceFields secondary;
   NodalLoads loads;                        ///< there
-  IndexedVector<NodeLinearisation> nodes;  ///< empty for nodes out of contact
+  IndexedVector<NodeLinearisation> nodes;  ///< empty for nodes out of contact; none where loads alone are held
   VectorXd geometric_traction;             ///< t_a for the geometric part of the tangent
   MatrixXd geometric_flux;                 ///< fluxes for it
   Matrix3Xd geometric_friction;            ///< t_T for it; empty without friction
   VectorXd equation_weights;               ///< of the equations of unknown multipliers
 
+  bool is_linearised() const { return !nodes.empty(); }
   /// Its averages, with status and loads of the point, as they vary to another state.
   NodalLoads predicted_averages(const FacingFields& fields) const;
   std::size_t memory() const;

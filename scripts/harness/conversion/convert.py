@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -87,14 +87,16 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
     edits: list[Edit] = []
     changes: dict[str, list[Change]] = {}
     sections = [*root.all("Contact"), *root.all("Step", "step", "Contact")]
-    for number, contact in enumerate((c for s in sections for c in s.all("contact")), 1):
+    contacts = [contact for section in sections for contact in section.all("contact")]
+    joints = _joints(model, contacts)
+    for number, contact in enumerate(contacts, 1):
         kind = contact.attributes.get("type", "")
         if kind not in CONVERTIBLE:
             continue
         name = contact.attributes.get("name") or f"number {number}"
         edits.append(spans.attribute(data, contact, "type", MIXTURE))
         own = [Change(Action.MAPPED, "type", contact.line, f"{kind} becomes {MIXTURE}")]
-        for edit, change in _parameters(data, contact, _joint(model, contact)):
+        for edit, change in _parameters(data, contact, joints[contact.start]):
             own.append(change)
             edits += edit
         changes[f'contact "{name}"'] = own
@@ -105,9 +107,11 @@ def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change
     return edits, changes
 
 
-def _joint(model: Model, contact: Span) -> Joint:
-    """The contact of the model that stands in a line of the file."""
-    return next(Joint(model, known) for known in model.contacts if documents.place(known.tag).line == contact.line)
+def _joints(model: Model, contacts: Sequence[Span]) -> dict[int, Joint]:
+    """The sliding contacts of the model by where they start in its file: both are in FEBio's order of reading."""
+    sliding = [contact for contact in contacts if contact.attributes.get("type", "") in TYPES]
+    of_file = [known for known in model.contacts if documents.place(known.tag).file == model.path]
+    return {contact.start: Joint(model, known) for contact, known in zip(sliding, of_file, strict=True)}
 
 
 def _impermeable(joint: Joint) -> bool:
@@ -118,7 +122,7 @@ def _impermeable(joint: Joint) -> bool:
 def _parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
     kind, impermeable, rubs = TYPES[contact.attributes["type"]], _impermeable(joint), joint.contact.has_friction
     for child in contact.children:
-        value = data[slice(*child.inner)].decode("latin-1").strip()
+        value = spans.text(data, child)
         change = fate(kind, child.tag, value, rubs=rubs)(child.line)
         yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
     names = missing(kind, {child.tag for child in contact.children})

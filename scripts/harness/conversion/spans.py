@@ -100,6 +100,11 @@ def _end_of_tag(data: bytes, start: int) -> int:
     return found.end()
 
 
+def text(data: bytes, span: Span) -> str:
+    """What stands between the tags of an element, without comments and white space around it."""
+    return re.sub(rb"<!--.*?-->", b"", data[slice(*span.inner)], flags=re.DOTALL).decode("latin-1").strip()
+
+
 def apply(data: bytes, edits: Iterable[Edit]) -> bytes:
     """The bytes with all edits made; they must not overlap."""
     for edit in sorted(edits, key=lambda one: (one.start, one.end), reverse=True):

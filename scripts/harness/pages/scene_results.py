@@ -58,7 +58,7 @@ what the columns are. {stamp}
 """
 
 
-FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"))
+FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit", "explicit-finer"))
 """Scenes on two meshes, one twice as fine as the other."""
 MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""

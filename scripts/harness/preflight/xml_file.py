@@ -113,7 +113,7 @@ def _sections(path: Path, depth: int, data: bytes | None = None) -> Iterator[Ele
         raise ModelError(f"{path}: is included more than {DEEPEST_INCLUDE} files deep; does a file include itself?")
     for section in children(parse(path, data)):
         if section.tag == "Include":
-            yield from _sections(_included(section, (section.text or "").strip()), depth + 1)
+            yield from _sections(_included(section, text(section)), depth + 1)
         elif section.get("from"):
             yield _section_from(section)
         else:
@@ -139,8 +139,9 @@ def _included(section: Element, name: str) -> Path:
 
 
 def text(element: Element) -> str:
-    """The text of an element without white space around it."""
-    return (element.text or "").strip()
+    """The text of an element without comments in it and white space around it."""
+    behind_comments = (child.tail for child in element if not isinstance(child.tag, str))
+    return "".join(part or "" for part in (element.text, *behind_comments)).strip()
 
 
 def number(element: Element) -> float:

@@ -1,3 +1,4 @@
+#include "contact/interface/held_loads.h"
 #include "contact/interface/relocation.h"
 
 #include "surfaces.h"
@@ -217,6 +218,42 @@ BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_bits_and_changes_no_state) 
     BOOST_TEST((contact.pass(0).laws().multipliers.flux == before.flux));
     BOOST_TEST((contact.pass(0).laws().multipliers.flux_penalty_scale == before.flux_penalty_scale));
     BOOST_TEST(contact.pass(0).laws().multipliers.traction_penalty_scale == before.traction_penalty_scale);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(loads_held_for_residuals_are_those_of_an_iteration_without_its_linearisation) {
+  for_random_contacts(53, [](const Scene& scene, ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    contact.begin_iteration(scene.fields);
+    const VectorXd linearised = assembled_residual(contact, layout, scene.fields, dt);
+    const std::size_t memory = contact.pass(0).memory();
+    contact.end_iterations();
+    hold_loads(contact, scene.fields);
+    BOOST_TEST((assembled_residual(contact, layout, scene.fields, dt) == linearised));
+    BOOST_TEST(2 * contact.pass(0).memory() < memory);
+  });
+}
+
+/// Meshes that overlap at the start, times a large penalty, would be a geometric stiffness of that size.
+BOOST_AUTO_TEST_CASE(the_geometric_part_of_a_steps_first_tangent_is_that_of_accepted_loads) {
+  for_random_contacts(59, [](const Scene& scene, ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    contact.end_iterations();
+    const auto first_tangent = [&] {
+      contact.begin_iteration(scene.fields);
+      contact.end_iterations();
+      contact.begin_iteration(scene.fields);
+      return assembled_tangent(contact, layout, scene.fields, dt);
+    };
+    const MatrixXd overlap_of_no_step = first_tangent();
+    contact.accept_step(scene.fields);
+    const MatrixXd of_accepted_step = first_tangent();
+    contact.end_iterations();
+    const MatrixXd exact = assembled_tangent(contact, layout, scene.fields, dt);
+    BOOST_TEST(relative_error(of_accepted_step, exact) < rounding);
+    BOOST_TEST(relative_error(overlap_of_no_step, exact) > 1e-3);
+    contact.forget_steps();
+    BOOST_TEST((first_tangent() == overlap_of_no_step));
   });
 }
 

@@ -58,6 +58,7 @@ struct SlidingStep {
     scene.fields[Side::primary].position.row(1).array() -= 0.03;
     turn_all(scene, 0.4, Vector3d(1, -0.5, 0.3));
     contact->project(scene.position());
+    accept_any_load(*contact);
     contact->begin_iteration(scene.fields);
   }
 

@@ -60,6 +60,7 @@ SCENES: Mapping[str, Edited] = {
     "broyden-biphasic": _edited("10 updates of Broyden, biphasic", "biphasic", edits.updates("Broyden", 10)),
     "symmetric": _edited("symmetric matrix", "elements-hex8", edits.solver(symmetric_stiffness="symmetric")),
     "explicit": _explicit("explicit dynamics", "elements-hex8", 500),
+    "explicit-finer": _explicit("explicit dynamics, twice as fine", "finer", 1000),
     "explicit-tet4": _explicit("explicit dynamics, tetrahedra", "elements-tet4", 2000),
     "no-line-search": _edited("without a line search", "elements-hex8", edits.solver(lstol="0")),
     "begins-with-a-step": _edited("contact from the second step on", "flat", edits.two_steps((2,))),

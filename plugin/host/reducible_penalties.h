@@ -1,0 +1,37 @@
+/// The automatic penalties of a model's contacts, which are reduced where steps fail, and what a log says of it.
+#pragma once
+
+#include "penalty_reduction.h"
+#include "warnings.h"
+
+class ReduciblePenalties {
+ public:
+  /// What they are divided by at present.
+  double divisor() const { return reduction_.divisor(); }
+  bool are_reduced() const { return !reduction_.is_full(); }
+
+  /// An attempt at the step to `time` has failed, and another one follows. Returns what the log is to say; empty where
+  /// nothing.
+  std::string fail(double time);
+  /// The largest overlap of a contact in a step that is accepted with reduced penalties.
+  void note(const std::string& contact, const mixture_contact::Overlap& overlap, double time);
+  /// A step has been accepted.
+  void accept() { reduction_.accept(); }
+  /// What the log is to say at the end of a run; empty where nothing.
+  std::string summary() const;
+
+  /// Calls take(value) for each value of the state.
+  template <class Take>
+  void for_each_value(const Take& take) {
+    reduction_.for_each_value(take);
+    take(accepted_.contact);
+    take(accepted_.overlap.depth);
+    take(accepted_.overlap.share);
+    take(accepted_.time);
+  }
+
+ private:
+  mixture_contact::PenaltyReduction reduction_;
+  AcceptedOverlap accepted_;  ///< the deepest one
+  bool said_ = false;         ///< in this run, that penalties are reduced
+};
