@@ -12,7 +12,6 @@ QUICK = ("material-Mooney-Rivlin", "rigid-free", "quasi-newton", "shells-back")
 SLOW = (
     "material-damage",
     "material-mixture-with-exponential-fibres",
-    "elements-tet10",
     "elements-penta6",
     "type-sliding-facet-on-facet",
     "type-sliding-node-on-facet",
