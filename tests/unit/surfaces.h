@@ -135,11 +135,12 @@ struct Scene {
   }
 };
 
-/// As if a step had been accepted with larger loads than any to come.
+/// As if a step had been accepted with larger loads than any to come, and with all nodes flux-coupled.
 inline void accept_any_load(ContactInterface& contact) {
   for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
-    VectorXd& accepted = contact.pass(pass).laws().multipliers.accepted_traction;
-    accepted.setConstant(-std::numeric_limits<double>::infinity());
+    Multipliers& multipliers = contact.pass(pass).laws().multipliers;
+    multipliers.accepted_traction.setConstant(-std::numeric_limits<double>::infinity());
+    multipliers.flux_coupled.assign(multipliers.flux_coupled.size(), true);
   }
 }
 

@@ -133,11 +133,9 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   if (!predicted && !augmented && method_.predicts()) {
-    // Before any step has been accepted, jumps are none that fluxes have made, either.
-    if (laws_.multipliers.accepted_traction.isZero(0)) next.geometric_flux.setZero();
+    laws_.drop_new_fluxes(next.geometric_flux);
     next.geometric_traction = laws_.within_accepted(next.geometric_traction, space_.facing().surface_size());
   }
-  if (!predicted) laws_.drop_new_fluxes(next.geometric_flux);
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
                        before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||

@@ -23,7 +23,7 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
 
 void NodalLaws::forget_steps() {
   multipliers.accepted_traction.setZero(nodes());
-  if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), true);
+  if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), false);
   if (!effects_.may_rub()) return;
   multipliers.friction.setZero(3, nodes());
   multipliers.slips = NodeFlags(nodes(), false);

@@ -15,7 +15,7 @@ struct Multipliers {
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
   VectorXd accepted_traction;         ///< t_a of the step that was accepted last [MPa]; 0 before any
-  NodeFlags flux_coupled;             ///< which nodes were so then; empty without fluxes
+  NodeFlags flux_coupled;             ///< which nodes were so then, none before any; empty without fluxes
   Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty
                                       ///< without friction
   NodeFlags slips;                    ///< which nodes slid when friction had these values

@@ -85,6 +85,7 @@ MatrixXd plain_differences(const Function& function, const VectorXd& x) { return
 /// Residual of a scene's contact with the status of its nodes held against its tangent.
 double tangent_error(const Scene& scene, MatrixXd (*difference)(const Function&, const VectorXd&) = plain_differences) {
   const auto contact = scene.contact();
+  accept_any_load(*contact);
   contact->begin_iteration(scene.fields);
   const GlobalLayout layout(scene);
   const VectorXd q = layout.pack(scene.fields);
