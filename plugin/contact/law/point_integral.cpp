@@ -63,7 +63,8 @@ void add_traction_tangent(const PointKinematics& point, const KinematicVariation
   // d[w t_n h_a a] = w [ h_a ((dt_n + t_n dw/w) a + t_n da) + t_n a dh_a ],  dt_n = t_n' dg + t_n,alpha dxi_alpha
   const PairVariation<1> dtn = loads.traction.derivative * vary.gap + loads.traction_slope.transpose() * vary.xi +
                                loads.traction.value * vary.weight;
-  PairVariation<3> dforce = loads.weight * (point.area_vector.lazyProduct(dtn) + loads.traction.value * vary.area_vector);
+  PairVariation<3> dforce = loads.weight *
+                            (point.area_vector.lazyProduct(dtn) + loads.traction.value * vary.area_vector);
   Vector3d force = loads.weight * loads.traction.value * point.area_vector;
   if (loads.has_friction()) {
     dforce += friction_force_variation(point, vary, loads);

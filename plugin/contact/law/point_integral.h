@@ -32,8 +32,8 @@ struct PointLoads {
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
 /// Adds the exact derivative of the displacement rows of add_residual() and of add_friction() with the nodal positions,
-/// eq (2.6), including the changes of da1, of n1, of the projected position and of the tractions there, t_T of the nodes
-/// held; rows and columns in the order of displacements alone.
+/// eq (2.6), including the changes of da1, of n1, of the projected position and of the tractions there, t_T of the
+/// nodes held; rows and columns in the order of displacements alone.
 void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           MatrixXd& tangent);
 
