@@ -62,7 +62,7 @@ inline Place<VaryingNumber> corner_place(const Vector2d& value, int corner) {
 }
 
 /// Variation of a number with the place of a corner.
-inline Eigen::RowVector2d by_corner(const VaryingNumber& number, int corner) {
+inline Eigen::RowVector2d by_corner(const VaryingNumber& number, Index corner) {
   return number.derivatives().segment<2>(2 * corner).transpose();
 }
 

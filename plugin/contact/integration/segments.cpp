@@ -164,11 +164,11 @@ bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
 /// A linear piece of the primary facet as it is seen, which others are clipped against.
 template <class Number>
 struct Piece {
-  SubFacet part;
+  SubFacet part{};
   View view;
   Circle circle;
   Polygon<Number> polygon;
-  double area;  ///< twice that which is seen
+  double area = 0;  ///< twice that which is seen
   Alignment<Number> aligned;
 };
 

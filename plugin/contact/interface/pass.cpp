@@ -83,8 +83,9 @@ void ContactPass::for_each_coupling(const FacingPositions& x, const UsePatch& us
 }
 
 std::size_t ContactPass::memory() const {
-  return space_.memory() + bytes(laws_.multipliers.traction) + bytes(laws_.multipliers.flux) +
-         bytes(laws_.penalties().traction) + bytes(laws_.penalties().flux) + geometry_->memory();
+  return space_.memory() + bytes(laws_.multipliers.traction) + bytes(laws_.multipliers.accepted_traction) +
+         bytes(laws_.multipliers.flux) + bytes(laws_.penalties().traction) + bytes(laws_.penalties().flux) +
+         geometry_->memory();
 }
 
 }  // namespace mixture_contact
