@@ -37,8 +37,9 @@ void FixedGeometry::update(const FacingPositions& x) {
   space_.update_boundary_weights(x);
   const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields)};
   const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields)};
-  const NodeFlags status = active_set_.initial(space_.gaps(x));
-  fixed_ = space_.averages({primary, secondary}, {status, status, {}});
+  NodalGaps gaps = space_.gaps(x);
+  const NodeFlags status = active_set_.initial(gaps);
+  fixed_ = space_.averages(std::move(gaps), {primary, secondary}, {status, status, {}});
   fixed_.traction.setZero(space_.nodes());
   fixed_.flux.setZero(fields, space_.nodes());
   nodes_ = linearise(space_, fixed_, {primary, secondary});

@@ -61,10 +61,10 @@ void MovingGeometry::update(const FacingPositions& x) {
   space_.update_boundary_weights(x);
 }
 
-LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, ContactStatus status,
+LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, NodalLoads averages,
                                                 const DecideFriction& decide, const NodalLoads* predicted) const {
   LinearisationPoint point;
-  point.loads = space_.averages(fields, std::move(status));
+  point.loads = std::move(averages);
   method_.load(point.loads);
   if (!point.loads.friction.empty()) {
     FrictionStatus decided = decide(point.loads);
@@ -104,8 +104,8 @@ IndexedVector<NodeLinearisation> MovingGeometry::linearised(const NodalLoads& lo
   return nodes;
 }
 
-NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const FacingPositions& x) const {
-  return point_ ? active_set_.updated(now, space_.gaps(x)) : initial_status(x);
+NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps& gaps) const {
+  return point_ ? active_set_.updated(now, gaps) : active_set_.initial(gaps);
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {
@@ -124,8 +124,9 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
     if (!predicted) return initial_friction(now);
     return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
-  const NodeFlags updated = updated_status(before, positions(fields));
-  LinearisationPoint next = evaluated_at(fields, active_set_.next(before.in_contact, updated, predicted), decide,
+  NodalGaps gaps = space_.gaps(positions(fields));
+  ContactStatus status = active_set_.next(before.in_contact, updated_status(before, gaps), predicted);
+  LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          predicted ? &before : nullptr);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
   const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
@@ -147,18 +148,18 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
 
 void MovingGeometry::hold_loads(const FacingFields& fields) {
   find_points(positions(fields));
-  const NodeFlags status = initial_status(positions(fields));
   active_set_.start_counting();
   const auto decide = [&](const NodalLoads& now) { return initial_friction(now); };
   geometric_.reset();
-  point_ = evaluated_at(fields, {status, status, {}}, decide, nullptr);
+  point_ = evaluated_at(fields, initial_averages(fields), decide, nullptr);
 }
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
   NodeFlags open(space_.nodes(), false);
   active_set_.start_counting();
   LinearisationPoint point = evaluated_at(
-      fields, {open, open, {}}, [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
+      fields, space_.averages(space_.gaps(positions(fields)), fields, {open, open, {}}),
+      [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
   point.geometric_traction = point.loads.traction;
   point.geometric_flux = point.loads.flux;
   point.geometric_friction = point.loads.friction.traction;
@@ -170,8 +171,10 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
     return {active_set_.moved_slip(point_->loads, now), active_set_.moved_rubs(point_->loads, now)};
   };
-  LinearisationPoint next = evaluated_at(fields, active_set_.moved(point_->loads, space_.gaps(positions(fields))),
-                                         decide, &point_->loads);
+  NodalGaps gaps = space_.gaps(positions(fields));
+  ContactStatus status = active_set_.moved(point_->loads, gaps);
+  LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
+                                         &point_->loads);
   next.geometric_traction = point_->loads.traction;
   next.geometric_flux = point_->loads.flux;
   next.geometric_friction = point_->loads.friction.traction;
@@ -188,11 +191,12 @@ void MovingGeometry::end_iterations() {
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  if (updated_status(predicted, positions(fields)) != point_->loads.in_contact) return false;
+  NodalGaps gaps = space_.gaps(positions(fields));
+  if (updated_status(predicted, gaps) != point_->loads.in_contact) return false;
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
   if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
-  NodalLoads now = space_.averages(fields, point_->loads.status());
+  NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
   method_.load(now);
   return !differ(predicted, now, active_set_.options().solution_load, fields);
 }
@@ -213,11 +217,16 @@ bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, doub
 
 NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
   if (point_) return method_.predicted_loads(*point_, fields);
-  const NodeFlags status = initial_status(positions(fields));
-  NodalLoads loads = space_.averages(fields, {status, status});
+  NodalLoads loads = initial_averages(fields);
   method_.load(loads);
   loads.traction = laws_.admissible(loads.traction);
   return loads;
+}
+
+NodalLoads MovingGeometry::initial_averages(const FacingFields& fields) const {
+  NodalGaps gaps = space_.gaps(positions(fields));
+  const NodeFlags status = active_set_.initial(gaps);
+  return space_.averages(std::move(gaps), fields, {status, status, {}});
 }
 
 Matrix3Xd MovingGeometry::present_multipliers(const NodalFriction& friction) const {

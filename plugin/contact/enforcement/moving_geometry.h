@@ -36,7 +36,7 @@ class MovingGeometry : public ContactGeometry {
   /// Decides about friction from the loads at a state.
   using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
   /// What an iteration holds but for its linearisation and the loads of the geometric part.
-  LinearisationPoint evaluated_at(const FacingFields& fields, ContactStatus status, const DecideFriction& decide,
+  LinearisationPoint evaluated_at(const FacingFields& fields, NodalLoads averages, const DecideFriction& decide,
                                   const NodalLoads* predicted) const;
   /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.
   bool find_points(const FacingPositions& x);
@@ -48,9 +48,11 @@ class MovingGeometry : public ContactGeometry {
   FrictionStatus initial_friction(const NodalLoads& now) const {
     return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
   }
+  /// Averages of a state with the status that iterations begin with there.
+  NodalLoads initial_averages(const FacingFields& fields) const;
   NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
-  /// Status that the present loads ask for, at these positions.
-  NodeFlags updated_status(const NodalLoads& now, const FacingPositions& x) const;
+  /// Status that the present loads and gaps ask for.
+  NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
   /// Multipliers of friction, carried along with the surface since the step began.
   Matrix3Xd present_multipliers(const NodalFriction& friction) const;

@@ -76,8 +76,6 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
   for (const FacetPair& pair : facing_.pairs()) {
     if (!weights_.knows(pair.primary)) unknown.push_back(&pair);
   }
-  if (unknown.empty()) return;
-  known_gaps_.reset();
   std::map<int, FacetGapSums> covered;
   in_order(
       unknown.count(), [&](Index index) { return gap_sums(*unknown[index], x); },
@@ -91,13 +89,6 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
 }
 
 NodalGaps MortarSpace::gaps(const FacingPositions& x) const {
-  const bool known = known_gaps_ && known_gaps_->x[Side::primary] == x.primary &&
-                     known_gaps_->x[Side::secondary] == x.secondary;
-  if (!known) known_gaps_ = {{x.primary, x.secondary}, evaluated_gaps(x)};
-  return known_gaps_->gaps;
-}
-
-NodalGaps MortarSpace::evaluated_gaps(const FacingPositions& x) const {
   NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size(), offset_};
   const IndexedVector<FacetPair>& pairs = facing_.pairs();
   const auto sums_of = [&](Index index) { return gap_sums(pairs[index], x); };
@@ -130,18 +121,15 @@ void MortarSpace::average_jumps(const FacingFields& fields, NodalLoads& loads) c
   loads.jump = (loads.flux_area.array() > 0).select(loads.jump.array() / loads.flux_area.array(), 0.0);
 }
 
-NodalLoads MortarSpace::averages(const FacingFields& fields, ContactStatus status) const {
-  NodalLoads loads{gaps(positions(fields)), std::move(status), {}, {}, {}, {}, {}};
+NodalLoads MortarSpace::averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const {
+  NodalLoads loads{std::move(gaps), std::move(status), {}, {}, {}, {}, {}};
   average_jumps(fields, loads);
   if (effects().has_friction()) loads.friction = average_slips(*this, loads, fields);
   return loads;
 }
 
 std::size_t MortarSpace::memory() const {
-  std::size_t sum = facing_.memory() + weights_.memory() + bytes(past_[Side::primary]) + bytes(past_[Side::secondary]);
-  if (!known_gaps_) return sum;
-  for (const Matrix3Xd& x : known_gaps_->x) sum += bytes(x);
-  return sum + bytes(known_gaps_->gaps.area) + bytes(known_gaps_->gaps.gap);
+  return facing_.memory() + weights_.memory() + bytes(past_[Side::primary]) + bytes(past_[Side::secondary]);
 }
 
 Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {

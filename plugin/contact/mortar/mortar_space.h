@@ -14,20 +14,14 @@ class MortarSpace {
   MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  FacingPairs& facing() {
-    known_gaps_.reset();
-    return facing_;
-  }
+  FacingPairs& facing() { return facing_; }
   const FacingPairs& facing() const { return facing_; }
   const Effects& effects() const { return facing_.effects(); }
   Index nodes() const { return facing_.primary().nodes; }
 
   /// Decides for facets that face the other surface, and of which that is not decided, which of their nodes carry load.
   void update_boundary_weights(const FacingPositions& x);
-  BoundaryWeights& boundary_weights() {
-    known_gaps_.reset();
-    return weights_;
-  }
+  BoundaryWeights& boundary_weights() { return weights_; }
   const BoundaryWeights& boundary_weights() const { return weights_; }
   /// Functions psi_a (see BoundaryWeights::shape).
   ShapeFunctions shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
@@ -40,8 +34,8 @@ class MortarSpace {
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
   NodalGaps gaps(const FacingPositions& x) const;
-  /// Gaps, and the jumps of nodes of a status; without loads.
-  NodalLoads averages(const FacingFields& fields, ContactStatus status) const;
+  /// The gaps of a state, and the jumps of nodes of a status there; without loads.
+  NodalLoads averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const;
 
   /// Whether multipliers are unknowns, so that every node has equations of its own.
   bool has_unknown_multipliers() const { return unknown_multipliers_; }
@@ -59,12 +53,6 @@ class MortarSpace {
   std::size_t memory() const;
 
  private:
-  struct KnownGaps {
-    PerSide<Matrix3Xd> x;
-    NodalGaps gaps;
-  };
-
-  NodalGaps evaluated_gaps(const FacingPositions& x) const;
   FacetGapSums gap_sums(const FacetPair& pair, const FacingPositions& x) const;
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
 
@@ -75,9 +63,8 @@ class MortarSpace {
   bool symmetric_;
   double offset_;
   const FrictionRule& friction_;
-  PerSide<Matrix3Xd> past_;  ///< primary and secondary positions as the step began, where there is friction
-  mutable std::optional<KnownGaps> known_gaps_;  ///< the last ones, until points or weights change
-  mutable EffectTimings effect_times_;           ///< a measurement, which no result depends on
+  PerSide<Matrix3Xd> past_;             ///< primary and secondary positions as the step began, where there is friction
+  mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
 };
 
 }  // namespace mixture_contact
