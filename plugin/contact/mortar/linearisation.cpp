@@ -78,44 +78,62 @@ void scatter(const NodeLinearisation& pair, NodeLinearisation& sum) {
   }
 }
 
-PointShare share_of(const VaryingPoint& point, Index corner) {
-  const double weight = point.contact.loads.weight;
-  return {weight * point.contact.psi[corner], weight * point.contact.psi_gradient.row(corner)};
+/// A point as it counts for a node of its primary facet.
+struct CornerPoint {
+  const VaryingPoint& point;
+  Index number;  ///< of the point
+  Index corner;
+  int node;
+  PointShare share;
+  PairVariation<1> area;  ///< d(w psi_a |a|)
+};
+
+/// For all nodes in contact.
+std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<VaryingPoint>& points,
+                                       const NodeFlags& in_contact) {
+  std::vector<CornerPoint> found;
+  found.reserve(points.size() * indexing::entries(facet.count()));
+  for (Index q = 0; q < count_of(points); ++q) {
+    const auto& [contact, vary] = at(points, q);
+    const double weight = contact.loads.weight;
+    for (Index a = 0; a < facet.count(); ++a) {
+      if (!in_contact[facet.node(a)]) continue;
+      const PointShare share{weight * contact.psi[a], weight * contact.psi_gradient.row(a)};
+      found.push_back({at(points, q), q, a, facet.node(a), share, area_variation(contact.kinematics, vary, share)});
+    }
+  }
+  return found;
 }
 
 /// Adds a point's part in the first variation of an average over a node, g_a = INT psi_a g da / A_a:
 /// dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
-void add_mean_variation(VectorXd& sum, const PointKinematics& point, const PointShare& share,
-                        const PairVariation<1>& variation, double excess, const PairVariation<1>& area_varied,
+void add_mean_variation(VectorXd& sum, const CornerPoint& at, const PairVariation<1>& variation, double excess,
                         double area) {
-  sum += (share.value * point.area / area * variation + excess / area * area_varied).transpose();
+  const double part = at.share.value * at.point.contact.kinematics.area;
+  sum += (part / area * variation + excess / area * at.area).transpose();
 }
 
-void add_gap(NodeLinearisation& linear, const NodalLoads& loads, Index node, const VaryingPoint& point,
-             const PointShare& share, const PairVariation<1>& area_varied) {
-  const PointKinematics& kinematics = point.contact.kinematics;
-  const double excess = kinematics.gap - loads.gap[node] - loads.offset;
-  add_mean_variation(linear.gap_variation, kinematics, share, point.vary.gap, excess, area_varied, loads.area[node]);
-  const Vector3d traction = share.value * kinematics.area_vector;
-  const Index first = kinematics.primary_nodes();
-  for (Index n = 0; n < kinematics.nodes(); ++n) {
-    const double h = n < first ? kinematics.primary_shape[n] : -kinematics.secondary_shape[n - first];
-    linear.traction_work.segment<3>(3 * n) += h * traction;
+void add_gap(NodeLinearisation& linear, const NodalLoads& loads, const CornerPoint& at) {
+  const PointKinematics& kinematics = at.point.contact.kinematics;
+  const LocalLayout layout = linear.patch.of_displacements().layout();
+  const PairVector h = kinematics.jump_weights();
+  const double excess = kinematics.gap - loads.gap[at.node] - loads.offset;
+  add_mean_variation(linear.gap_variation, at, at.point.vary.gap, excess, loads.area[at.node]);
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    linear.traction_work.segment<3>(layout.displacement(n, 0)) += at.share.value * h[n] * kinematics.area_vector;
   }
 }
 
-void add_jump(NodeLinearisation& linear, Index k, const NodalLoads& loads, Index node, const VaryingPoint& point,
-              const PointShare& share, const PairVariation<1>& area_varied) {
-  const PointKinematics& kinematics = point.contact.kinematics;
-  const int field = point.contact.fields[k];
-  const double area = loads.flux_area(field, node);
-  const PairVector h = kinematics.jump_weights();
-  linear.jumps[k].weights += share.value * kinematics.area / area * h;
+void add_jump(NodeLinearisation& linear, Index k, const NodalLoads& loads, const CornerPoint& at) {
+  const auto& [contact, vary] = at.point;
+  const int field = contact.fields[k];
+  const double area = loads.flux_area(field, at.node);
+  const PairVector h = contact.kinematics.jump_weights();
+  linear.jumps[k].weights += at.share.value * contact.kinematics.area / area * h;
   if (!linear.patch.displacements) return;
-  const PairVector values = point.contact.values.col(k);
-  add_mean_variation(linear.jumps[k].projection_variation, kinematics, share,
-                     jump_variation(kinematics, point.vary, values), h.dot(values) - loads.jump(field, node),
-                     area_varied, area);
+  const PairVector values = contact.values.col(k);
+  add_mean_variation(linear.jumps[k].projection_variation, at, jump_variation(contact.kinematics, vary, values),
+                     h.dot(values) - loads.jump(field, at.node), area);
 }
 
 /// What friction needs of a point, whichever of its nodes is looked at.
@@ -140,35 +158,36 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
 }
 
 /// Averages as in add_gap().
-void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads, Index node, const VaryingPoint& point,
-                 const SlidingPoint& sliding, const PointShare& share) {
-  const PointKinematics& kinematics = point.contact.kinematics;
-  const double per_area = share.value / loads.area[node];
+void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads, const CornerPoint& at,
+                 const SlidingPoint& sliding) {
+  const auto& [contact, vary] = at.point;
+  const PointKinematics& kinematics = contact.kinematics;
+  const double whole = loads.area[at.node];
+  const double per_area = at.share.value / whole;
   const double part = per_area * kinematics.area;
-  const PairVariation<1> weight = share.variation(point.vary) / loads.area[node];
-  const PairVariation<1> area = per_area * point.vary.area + kinematics.area * weight;
-  const Vector3d slip = sliding.slip - loads.friction.slip.col(node);
+  const PairVariation<1> weight = at.share.variation(vary) / whole;
+  const PairVariation<1> area = at.area / whole;
+  const Vector3d slip = sliding.slip - loads.friction.slip.col(at.node);
   friction.slip_variation += part * sliding.slip_variation + slip.lazyProduct(area);
-  friction.area_vector_variation += per_area * point.vary.area_vector + kinematics.area_vector.lazyProduct(weight) -
-                                    loads.friction.area_vector.col(node).lazyProduct(area);
-  friction.work += share.value * kinematics.area * kinematics.jump_weights();
+  friction.area_vector_variation += per_area * vary.area_vector + kinematics.area_vector.lazyProduct(weight) -
+                                    loads.friction.area_vector.col(at.node).lazyProduct(area);
+  friction.work += at.share.value * kinematics.area * kinematics.jump_weights();
   if (!friction.has_fluid()) return;
-  const double pressure = sliding.pressure - loads.friction.pressure[node];
+  const double pressure = sliding.pressure - loads.friction.pressure[at.node];
   friction.pressure_variation += (part * sliding.pressure_variation + pressure * area).transpose();
   friction.pressure_weights += part * sliding.pressure_weights;
 }
 
 void add_sliding(IndexedVector<NodeLinearisation>& corners, const MortarSpace& space, const FacetPair& pair,
-                 const std::vector<VaryingPoint>& points, const NodalLoads& loads, const FacingFields& fields) {
+                 const std::vector<CornerPoint>& points, const NodalLoads& loads, const FacingFields& fields) {
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
-  const Facet& facet = space.facing().primary_facet(pair);
-  for (std::size_t q = 0; q < points.size(); ++q) {
-    const SlidingPoint sliding = sliding_point(space, pair, pair.points[q], points[q], pressure);
-    for (Index a = 0; a < corners.count(); ++a) {
-      const int node = facet.node(a);
-      if (!loads.in_contact[node]) continue;
-      add_sliding(corners[a].friction, loads, node, points[q], sliding, share_of(points[q], a));
-    }
+  std::optional<SlidingPoint> sliding;
+  Index number = -1;
+  for (const CornerPoint& at : points) {
+    if (at.number != number)
+      sliding = sliding_point(space, pair, indexing::at(pair.points, at.number), at.point, pressure);
+    number = at.number;
+    add_sliding(corners[at.corner].friction, loads, at, *sliding);
   }
 }
 
@@ -179,28 +198,17 @@ IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, con
   const Patch patch = space.facing().patch(pair);
   IndexedVector<NodeLinearisation> corners(patch.primary.count(), zero_linearisation(space, patch));
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
-  const auto for_each_corner_of_points = [&](const auto& use) {
-    for (const VaryingPoint& point : points) {
-      for (Index a = 0; a < corners.count(); ++a) {
-        const int node = patch.primary[a];
-        if (!loads.in_contact[node]) continue;
-        const PointShare share = share_of(point, a);
-        use(corners[a], node, point, share, area_variation(point.contact.kinematics, point.vary, share));
-      }
-    }
-  };
+  const std::vector<CornerPoint> all = corner_points(space.facing().primary_facet(pair), points, loads.in_contact);
   if (patch.displacements) {
-    for_each_corner_of_points(
-        [&](auto& linear, int node, const auto&... of_point) { add_gap(linear, loads, node, of_point...); });
+    for (const CornerPoint& at : all) add_gap(corners[at.corner], loads, at);
     laps.traction();
   }
   if (space.effects().has_friction()) {
-    add_sliding(corners, space, pair, points, loads, fields);
+    add_sliding(corners, space, pair, all, loads, fields);
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
-    for_each_corner_of_points(
-        [&](auto& linear, int node, const auto&... of_point) { add_jump(linear, k, loads, node, of_point...); });
+    for (const CornerPoint& at : all) add_jump(corners[at.corner], k, loads, at);
     laps.field(patch.fields[k]);
   }
   return corners;
