@@ -55,7 +55,6 @@ void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const Fac
     for (const IntegrationPoint& place : pair.points) {
       const PointContact point = loaded_point(space, pair, place, loads, fields, dt);
       add_residual(point.kinematics, point.loads, layout, sum);
-      if (!loads.friction.empty()) add_friction(point.kinematics, point.loads, layout, sum);
     }
     return sum;
   };

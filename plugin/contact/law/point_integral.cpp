@@ -48,10 +48,11 @@ PairVariation<3> friction_force_variation(const PointKinematics& point, const Ki
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
                   VectorXd& residual) {
   const PairVector h = point.jump_weights();
-  const Vector3d traction = loads.weight * loads.traction.value * point.area_vector;  // t1 da1
-  const double flux_weight = loads.weight * loads.time_increment * point.area;        // dt da1
+  Vector3d force = loads.weight * loads.traction.value * point.area_vector;  // t1 da1
+  if (loads.has_friction()) force += friction_force(point, loads);
+  const double flux_weight = loads.weight * loads.time_increment * point.area;  // dt da1
   for (Index node = 0; node < layout.nodes(); ++node) {
-    residual.segment<3>(layout.displacement(node, 0)) += h[node] * traction;
+    residual.segment<3>(layout.displacement(node, 0)) += h[node] * force;
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
       residual[layout.scalar(node, k)] += flux_weight * loads.flux[k].value * h[node];
     }
@@ -71,14 +72,6 @@ void add_traction_tangent(const PointKinematics& point, const KinematicVariation
     force += friction_force(point, loads);
   }
   add_force_tangent(point, vary, force, dforce, tangent);
-}
-
-void add_friction(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
-                  VectorXd& residual) {
-  const PairVector h = point.jump_weights();
-  const Vector3d force = friction_force(point, loads);
-  for (Index node = 0; node < layout.nodes(); ++node)
-    residual.segment<3>(layout.displacement(node, 0)) += h[node] * force;
 }
 
 void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,

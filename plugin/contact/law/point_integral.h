@@ -28,18 +28,15 @@ struct PointLoads {
 /// Adds the contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape
 /// (layout.size()).
 ///
-/// Displacement rows: w t_n h_a a  [N]; row of field k: w dt |a| q_k h_a  [mm^3 or nmol], with h = (N1, -N2).
+/// Displacement rows: w h_a (t_n a + |a| t_T)  [N], since friction acts at the two points that face each other, as the
+/// normal traction does; row of field k: w dt |a| q_k h_a  [mm^3 or nmol], with h = (N1, -N2).
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
-/// Adds the exact derivative of the displacement rows of add_residual() and of add_friction() with the nodal positions,
+/// Adds the exact derivative of the displacement rows of add_residual() with the nodal positions,
 /// eq (2.6), including the changes of da1, of n1, of the projected position and of the tractions there, t_T of the
 /// nodes held; rows and columns in the order of displacements alone.
 void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           MatrixXd& tangent);
-
-/// The part of friction: displacement rows w |a| h_a t_T. It acts at the two points that face each other, as the normal
-/// traction does: equal and opposite.
-void add_friction(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
 /// Adds the exact derivative of the rows of field k of the residual, one per node, with the nodal positions and that
 /// field's nodal values; columns in the order of `layout`, which has one field.
