@@ -33,6 +33,17 @@ def plane(axis: str, value: float, body: str = "") -> Chosen:
     return Chosen(body, lambda x: np.asarray(np.abs(x[..., number] - value) < NEAR))
 
 
+def sphere(radius: float, body: str = "", height: float = 0.0) -> Chosen:
+    """What lies on the sphere around the point of a height on the z axis; radius and height in mm."""
+    centre = np.array([0.0, 0.0, height])
+    return Chosen(body, lambda x: np.asarray(np.abs(np.linalg.norm(x - centre, axis=-1) - radius) < NEAR))
+
+
+def cylinder(radius: float, body: str = "") -> Chosen:
+    """What lies on the circular cylinder around the z axis, radius in mm."""
+    return Chosen(body, lambda x: np.asarray(np.abs(np.hypot(x[..., 0], x[..., 1]) - radius) < NEAR))
+
+
 def everywhere(body: str = "") -> Chosen:
     """All of a body, or of all bodies."""
     return Chosen(body, lambda x: np.ones(x.shape[:-1], dtype=bool))

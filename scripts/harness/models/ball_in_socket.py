@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from harness.models import spherical_shells
-from harness.models.assembly import NEAR, Chosen, assembled
+from harness.models.assembly import assembled, plane, sphere
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
@@ -107,11 +105,9 @@ class BallInSocket:
         return Mixture(SOLID, PERMEABILITY) if self.porous else Elastic(SOLID)
 
     def _conditions(self) -> tuple[Condition, ...]:
-        sideways = displace("ball-bone", "x", SLID, 2) if self.slides else None
-        held = hold("ball-bone", "y" if self.slides else "xy")
-        wet = (pressure("rims", 0.0),) if self.porous else ()
-        moved = (displace("ball-bone", "z", -PRESSED, 1), *((sideways,) if sideways else ()))
-        return (*hold("socket-bone", "xyz"), *held, *moved, *wet)
+        held = (*hold("socket-bone", "xyz"), *hold("ball-bone", "y" if self.slides else "xy"))
+        moved = (displace("ball-bone", "z", -PRESSED, 1), *([displace("ball-bone", "x", SLID, 2)] * self.slides))
+        return (*held, *moved, *([pressure("rims", 0.0)] * self.porous))
 
     def _mesh(self) -> Mesh:
         inner = RADIUS + GAP
@@ -120,11 +116,11 @@ class BallInSocket:
             "socket": self._layer(self.elements + 2, inner),
         }
         sets = {
-            "ball-bone": Chosen("ball", _at(RADIUS - THICKNESS)),
-            "socket-bone": Chosen("socket", _at(inner + THICKNESS)),
-            "rims": Chosen("", lambda x: np.asarray(np.abs(x[..., 2]) < NEAR)),
+            "ball-bone": sphere(RADIUS - THICKNESS, "ball"),
+            "socket-bone": sphere(inner + THICKNESS, "socket"),
+            "rims": plane("z", 0.0),
         }
-        surfaces = {"ball": Chosen("ball", _at(RADIUS)), "socket": Chosen("socket", _at(inner))}
+        surfaces = {"ball": sphere(RADIUS, "ball"), "socket": sphere(inner, "socket")}
         other = "socket" if self.primary == "ball" else "ball"
         mesh = assembled(bodies, sets, surfaces, {"joint": (self.primary, other)})
         return quadratic(mesh, 10) if self.quadratic else mesh
@@ -133,10 +129,3 @@ class BallInSocket:
         through = max(1, self.elements // 4)
         radii = np.linspace(radius, radius + THICKNESS, through + 1)
         return tetrahedra(spherical_shells.hemisphere(elements, radii))
-
-
-def _at(radius: float) -> Callable[[NDArray[np.float64]], NDArray[np.bool_]]:
-    def near(x: NDArray[np.float64]) -> NDArray[np.bool_]:
-        return np.asarray(np.abs(np.linalg.norm(x, axis=-1) - radius) < NEAR)
-
-    return near

@@ -31,7 +31,7 @@ class Body:
     ----------
     nodes : ndarray, shape (n_nodes, 3)
         mm.
-    elements : ndarray of int, shape (n_elements, 4, 8 or 20)
+    elements : ndarray of int, shape (n_elements, 4, 6, 8 or 20)
         Node numbers from 0.
     """
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from harness.models import spherical_shells
-from harness.models.assembly import NEAR, Chosen, Inside, assembled, box, everywhere, plane
+from harness.models.assembly import assembled, box, everywhere, plane, sphere
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, default_settings, with_friction
@@ -95,18 +94,18 @@ class ConcentricSpheres:
             "lid": box((0.0, 0.0, OUTER), (WIDTH, WIDTH, OUTER + THICK), (1, 1, 1)),
         }
         sets = {
-            "x-symmetry": Chosen("", lambda x: np.abs(x[..., 0]) < NEAR),
-            "y-symmetry": Chosen("", lambda x: np.abs(x[..., 1]) < NEAR),
+            "x-symmetry": plane("x", 0.0),
+            "y-symmetry": plane("y", 0.0),
             "inner-rim": plane("z", 0.0, "inner"),
             "outer-rim": plane("z", 0.0, "outer"),
             "floor": everywhere("floor"),
             "lid": everywhere("lid"),
         }
         surfaces = {
-            "inner-inside": Chosen("inner", _at(INNER)),
-            "inner-outside": Chosen("inner", _at(MIDDLE)),
-            "outer-inside": Chosen("outer", _at(MIDDLE)),
-            "outer-outside": Chosen("outer", _at(OUTER)),
+            "inner-inside": sphere(INNER, "inner"),
+            "inner-outside": sphere(MIDDLE, "inner"),
+            "outer-inside": sphere(MIDDLE, "outer"),
+            "outer-outside": sphere(OUTER, "outer"),
             "floor": plane("z", 0.0, "floor"),
             "lid": plane("z", OUTER, "lid"),
         }
@@ -116,10 +115,3 @@ class ConcentricSpheres:
             "bottom": ("inner-inside", "floor"),
         }
         return assembled(bodies, sets, surfaces, pairs)
-
-
-def _at(radius: float) -> Inside:
-    def near(x: NDArray[np.float64]) -> NDArray[np.bool_]:
-        return np.asarray(np.abs(np.linalg.norm(x, axis=-1) - radius) < NEAR)
-
-    return near

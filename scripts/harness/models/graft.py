@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.models import blocks
-from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
+from harness.models.assembly import assembled, cylinder, everywhere, graded, plane
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
@@ -118,12 +118,12 @@ class Graft:
             "symmetry-x": plane("x", 0.0),
             "symmetry-y": plane("y", 0.0),
             "bone": plane("z", 0.0),
-            "host-side": Chosen("host", _at_radius(OUTER)),
+            "host-side": cylinder(OUTER, "host"),
             "host-top": plane("z", HEIGHT, "host"),
         }
         surfaces = {
-            "wall": Chosen("host", _at_radius(DEFECT)),
-            "graft-side": Chosen("graft", _at_radius(DEFECT + PRESS_FIT)),
+            "wall": cylinder(DEFECT, "host"),
+            "graft-side": cylinder(DEFECT + PRESS_FIT, "graft"),
         }
         bodies = {"host": self._host(), "graft": self._graft()}
         return assembled(bodies, node_sets, surfaces, {"wall": ("graft-side", "wall")})
@@ -140,8 +140,3 @@ class Graft:
 
     def _graft(self) -> Body:
         return disk(DEFECT + PRESS_FIT, self.around, self._heights())
-
-
-def _at_radius(radius: float) -> Inside:
-    """Positions at a distance (mm) from the axis."""
-    return lambda x: np.asarray(np.abs(np.hypot(x[..., 0], x[..., 1]) - radius) < NEAR)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.models import spherical_shells
-from harness.models.assembly import NEAR, Chosen, assembled, box, plane
+from harness.models.assembly import assembled, box, plane, sphere
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
@@ -110,7 +110,7 @@ class TwistingHemisphere:
             "hemisphere": self._hemisphere(),
         }
         sets = {"base": plane("z", 0.0, "block"), "grip": plane("z", SIDE + OUTER, "hemisphere")}
-        surfaces = {"block": plane("z", SIDE, "block"), "hemisphere": Chosen("hemisphere", _outside)}
+        surfaces = {"block": plane("z", SIDE, "block"), "hemisphere": sphere(OUTER, "hemisphere", SIDE + OUTER)}
         return assembled(bodies, sets, surfaces, {"contact": ("hemisphere", "block")})
 
     def _hemisphere(self) -> Body:
@@ -130,8 +130,3 @@ def position(start: Array, time: float) -> Array:
     turned = np.radians(angle(time))
     c, s = np.cos(turned), np.sin(turned)
     return np.array([c * start[0] - s * start[1], s * start[0] + c * start[1], start[2] - down])
-
-
-def _outside(x: Array) -> NDArray[np.bool_]:
-    centre = np.array([0.0, 0.0, SIDE + OUTER])
-    return np.asarray(np.abs(np.linalg.norm(x - centre, axis=-1) - OUTER) < NEAR)

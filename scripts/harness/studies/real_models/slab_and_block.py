@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
-from itertools import permutations
 
 import numpy as np
 
-from harness.models.blocks import FACES, TET_FACES, structured
+from harness.models.assembly import box
+from harness.models.blocks import FACES, TET_FACES, Body
 from harness.models.mesh import Ids, Mesh, Nodes, Part
 from harness.models.quadratic import quadratic
+from harness.models.tetrahedra import tetrahedra
 
 SLAB, BLOCK = "slab", "block"
 BASE, LOADED = "slab-base", "block-loaded"
@@ -45,49 +45,23 @@ class Shape(Enum):
         return x**2 / 6.0 if self is Shape.CYLINDER else (x**2 + y**2) / 6.0
 
 
-@dataclass(frozen=True)
-class _Body:
-    nodes: Nodes
-    elements: Ids
-
-
 _PENTA_FACES = ((0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2))
 _FACES_OF: dict[int, tuple[tuple[int, ...], ...]] = {4: TET_FACES, 6: _PENTA_FACES, 8: FACES}
-_CORNERS = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)])
 
 
-def _tetrahedra(hexahedra: Ids) -> Ids:
-    """Six around the diagonal of each hexahedron, the same in all, so that faces match."""
-    number = {tuple(corner): n for n, corner in enumerate(_CORNERS.tolist())}
-    unit = np.eye(3, dtype=np.int64)
-    rows = []
-    for order in permutations(range(3)):
-        path = np.cumsum([np.zeros(3, dtype=np.int64), *(unit[axis] for axis in order)], axis=0)
-        ids = [number[tuple(point)] for point in path.tolist()]
-        edges = path[1:] - path[0]
-        rows.append(ids if np.linalg.det(edges) > 0 else [ids[0], ids[2], ids[1], ids[3]])
-    return np.asarray(hexahedra[:, np.array(rows)].reshape(-1, 4), dtype=np.int64)
-
-
-def _prisms(hexahedra: Ids) -> Ids:
+def _prisms(body: Body) -> Body:
     """Two upright ones in each hexahedron."""
     halves = np.array([(0, 1, 3, 4, 5, 7), (1, 2, 3, 5, 6, 7)])
-    return np.asarray(hexahedra[:, halves].reshape(-1, 6), dtype=np.int64)
+    return Body(body.nodes, np.asarray(body.elements[:, halves].reshape(-1, 6), dtype=np.int64))
 
 
-def _grid(low: tuple[float, ...], high: tuple[float, ...], cells: tuple[int, ...]) -> _Body:
-    axes = [np.linspace(a, b, n + 1) for a, b, n in zip(low, high, cells, strict=True)]
-    made = structured(np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1))
-    return _Body(made.nodes, made.elements)
-
-
-def _of(kind: Elements, hexahedra: Ids) -> Ids:
+def _of(kind: Elements, hexahedra: Body) -> Body:
     if kind in (Elements.TET4, Elements.TET10):
-        return _tetrahedra(hexahedra)
+        return tetrahedra(hexahedra)
     return _prisms(hexahedra) if kind is Elements.PENTA6 else hexahedra
 
 
-def _facets(body: _Body, height: float) -> Ids:
+def _facets(body: Body, height: float) -> Ids:
     """Facets, numbered from 0, whose nodes all lie in the plane z = `height`."""
     rows = [[int(ids[a]) for a in face] for ids in body.elements for face in _FACES_OF[body.elements.shape[1]]]
     kept = [row for row in rows if np.allclose(body.nodes[row, 2], height)]
@@ -98,10 +72,8 @@ def mesh(kind: Elements, shape: Shape, primary: str, gap: float, fineness: int =
     """Slab (3 x 3 x 1 mm) and block (2 x 2 x 0.8 mm) at a distance `gap` (mm), whose meshes do not match; `fineness`
     times as many elements along each edge.
     """
-    slab = _grid((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (6 * fineness, 6 * fineness, 2 * fineness))
-    block = _grid((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (5 * fineness, 5 * fineness, 2 * fineness))
-    slab = _Body(slab.nodes, _of(kind, slab.elements))
-    block = _Body(block.nodes, _of(kind, block.elements))
+    slab = _of(kind, box((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (6 * fineness, 6 * fineness, 2 * fineness)))
+    block = _of(kind, box((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (5 * fineness, 5 * fineness, 2 * fineness)))
     surfaces = {
         UPPER: (slab, 1.0, 0),
         BASE: (slab, 0.0, 0),
