@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from harness.closed_forms import composite_slab
-from harness.models.layered import Layered
+from harness.models.layered import Layered, one_above_the_other
 from harness.models.mesh import Layer
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -64,10 +64,7 @@ class Composite(Layered):
     @property
     def layers(self) -> list[Layer]:
         """The first below, the second above."""
-        return [
-            Layer("lower", "first", FIRST.thickness, self.elements),
-            Layer("upper", "second", SECOND.thickness, self.elements),
-        ]
+        return one_above_the_other((FIRST.thickness, SECOND.thickness), self.elements)
 
     @property
     def conditions(self) -> tuple[Condition, ...]:

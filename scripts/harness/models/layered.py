@@ -12,6 +12,12 @@ from harness.models.mesh import Layer, Section
 from harness.models.parts import Condition, Control, Material
 
 
+def one_above_the_other(thicknesses: tuple[float, float], elements: int) -> list[Layer]:
+    """Layers of the materials ``first``, below, and ``second``; thicknesses in mm, each with so many elements."""
+    names = (("lower", "first"), ("upper", "second"))
+    return [Layer(*name, thickness, elements) for name, thickness in zip(names, thicknesses, strict=True)]
+
+
 @dataclass(frozen=True)
 class Layered:
     """Choices of a model of two layers; a subclass says what they are made of and what is prescribed.
