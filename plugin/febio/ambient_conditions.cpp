@@ -1,7 +1,6 @@
 #include "ambient_conditions.h"
 
 #include "contact/base/indexed_vector.h"
-#include "mixture_contact.h"
 #include "newton/held_values.h"
 
 #include <FECore/FEMesh.h>
@@ -21,20 +20,20 @@ std::pair<int, bool> face_of(const FEMixtureSurface& surface, int node) {
 }  // namespace
 
 std::map<AmbientConditions::Face, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
-    const std::vector<FEMixtureContact*>& contacts) {
+    const std::vector<ContactInModel*>& contacts) {
   std::map<Face, NodeStatus> nodes;
-  for (const FEMixtureContact* contact : contacts) {
-    if (!contact->parameters().ambient.free_draining) continue;
+  for (ContactInModel* contact : contacts) {
+    if (!contact->bound().parameters().ambient.free_draining) continue;
     for (const Side side : both_sides) {
-      const FEMixtureSurface& surface = contact->surfaces()[side];
+      const FEMixtureSurface& surface = contact->bound().surfaces()[side];
       for (int i = 0; i < surface.Nodes(); ++i) nodes.insert({face_of(surface, i), {false, contact}});
     }
   }
   if (nodes.empty()) return nodes;
-  for (const FEMixtureContact* contact : contacts) {
-    const auto in_contact = contact->core().hold_nodes_in_contact();
+  for (ContactInModel* contact : contacts) {
+    const auto in_contact = contact->bound().core().hold_nodes_in_contact();
     for (const Side side : both_sides) {
-      const FEMixtureSurface& surface = contact->surfaces()[side];
+      const FEMixtureSurface& surface = contact->bound().surfaces()[side];
       for (int i = 0; i < surface.Nodes(); ++i) {
         const auto found = nodes.find(face_of(surface, i));
         if (found != nodes.end() && mixture_contact::at(in_contact[side], i)) found->second.in_contact = true;
@@ -71,9 +70,9 @@ bool AmbientConditions::apply(const DofMap& dofs, const Face& face, const NodeSt
   return changed;
 }
 
-bool AmbientConditions::apply(const std::vector<FEMixtureContact*>& contacts) {
+bool AmbientConditions::apply(const std::vector<ContactInModel*>& contacts) {
   if (contacts.empty()) return false;
-  const DofMap& dofs = contacts.front()->dofs();
+  const DofMap& dofs = contacts.front()->bound().dofs();
   if (dofs.pressure(false) < 0) return false;
   bool changed = false;
   for (const auto& [face, status] : status_of_nodes(contacts)) changed = apply(dofs, face, status) || changed;

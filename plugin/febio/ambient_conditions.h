@@ -4,6 +4,7 @@
 /// for all contacts of a model: a node is at ambient only where no contact has it.
 #pragma once
 
+#include "contact_in_model.h"
 #include "newton/febio/febio_solver.h"
 #include "newton/helper.h"
 
@@ -11,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-class DofMap;
-class FEMixtureContact;
 class FEModel;
 
 class AmbientConditions {
@@ -22,7 +21,7 @@ class AmbientConditions {
 
   /// Holds nodes outside contact at ambient values, and frees the others with the value that they have. Not to be
   /// called while a trial increment is evaluated. Returns whether anything changed.
-  bool apply(const std::vector<FEMixtureContact*>& contacts);
+  bool apply(const std::vector<ContactInModel*>& contacts);
 
   /// Brings the solver in step with nodes freed since the last call: an attempt that was cut back may have left it
   /// changed.
@@ -31,12 +30,12 @@ class AmbientConditions {
  private:
   struct NodeStatus {
     bool in_contact;
-    const FEMixtureContact* ambient;  ///< the first free-draining contact of the node says what its ambient values are
+    const ContactInModel* ambient;  ///< the first free-draining contact of the node says what its ambient values are
   };
   /// A node, or that of the back face of a shell.
   using Face = std::pair<int, bool>;
   /// Of the nodes of free-draining contacts; any contact may have them in contact.
-  static std::map<Face, NodeStatus> status_of_nodes(const std::vector<FEMixtureContact*>& contacts);
+  static std::map<Face, NodeStatus> status_of_nodes(const std::vector<ContactInModel*>& contacts);
   bool apply(const DofMap& dofs, const Face& face, const NodeStatus& status);
   bool apply(newton::Place place, const NodeStatus& status);
   bool is_free(newton::Place place) const;

@@ -7,6 +7,7 @@
 #include "host/contact_steps.h"
 
 #include <memory>
+#include <string>
 
 class BoundContact : public mixture_contact::SteppedContact {
  public:
@@ -17,6 +18,10 @@ class BoundContact : public mixture_contact::SteppedContact {
   void build(mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes, const mixture_contact::Effects& effects);
   bool is_built() const { return core_ != nullptr; }
   mixture_contact::ContactInterface& core() const { return *core_; }
+  const ContactSurfaces& surfaces() const { return surfaces_; }
+  const DofMap& dofs() const { return dofs_; }
+  const ContactParameters& parameters() const { return parameters_; }
+  std::string name() const { return log_.name(); }
   /// Values at the nodes, as the core takes them.
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const;
 

@@ -1,5 +1,6 @@
 #include "contact_output.h"
 
+#include "host/facet_material.h"
 #include "host/timings_table.h"
 #include "host/warnings.h"
 
@@ -9,12 +10,13 @@ void ContactOutput::store() {
   const ContactInterface& core = contact_.core();
   const TaskClock timed = core.measurements().clock(Task::output);
   const PerSide<SurfaceFields> current = contact_.fields();
+  const std::vector<int> exchanged = exchanged_solutes(core.effects());
   Balance total = balance(core, current);
-  surfaces_[Side::primary].store_output(nodal_output(core, Side::primary, current), total);
+  surfaces_[Side::primary].store_output(nodal_output(core, Side::primary, current), total, exchanged);
   total.force = -total.force;
   total.friction = -total.friction;
   total.flow = -total.flow;
-  surfaces_[Side::secondary].store_output(nodal_output(core, Side::secondary, current), total);
+  surfaces_[Side::secondary].store_output(nodal_output(core, Side::secondary, current), total, exchanged);
   warn_of_overlap();
 }
 

@@ -20,19 +20,10 @@ using namespace mixture_contact;
 
 namespace {
 
-bool is_triangular(const FESurfaceElement& element) {
-  return element.Shape() == ET_TRI3 || element.Shape() == ET_TRI6 || element.Shape() == ET_TRI7 ||
-         element.Shape() == ET_TRI10;
-}
-
-std::optional<FacetType> type_of(const FESurfaceElement& element) {
-  return facet_type(is_triangular(element), element.Nodes());
-}
-
 /// The first facet of a type that the core does not know; null if there is none.
 const FESurfaceElement* unknown_facet(FESurface& surface) {
   for (int i = 0; i < surface.Elements(); ++i) {
-    if (!type_of(surface.Element(i))) return &surface.Element(i);
+    if (!facet_type(surface.Element(i))) return &surface.Element(i);
   }
   return nullptr;
 }
@@ -72,7 +63,7 @@ SurfaceMesh surface_mesh(FESurface& surface, const std::vector<FacetMaterial>& m
   for (int i = 0; i < surface.Elements(); ++i) {
     const FESurfaceElement& element = surface.Element(i);
     Facet facet;
-    facet.type = type_of(element).value_or(FacetType::quad4);
+    facet.type = facet_type(element).value_or(FacetType::quad4);
     std::copy_n(element.m_lnode.begin(), element.Nodes(), facet.nodes.begin());
     mesh.facets.push_back(facet);
   }

@@ -1,7 +1,5 @@
 #include "contact_surfaces.h"
 
-#include "mixture_contact.h"
-
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FESolidDomain.h>
@@ -27,8 +25,7 @@ std::set<std::vector<int>> facet_nodes(const FESurface& surface) {
 
 }  // namespace
 
-ContactSurfaces::ContactSurfaces(FEModel& fem, FEMixtureContact& contact)
-    : primary_(&fem, contact, Side::primary), secondary_(&fem, contact, Side::secondary) {
+ContactSurfaces::ContactSurfaces(FEModel& fem, FEContactInterface& contact) : primary_(&fem), secondary_(&fem) {
   primary_.SetSibling(&secondary_);
   secondary_.SetSibling(&primary_);
   primary_.SetContactInterface(&contact);

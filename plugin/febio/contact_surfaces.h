@@ -10,7 +10,7 @@ class ContactSurfaces {
   using PerSide = mixture_contact::PerSide<T>;
 
   /// `contact`: the contact that owns them.
-  ContactSurfaces(FEModel& fem, FEMixtureContact& contact);
+  ContactSurfaces(FEModel& fem, FEContactInterface& contact);
 
   FEMixtureSurface& operator[](Side side) { return side == Side::primary ? primary_ : secondary_; }
   const FEMixtureSurface& operator[](Side side) const { return side == Side::primary ? primary_ : secondary_; }

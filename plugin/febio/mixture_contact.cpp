@@ -161,12 +161,12 @@ void FEMixtureContact::Update() {
   // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
   if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction()))
     throw FatalError();
-  model_->steps().evaluate(this);
+  model_->steps().evaluate(&bound_);
 }
 
 void FEMixtureContact::Update(const std::vector<double>& total, const std::vector<double>& increment) {
   bound_.set_multipliers(total, increment);
-  model_->steps().try_increment(this, increment);
+  model_->steps().try_increment(&bound_, increment);
 }
 
 void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
@@ -178,7 +178,7 @@ void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::v
 
 bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   const TaskClock timed = core().measurements().clock(Task::augmentation);
-  if (!model_->steps().accepts(this)) return false;
+  if (!model_->steps().accepts(&bound_)) return false;
   const Augmentation outcome = augment(GetName(), core(), bound_.fields(), augmentation);
   for (const std::string& line : outcome.lines) log_.line(line);
   if (!outcome.warning.empty()) log_.warning(outcome.warning);

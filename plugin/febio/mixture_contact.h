@@ -2,6 +2,7 @@
 #pragma once
 
 #include "assembly.h"
+#include "contact_in_model.h"
 #include "contact_output.h"
 #include "contact_setup.h"
 #include "model_contacts.h"
@@ -12,7 +13,7 @@
 #include <vector>
 
 /// Passes FEBio's calls on: those of the contact itself to its parts, those that concern all contacts to the model's.
-class FEMixtureContact : public FEContactInterface {
+class FEMixtureContact : public FEContactInterface, public ContactInModel {
  public:
   explicit FEMixtureContact(FEModel* fem);
   FEMixtureContact(const FEMixtureContact&) = delete;
@@ -40,22 +41,15 @@ class FEMixtureContact : public FEContactInterface {
   FESurface* GetSecondarySurface() override { return &surfaces_[mixture_contact::Side::secondary]; }
   bool UseNodalIntegration() override { return false; }
 
-  const ContactParameters& parameters() const { return parameters_; }
-  const ContactSurfaces& surfaces() const { return surfaces_; }
-  const DofMap& dofs() const { return dofs_; }
-  BoundContact& bound() { return bound_; }
-  mixture_contact::ContactInterface& core() const { return bound_.core(); }
-
-  /// That of a degree of freedom outside contact.
-  double ambient_value(int dof) const;
-  /// Whether its traction penalty is reduced where steps fail.
-  bool has_reducible_penalty() const { return core().effects().traction && setup_.has_reducible_penalty(); }
-  /// Whether the matrix has room for the present active set.
-  bool fits_matrix() const { return assembly_.fits_matrix(); }
-  /// When a step or the run has been solved.
-  void on_callback(unsigned int when);
+  bool is_active() const override { return IsActive(); }
+  BoundContact& bound() override { return bound_; }
+  double ambient_value(int dof) const override;
+  bool has_reducible_penalty() const override { return core().effects().traction && setup_.has_reducible_penalty(); }
+  bool fits_matrix() const override { return assembly_.fits_matrix(); }
+  void on_callback(unsigned int when) override;
 
  private:
+  mixture_contact::ContactInterface& core() const { return bound_.core(); }
   void find_load_curves();
   void find_self_contact();
   bool take_shell_bottoms();

@@ -2,7 +2,6 @@
 
 #include "archive.h"
 #include "contact/base/indexed_vector.h"
-#include "mixture_contact.h"
 
 #include <FEBioMech/FEMechModel.h>
 #include <FEBioMech/FERigidBody.h>
@@ -23,11 +22,27 @@ FEBiphasicContactPoint& contact_point(FESurfaceElement& element, int q) {
   return static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
 }
 
+bool is_triangular(const FESurfaceElement& element) {
+  return element.Shape() == ET_TRI3 || element.Shape() == ET_TRI6 || element.Shape() == ET_TRI7 ||
+         element.Shape() == ET_TRI10;
+}
+
 }  // namespace
 
-void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total) {
+std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& element) {
+  return mixture_contact::facet_type(is_triangular(element), element.Nodes());
+}
+
+int FEMixtureSurface::exchanged_field(int solute) const {
+  const auto found = std::find(exchanged_.begin(), exchanged_.end(), solute);
+  return found == exchanged_.end() ? -1 : indexing::as_int(found - exchanged_.begin());
+}
+
+void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total,
+                                    const std::vector<int>& exchanged) {
   nodal_ = nodal;
   total_ = total;
+  exchanged_ = exchanged;
   std::vector<double> gap(FEElement::MAX_NODES);
   std::vector<double> pressure(FEElement::MAX_NODES);
   std::vector<double> jump(FEElement::MAX_NODES);
@@ -191,9 +206,9 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
   FESurfaceElement& element = Element(face);
   double pressure[FEElement::MAX_NODES] = {};
   GetNodalContactPressure(face, pressure);
-  const mixture_contact::FacetType type = mixture_contact::at(contact_.core().mesh(side_).facets, face).type;
+  const std::optional<mixture_contact::FacetType> type = facet_type(element);
   for (int a = 0; a < element.Nodes(); ++a) {
-    const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
+    const mixture_contact::Vector2d place = mixture_contact::parametric_node(*type, a);
     traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);
     const int node = at(element.m_lnode, a);
     if (node < nodal_.friction.traction.cols()) traction[a] += to_febio(nodal_.friction.traction.col(node));
@@ -217,5 +232,6 @@ void FEMixtureSurface::Serialize(DumpStream& ar) {
   archive(ar, nodal_.friction.bound);
   archive(ar, nodal_.friction.fluid);
   archive(ar, nodal_.friction.status);
+  archive(ar, exchanged_);
   ar & has_shell_bottoms_;
 }

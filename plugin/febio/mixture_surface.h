@@ -6,27 +6,29 @@
 #include <FEBioMix/FEBiphasicContactSurface.h>
 
 #include <functional>
+#include <optional>
+#include <vector>
 
-class FEMixtureContact;
+/// That of the core; none where the core does not know the facet.
+std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& element);
 
 class FEMixtureSurface : public FEBiphasicContactSurface {
  public:
-  FEMixtureSurface(FEModel* fem, const FEMixtureContact& contact, mixture_contact::Side side)
-      : FEBiphasicContactSurface(fem), contact_(contact), side_(side) {}
-
-  /// The contact that owns this surface.
-  const FEMixtureContact& contact() const { return contact_; }
+  explicit FEMixtureSurface(FEModel* fem) : FEBiphasicContactSurface(fem) {}
 
   /// One FEBiphasicContactPoint per integration point of FEBio's rule; it carries output only.
   FEMaterialPoint* CreateMaterialPoint() override { return new FEBiphasicContactPoint; }
 
   /// Takes the values at the nodes and the totals of this surface for output, and hands them on to FEBio's material
-  /// points.
-  void store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total);
+  /// points. `exchanged`: the solute of each exchanged field, -1 for the solvent.
+  void store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total,
+                    const std::vector<int>& exchanged);
 
   const mixture_contact::NodalOutput& nodal_output() const { return nodal_; }
   /// Totals as they act on this surface; flows out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
+  /// Row of a solute (-1: the solvent) in flux, jump and flow; -1 where it is not exchanged.
+  int exchanged_field(int solute) const;
 
   /// Takes the back faces of shells for this surface: the nodes' positions less their directors. Facets that are listed
   /// as those of the front face are turned round.
@@ -60,9 +62,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Over the points of a facet.
   double mean(int face, const std::function<double(const FEBiphasicContactPoint&)>& value);
 
-  const FEMixtureContact& contact_;
-  mixture_contact::Side side_;
   mixture_contact::NodalOutput nodal_;
   mixture_contact::Balance total_;
+  std::vector<int> exchanged_;
   bool has_shell_bottoms_ = false;
 };

@@ -1,7 +1,6 @@
 #include "model_contacts.h"
 
 #include "archive.h"
-#include "mixture_contact.h"
 #include "newton/line_search_guard.h"
 #include "newton/non_negative_concentrations.h"
 #include "newton/predictor.h"
@@ -73,26 +72,26 @@ ModelContacts::ModelContacts(FEModel& fem)
 
 // ------------------------------------------------------------ contacts and switches
 
-void ModelContacts::add(FEMixtureContact& contact) {
+void ModelContacts::add(ContactInModel& contact) {
   contacts_.push_back(&contact);
   unactivated_.insert(&contact);
 }
 
-void ModelContacts::remove(FEMixtureContact& contact) {
+void ModelContacts::remove(ContactInModel& contact) {
   contacts_.erase(std::remove(contacts_.begin(), contacts_.end(), &contact), contacts_.end());
   unactivated_.erase(&contact);
 }
 
-std::vector<FEMixtureContact*> ModelContacts::active() const {
-  std::vector<FEMixtureContact*> found;
+std::vector<ContactInModel*> ModelContacts::active() const {
+  std::vector<ContactInModel*> found;
   std::copy_if(contacts_.begin(), contacts_.end(), std::back_inserter(found),
-               [](const FEMixtureContact* contact) { return contact->IsActive(); });
+               [](ContactInModel* contact) { return contact->is_active(); });
   return found;
 }
 
 std::vector<SteppedContact*> ModelContacts::active_contacts() {
   std::vector<SteppedContact*> found;
-  for (FEMixtureContact* contact : active()) found.push_back(&contact->bound());
+  for (ContactInModel* contact : active()) found.push_back(&contact->bound());
   return found;
 }
 
@@ -103,21 +102,21 @@ void ModelContacts::offer(const HelperSwitch& which) {
 
 /// As the active contacts say that give it, or its default.
 bool ModelContacts::is_on(const HelperSwitch& which) const {
-  const std::vector<FEMixtureContact*> contacts = active();
+  const std::vector<ContactInModel*> contacts = active();
   if (contacts.empty()) return false;
-  const auto given = std::find_if(contacts.begin(), contacts.end(), [&](const FEMixtureContact* contact) {
-    return which.of(contact->parameters()).given;
+  const auto given = std::find_if(contacts.begin(), contacts.end(), [&](ContactInModel* contact) {
+    return which.of(contact->bound().parameters()).given;
   });
-  return which.of(given == contacts.end() ? ContactParameters() : (*given)->parameters()).value;
+  return which.of(given == contacts.end() ? ContactParameters() : (*given)->bound().parameters()).value;
 }
 
-std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& contact) const {
+std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) const {
   std::vector<std::string> list;
   for (const HelperSwitch& which : helper_switches) {
     const std::string name = "<" + std::string(which.name) + "> ";
-    const Given<bool>& one = which.of(contact.parameters());
-    const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&](const FEMixtureContact* other) {
-      const Given<bool>& its = which.of(other->parameters());
+    const Given<bool>& one = which.of(contact.bound().parameters());
+    const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&](ContactInModel* other) {
+      const Given<bool>& its = which.of(other->bound().parameters());
       return one.given && its.given && one.value != its.value;
     });
     if (differs) list.push_back(name + "acts on the whole model, and another contact sets it otherwise.");
@@ -129,20 +128,20 @@ std::vector<std::string> ModelContacts::complaints(const FEMixtureContact& conta
 
 // ------------------------------------------------------------ FEBio's calls
 
-void ModelContacts::activate(FEMixtureContact& contact) {
+void ModelContacts::activate(ContactInModel& contact) {
   unactivated_.erase(&contact);
   steps_.activate(contact.bound());
   // Nodes that contacts share depend on all of them.
-  const std::vector<FEMixtureContact*> contacts = active();
+  const std::vector<ContactInModel*> contacts = active();
   const bool all_known = std::none_of(contacts.begin(), contacts.end(),
                                       [&](const auto* other) { return unactivated_.count(other) > 0; });
   if (all_known) apply_ambient();
 }
 
-void ModelContacts::deactivate(FEMixtureContact& /*contact*/) { steps_.reset_rounds(); }
+void ModelContacts::deactivate(ContactInModel& /*contact*/) { steps_.reset_rounds(); }
 
-void ModelContacts::prepare_step(FEMixtureContact& contact) {
-  if (!steps_.prepare_step(&contact)) return;
+void ModelContacts::prepare_step(ContactInModel& contact) {
+  if (!steps_.prepare_step(&contact.bound())) return;
   ambient_.begin_step();
   keep_matrix_if_it_fits();
 }
@@ -152,18 +151,18 @@ void ModelContacts::keep_matrix_if_it_fits() {
   // bodies add. There the iteration has begun already, so that nothing but the shape is left to BuildMatrixProfile.
   FENewtonSolver* const solver = solver_.febio();
   if (solver == nullptr) return;
-  const std::vector<FEMixtureContact*> contacts = active();
+  const std::vector<ContactInModel*> contacts = active();
   const bool alone = mixture_contact::number_of(contacts) == fem_.SurfacePairConstraints() &&
                      fem_.NonlinearConstraints() == 0;
   const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
                     std::all_of(contacts.begin(), contacts.end(),
-                                [](const FEMixtureContact* contact) { return contact->fits_matrix(); });
+                                [](ContactInModel* contact) { return contact->fits_matrix(); });
   solver->m_breshape = !fits;
 }
 
-void ModelContacts::serialize(FEMixtureContact& contact, DumpStream& ar) {
+void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
   if (ar.IsLoading()) unactivated_.erase(&contact);
-  if (!dumps_.opens(&contact)) return;
+  if (!dumps_.opens(&contact.bound())) return;
   FEBioArchive archive(ar);
   if (!ar.IsShallow()) {
     helpers_.archive(archive);
@@ -186,13 +185,13 @@ bool ModelContacts::call_back(FEModel* fem, unsigned int when, void* contacts) {
 }
 
 void ModelContacts::on_callback(unsigned int when) {
-  const std::vector<FEMixtureContact*> contacts = when == CB_SOLVED ? contacts_ : active();
+  const std::vector<ContactInModel*> contacts = when == CB_SOLVED ? contacts_ : active();
   if (contacts.empty()) return;
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
     steps_.matrix_formed();
   }
-  for (FEMixtureContact* contact : contacts) contact->on_callback(when);
+  for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
     note_overlap();
     steps_.end_step();
@@ -209,17 +208,18 @@ bool ModelContacts::will_retry() const {
 }
 
 void ModelContacts::reduce_penalties() {
-  const std::vector<FEMixtureContact*> contacts = active();
-  const auto is_reducible = [](const FEMixtureContact* contact) { return contact->has_reducible_penalty(); };
+  const std::vector<ContactInModel*> contacts = active();
+  const auto is_reducible = [](ContactInModel* contact) { return contact->has_reducible_penalty(); };
   if (!will_retry() || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
   say(fem_, reducible_.fail(fem_.GetCurrentTime()));
 }
 
 void ModelContacts::note_overlap() {
-  for (FEMixtureContact* contact : active()) {
-    if (!reducible_.are_reduced() || !contact->has_reducible_penalty()) continue;
-    const mixture_contact::Overlap overlap = largest_overlap(contact->core(), contact->bound().fields());
-    reducible_.note(contact->GetName(), overlap, fem_.GetCurrentTime());
+  for (ContactInModel* each : active()) {
+    if (!reducible_.are_reduced() || !each->has_reducible_penalty()) continue;
+    const BoundContact& contact = each->bound();
+    const mixture_contact::Overlap overlap = largest_overlap(contact.core(), contact.fields());
+    reducible_.note(contact.name(), overlap, fem_.GetCurrentTime());
   }
   reducible_.accept();
 }

@@ -22,18 +22,18 @@ class ModelContacts : public mixture_contact::SteppedModel {
   /// That of a model.
   static std::shared_ptr<ModelContacts> of(FEModel& fem);
 
-  void add(FEMixtureContact& contact);
-  void remove(FEMixtureContact& contact);
+  void add(ContactInModel& contact);
+  void remove(ContactInModel& contact);
   /// What is wrong with the switches of helpers that a contact gives, beside those of the others: a sentence each.
-  std::vector<std::string> complaints(const FEMixtureContact& contact) const;
+  std::vector<std::string> complaints(ContactInModel& contact) const;
 
   // FEBio's calls, as each contact passes them on
-  void activate(FEMixtureContact& contact);
-  void deactivate(FEMixtureContact& contact);
-  void prepare_step(FEMixtureContact& contact);
+  void activate(ContactInModel& contact);
+  void deactivate(ContactInModel& contact);
+  void prepare_step(ContactInModel& contact);
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// What the model keeps between steps is stored once, with the first contact that is.
-  void serialize(FEMixtureContact& contact, DumpStream& ar);
+  void serialize(ContactInModel& contact, DumpStream& ar);
 
   newton::FEBioSolver& solver() { return solver_; }
   /// What automatic penalties of the traction are divided by at present.
@@ -53,7 +53,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   template <class Helper>
   void offer(const HelperSwitch& which);
   bool is_on(const HelperSwitch& which) const;
-  std::vector<FEMixtureContact*> active() const;
+  std::vector<ContactInModel*> active() const;
   void keep_matrix_if_it_fits();
   bool will_retry() const;
   void reduce_penalties();
@@ -67,8 +67,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
   ReduciblePenalties reducible_;
-  std::vector<FEMixtureContact*> contacts_;        ///< in the order of the model
-  std::set<const FEMixtureContact*> unactivated_;  ///< whose state is not known to the core yet
+  std::vector<ContactInModel*> contacts_;        ///< in the order of the model
+  std::set<const ContactInModel*> unactivated_;  ///< whose state is not known to the core yet
   mixture_contact::Round dumps_;
   std::optional<bool> reform_augment_;  ///< the solver's own setting, while converged states are rejected
 };

@@ -19,28 +19,17 @@ namespace {
 
 constexpr int logged_solutes = 8;
 
-/// The exchanged field of a surface's contact that is the solvent (solute = -1) or a solute; -1 where it is not
-/// exchanged.
-int exchanged_field(const FEMixtureSurface& surface, int solute) {
-  const auto& effects = surface.contact().core().effects();
-  if (solute < 0) return effects.solvent ? 0 : -1;
-  for (int k = 0; k < mixture_contact::number_of(effects.solutes); ++k) {
-    if (mixture_contact::at(effects.solutes, k) == solute) return k + (effects.solvent ? 1 : 0);
-  }
-  return -1;
-}
-
 /// What is reported of an exchanged field.
 enum class Quantity { flux, jump };
 
 double nodal_value(const FEMixtureSurface& surface, Quantity quantity, int solute, int node) {
-  const int field = exchanged_field(surface, solute);
+  const int field = surface.exchanged_field(solute);
   const MatrixXd& values = quantity == Quantity::flux ? surface.nodal_output().flux : surface.nodal_output().jump;
   return field < 0 || node >= values.cols() ? 0.0 : values(field, node);
 }
 
 double flow(const FEMixtureSurface& surface, int solute) {
-  const int field = exchanged_field(surface, solute);
+  const int field = surface.exchanged_field(solute);
   return field < 0 || field >= surface.total().flow.size() ? 0.0 : surface.total().flow[field];
 }
 

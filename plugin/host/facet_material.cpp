@@ -65,3 +65,9 @@ int solute_of(const Effects& effects, int field) {
   if (field == effects.pressure_field()) return -1;
   return at(effects.solutes, field - (effects.solvent ? 1 : 0));
 }
+
+std::vector<int> exchanged_solutes(const Effects& effects) {
+  std::vector<int> solutes;
+  for (int field = 0; field < effects.scalar_fields(); ++field) solutes.push_back(solute_of(effects, field));
+  return solutes;
+}

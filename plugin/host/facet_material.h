@@ -39,3 +39,5 @@ void update_materials(mixture_contact::ContactInterface& core, const FacetMateri
 
 /// The solute that a field in the order of Effects is; -1: the solvent, exchanged or read by friction alone.
 int solute_of(const mixture_contact::Effects& effects, int field);
+/// That of each exchanged field.
+std::vector<int> exchanged_solutes(const mixture_contact::Effects& effects);

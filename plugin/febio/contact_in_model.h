@@ -1,0 +1,26 @@
+/// A contact as those know it who act on all contacts of a model.
+#pragma once
+
+#include "bound_contact.h"
+
+class ContactInModel {
+ public:
+  ContactInModel() = default;
+  ContactInModel(const ContactInModel&) = delete;
+  ContactInModel& operator=(const ContactInModel&) = delete;
+  ContactInModel(ContactInModel&&) = delete;
+  ContactInModel& operator=(ContactInModel&&) = delete;
+  virtual ~ContactInModel() = default;
+
+  /// Whether the present step of the analysis has it.
+  virtual bool is_active() const = 0;
+  virtual BoundContact& bound() = 0;
+  /// That of a degree of freedom outside contact.
+  virtual double ambient_value(int dof) const = 0;
+  /// Whether its traction penalty is reduced where steps fail.
+  virtual bool has_reducible_penalty() const = 0;
+  /// Whether the matrix has room for the present active set.
+  virtual bool fits_matrix() const = 0;
+  /// When a step or the run has been solved.
+  virtual void on_callback(unsigned int when) = 0;
+};
