@@ -206,9 +206,9 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
   FESurfaceElement& element = Element(face);
   double pressure[FEElement::MAX_NODES] = {};
   GetNodalContactPressure(face, pressure);
-  const std::optional<mixture_contact::FacetType> type = facet_type(element);
+  const auto type = facet_type(element).value_or(mixture_contact::FacetType::quad4);  // known since the contact began
   for (int a = 0; a < element.Nodes(); ++a) {
-    const mixture_contact::Vector2d place = mixture_contact::parametric_node(*type, a);
+    const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
     traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);
     const int node = at(element.m_lnode, a);
     if (node < nodal_.friction.traction.cols()) traction[a] += to_febio(nodal_.friction.traction.col(node));
