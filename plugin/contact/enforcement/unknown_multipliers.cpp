@@ -47,7 +47,7 @@ void set_scaled_multipliers(NodalLaws& laws, const VectorXd& mu) {
 }
 
 NodalLoads UnknownMultipliers::predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const {
-  NodalLoads loads = space().averages(space().gaps(positions(fields)), fields, point.loads.status());
+  NodalLoads loads = space().averages(space().gaps(), fields, point.loads.status());
   load(loads);
   return loads;
 }
