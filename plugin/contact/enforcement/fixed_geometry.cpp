@@ -78,7 +78,9 @@ void FixedGeometry::tangent(const FacingFields& fields, double dt, const AddBloc
 }
 
 void FixedGeometry::for_each_coupling(const UsePatch& use) const {
-  for (const NodeLinearisation& node : nodes_) use_effects(space_, node.patch, use);
+  for (const NodeLinearisation& node : nodes_) {
+    method_.for_each_coupling(node.patch, [&](const Patch& patch) { use_effects(space_, patch, use); });
+  }
 }
 
 }  // namespace mixture_contact

@@ -274,13 +274,20 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlo
 }
 
 void MovingGeometry::for_each_coupling(const UsePatch& use) const {
-  const auto use_node = [&](const Patch& patch) { use_effects(space_, patch, use); };
+  const auto use_part = [&](const Patch& patch) { use_effects(space_, patch, use); };
+  const auto use_node = [&](const Patch& patch) { method_.for_each_coupling(patch, use_part); };
+  const NodeFlags in_contact = point_ ? point_->loads.in_contact : initial_status();
   if (geometric_) {
     for (const NodeLinearisation& node : point_->nodes) {
       if (!node.empty()) use_node(node.patch);
     }
   } else {
-    for_each_node_patch(space_, point_ ? point_->loads.in_contact : initial_status(), use_node);
+    for_each_node_patch(space_, in_contact, use_node);
+  }
+  if (!space_.has_unknown_multipliers()) return;
+  // The change of the geometry couples the nodes of a pair also where the method does not.
+  for (const FacetPair& pair : space_.facing().pairs()) {
+    if (space_.facing().has_node_among(pair, in_contact)) use_part(space_.facing().patch(pair));
   }
 }
 
