@@ -22,32 +22,52 @@ std::vector<Column> ascending(const std::vector<int>& equations) {
   return columns;
 }
 
+/// A row of the matrix.
+struct Row {
+  const int* columns = nullptr;  ///< ascending
+  int length = 0;
+  double* values = nullptr;
+
+  bool has_columns_of(const Row& other) const {
+    return length == other.length && std::equal(columns, columns + length, other.columns);
+  }
+};
+
+Row row_of(CRSSparseMatrix& matrix, int equation) {
+  const int begin = matrix.Pointers()[equation] - matrix.Offset();
+  const int end = matrix.Pointers()[equation + 1] - matrix.Offset();
+  return {matrix.Indices() + begin, end - begin, matrix.Values() + begin};
+}
+
+/// Finds the places of columns in a row, given those in another one, which are mostly the same.
+void find_places(const Row& row, const std::vector<Column>& order, int offset, std::vector<int>& places) {
+  int place = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const int wanted = order[k].first + offset;
+    if (places[k] < row.length && row.columns[places[k]] == wanted) {
+      place = places[k];
+    } else {
+      while (row.columns[place] != wanted) ++place;
+      places[k] = place;
+    }
+  }
+}
+
 }  // namespace
 
 MatrixRows::MatrixRows(FEGlobalMatrix& matrix) : rows_(dynamic_cast<CRSSparseMatrix*>(matrix.GetSparseMatrixPtr())) {}
 
 void MatrixRows::subtract(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& block) const {
   const std::vector<Column> order = ascending(columns);
-  const int first = rows_->Offset();
-  // Places of the columns in the last row. Those in the next one are mostly the same: it is of the same node.
   std::vector<int> places(order.size(), 0);
+  Row last;  // the next one mostly has the same columns: it is of the same node
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i] < 0) continue;
-    const int begin = rows_->Pointers()[rows[i]] - first;
-    const int length = rows_->Pointers()[rows[i] + 1] - first - begin;
-    const int* const indices = rows_->Indices() + begin;
-    double* const values = rows_->Values() + begin;
-    int place = 0;
+    const Row row = row_of(*rows_, rows[i]);
+    if (!row.has_columns_of(last)) find_places(row, order, rows_->Offset(), places);
     for (std::size_t k = 0; k < order.size(); ++k) {
-      const auto& [equation, j] = order[k];
-      const int wanted = equation + first;
-      if (places[k] < length && indices[places[k]] == wanted) {
-        place = places[k];
-      } else {
-        while (indices[place] != wanted) ++place;
-        places[k] = place;
-      }
-      values[place] -= block(static_cast<Index>(i), j);
+      row.values[places[k]] -= block(static_cast<Index>(i), order[k].second);
     }
+    last = row;
   }
 }

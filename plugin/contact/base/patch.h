@@ -27,6 +27,14 @@ struct Patch {
 
   /// The same nodes with their displacements alone.
   Patch of_displacements() const { return {primary, secondary, {}, multiplier_node, true}; }
+  /// The n-th node of the layout alone, with the multipliers.
+  Patch of_node(Index n) const {
+    const bool is_primary = n < primary.count();
+    return {is_primary ? IndexedVector<int>{node(n)} : IndexedVector<int>(),
+            is_primary ? IndexedVector<int>() : IndexedVector<int>{node(n)}, fields, multiplier_node, displacements};
+  }
+  /// The multipliers without the nodes.
+  Patch of_multipliers() const { return {{}, {}, fields, multiplier_node, displacements}; }
   /// The same nodes with one of the fields, and with their displacements or without.
   Patch of_field(int field, bool with_displacements) const {
     return {primary, secondary, {field}, multiplier_node, with_displacements};

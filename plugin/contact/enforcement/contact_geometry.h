@@ -30,10 +30,10 @@ class ContactGeometry {
   virtual bool is_solution(const FacingFields& fields) const = 0;
 
   virtual NodalLoads loads(const FacingFields& fields) const = 0;
-  virtual NodeFlags flux_coupled(const FacingPositions& x) const = 0;
+  virtual NodeFlags flux_coupled() const = 0;
   virtual void residual(const FacingFields& fields, double dt, const AddVector& add) const = 0;
   virtual void tangent(const FacingFields& fields, double dt, const AddBlock& add) const = 0;
-  virtual void for_each_coupling(const FacingPositions& x, const UsePatch& use) const = 0;
+  virtual void for_each_coupling(const UsePatch& use) const = 0;
   /// Bytes that it keeps between calls.
   virtual std::size_t memory() const = 0;
 };

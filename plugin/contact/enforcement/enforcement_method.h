@@ -32,6 +32,8 @@ class EnforcementMethod {
   virtual bool predicts() const = 0;
   /// Weights of the equations that the method adds at nodes, of the size of their fields' residual.
   virtual VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const = 0;
+  /// Calls `use` with what couples with each other where loads act at the nodes of a patch, as their averages vary.
+  virtual void for_each_coupling(const Patch& patch, const UsePatch& use) const = 0;
   /// Residual of these equations.
   virtual void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const = 0;
   /// Tangent of the loads at a node, and of its equations. The residual holds t_a traction_work + dt phi_a A_a weights;

@@ -37,7 +37,7 @@ void FixedGeometry::update(const FacingPositions& x) {
   space_.update_boundary_weights(x);
   const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields)};
   const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields)};
-  NodalGaps gaps = space_.gaps(x);
+  NodalGaps gaps = space_.gaps();
   const NodeFlags status = active_set_.initial(gaps);
   fixed_ = space_.averages(std::move(gaps), {primary, secondary}, {status, status, {}});
   fixed_.traction.setZero(space_.nodes());
@@ -77,8 +77,10 @@ void FixedGeometry::tangent(const FacingFields& fields, double dt, const AddBloc
   node_tangents(method_, nodes_, now, weights, dt, add);
 }
 
-void FixedGeometry::for_each_coupling(const FacingPositions& /*x*/, const UsePatch& use) const {
-  for (const NodeLinearisation& node : nodes_) use_effects(space_, node.patch, use);
+void FixedGeometry::for_each_coupling(const UsePatch& use) const {
+  for (const NodeLinearisation& node : nodes_) {
+    method_.for_each_coupling(node.patch, [&](const Patch& patch) { use_effects(space_, patch, use); });
+  }
 }
 
 }  // namespace mixture_contact

@@ -21,10 +21,10 @@ class FixedGeometry : public ContactGeometry {
   bool is_solution(const FacingFields& /*fields*/) const override { return true; }
 
   NodalLoads loads(const FacingFields& fields) const override;
-  NodeFlags flux_coupled(const FacingPositions& /*x*/) const override { return fixed_.flux_coupled; }
+  NodeFlags flux_coupled() const override { return fixed_.flux_coupled; }
   void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
   void tangent(const FacingFields& fields, double dt, const AddBlock& add) const override;
-  void for_each_coupling(const FacingPositions& x, const UsePatch& use) const override;
+  void for_each_coupling(const UsePatch& use) const override;
   std::size_t memory() const override { return 0; }
 
  private:

@@ -37,6 +37,16 @@ void add_geometric(const GeometricTangent& unit, double dt, const AddBlock& add)
   add(unit.traction);
 }
 
+/// Has the patches of nodes used: those of the facet pairs of all points that the loads of a node act at.
+void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact, const UsePatch& use) {
+  const auto around = space.facing().around(in_contact);
+  const auto absent = [&](Index node) { return around[node].empty() && !space.has_unknown_multipliers(); };
+  const auto patch_of = [&](Index node) { return absent(node) ? Patch() : space.node_patch(node, around[node]); };
+  in_order(around.count(), patch_of, [&](Index node, const Patch& patch) {
+    if (!absent(node)) use(patch);
+  });
+}
+
 std::size_t bytes_of(const TangentBlock& block) {
   return bytes(block.rows) + bytes(block.columns) + bytes(block.values);
 }
@@ -124,7 +134,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
     if (!predicted) return initial_friction(now);
     return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
-  NodalGaps gaps = space_.gaps(positions(fields));
+  NodalGaps gaps = space_.gaps();
   ContactStatus status = active_set_.next(before.in_contact, updated_status(before, gaps), predicted);
   LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          predicted ? &before : nullptr);
@@ -158,7 +168,7 @@ void MovingGeometry::start_inactive(const FacingFields& fields) {
   NodeFlags open(space_.nodes(), false);
   active_set_.start_counting();
   LinearisationPoint point = evaluated_at(
-      fields, space_.averages(space_.gaps(positions(fields)), fields, {open, open, {}}),
+      fields, space_.averages(space_.gaps(), fields, {open, open, {}}),
       [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
   point.geometric_traction = point.loads.traction;
   point.geometric_flux = point.loads.flux;
@@ -171,7 +181,7 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
     return {active_set_.moved_slip(point_->loads, now), active_set_.moved_rubs(point_->loads, now)};
   };
-  NodalGaps gaps = space_.gaps(positions(fields));
+  NodalGaps gaps = space_.gaps();
   ContactStatus status = active_set_.moved(point_->loads, gaps);
   LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          &point_->loads);
@@ -191,7 +201,7 @@ void MovingGeometry::end_iterations() {
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  NodalGaps gaps = space_.gaps(positions(fields));
+  NodalGaps gaps = space_.gaps();
   if (updated_status(predicted, gaps) != point_->loads.in_contact) return false;
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
@@ -224,7 +234,7 @@ NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
 }
 
 NodalLoads MovingGeometry::initial_averages(const FacingFields& fields) const {
-  NodalGaps gaps = space_.gaps(positions(fields));
+  NodalGaps gaps = space_.gaps();
   const NodeFlags status = active_set_.initial(gaps);
   return space_.averages(std::move(gaps), fields, {status, status, {}});
 }
@@ -235,9 +245,7 @@ Matrix3Xd MovingGeometry::present_multipliers(const NodalFriction& friction) con
   return present;
 }
 
-NodeFlags MovingGeometry::flux_coupled(const FacingPositions& x) const {
-  return point_ ? point_->loads.flux_coupled : initial_status(x);
-}
+NodeFlags MovingGeometry::flux_coupled() const { return point_ ? point_->loads.flux_coupled : initial_status(); }
 
 VectorXd MovingGeometry::equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
   return point_ ? point_->equation_weights : method_.equation_weights(loads, x1);
@@ -265,14 +273,22 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlo
   }
 }
 
-void MovingGeometry::for_each_coupling(const FacingPositions& x, const UsePatch& use) const {
-  // A node's patch holds the facet pairs of all points that its loads act at.
-  const auto around = space_.facing().around(point_ ? point_->loads.in_contact : initial_status(x));
-  const auto absent = [&](Index node) { return around[node].empty() && !space_.has_unknown_multipliers(); };
-  const auto patch_of = [&](Index node) { return absent(node) ? Patch() : space_.node_patch(node, around[node]); };
-  in_order(around.count(), patch_of, [&](Index node, const Patch& patch) {
-    if (!absent(node)) use_effects(space_, patch, use);
-  });
+void MovingGeometry::for_each_coupling(const UsePatch& use) const {
+  const auto use_part = [&](const Patch& patch) { use_effects(space_, patch, use); };
+  const auto use_node = [&](const Patch& patch) { method_.for_each_coupling(patch, use_part); };
+  const NodeFlags in_contact = point_ ? point_->loads.in_contact : initial_status();
+  if (geometric_) {
+    for (const NodeLinearisation& node : point_->nodes) {
+      if (!node.empty()) use_node(node.patch);
+    }
+  } else {
+    for_each_node_patch(space_, in_contact, use_node);
+  }
+  if (!space_.has_unknown_multipliers()) return;
+  // The change of the geometry couples the nodes of a pair also where the method does not.
+  for (const FacetPair& pair : space_.facing().pairs()) {
+    if (space_.facing().has_node_among(pair, in_contact)) use_part(space_.facing().patch(pair));
+  }
 }
 
 std::size_t MovingGeometry::memory() const {

@@ -25,10 +25,10 @@ class MovingGeometry : public ContactGeometry {
   bool is_solution(const FacingFields& fields) const override;
 
   NodalLoads loads(const FacingFields& fields) const override;
-  NodeFlags flux_coupled(const FacingPositions& x) const override;
+  NodeFlags flux_coupled() const override;
   void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
   void tangent(const FacingFields& fields, double dt, const AddBlock& add) const override;
-  void for_each_coupling(const FacingPositions& x, const UsePatch& use) const override;
+  void for_each_coupling(const UsePatch& use) const override;
   std::size_t memory() const override;
 
  private:
@@ -50,7 +50,7 @@ class MovingGeometry : public ContactGeometry {
   }
   /// Averages of a state with the status that iterations begin with there.
   NodalLoads initial_averages(const FacingFields& fields) const;
-  NodeFlags initial_status(const FacingPositions& x) const { return active_set_.initial(space_.gaps(x)); }
+  NodeFlags initial_status() const { return active_set_.initial(space_.gaps()); }
   /// Status that the present loads and gaps ask for.
   NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;

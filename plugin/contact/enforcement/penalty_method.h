@@ -16,6 +16,7 @@ class PenaltyMethod : public EnforcementMethod {
   NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
   bool predicts() const override { return true; }
   VectorXd equation_weights(const NodalLoads& /*loads*/, const Matrix3Xd& /*x1*/) const override { return {}; }
+  void for_each_coupling(const Patch& patch, const UsePatch& use) const override { use(patch); }
   void equations(const NodalLoads& /*loads*/, const VectorXd& /*weights*/, double /*dt*/,
                  const AddVector& /*add*/) const override {}
   std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,

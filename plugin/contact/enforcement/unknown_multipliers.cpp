@@ -1,5 +1,7 @@
 #include "enforcement/unknown_multipliers.h"
 
+#include <utility>
+
 namespace mixture_contact {
 namespace {
 
@@ -14,6 +16,13 @@ double traction_unit(const NodalLaws& laws, Index node) { return unit_of(laws.pe
 
 double flux_unit(const NodalLaws& laws, int field, Index node) {
   return unit_of(laws.penalties().conductance.row(field).transpose(), node);
+}
+
+/// The block of a multiplier of the traction without nodes.
+MatrixXd alone(const LocalLayout& layout, double value) {
+  MatrixXd block = MatrixXd::Zero(layout.size(), layout.size());
+  block(layout.traction_multiplier(), layout.traction_multiplier()) = value;
+  return block;
 }
 
 }  // namespace
@@ -47,7 +56,7 @@ void set_scaled_multipliers(NodalLaws& laws, const VectorXd& mu) {
 }
 
 NodalLoads UnknownMultipliers::predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const {
-  NodalLoads loads = space().averages(space().gaps(positions(fields)), fields, point.loads.status());
+  NodalLoads loads = space().averages(space().gaps(), fields, point.loads.status());
   load(loads);
   return loads;
 }
@@ -98,48 +107,65 @@ void UnknownMultipliers::equations(const NodalLoads& loads, const VectorXd& weig
   }
 }
 
-TangentBlock UnknownMultipliers::traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                                  const VectorXd& weights) const {
-  // The residual holds lambda_a traction_work, with lambda = k mu, and the condition.
-  const LocalLayout layout = linear.patch.of_displacements().layout();
-  const Index own = layout.traction_multiplier();
-  const double weight = weights[multiplier_layout(laws()).traction(node)];
-  const ConditionValue condition = traction_condition(node, loads);
-  MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
-  if (loads.in_contact[node]) {
-    tangent.row(own) = weight * condition.d_dgap * linear.gap_variation.transpose();
-    tangent.col(own) = traction_unit(laws(), node) * linear.traction_work;
-  }
-  tangent(own, own) += weight * condition.d_dmultiplier;
-  return traction_block(space(), linear.patch, std::move(tangent));
+void UnknownMultipliers::for_each_coupling(const Patch& patch, const UsePatch& use) const {
+  use(patch.of_multipliers());
+  for (Index n = 0; n < patch.layout().nodes(); ++n) use(patch.of_node(n));
 }
 
-TangentBlock UnknownMultipliers::flux_tangent(int field, Index node, const NodeLinearisation& linear,
-                                              const NodalLoads& loads, const VectorXd& weights, double dt) const {
+void UnknownMultipliers::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                              const VectorXd& weights, std::vector<TangentBlock>& blocks) const {
+  // The residual holds lambda_a traction_work, with lambda = k mu, and the condition.
+  const double weight = weights[multiplier_layout(laws()).traction(node)];
+  const ConditionValue condition = traction_condition(node, loads);
+  const Patch own_alone = linear.patch.of_multipliers();
+  blocks.push_back(traction_block(space(), own_alone,
+                                  alone(own_alone.of_displacements().layout(), weight * condition.d_dmultiplier)));
+  if (!loads.in_contact[node]) return;
+  const double unit = traction_unit(laws(), node);
+  for (Index n = 0; n < linear.patch.layout().nodes(); ++n) {
+    const Patch patch = linear.patch.of_node(n);
+    const LocalLayout layout = patch.of_displacements().layout();
+    MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
+    const Index own = layout.traction_multiplier();
+    tangent.block<1, 3>(own, 0) = weight * condition.d_dgap * linear.gap_variation.segment<3>(3 * n).transpose();
+    tangent.block<3, 1>(0, own) = unit * linear.traction_work.segment<3>(3 * n);
+    blocks.push_back(traction_block(space(), patch, std::move(tangent)));
+  }
+}
+
+void UnknownMultipliers::add_flux_tangent(int field, Index node, const NodeLinearisation& linear,
+                                          const NodalLoads& loads, const VectorXd& weights, double dt,
+                                          std::vector<TangentBlock>& blocks) const {
   // The residual holds dt lambda_k A_a weights, with lambda = k mu, and the condition.
-  const Patch rows = linear.patch.of_field(field, false);
-  const Patch columns = space().columns_of(linear.patch, field);
-  const Index own = rows.layout().flux_multiplier(0);
-  const Index with = columns.layout().flux_multiplier(0);
   const double weight = dt * weights[multiplier_layout(laws()).flux(node, field)];
   const ConditionValue condition = flux_condition(field, node, loads);
+  const Patch alone = linear.patch.of_multipliers();
+  blocks.push_back({alone.of_field(field, false), alone.of_field(field, false),
+                    MatrixXd::Constant(1, 1, weight * condition.d_dmultiplier)});
+  if (!loads.exchanges(field, node)) return;
   const NodeLinearisation::Jump& jump = linear.jumps[field];
-  MatrixXd tangent = MatrixXd::Zero(rows.layout().size(), columns.layout().size());
-  if (loads.exchanges(field, node)) {
-    tangent.row(own) = weight * condition.d_dgap * jump_row(jump, columns).transpose();
-    tangent.col(with) = dt * flux_unit(laws(), field, node) * loads.flux_area(field, node) * jump.weights;
+  const VectorXd row = weight * condition.d_dgap * jump_row(jump, space().columns_of(linear.patch, field));
+  const double flow = dt * flux_unit(laws(), field, node) * loads.flux_area(field, node);
+  for (Index n = 0; n < linear.patch.layout().nodes(); ++n) {
+    const Patch patch = linear.patch.of_node(n);
+    const Patch rows = patch.of_field(field, false);
+    const Patch columns = space().columns_of(patch, field);
+    const LocalLayout layout = columns.layout();
+    MatrixXd tangent = MatrixXd::Zero(rows.layout().size(), layout.size());
+    tangent.row(rows.layout().flux_multiplier(0))
+        .head(layout.per_node()) = row.segment(n * layout.per_node(), layout.per_node()).transpose();
+    tangent(0, layout.flux_multiplier(0)) = flow * jump.weights[n];
+    blocks.push_back({rows, columns, std::move(tangent)});
   }
-  tangent(own, with) += weight * condition.d_dmultiplier;
-  return {rows, columns, tangent};
 }
 
 std::vector<TangentBlock> UnknownMultipliers::node_tangent(Index node, const NodeLinearisation& linear,
                                                            const NodalLoads& loads, const VectorXd& weights,
                                                            double dt) const {
   std::vector<TangentBlock> blocks;
-  if (effects().traction) blocks.push_back(traction_tangent(node, linear, loads, weights));
+  if (effects().traction) add_traction_tangent(node, linear, loads, weights, blocks);
   for (int field = 0; field < effects().scalar_fields(); ++field) {
-    blocks.push_back(flux_tangent(field, node, linear, loads, weights, dt));
+    add_flux_tangent(field, node, linear, loads, weights, dt, blocks);
   }
   return blocks;
 }

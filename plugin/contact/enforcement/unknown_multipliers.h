@@ -16,6 +16,8 @@ class UnknownMultipliers : public EnforcementMethod {
   NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
   bool predicts() const override { return false; }
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const override;
+  /// Each node with the multipliers alone: loads are unknowns, which no displacement or field changes.
+  void for_each_coupling(const Patch& patch, const UsePatch& use) const override;
   void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const override;
   std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                          const VectorXd& weights, double dt) const override;
@@ -23,10 +25,11 @@ class UnknownMultipliers : public EnforcementMethod {
  private:
   ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
   ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
-  TangentBlock traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                const VectorXd& weights) const;
-  TangentBlock flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                            const VectorXd& weights, double dt) const;
+  // Blocks of the multipliers alone, and of each node with them
+  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                            const VectorXd& weights, std::vector<TangentBlock>& blocks) const;
+  void add_flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                        const VectorXd& weights, double dt, std::vector<TangentBlock>& blocks) const;
 };
 
 /// The order of the unknowns of a surface.

@@ -52,8 +52,8 @@ void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const Fac
     if (!facing.has_node_among(pair, loads.in_contact)) return sum;
     const LocalLayout layout = facing.patch(pair).layout();
     sum.setZero(layout.size());
-    for (const IntegrationPoint& place : pair.points) {
-      const PointContact point = loaded_point(space, pair, place, loads, fields, dt);
+    for (std::size_t q = 0; q < pair.points.size(); ++q) {
+      const PointContact point = loaded_point(space, pair, q, loads, fields, dt);
       add_residual(point.kinematics, point.loads, layout, sum);
     }
     return sum;

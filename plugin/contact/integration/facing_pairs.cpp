@@ -1,6 +1,7 @@
 #include "integration/facing_pairs.h"
 
 #include "base/bytes.h"
+#include "base/parallel.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,11 +18,11 @@ FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondar
 void FacingPairs::search(const FacingPositions& x, double radius) {
   radius_ = radius;
   surface_size_ = half_diagonal(x.primary);
-  keep(finder_->search(x.primary, x.secondary, radius));
+  keep(finder_->search(x.primary, x.secondary, radius), x);
 }
 
 void FacingPairs::project_on_same_facets(const FacingPositions& x) {
-  keep(finder_->on_same_facets(x.primary, x.secondary));
+  keep(finder_->on_same_facets(x.primary, x.secondary), x);
 }
 
 bool FacingPairs::begin_iteration(const FacingPositions& x) {
@@ -30,11 +31,13 @@ bool FacingPairs::begin_iteration(const FacingPositions& x) {
   return finds_more;
 }
 
-void FacingPairs::keep(IndexedVector<FacetPair> pairs) {
+void FacingPairs::keep(IndexedVector<FacetPair> pairs, const FacingPositions& x) {
   pairs_ = std::move(pairs);
-  if (!restriction_) return;
-  const auto apart = [&](const FacetPair& pair) { return !has_node_among(pair, *restriction_); };
-  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
+  if (restriction_) {
+    const auto apart = [&](const FacetPair& pair) { return !has_node_among(pair, *restriction_); };
+    pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
+  }
+  in_parallel(pairs_.count(), [&](Index index) { pairs_[index].kinematics = kinematics(pairs_[index], x); });
 }
 
 IndexedVector<int> FacingPairs::exchanged_fields(const FacetPair& pair) const {
@@ -60,12 +63,18 @@ Patch FacingPairs::patch(const FacetPair& pair) const {
           exchanged_fields(pair), std::nullopt, effects_.traction};
 }
 
-PointKinematics FacingPairs::kinematics(const FacetPair& pair, const IntegrationPoint& point,
-                                        const FacingPositions& x) const {
+std::vector<PointKinematics> FacingPairs::kinematics(const FacetPair& pair, const FacingPositions& x) const {
   const Facet& one = primary_facet(pair);
   const Facet& two = secondary_facet(pair);
-  return point_kinematics(shape_functions(one.type, point.xi), facet_coordinates(one, x.primary),
-                          shape_functions(two.type, point.eta), facet_coordinates(two, x.secondary));
+  const FacetCoordinates x1 = facet_coordinates(one, x.primary);
+  const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
+  std::vector<PointKinematics> found;
+  found.reserve(pair.points.size());
+  for (const IntegrationPoint& point : pair.points) {
+    found.push_back(
+        point_kinematics(shape_functions(one.type, point.xi), x1, shape_functions(two.type, point.eta), x2));
+  }
+  return found;
 }
 
 PairVector FacingPairs::values(const FacetPair& pair, int field, const FacingFields& fields) const {
@@ -98,7 +107,7 @@ std::size_t FacingPairs::points() const {
 
 std::size_t FacingPairs::memory() const {
   std::size_t sum = finder_->memory() + bytes(pairs_);
-  for (const FacetPair& pair : pairs_) sum += bytes(pair.points);
+  for (const FacetPair& pair : pairs_) sum += bytes(pair.points) + bytes(pair.kinematics);
   return sum;
 }
 

@@ -1,4 +1,5 @@
-/// Two surfaces with the pairs of facets that face each other, and the integration points in between.
+/// Two surfaces with the pairs of facets that face each other, and the integration points in between, with their
+/// kinematics where the pairs were found last.
 #pragma once
 
 #include "base/patch.h"
@@ -41,7 +42,6 @@ class FacingPairs {
   std::optional<Side> bearing_side(const FacetPair& pair) const;
   /// The nodes of both facets with their displacements and exchanged fields.
   Patch patch(const FacetPair& pair) const;
-  PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& point, const FacingPositions& x) const;
   /// Nodal values of a field on both facets.
   PairVector values(const FacetPair& pair, int field, const FacingFields& fields) const;
   /// Whether any of the nodes of the primary facet is among those given.
@@ -57,7 +57,8 @@ class FacingPairs {
   std::size_t memory() const;
 
  private:
-  void keep(IndexedVector<FacetPair> pairs);
+  void keep(IndexedVector<FacetPair> pairs, const FacingPositions& x);
+  std::vector<PointKinematics> kinematics(const FacetPair& pair, const FacingPositions& x) const;
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;

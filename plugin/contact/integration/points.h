@@ -25,6 +25,7 @@ struct FacetPair {
   int primary = 0;
   int secondary = 0;
   std::vector<IntegrationPoint> points;
+  std::vector<PointKinematics> kinematics = {};  ///< of the points, where they were found; FacingPairs has them
 };
 
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.

@@ -101,7 +101,7 @@ void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& fac
 /// As it is seen along n the sample is at y, and the primary facet at q(xi) = SUM N_a q_a: q(xi) = y gives xi, and the
 /// weight is area/(q,1 x q,2).
 PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& secondary,
-                              const Sample<VaryingNumber>& sample, const Vector2d& xi) {
+                              const Sample<VaryingNumber>& sample, const ViewTilt& tilt, const Vector2d& xi) {
   const View& view = sample.view;
   const auto& [y, area] = sample.point;
   const ShapeFunctions shape = shape_functions(primary.type, xi);
@@ -132,7 +132,6 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
     weight.add(a, height, -(shape.gradient(a, 0) * r1 + shape.gradient(a, 1) * r2) / determinant);
   }
 
-  const ViewTilt tilt = view_tilt(view, primary.type, primary.x, middle(primary.type, sample.primary));
   motion.xi = slope.inverse() * shift.with_nodes(view, tilt);
   const Eigen::RowVector2d by_xi(r1.dot(bend.col(0)) + r2.dot(bend.col(2)), r1.dot(bend.col(2)) + r2.dot(bend.col(1)));
   motion.weight = weight.with_nodes(view, tilt) - by_xi / determinant * motion.xi;
@@ -365,12 +364,17 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const Facet& two = secondary_[pair.secondary];
   const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
+  const std::vector<Piece<VaryingNumber>> pieces = pieces_of<VaryingNumber>(primary);
+  std::vector<ViewTilt> tilts;
+  for (const Piece<VaryingNumber>& piece : pieces)
+    tilts.push_back(view_tilt(piece.view, primary.type, primary.x, middle(primary.type, piece.part)));
   std::vector<PointMotion> motions;
   motions.reserve(pair.points.size());
   const auto add = [&](const Sample<VaryingNumber>& sample) {
-    motions.push_back(projection_motion(primary, secondary, sample, pair.points[motions.size()].xi));
+    const ViewTilt& tilt = at(tilts, sample.sub_facet);
+    motions.push_back(projection_motion(primary, secondary, sample, tilt, pair.points[motions.size()].xi));
   };
-  sample_overlap(pieces_of<VaryingNumber>(primary), secondary, order({pair.primary, pair.secondary}), add);
+  sample_overlap(pieces, secondary, order({pair.primary, pair.secondary}), add);
   return motions;
 }
 

@@ -36,10 +36,6 @@ void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Sett
   pass.integral->project(seen_from(pass.side, position), reach_of(settings, position).distance);
 }
 
-NodeFlags flux_coupled(const SidedPass& pass, const PerSide<Matrix3Xd>& position) {
-  return pass.integral->flux_coupled(seen_from(pass.side, position));
-}
-
 /// The nodes of the other surface that face contact.
 NodeFlags facing_contact(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
                          const NodeFlags& in_contact, const Settings& settings) {
@@ -211,9 +207,8 @@ void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, 
 void ContactInterface::for_each_coupling(const std::function<void(const Location&)>& use) const {
   TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
-    pass.integral->for_each_coupling(seen_from(pass.side, position_), [&](const Patch& patch) {
-      timed.in_host(patch, [&] { use({pass.side, patch}); });
-    });
+    pass.integral->for_each_coupling(
+        [&](const Patch& patch) { timed.in_host(patch, [&] { use({pass.side, patch}); }); });
   }
 }
 
@@ -245,7 +240,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
     const TaskClock timed = measurements_.clock(Task::stiffness);
     for (SidedPass& pass : passes_) {
       if (pass.faced && !effects_.traction) continue;
-      hold_facing(pass, facing_contact(pass, mesh_, position_, flux_coupled(pass, position_), settings_));
+      hold_facing(pass, facing_contact(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
     }
   }
   return nodes_in_contact();
@@ -256,12 +251,12 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   if (settings_.two_pass || !effects_.traction || mesh_[Side::primary].may_meet_itself()) return {};
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
-  const NodeFlags in_contact = flux_coupled(passes_.front(), position_);
+  const NodeFlags in_contact = passes_.front().integral->flux_coupled();
   const IndexedVector<FacingNode> nodes = facing_nodes(passes_.front(), mesh_, position_, in_contact,
                                                        reach_of(settings_, position_));
   const VectorXd shares = overlap_shares(nodes, in_contact, facets, position_[Side::primary]);
   const bool joins = passes_.size() == 1;
-  check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : flux_coupled(passes_.back(), position_));
+  check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : passes_.back().integral->flux_coupled());
   const UndetectedPenetration found = overlap_among(nodes, shares, check_.nodes);
   if (found.nodes == 0) return found;
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
@@ -321,7 +316,7 @@ PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {
     }
   };
   for (const SidedPass& pass : passes_) {
-    const NodeFlags own = flux_coupled(pass, position_);
+    const NodeFlags own = pass.integral->flux_coupled();
     add(pass.side, own);
     add(other(pass.side), pass.faced ? *pass.faced : facing_contact(pass, mesh_, position_, own, settings_));
   }

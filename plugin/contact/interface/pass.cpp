@@ -48,7 +48,7 @@ void ContactPass::augment(const FacingFields& fields) {
 }
 
 void ContactPass::accept_step(const FacingFields& fields) {
-  if (effects_.scalar_fields() > 0) laws_.multipliers.flux_coupled = flux_coupled(positions(fields));
+  if (effects_.scalar_fields() > 0) laws_.multipliers.flux_coupled = flux_coupled();
   if (!effects_.traction) return;
   NodalLoads loads = nodal_loads(fields);
   laws_.multipliers.accepted_traction = loads.traction;
@@ -76,10 +76,6 @@ void ContactPass::residual(const FacingFields& fields, double dt, const AddVecto
 
 void ContactPass::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
   geometry_->tangent(fields, dt, add);
-}
-
-void ContactPass::for_each_coupling(const FacingPositions& x, const UsePatch& use) const {
-  geometry_->for_each_coupling(x, use);
 }
 
 std::size_t ContactPass::memory() const {

@@ -88,10 +88,10 @@ class ContactPass {
   void tangent(const FacingFields& fields, double dt, const AddBlock& add) const;
 
   /// The patches that tangent() would fill: what a matrix profile has to hold.
-  void for_each_coupling(const FacingPositions& x, const UsePatch& use) const;
+  void for_each_coupling(const UsePatch& use) const { geometry_->for_each_coupling(use); }
 
   /// Which primary nodes are in contact and flux-coupled by it; the others have the ambient values.
-  NodeFlags flux_coupled(const FacingPositions& x) const { return geometry_->flux_coupled(x); }
+  NodeFlags flux_coupled() const { return geometry_->flux_coupled(); }
 
   /// How the conditions are enforced. Unknown multipliers have an equation each in residual() and tangent().
   Enforcement enforcement() const { return settings_.enforcement; }

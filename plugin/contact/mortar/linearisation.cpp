@@ -15,13 +15,28 @@ Index position_in(const IndexedVector<int>& list, int entry) {
 }
 
 /// Where the nodes of a pair of facets stand in a larger patch.
-IndexedVector<Index> dof_map(const Patch& pair, const Patch& patch) {
-  IndexedVector<Index> map;
-  map.reserve(pair.primary.size() + pair.secondary.size());
-  for (const int node : pair.primary) map.push_back(position_in(patch.primary, node));
-  for (const int node : pair.secondary) map.push_back(patch.primary.count() + position_in(patch.secondary, node));
+using PairPlaces = Eigen::Matrix<Index, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
+PairPlaces dof_map(const Patch& pair, const Patch& patch) {
+  PairPlaces map(pair.layout().nodes());
+  Index n = 0;
+  for (const int node : pair.primary) map[n++] = position_in(patch.primary, node);
+  for (const int node : pair.secondary) map[n++] = patch.primary.count() + position_in(patch.secondary, node);
   return map;
 }
+
+/// What a pair of facets has around the nodes of its primary facet, one column for each of them; rows are those of a
+/// NodeLinearisation of the pair's patch.
+struct PairLinearisation {
+  struct Jump {
+    MatrixXd projection_variation;
+    MatrixXd weights;
+  };
+  Patch patch;
+  MatrixXd gap_variation;
+  MatrixXd traction_work;
+  IndexedVector<Jump> jumps;
+  IndexedVector<NodeLinearisation::Friction> friction;  ///< per node; empty without friction
+};
 
 void set_zero(NodeLinearisation::Friction& friction, const LocalLayout& displacements, const Effects& effects) {
   friction.slip_variation.setZero(3, displacements.size());
@@ -45,9 +60,23 @@ NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patc
   return linear;
 }
 
-void scatter(const NodeLinearisation::Friction& pair, const IndexedVector<Index>& place,
-             NodeLinearisation::Friction& sum) {
-  for (Index n = 0; n < place.count(); ++n) {
+PairLinearisation zero_linearisation(const MortarSpace& space, const FacetPair& pair) {
+  PairLinearisation linear;
+  linear.patch = space.facing().patch(pair);
+  const LocalLayout layout = linear.patch.of_displacements().layout();
+  const Index corners = layout.primary_nodes();
+  if (linear.patch.displacements) linear.gap_variation.setZero(layout.size(), corners);
+  linear.traction_work = linear.gap_variation;
+  const PairLinearisation::Jump none{linear.gap_variation, MatrixXd::Zero(layout.nodes(), corners)};
+  linear.jumps.assign(linear.patch.fields.size(), none);
+  if (!space.effects().has_friction()) return linear;
+  linear.friction = IndexedVector<NodeLinearisation::Friction>(corners);
+  for (NodeLinearisation::Friction& friction : linear.friction) set_zero(friction, layout, space.effects());
+  return linear;
+}
+
+void scatter(const NodeLinearisation::Friction& pair, const PairPlaces& place, NodeLinearisation::Friction& sum) {
+  for (Index n = 0; n < place.size(); ++n) {
     sum.slip_variation.middleCols<3>(3 * place[n]) += pair.slip_variation.middleCols<3>(3 * n);
     sum.area_vector_variation.middleCols<3>(3 * place[n]) += pair.area_vector_variation.middleCols<3>(3 * n);
     sum.work[place[n]] += pair.work[n];
@@ -57,24 +86,24 @@ void scatter(const NodeLinearisation::Friction& pair, const IndexedVector<Index>
   }
 }
 
-/// Adds what a pair of facets has around a node to the node's own.
-void scatter(const NodeLinearisation& pair, NodeLinearisation& sum) {
-  const IndexedVector<Index> place = dof_map(pair.patch, sum.patch);
+/// Adds what a pair of facets has around a node of its primary facet to the node's own.
+void scatter(const PairLinearisation& pair, Index corner, NodeLinearisation& sum) {
+  const PairPlaces place = dof_map(pair.patch, sum.patch);
   const LocalLayout layout = sum.patch.of_displacements().layout();
   const LocalLayout own = pair.patch.of_displacements().layout();
-  const auto add_variation = [&](VectorXd& variation, const VectorXd& part) {
+  const auto add_variation = [&](VectorXd& variation, const MatrixXd& part) {
     if (!sum.patch.displacements) return;
-    for (Index n = 0; n < place.count(); ++n) {
-      variation.segment<3>(layout.displacement(place[n], 0)) += part.segment<3>(own.displacement(n, 0));
+    for (Index n = 0; n < place.size(); ++n) {
+      variation.segment<3>(layout.displacement(place[n], 0)) += part.col(corner).segment<3>(own.displacement(n, 0));
     }
   };
   add_variation(sum.gap_variation, pair.gap_variation);
   add_variation(sum.traction_work, pair.traction_work);
-  if (!sum.friction.empty()) scatter(pair.friction, place, sum.friction);
+  if (!sum.friction.empty()) scatter(pair.friction[corner], place, sum.friction);
   for (Index f = 0; f < pair.patch.fields.count(); ++f) {
     NodeLinearisation::Jump& jump = sum.jumps[position_in(sum.patch.fields, pair.patch.fields[f])];
     add_variation(jump.projection_variation, pair.jumps[f].projection_variation);
-    for (Index n = 0; n < place.count(); ++n) jump.weights[place[n]] += pair.jumps[f].weights[n];
+    for (Index n = 0; n < place.size(); ++n) jump.weights[place[n]] += pair.jumps[f].weights(n, corner);
   }
 }
 
@@ -107,33 +136,34 @@ std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<Var
 
 /// Adds a point's part in the first variation of an average over a node, g_a = INT psi_a g da / A_a:
 /// dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
-void add_mean_variation(VectorXd& sum, const CornerPoint& at, const PairVariation<1>& variation, double excess,
-                        double area) {
+void add_mean_variation(Eigen::Ref<VectorXd> sum, const CornerPoint& at, const PairVariation<1>& variation,
+                        double excess, double area) {
   const double part = at.share.value * at.point.contact.kinematics.area;
   sum += (part / area * variation + excess / area * at.area).transpose();
 }
 
-void add_gap(NodeLinearisation& linear, const NodalLoads& loads, const CornerPoint& at) {
+void add_gap(PairLinearisation& linear, const LocalLayout& layout, const NodalLoads& loads, const CornerPoint& at) {
   const PointKinematics& kinematics = at.point.contact.kinematics;
-  const LocalLayout layout = linear.patch.of_displacements().layout();
   const PairVector h = kinematics.jump_weights();
   const double excess = kinematics.gap - loads.gap[at.node] - loads.offset;
-  add_mean_variation(linear.gap_variation, at, at.point.vary.gap, excess, loads.area[at.node]);
+  add_mean_variation(linear.gap_variation.col(at.corner), at, at.point.vary.gap, excess, loads.area[at.node]);
+  auto work = linear.traction_work.col(at.corner);
   for (Index n = 0; n < layout.nodes(); ++n) {
-    linear.traction_work.segment<3>(layout.displacement(n, 0)) += at.share.value * h[n] * kinematics.area_vector;
+    work.segment<3>(layout.displacement(n, 0)) += at.share.value * h[n] * kinematics.area_vector;
   }
 }
 
-void add_jump(NodeLinearisation& linear, Index k, const NodalLoads& loads, const CornerPoint& at) {
+void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const CornerPoint& at) {
   const auto& [contact, vary] = at.point;
   const int field = contact.fields[k];
   const double area = loads.flux_area(field, at.node);
   const PairVector h = contact.kinematics.jump_weights();
-  linear.jumps[k].weights += at.share.value * contact.kinematics.area / area * h;
+  linear.jumps[k].weights.col(at.corner) += at.share.value * contact.kinematics.area / area * h;
   if (!linear.patch.displacements) return;
   const PairVector values = contact.values.col(k);
-  add_mean_variation(linear.jumps[k].projection_variation, at, jump_variation(contact.kinematics, vary, values),
-                     h.dot(values) - loads.jump(field, at.node), area);
+  add_mean_variation(linear.jumps[k].projection_variation.col(at.corner), at,
+                     jump_variation(contact.kinematics, vary, values), h.dot(values) - loads.jump(field, at.node),
+                     area);
 }
 
 /// What friction needs of a point, whichever of its nodes is looked at.
@@ -178,7 +208,7 @@ void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads,
   friction.pressure_weights += part * sliding.pressure_weights;
 }
 
-void add_sliding(IndexedVector<NodeLinearisation>& corners, const MortarSpace& space, const FacetPair& pair,
+void add_sliding(PairLinearisation& linear, const MortarSpace& space, const FacetPair& pair,
                  const std::vector<CornerPoint>& points, const NodalLoads& loads, const FacingFields& fields) {
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
   std::optional<SlidingPoint> sliding;
@@ -187,31 +217,31 @@ void add_sliding(IndexedVector<NodeLinearisation>& corners, const MortarSpace& s
     if (at.number != number)
       sliding = sliding_point(space, pair, indexing::at(pair.points, at.number), at.point, pressure);
     number = at.number;
-    add_sliding(corners[at.corner].friction, loads, at, *sliding);
+    add_sliding(linear.friction[at.corner], loads, at, *sliding);
   }
 }
 
-/// What a pair of facets has around each node of its primary facet.
-IndexedVector<NodeLinearisation> linearise_corners(const MortarSpace& space, const FacetPair& pair,
-                                                   const std::vector<VaryingPoint>& points, const NodalLoads& loads,
-                                                   const FacingFields& fields) {
-  const Patch patch = space.facing().patch(pair);
-  IndexedVector<NodeLinearisation> corners(patch.primary.count(), zero_linearisation(space, patch));
+PairLinearisation linearise_pair(const MortarSpace& space, const FacetPair& pair,
+                                 const std::vector<VaryingPoint>& points, const NodalLoads& loads,
+                                 const FacingFields& fields) {
+  PairLinearisation linear = zero_linearisation(space, pair);
+  const Patch& patch = linear.patch;
+  const LocalLayout layout = patch.of_displacements().layout();
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   const std::vector<CornerPoint> all = corner_points(space.facing().primary_facet(pair), points, loads.in_contact);
   if (patch.displacements) {
-    for (const CornerPoint& at : all) add_gap(corners[at.corner], loads, at);
+    for (const CornerPoint& at : all) add_gap(linear, layout, loads, at);
     laps.traction();
   }
   if (space.effects().has_friction()) {
-    add_sliding(corners, space, pair, all, loads, fields);
+    add_sliding(linear, space, pair, all, loads, fields);
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
-    for (const CornerPoint& at : all) add_jump(corners[at.corner], k, loads, at);
+    for (const CornerPoint& at : all) add_jump(linear, k, loads, at);
     laps.field(patch.fields[k]);
   }
-  return corners;
+  return linear;
 }
 
 /// Displacements of a patch's nodes in the order of patch.of_displacements(), given those of both surfaces.
@@ -286,17 +316,17 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
     nodes[node].friction.convection = convection_around(facing, space.past().primary, node, around[node],
                                                         nodes[node].patch.primary);
   });
-  const auto corners_of = [&](Index index) {
+  const auto linear_pair = [&](Index index) {
     const FacetPair& pair = facing.pairs()[index];
-    if (!facing.has_node_among(pair, loads.in_contact)) return IndexedVector<NodeLinearisation>();
+    if (!facing.has_node_among(pair, loads.in_contact)) return PairLinearisation();
     const std::vector<VaryingPoint> points = varying_points(space, pair, carried, fields, 1.0);
     use(index, points);
-    return linearise_corners(space, pair, points, loads, fields);
+    return linearise_pair(space, pair, points, loads, fields);
   };
-  in_order(facing.pairs().count(), corners_of, [&](Index /*index*/, const IndexedVector<NodeLinearisation>& corners) {
-    for (Index a = 0; a < corners.count(); ++a) {
-      const int node = corners[a].patch.primary[a];
-      if (loads.in_contact[node]) scatter(corners[a], nodes[node]);
+  in_order(facing.pairs().count(), linear_pair, [&](Index /*index*/, const PairLinearisation& pair) {
+    for (Index a = 0; a < pair.patch.primary.count(); ++a) {
+      const int node = pair.patch.primary[a];
+      if (loads.in_contact[node]) scatter(pair, a, nodes[node]);
     }
   });
   return nodes;

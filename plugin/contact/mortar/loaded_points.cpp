@@ -2,13 +2,12 @@
 
 namespace mixture_contact {
 
-PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
-                          const NodalLoads& loads, const FacingFields& fields, double dt) {
+PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,
+                          const FacingFields& fields, double dt) {
   const FacingPairs& facing = space.facing();
   const Facet& facet = facing.primary_facet(pair);
-  PointContact contact;
-  contact.pair = &pair;
-  contact.kinematics = facing.kinematics(pair, place, positions(fields));
+  const IntegrationPoint& place = pair.points[number];
+  PointContact contact(pair, number);
   const ShapeFunctions psi = space.shape(pair.primary, place.sub_facet, place.xi);
   contact.psi = psi.value;
   contact.psi_gradient = psi.gradient;
@@ -43,7 +42,7 @@ std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPa
   std::vector<VaryingPoint> points;
   points.reserve(pair.points.size());
   for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    points.push_back({loaded_point(space, pair, pair.points[q], loads, fields, dt), {}});
+    points.push_back({loaded_point(space, pair, q, loads, fields, dt), {}});
     points.back().vary = kinematic_variations(points.back().contact.kinematics, motions[q]);
   }
   return points;
@@ -53,7 +52,7 @@ void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, co
                            const std::function<void(const PointContact&)>& use) {
   for (const FacetPair& pair : space.facing().pairs()) {
     if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
-    for (const IntegrationPoint& place : pair.points) use(loaded_point(space, pair, place, loads, fields, dt));
+    for (std::size_t q = 0; q < pair.points.size(); ++q) use(loaded_point(space, pair, q, loads, fields, dt));
   }
 }
 

@@ -10,8 +10,11 @@ namespace mixture_contact {
 
 /// Everything at one integration point that carries load.
 struct PointContact {
-  const FacetPair* pair = nullptr;
-  PointKinematics kinematics;
+  /// The point of a pair with this number, without its loads.
+  PointContact(const FacetPair& of, std::size_t number) : pair(&of), kinematics(of.kinematics[number]) {}
+
+  const FacetPair* pair;
+  const PointKinematics& kinematics;
   FacetVector psi;             ///< psi_a here
   FacetGradient psi_gradient;  ///< psi_a,alpha
   IndexedVector<int> fields;   ///< exchanged scalar fields here, as indices into Effects' order
@@ -25,8 +28,9 @@ struct VaryingPoint {
   KinematicVariations vary;
 };
 
-PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
-                          const NodalLoads& loads, const FacingFields& fields, double dt);
+/// The point of a pair with this number.
+PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,
+                          const FacingFields& fields, double dt);
 
 /// All points of a pair with their variations.
 std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,

@@ -19,7 +19,8 @@ struct JumpSums {
 };
 
 /// Adds the entries of `more` that `list` does not have yet.
-void merge_unique(IndexedVector<int>& list, const IndexedVector<int>& more) {
+template <class Entries>
+void merge_unique(IndexedVector<int>& list, const Entries& more) {
   for (const int entry : more) {
     if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
   }
@@ -33,8 +34,9 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   sums.fields = facing.exchanged_fields(pair);
   sums.area.setZero(facing.primary_facet(pair).count());
   sums.jump.setZero(sums.fields.count(), sums.area.size());
-  for (const IntegrationPoint& place : pair.points) {
-    const PointKinematics point = facing.kinematics(pair, place, positions(fields));
+  for (std::size_t q = 0; q < pair.points.size(); ++q) {
+    const IntegrationPoint& place = pair.points[q];
+    const PointKinematics& point = pair.kinematics[q];
     const FacetVector share = place.weight * point.area * space.shape(pair.primary, place.sub_facet, place.xi).value;
     const PairVector h = point.jump_weights();
     sums.area += share;
@@ -58,10 +60,11 @@ MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondar
       friction_(settings.friction),
       effect_times_(effects.scalar_fields()) {}
 
-FacetGapSums MortarSpace::gap_sums(const FacetPair& pair, const FacingPositions& x) const {
+FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
   FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
-  for (const IntegrationPoint& place : pair.points) {
-    const PointKinematics point = facing_.kinematics(pair, place, x);
+  for (std::size_t q = 0; q < pair.points.size(); ++q) {
+    const IntegrationPoint& place = pair.points[q];
+    const PointKinematics& point = pair.kinematics[q];
     const FacetVector psi = shape(pair.primary, place.sub_facet, place.xi).value;
     sums.row(0) += place.weight * point.area * psi;
     sums.row(1) += place.weight * point.area * point.gap * psi;
@@ -78,7 +81,7 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
   }
   std::map<int, FacetGapSums> covered;
   in_order(
-      unknown.count(), [&](Index index) { return gap_sums(*unknown[index], x); },
+      unknown.count(), [&](Index index) { return gap_sums(*unknown[index]); },
       [&](Index index, const FacetGapSums& sums) {
         const auto [place, first] = covered.try_emplace(unknown[index]->primary, sums);
         if (!first) place->second += sums;
@@ -88,10 +91,10 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
   }
 }
 
-NodalGaps MortarSpace::gaps(const FacingPositions& x) const {
+NodalGaps MortarSpace::gaps() const {
   NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size(), offset_};
   const IndexedVector<FacetPair>& pairs = facing_.pairs();
-  const auto sums_of = [&](Index index) { return gap_sums(pairs[index], x); };
+  const auto sums_of = [&](Index index) { return gap_sums(pairs[index]); };
   in_order(pairs.count(), sums_of, [&](Index index, const FacetGapSums& sums) {
     const Facet& facet = facing_.primary_facet(pairs[index]);
     for (Index a = 0; a < sums.cols(); ++a) {
@@ -140,10 +143,9 @@ Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& p
     for (int field = 0; field < effects().scalar_fields(); ++field) patch.fields.push_back(field);
   }
   for (const FacetPair* pair : pairs) {
-    const Patch facets = facing_.patch(*pair);
-    merge_unique(patch.primary, facets.primary);
-    merge_unique(patch.secondary, facets.secondary);
-    merge_unique(patch.fields, facets.fields);
+    merge_unique(patch.primary, facing_.primary_facet(*pair));
+    merge_unique(patch.secondary, facing_.secondary_facet(*pair));
+    merge_unique(patch.fields, facing_.exchanged_fields(*pair));
   }
   return patch;
 }

@@ -33,7 +33,8 @@ class MortarSpace {
   FacingPositions past() const { return seen_from(Side::primary, past_); }
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
-  NodalGaps gaps(const FacingPositions& x) const;
+  /// Where the pairs were found.
+  NodalGaps gaps() const;
   /// The gaps of a state, and the jumps of nodes of a status there; without loads.
   NodalLoads averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const;
 
@@ -53,7 +54,7 @@ class MortarSpace {
   std::size_t memory() const;
 
  private:
-  FacetGapSums gap_sums(const FacetPair& pair, const FacingPositions& x) const;
+  FacetGapSums gap_sums(const FacetPair& pair) const;
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
 
   FacingPairs facing_;

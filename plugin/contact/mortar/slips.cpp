@@ -22,8 +22,9 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   const Index count = facing.primary_facet(pair).count();
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
   sums = {FacetCoordinates::Zero(3, count), FacetCoordinates::Zero(3, count), FacetVector::Zero(count)};
-  for (const IntegrationPoint& place : pair.points) {
-    const PointKinematics point = facing.kinematics(pair, place, positions(fields));
+  for (std::size_t q = 0; q < pair.points.size(); ++q) {
+    const IntegrationPoint& place = pair.points[q];
+    const PointKinematics& point = pair.kinematics[q];
     const FacetVector share = place.weight * space.shape(pair.primary, place.sub_facet, place.xi).value;
     sums.slip += point.area * slip(past_point(space, pair, point)) * share.transpose();
     sums.area_vector += point.area_vector * share.transpose();

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <set>
 
 using namespace test;
@@ -114,6 +115,33 @@ void check(const Scene& scene, FieldMask partly = 0) {
   BOOST_TEST((in_tangent(scene) == expected(scene, partly, false)));
 }
 
+/// The entries in rows and columns below `size`.
+std::set<Entry> below(Index size, const std::set<Entry>& entries) {
+  std::set<Entry> found;
+  for (const Entry& entry : entries) {
+    if (entry.first < size && entry.second < size) found.insert(entry);
+  }
+  return found;
+}
+
+/// The entries between the nodes of facets that face each other.
+std::set<Entry> of_facing_facets(const Scene& scene) {
+  const GlobalLayout layout(scene);
+  const auto contact = scene.contact();
+  const MortarSpace& space = contact->pass(0).space();
+  std::set<Entry> entries;
+  for (const FacetPair& pair : space.facing().pairs()) {
+    const Patch patch = space.facing().patch(pair);
+    const auto add_patch = [&](const Patch& part) {
+      const std::vector<Index> all = layout.entries({Side::primary, part});
+      add(entries, all, all);
+    };
+    add_patch(patch.of_displacements());
+    for (const int field : patch.fields) add_patch(space.columns_of(patch, field));
+  }
+  return entries;
+}
+
 /// Pairs of nodes no further than two apart along a line of `cells` elements.
 constexpr std::size_t near_pairs_on_a_line = 5 * cells - 1;
 
@@ -148,4 +176,21 @@ BOOST_AUTO_TEST_CASE(apart_there_are_no_entries) {
   apart.fields[Side::secondary].position.row(2).array() += 0.2;
   BOOST_TEST(in_profile(apart).empty());
   BOOST_TEST(in_tangent(apart).empty());
+}
+
+BOOST_AUTO_TEST_CASE(unknown_multipliers_couple_only_nodes_of_facets_that_face_each_other) {
+  for (const Effects& effects : {effects_of(false, 0), effects_of(true, 1)}) {
+    Scene scene = matching(effects);
+    const std::set<Entry> with_penalties = in_profile(scene);
+    scene.settings.enforcement = Enforcement::lagrange_multipliers;
+    const GlobalLayout layout(scene);
+    const std::set<Entry> profile = below(layout.size(), in_profile(scene));
+    const std::set<Entry> between_nodes = below(layout.nodal_size(), profile);
+    BOOST_TEST((between_nodes == of_facing_facets(scene)));
+    BOOST_TEST(between_nodes.size() < with_penalties.size());
+    const std::set<Entry> tangent = below(layout.size(), in_tangent(scene));
+    BOOST_TEST(std::includes(profile.begin(), profile.end(), tangent.begin(), tangent.end()));
+    for (Index multiplier = layout.nodal_size(); multiplier < layout.size(); ++multiplier)
+      BOOST_TEST(tangent.count({multiplier, multiplier}) == 1U);
+  }
 }
