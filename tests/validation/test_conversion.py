@@ -7,11 +7,13 @@ points and ours at nodes agree as the mesh allows.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 from lxml import etree
+from older_formats import VERSIONS, older
 
 from harness.conversion.convert import convert
 from harness.models.composite import Composite
@@ -25,6 +27,7 @@ from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
 from harness.models.patches import Patches
 from harness.run import engine, logdata
+from harness.studies.real_models.all_scenes import SCENES
 
 pytestmark = pytest.mark.mixture_only
 
@@ -167,3 +170,56 @@ def test_the_answer_stays(runner, tmp_path, name):
         scale = np.abs(old[column]).max()
         if scale > 0.0:
             assert np.abs(new[column] - old[column]).max() <= chosen.tolerance * scale, column
+
+
+def in_folder(folder, text):
+    folder.mkdir()
+    path = folder / "model.feb"
+    path.write_text(text, encoding="iso-8859-1")
+    return path
+
+
+def results(path, plugin=None):
+    """What a run logs, and in how many iterations."""
+    finished = engine.run(path, plugin=plugin)
+    logged = {file.name: file.read_bytes() for file in path.parent.glob("*.txt")}
+    assert logged
+    return finished.report.iterations, logged
+
+
+def scene(name, folder):
+    return SCENES[name].write(name, folder).read_text(encoding="iso-8859-1")
+
+
+OLDER = ("node on facet", "elastic, two passes", "biphasic, edge of contact", "solute, the paper's penalties")
+"""With conditions on displacement, pressure and concentration, and with load curves."""
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("name", [*OLDER, "rigid-slab", "shells-back", "quasi-newton"])
+def test_older_formats_have_the_same_answer_to_the_digit(runner, tmp_path, name, version):
+    text = CASES[name].text if name in CASES else scene(name, tmp_path)
+    newest, old = in_folder(tmp_path / "4.0", text), in_folder(tmp_path / version, older(text, version))
+    assert results(old) == results(newest)
+    for path in (newest, old):
+        path.write_bytes(convert(path).data)
+    assert b"sliding-mixture" in old.read_bytes()
+    assert results(old, engine.required_plugin()) == results(newest, engine.required_plugin())
+
+
+@pytest.mark.parametrize("read_by", ['<Contact from="contact.feb"/>', "<Include>contact.feb</Include>"])
+@pytest.mark.parametrize("version", [*VERSIONS, "4.0"])
+def test_contacts_in_included_files_have_the_same_answer_to_the_digit(runner, tmp_path, version, read_by):
+    text = CASES["biphasic, edge of contact"].text
+    text = text if version == "4.0" else older(text, version)
+    contact = re.search("<Contact>.*?</Contact>", text, re.DOTALL).group(0)
+    whole = in_folder(tmp_path / "whole", text)
+    path = in_folder(tmp_path / "pieces", text.replace(contact, read_by))
+    piece = path.with_name("contact.feb")
+    piece.write_text(f'<?xml version="1.0"?><febio_spec version="{version}">{contact}</febio_spec>')
+    assert results(path) == results(whole)
+    whole.write_bytes(convert(whole).data)
+    made = convert(path)
+    for file, data in {**made.included, path: made.data}.items():
+        file.write_bytes(data)
+    assert results(path, engine.required_plugin()) == results(whole, engine.required_plugin())

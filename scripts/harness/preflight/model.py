@@ -15,9 +15,21 @@ from harness.errors import ModelError
 from harness.preflight import materials, mesh_section
 from harness.preflight import xml_file as documents
 from harness.preflight.contact_types import TYPES, ContactType
+from harness.preflight.formats import newest
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Mesh, Pair
-from harness.preflight.xml_file import Document, Element, attribute, children, number, optional_number, place, text
+from harness.preflight.xml_file import (
+    AS_THEY_ARE,
+    Contents,
+    Document,
+    Element,
+    attribute,
+    children,
+    number,
+    optional_number,
+    place,
+    text,
+)
 
 
 @dataclass(frozen=True)
@@ -226,8 +238,8 @@ class Model:
         return found
 
 
-def read(path: Path, data: bytes | None = None) -> Model:
-    """Read a model file and what it includes, or `data` as if it stood in that file.
+def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
+    """Read a model file and what it includes; what `instead` has is read in place of files.
 
     Raises
     ------
@@ -236,7 +248,7 @@ def read(path: Path, data: bytes | None = None) -> Model:
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")
-    document = documents.read(path, data)
+    document = newest.read(path, instead)
     module = next(document.all("Module"), None)
     if module is None:
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')
