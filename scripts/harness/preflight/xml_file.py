@@ -27,6 +27,7 @@ WRITTEN_AS = "written_as"
 """Attribute with line and tag of what an element is made from, where the file has another one."""
 DEEPEST_INCLUDE = 8
 LONGEST_RANGE = 50_000_000
+LONGEST_NAME = 80
 _TELLING = ("name", "id", "sol", "type", "bc")
 
 
@@ -49,7 +50,7 @@ def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
     if root.tag != "febio_spec":
         raise ModelError(f"{place(root)}: a model begins with <febio_spec>")
     if root.get("version") not in VERSIONS:
-        found = f"version '{root.get('version')}'" if root.get("version") else "no version"
+        found = f"version '{shortened(str(root.get('version')))}'" if root.get("version") else "no version"
         raise ModelError(
             f"{place(root)}: has {found}; {', '.join(VERSIONS)} can be read (FEBio Studio converts older files)"
         )
@@ -78,8 +79,13 @@ def place(element: Element) -> Place:
     if written_as:
         line, _, tag = written_as.partition(" ")
         return Place(file, int(line), tag)
-    told = next((f' {key}="{element.get(key)}"' for key in _TELLING if element.get(key)), "")
+    told = next((f' {key}="{shortened(str(element.get(key)))}"' for key in _TELLING if element.get(key)), "")
     return Place(file, cast("int", element.sourceline), f"<{element.tag}{told}>")
+
+
+def shortened(value: str) -> str:
+    """A name that a file has, for a message."""
+    return value if len(value) <= LONGEST_NAME else value[:LONGEST_NAME] + "..."
 
 
 def children(element: Element, tag: str | None = None) -> Iterator[Element]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from harness.errors import ModelError
 from harness.preflight.formats.rewriting import add, rename
-from harness.preflight.xml_file import Element
+from harness.preflight.xml_file import Element, place, shortened
 
 _FIELDS = {
     **dict.fromkeys(("x", "y", "z"), "displacement"),
@@ -17,6 +18,7 @@ _FIELDS = {
     "T": "temperature",
 }
 _CONCENTRATION = re.compile(r"c\d+")
+_NAME = re.compile(r"[A-Za-z]\w{0,79}", re.ASCII)
 
 
 def field(unknown: str) -> str:
@@ -60,6 +62,18 @@ def _of(tag: Element, unknown: str) -> Element:
     return tag
 
 
-def names(listed: str) -> list[str]:
-    """Unknowns in a list."""
-    return [name.strip() for name in listed.split(",") if name.strip()]
+def names(tag: Element, listed: str) -> list[str]:
+    """Unknowns in a list that a tag has.
+
+    Raises
+    ------
+    ModelError
+        One of them is no name.
+    """
+    found = [name.strip() for name in listed.split(",") if name.strip()]
+    wrong = next((name for name in found if not _NAME.fullmatch(name)), None)
+    if wrong is not None:
+        raise ModelError(
+            f"{place(tag)}: names the unknown '{shortened(wrong)}'; there is {', '.join(_FIELDS)}, c1, c2 ..."
+        )
+    return found

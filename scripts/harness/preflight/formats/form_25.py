@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from harness.errors import ModelError
 from harness.preflight.formats import conditions
 from harness.preflight.formats.contact_names import rename_contacts
 from harness.preflight.formats.geometry import mesh_of_geometry
 from harness.preflight.formats.node_lists import list_members
 from harness.preflight.formats.rewriting import add, enclose, everywhere, material_names, rename, upper_case
-from harness.preflight.xml_file import Document, Element, attribute, children
+from harness.preflight.xml_file import Document, Element, attribute, children, place, shortened
 
 _OF_STEP = ("analysis", "time_steps", "step_size", "time_stepper")
 _RIGID = {"x": "Rx", "y": "Ry", "z": "Rz", "Rx": "Ru", "Ry": "Rv", "Rz": "Rw"}
@@ -55,7 +56,7 @@ def _rigid_bodies(section: Element, names: Mapping[str, str]) -> Element:
 
 def _boundary(section: Element, tag: Element) -> Iterator[Element]:
     if tag.tag == "fix":
-        yield from conditions.fixed(section, tag, conditions.names(attribute(tag, "bc")))
+        yield from conditions.fixed(section, tag, conditions.names(tag, attribute(tag, "bc")))
     elif tag.tag == "prescribe":
         yield conditions.prescribed(tag, attribute(tag, "bc"))
     elif tag.tag == "rigid":
@@ -67,7 +68,10 @@ def _boundary(section: Element, tag: Element) -> Iterator[Element]:
 def _rigid(section: Element, tag: Element, body: str) -> None:
     if tag.tag not in ("fixed", "prescribed"):
         return
-    dof = _RIGID.get(attribute(tag, "bc"), attribute(tag, "bc"))
+    unknown = attribute(tag, "bc")
+    if unknown not in _RIGID:
+        raise ModelError(f"{place(tag)}: is of the unknown '{shortened(unknown)}'; there is {', '.join(_RIGID)}")
+    dof = _RIGID[unknown]
     made = add(section, "rigid_bc", tag, type="rigid_fixed" if tag.tag == "fixed" else "rigid_displacement")
     add(made, "rb", tag, body)
     add(made, f"{dof}_dof", tag, "1") if tag.tag == "fixed" else add(made, "dof", tag, dof)

@@ -37,7 +37,7 @@ def _unknown(tag: Element, name: str) -> str:
 
 def _boundary(section: Element, tag: Element) -> Iterator[Element]:
     if tag.get("type") == "fix":
-        yield from conditions.fixed(section, tag, conditions.names(_unknown(tag, "dofs")))
+        yield from conditions.fixed(section, tag, conditions.names(tag, _unknown(tag, "dofs")))
     elif tag.get("type") == "prescribe":
         yield conditions.prescribed(tag, _unknown(tag, "dof"))
     else:
@@ -60,7 +60,7 @@ def _rigid(tag: Element, names: Mapping[str, str]) -> None:
     rename(tag, "rigid_bc")
     if tag.get("type") == "fix":
         tag.set("type", "rigid_fixed")
-        for dof in conditions.names(_unknown(tag, "dofs")):
+        for dof in conditions.names(tag, _unknown(tag, "dofs")):
             add(tag, f"{dof}_dof", tag, "1")
     elif tag.get("type") == "prescribe":
         tag.set("type", "rigid_displacement")
