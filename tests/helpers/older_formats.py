@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from copy import deepcopy
 
 from lxml import etree
 
@@ -30,6 +31,83 @@ def older(text: str, version: str) -> str:
     if version == "2.5":
         _curves(root)
         _steps(root)
+    return etree.tostring(root, encoding="iso-8859-1", xml_declaration=True).decode("iso-8859-1")
+
+
+def in_instances(text: str, version: str, *placements: str) -> str:
+    """A model whose bodies are instances of parts; each body has nodes of its own, one after the other.
+
+    `placements` are XML of how the instances lie, of which the coordinates of the parts know nothing.
+    """
+    root = etree.fromstring(older(text, "2.5").encode("iso-8859-1"))
+    old, new = root.find("Geometry"), _made("Geometry")
+    names = {tag.get("id"): tag.get("name") for tag in root.iterfind("Material/material")}
+    for number, block in enumerate(old.iterfind("Elements")):
+        own = {node.strip() for element in block for node in element.text.split(",")}
+        new.append(_part(old, block, own))
+        placement = placements[number] if placements else ""
+        new.append(_instance(block.get("name"), names[block.get("mat")], placement, version))
+    root.replace(old, new)
+    for kind, attribute in (("NodeSet", "node_set"), ("Surface", "surface")):
+        for tag in old.iterfind(kind):
+            pieces = [
+                part.get("name")
+                for part in new.iterfind("Part")
+                if part.find(f"{kind}[@name='{tag.get('name')}']") is not None
+            ]
+            whole = _made(kind, name=tag.get("name"))
+            whole.extend(_named(kind, attribute, f"{piece}.{tag.get('name')}", version) for piece in pieces)
+            new.append(whole)
+    new.extend(_pair(tag, version) for tag in old.findall("SurfacePair"))
+    made = etree.tostring(root, encoding="iso-8859-1", xml_declaration=True).decode("iso-8859-1")
+    return made if version == "2.5" else _with_geometry(text, new)
+
+
+def _part(mesh: Element, block: Element, own: set[str]) -> Element:
+    part = _made("Part", name=block.get("name"))
+    nodes = _made("Nodes")
+    nodes.extend(deepcopy(node) for node in mesh.find("Nodes") if node.get("id") in own)
+    elements = deepcopy(block)
+    elements.set("name", "body")
+    elements.attrib.pop("mat")
+    part.extend([nodes, elements])
+    for tag in mesh.iterfind("NodeSet"):
+        part.extend(_piece(tag, [node for node in tag if node.get("id") in own]))
+    for tag in mesh.iterfind("Surface"):
+        part.extend(_piece(tag, [facet for facet in tag if facet.text.split(",")[0].strip() in own]))
+    return part
+
+
+def _piece(tag: Element, members: list[Element]) -> Iterator[Element]:
+    if members:
+        made = _made(tag.tag, name=tag.get("name"))
+        made.extend(deepcopy(member) for member in members)
+        yield made
+
+
+def _instance(name: str, material: str, placement: str, version: str) -> Element:
+    made = etree.fromstring(f"<Instance part='{name}'>{placement}</Instance>")
+    if version == "3.0":
+        made[:] = [etree.fromstring(f"<transform>{placement}</transform>")] if placement else []
+    made.append(_made("Elements" if version == "2.5" else "domain", name="body", mat=material))
+    return made
+
+
+def _named(kind: str, attribute: str, name: str, version: str) -> Element:
+    return _made(kind, **{attribute: name}) if version == "2.5" else _made(attribute, name)
+
+
+def _pair(tag: Element, version: str) -> Element:
+    if version == "3.0":
+        for side, name in zip(tag, ("secondary", "primary"), strict=True):
+            side.tag, side.text = name, side.attrib.pop("surface")
+    return tag
+
+
+def _with_geometry(text: str, geometry: Element) -> str:
+    root = etree.fromstring(older(text, "3.0").encode("iso-8859-1"))
+    root.replace(root.find("Mesh"), geometry)
+    root.remove(root.find("MeshDomains"))
     return etree.tostring(root, encoding="iso-8859-1", xml_declaration=True).decode("iso-8859-1")
 
 

@@ -6,7 +6,7 @@ import random
 import re
 
 import pytest
-from older_formats import VERSIONS, older
+from older_formats import VERSIONS, in_instances, older
 
 from harness.conversion.convert import convert
 from harness.errors import ModelError
@@ -27,7 +27,8 @@ def bases():
     models = [Diffusion(interface, PAPER, elements=2).model() for interface in joins]
     models += [Apart(InterfaceType.MULTIPHASIC).model(), of_kinds(Kind.RIGID, Kind.BIPHASIC).model()]
     texts = [model.text() for model in models]
-    return [*texts, *(older(text, version) for text in texts for version in VERSIONS)]
+    texts += [older(text, version) for text in texts for version in VERSIONS]
+    return [*texts, in_instances(texts[0], "2.5", "<scale>1,1,1</scale>", "<rotate>0,0,0,1</rotate>")]
 
 
 def drop_element(text, dice):

@@ -7,7 +7,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from older_formats import VERSIONS, older
+from older_formats import VERSIONS, in_instances, older
 
 from harness.conversion.convert import convert
 from harness.errors import ModelError
@@ -191,17 +191,11 @@ def test_files_that_a_file_names_stand_beside_the_model(tmp_path):
 
 
 REFUSED = {
-    "parts and instances": (
-        "2.5",
-        "<Nodes>",
-        '<Part name="a"/><Nodes>',
-        r'line \d+: <Part name="a">: a mesh of parts and instances cannot be read; FEBio Studio opens',
-    ),
     "a set that does not exist": (
         "2.5",
         '<NodeSet name="bottom">',
         '<NodeSet name="bottom"><NodeSet node_set="roof"/>',
-        r"line \d+: <NodeSet>: names node set 'roof', which does not exist before it; there is none",
+        r"line \d+: <NodeSet>: names node set 'roof', which does not exist; there is none before it",
     ),
     "a node without a number": (
         "3.0",
@@ -226,6 +220,64 @@ def test_what_cannot_be_read_is_explained(tmp_path, name):
     path.write_text(text.replace(old, new))
     with pytest.raises(ModelError, match=message):
         check(path)
+
+
+UNTURNED = "<rotate>0,0,0,1</rotate>"
+INSTANCES = {
+    "a part": ('<Instance part="lower"', '<Instance part="roof"', r"names part 'roof', which .*; there is lower"),
+    "a surface": ('surface="lower.lower-top"', 'surface="roof"', r"names surface 'roof', .*; there is lower\.bottom"),
+    "a rotation": (UNTURNED, '<rotate type="axis"/>', r"<rotate .*'axis'; there is quaternion, vector, E"),
+    "too few numbers": (UNTURNED, "<rotate>1,2</rotate>", r"<rotate>: is '1,2'; 4 numbers"),
+    "a node without a number": ('<node id="1">', "<node>", r"<node>: has no attribute 'id'"),
+    "no word for a number": ('<elem id="1">', '<elem id="one">', r"<elem id=\"one\">: its id is not a number"),
+}
+
+
+@pytest.mark.parametrize("name", INSTANCES)
+def test_what_instances_lack_is_explained(tmp_path, name):
+    old, new, message = INSTANCES[name]
+    text = re.sub(r">\s+<", "><", in_instances(TEXTS["diffusion"], "2.5", UNTURNED, ""))
+    assert old in text
+    path = tmp_path / "model.feb"
+    path.write_text(text.replace(old, new))
+    with pytest.raises(ModelError, match=rf"model\.feb, line \d+: .*{message}"):
+        check(path)
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("name", ["diffusion", "held", "adrift", "adrift, rigid"])
+def test_instances_of_parts_are_one_mesh(tmp_path, name, version):
+    path, newest = tmp_path / "parts.feb", write(tmp_path, TEXTS[name])
+    path.write_text(in_instances(TEXTS[name], version), encoding="iso-8859-1")
+    assert said(path) == said(newest)
+    meshes = [read(each).mesh for each in (path, newest)]
+    assert (meshes[0].points == meshes[1].points).all()
+    assert meshes[0].node_sets["bottom"].tolist() == meshes[1].node_sets["bottom"].tolist()
+    for side in ("primary", "secondary"):
+        one, other = (getattr(mesh.pairs["lower/upper"], side).corners for mesh in meshes)
+        assert (one == other).all()
+
+
+def test_parts_of_other_files_and_parts_that_are_instances(tmp_path):
+    text = in_instances(TEXTS["diffusion"], "2.5")
+    part = re.search(r'<Part name="lower">.*?</Part>', text, re.DOTALL).group(0)
+    instance = re.search(r'<Instance part="lower">.*?</Instance>', text, re.DOTALL).group(0)
+    text = text.replace(instance, "").replace(part, '<Part name="lower" type="instance" from="part.feb"/>')
+    path, other = tmp_path / "model.feb", tmp_path / "part.feb"
+    path.write_text(text)
+    geometry = '<?xml version="1.0"?><febio_spec version="2.5"><Geometry>{}</Geometry></febio_spec>'
+    other.write_text(geometry.format(part.replace('name="body"', 'name="body" mat="gel"')))
+    assert said(path) == said(write(tmp_path, TEXTS["diffusion"]))
+    other.write_text(geometry.format(""))
+    with pytest.raises(ModelError, match=r'<Part name="lower">: is to be read from .*part\.feb, which has no such'):
+        check(path)
+
+
+def test_convert_leaves_instances_as_they_are(tmp_path):
+    path = tmp_path / "model.feb"
+    path.write_text(in_instances(TEXTS["held"], "2.5"), encoding="iso-8859-1")
+    lines = changed_lines(path.read_bytes(), convert(path).data)
+    assert lines == changed_lines(TEXTS["held"].encode(), convert(write(tmp_path, TEXTS["held"])).data)
 
 
 def test_files_of_one_model_have_one_format(tmp_path):

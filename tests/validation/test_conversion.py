@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 from lxml import etree
-from older_formats import VERSIONS, older
+from older_formats import VERSIONS, in_instances, older
 
 from harness.conversion.convert import convert
 from harness.models.composite import Composite
@@ -26,6 +26,7 @@ from harness.models.layers import Layers
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
 from harness.models.patches import Patches
+from harness.preflight.model import read
 from harness.run import engine, logdata
 from harness.studies.real_models.all_scenes import SCENES
 
@@ -205,6 +206,37 @@ def test_older_formats_have_the_same_answer_to_the_digit(runner, tmp_path, name,
         path.write_bytes(convert(path).data)
     assert b"sliding-mixture" in old.read_bytes()
     assert results(old, engine.required_plugin()) == results(newest, engine.required_plugin())
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_instances_of_parts_have_the_same_answer_to_the_digit(runner, tmp_path, version):
+    text = CASES["biphasic, edge of contact"].text
+    newest, old = in_folder(tmp_path / "4.0", text), in_folder(tmp_path / version, in_instances(text, version))
+    for path in (newest, old):
+        path.write_bytes(convert(path).data)
+    assert results(old, engine.required_plugin()) == results(newest, engine.required_plugin())
+
+
+PLACEMENTS = (
+    '<scale>0.5,2,1</scale><rotate type="vector">10,20,30</rotate><translate>1,2,3</translate>',
+    '<rotate type="Euler">15,25,35</rotate><translate>-1,0,2</translate>',
+    '<rotate type="quaternion">0.1,0.2,0.3,0.9</rotate>',
+    "<rotate>0.2,0.4,0.6,1.8</rotate><scale>1,1,3</scale>",
+    "<rotate>0,0,1,0</rotate>",
+)
+"""No unit quaternions among them, and one that FEBio takes for no rotation."""
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("number", range(len(PLACEMENTS)))
+def test_instances_lie_where_febio_has_them(runner, tmp_path, version, number):
+    chosen = CASES["biphasic, edge of contact"]
+    placements = (PLACEMENTS[number], PLACEMENTS[number - 1])
+    path = in_folder(tmp_path / version, in_instances(chosen.text, version, *placements))
+    points = read(path).mesh.points
+    _, history = answer(path, chosen)
+    at_first = np.stack([history[axis][0] - history[f"u{axis}"][0] for axis in "xyz"], axis=1)
+    assert np.abs(at_first - points).max() <= 1e-10 * np.abs(points).max()  # the digits of the log
 
 
 @pytest.mark.parametrize("read_by", ['<Contact from="contact.feb"/>', "<Include>contact.feb</Include>"])

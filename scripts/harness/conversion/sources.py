@@ -22,7 +22,7 @@ class Located:
 
 @dataclass(frozen=True)
 class Reference:
-    """An ``<Include>``, or a section that is read ``from`` another file."""
+    """An ``<Include>``, or a section or part that is read ``from`` another file."""
 
     file: Path
     span: Span
@@ -83,15 +83,22 @@ def _read(found: Sources, file: Path, section: Span) -> None:
     name = spans.text(found.data[file], section) if section.tag == "Include" else section.attributes.get("from", "")
     if not name:
         found.sections.append(Located(file, section))
+        found.references += [_reference(found, file, part) for part in section.all("Part") if "from" in part.attributes]
         return
-    target = xml_file.included(found.model, Place(file, section.line, f"<{section.tag}>"), name)
-    found.references.append(Reference(file, section, name, target))
+    reference = _reference(found, file, section, name)
+    found.references.append(reference)
+    target = reference.target
     inner = _root(found, target).children
     if section.tag == "Include":
         for each in inner:
             _read(found, target, each)
     else:
         found.sections += [Located(target, each) for each in inner if each.tag == section.tag][:1]
+
+
+def _reference(found: Sources, file: Path, tag: Span, name: str = "") -> Reference:
+    name = name or tag.attributes["from"]
+    return Reference(file, tag, name, xml_file.included(found.model, Place(file, tag.line, f"<{tag.tag}>"), name))
 
 
 def converted_name(path: Path) -> Path:

@@ -28,7 +28,9 @@ from harness.preflight.xml_file import (
     number,
     optional_number,
     place,
+    shortened,
     text,
+    unknown_name,
 )
 
 
@@ -151,8 +153,7 @@ class Model:
     def _material_of(self, domain: Element) -> Material:
         name = attribute(domain, "mat")
         if name not in self.materials:
-            known = ", ".join(self.materials) or "none"
-            raise ModelError(f"{place(domain)}: names material '{name}', which does not exist; there is {known}")
+            raise unknown_name(domain, "material", name, self.materials)
         return self.materials[name]
 
     @cached_property
@@ -214,7 +215,7 @@ class Model:
         points = self.curves.get(curve)
         if points is None:
             known = ", ".join(self.curves) or "none"
-            raise ModelError(f"{place(tag)}: refers to load controller {curve}; there is {known}")
+            raise ModelError(f"{place(tag)}: refers to load controller {shortened(curve)}; there is {known}")
         return points * (1.0, value)
 
     def at(self, tag: Element, times: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -233,8 +234,8 @@ class Model:
         name = attribute(condition.tag, "node_set")
         found = self.mesh.node_sets.get(name)
         if found is None:
-            known = ", ".join([there for there in self.mesh.node_sets if there[0] != "@"][:20]) or "none"
-            raise ModelError(f"{place(condition.tag)}: names node set '{name}', which does not exist; there is {known}")
+            known = (there for there in self.mesh.node_sets if there[0] != "@")
+            raise unknown_name(condition.tag, "node set", name, known)
         return found
 
 
@@ -288,12 +289,14 @@ def _contacts(document: Document, known: Mesh) -> Iterator[Contact]:
         if kind in TYPES:
             yield Contact(TYPES[kind], _pair(tag, known), step, tag)
         elif kind.startswith("sliding"):
-            raise ModelError(f"{place(tag)}: is of type '{kind}', which is unknown; there is {', '.join(TYPES)}")
+            raise ModelError(
+                f"{place(tag)}: is of type '{shortened(kind)}', which is unknown; there is {', '.join(TYPES)}"
+            )
 
 
 def _pair(tag: Element, known: Mesh) -> Pair:
     name = attribute(tag, "surface_pair")
     if name not in known.pairs:
-        there = ", ".join(known.pairs) or "none: add a <SurfacePair> to <Mesh>"
-        raise ModelError(f"{place(tag)}: has surface_pair='{name}', which does not exist; there is {there}")
+        there = ", ".join(map(shortened, known.pairs)) or "none: add a <SurfacePair> to <Mesh>"
+        raise ModelError(f"{place(tag)}: has surface_pair='{shortened(name)}', which does not exist; there is {there}")
     return known.pairs[name]

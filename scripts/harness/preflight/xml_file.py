@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import codecs
+import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -27,7 +28,7 @@ WRITTEN_AS = "written_as"
 """Attribute with line and tag of what an element is made from, where the file has another one."""
 DEEPEST_INCLUDE = 8
 LONGEST_RANGE = 50_000_000
-LONGEST_NAME = 80
+LONGEST_NAME, MOST_NAMES = 80, 20
 _TELLING = ("name", "id", "sol", "type", "bc")
 
 
@@ -86,6 +87,14 @@ def place(element: Element) -> Place:
 def shortened(value: str) -> str:
     """A name that a file has, for a message."""
     return value if len(value) <= LONGEST_NAME else value[:LONGEST_NAME] + "..."
+
+
+def unknown_name(element: Element, what: str, name: str, known: Iterable[str], none: str = "none") -> ModelError:
+    """That an element names what does not exist, and what does."""
+    there = [shortened(each) for each in itertools.islice(known, MOST_NAMES)]
+    return ModelError(
+        f"{place(element)}: names {what} '{shortened(name)}', which does not exist; there is {', '.join(there) or none}"
+    )
 
 
 def children(element: Element, tag: str | None = None) -> Iterator[Element]:
@@ -268,3 +277,16 @@ def attribute(element: Element, name: str) -> str:
     if not value:
         raise ModelError(f"{place(element)}: has no attribute '{name}', which FEBio needs")
     return str(value)
+
+
+def identifier(element: Element) -> int:
+    """The number in the attribute `id`.
+
+    Raises
+    ------
+    ModelError
+    """
+    try:
+        return int(attribute(element, "id"))
+    except ValueError as error:
+        raise ModelError(f"{place(element)}: its id is not a number") from error

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from harness.errors import ModelError
+from harness.preflight.formats.instances import one_mesh
 from harness.preflight.formats.rewriting import add, rename, set_text
-from harness.preflight.xml_file import Document, Element, attribute, children, place
+from harness.preflight.xml_file import Document, Element, attribute, children
 
 _SIDES = {"master": "secondary", "slave": "primary"}
 _OF_OTHER_USE = ("NodeSetPair", "NodeSetSet")
@@ -16,6 +16,8 @@ _OF_OTHER_USE = ("NodeSetPair", "NodeSetSet")
 
 def mesh_of_geometry(document: Document, materials: Mapping[str, str]) -> Document:
     """<Geometry> as <Mesh> and <MeshDomains>; `materials` are names by numbers."""
+    for section in document.all("Geometry"):
+        one_mesh(document.path, section)
     domains = [_domains(section, materials) for section in document.all("Geometry")]
     for section in [*document.all("Geometry")]:
         _mesh(section)
@@ -45,11 +47,6 @@ def _named(blocks: list[Element]) -> Iterator[tuple[Element, str]]:
 
 def _mesh(section: Element) -> None:
     for tag in [*children(section)]:
-        if tag.tag in ("Part", "Instance"):
-            raise ModelError(
-                f"{place(tag)}: a mesh of parts and instances cannot be read; FEBio Studio opens such a model and "
-                "writes it in format 4.0"
-            )
         if tag.tag in _OF_OTHER_USE:
             section.remove(tag)
     for pair in children(section, "SurfacePair"):

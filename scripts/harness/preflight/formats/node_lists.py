@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from harness.errors import ModelError
 from harness.preflight.formats.rewriting import set_text
-from harness.preflight.xml_file import Document, Element, attribute, children, place, text
+from harness.preflight.xml_file import Document, Element, attribute, children, text, unknown_name
 
 
 def list_members(document: Document) -> None:
@@ -35,6 +34,5 @@ def _member(tag: Element, known: Mapping[str, str]) -> str:
         return attribute(tag, "id")
     name = tag.get("node_set") or text(tag)
     if name not in known:
-        there = ", ".join(known) or "none"
-        raise ModelError(f"{place(tag)}: names node set '{name}', which does not exist before it; there is {there}")
+        raise unknown_name(tag, "node set", name, known, "none before it")
     return known[name]
