@@ -346,6 +346,27 @@ def test_files_between_read_the_new_file(tmp_path):
     assert [contact.kind.name for contact in read(tmp_path / "new.feb").contacts] == ["sliding-mixture"]
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "iso-8859-1"])
+@pytest.mark.parametrize("read_by", READ_BY)
+def test_names_that_are_not_ascii_stay(tmp_path, read_by, encoding):
+    path = in_pieces(tmp_path, read_by)
+    (tmp_path / "contact.feb").rename(tmp_path / "Kontakt ä.feb")
+    old = path.read_text(encoding="iso-8859-1").replace("contact.feb", "Kontakt ä.feb").replace("ISO-8859-1", encoding)
+    path.write_text(old, encoding=encoding)
+    made = convert(path)
+    assert made.data.decode(encoding) == old.replace("Kontakt ä.feb", "Kontakt ä-mixture.feb")
+    assert [name.name for name in made.included] == ["Kontakt ä-mixture.feb"]
+
+
+def test_names_with_entities_are_refused(tmp_path):
+    path = in_pieces(tmp_path, READ_BY[0])
+    path.write_text(path.read_text(encoding="iso-8859-1").replace('"contact.feb"', '"contact&#46;feb"'))
+    with pytest.raises(
+        ModelError, match=r"model\.feb, line \d+: <Contact>: writes the name 'contact\.feb' with entities"
+    ):
+        convert(path)
+
+
 def test_other_included_files_are_read_as_before(tmp_path):
     path = in_pieces(tmp_path, READ_BY[1])
     whole = path.read_text(encoding="iso-8859-1")

@@ -8,8 +8,11 @@ from pathlib import Path
 
 from harness.conversion import spans
 from harness.conversion.spans import Edit, Span
+from harness.errors import ModelError
 from harness.preflight import xml_file
 from harness.preflight.finding import Place
+
+_ADDED = "-mixture"
 
 
 @dataclass(frozen=True)
@@ -103,21 +106,30 @@ def _reference(found: Sources, file: Path, tag: Span, name: str = "") -> Referen
 
 def converted_name(path: Path) -> Path:
     """What the new file beside an old one is called."""
-    return path.with_name(f"{path.stem}-mixture{path.suffix}")
+    return path.with_name(f"{path.stem}{_ADDED}{path.suffix}")
 
 
 def redirect(sources: Sources, edits: dict[Path, list[Edit]]) -> None:
-    """Has files with edits read by their new names, and so on up to the model."""
+    """Has files with edits read by their new names, and so on up to the model.
+
+    Raises
+    ------
+    ModelError
+        A name is written with entities.
+    """
     for reference in reversed(sources.references):
         if reference.target in edits:
             edits.setdefault(reference.file, []).append(_edit(sources.data[reference.file], reference))
 
 
 def _edit(data: bytes, reference: Reference) -> Edit:
-    old = reference.name
-    stem = old.rpartition(Path(old).name)[0]
-    new = stem + converted_name(Path(old)).name
-    if reference.span.tag != "Include":
-        return spans.attribute(data, reference.span, "from", new)
-    at = data.index(old.encode("latin-1"), *reference.span.inner)
-    return Edit(at, at + len(old.encode("latin-1")), new.encode("latin-1"))
+    tag, name = reference.span, reference.name
+    value = None if tag.tag == "Include" else spans.attribute(data, tag, "from", name)
+    start, end = tag.inner if value is None else (value.start, value.end)
+    for encoding in ("utf-8", "latin-1"):
+        at = data.find(name.encode(encoding), start, end)
+        if at >= 0:
+            place = at + len(name.removesuffix(Path(name).suffix).encode(encoding))
+            return Edit(place, place, _ADDED.encode())
+    where = Place(reference.file, tag.line, f"<{tag.tag}>")
+    raise ModelError(f"{where}: writes the name '{name}' with entities; give the file a name of letters and digits")
