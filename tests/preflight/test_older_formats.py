@@ -18,6 +18,7 @@ from harness.models.parts import Curve, concentration, fix, pressure
 from harness.paths import REPOSITORY
 from harness.preflight.check import check
 from harness.preflight.model import read
+from harness.preflight.xml_file import place
 from harness.run import febfile
 
 GALLERY = ("before-migration", "diffusion", "indentation", "joint", "platens", "sliding-joint")
@@ -75,6 +76,12 @@ def write(folder, text, version="4.0"):
     return path
 
 
+def in_file(folder, text):
+    path = folder / "other.feb"
+    path.write_text(text)
+    return path
+
+
 @pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize("name", TEXTS)
 def test_check_says_the_same(tmp_path, name, version):
@@ -122,6 +129,8 @@ def test_names_of_older_formats_are_taken(tmp_path, version, old_name, name):
     text = of_kinds(Kind.ELASTIC, Kind.ELASTIC).model().text().replace('"sliding-mixture"', f'"{name}"')
     path = write(tmp_path, text, version)
     path.write_text(path.read_text(encoding="iso-8859-1").replace(f'"{name}"', f'"{old_name}"'))
+    unnamed = re.sub(rf'<contact name="[^"]*" type="{old_name}"', f'<contact type="{old_name}"', path.read_text())
+    assert place(read(in_file(tmp_path, unnamed)).contacts[0].tag).tag == f'<contact type="{old_name}">'
     made = convert(path)
     assert made.data.count(b'type="sliding-mixture"') == 1
     assert next(iter(made.changes.values()))[0].reason == f"{old_name} becomes sliding-mixture"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from harness.preflight.formats.rewriting import everywhere
+from harness.preflight.formats.rewriting import everywhere, rename
 from harness.preflight.xml_file import Document, children
 
 OLD_NAMES = {
@@ -18,4 +18,4 @@ def rename_contacts(document: Document) -> None:
         for tag in children(section, "contact"):
             kind = str(tag.get("type"))
             if kind in OLD_NAMES:
-                tag.set("type", OLD_NAMES[kind])
+                rename(tag, "contact", type=OLD_NAMES[kind])
