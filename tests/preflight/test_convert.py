@@ -8,9 +8,10 @@ from dataclasses import replace
 
 import pytest
 
+from harness.conversion.command import convert as command
 from harness.conversion.convert import convert
 from harness.conversion.fates import DROPPED, Action
-from harness.errors import ModelError
+from harness.errors import HarnessError, ModelError
 from harness.models import pairs
 from harness.models.ambient import Apart
 from harness.models.confined import Confined
@@ -21,6 +22,7 @@ from harness.models.parts import Param, concentration, pressure
 from harness.pages.plugin_parameters import registered
 from harness.paths import REPOSITORY
 from harness.preflight.contact_types import CONVERTIBLE, TYPES, UNLIMITED_SEARCH
+from harness.preflight.model import read
 from harness.preflight.rules.settings import CHOICES
 
 
@@ -279,15 +281,137 @@ def test_other_physics_is_refused(converted, name):
         converted(old)
 
 
-def test_an_included_contact_is_refused(tmp_path):
-    whole = text()
+HEAD = '<?xml version="1.0"?>\n<febio_spec version="4.0">\n'
+READ_BY = ('<Contact from="contact.feb"/>', "<Include>contact.feb</Include>")
+
+
+def in_pieces(folder, read_by, *between):
+    """A model whose contact stands in a file of its own, which it reads itself or by way of other files."""
+    folder.mkdir(exist_ok=True)
+    whole = text(Param("penalty", 2.0), Param("knmult", 0.0))
     contact = re.search(r"<Contact>.*?</Contact>", whole, re.DOTALL).group(0)
-    head = '<?xml version="1.0"?><febio_spec version="4.0">'
-    (tmp_path / "contact.feb").write_text(f"{head}{contact}</febio_spec>")
-    path = tmp_path / "model.feb"
-    path.write_text(whole.replace(contact, '<Contact from="contact.feb"/>'), encoding="iso-8859-1")
-    with pytest.raises(ModelError, match="included file"):
+    (folder / "contact.feb").write_text(f"{HEAD}{contact}</febio_spec>")
+    for name in between:
+        (folder / name).write_text(f"{HEAD}<!-- other pieces -->{read_by}</febio_spec>")
+        read_by = f"<Include> {name}</Include>"
+    path = folder / "model.feb"
+    path.write_text(whole.replace(contact, read_by), encoding="iso-8859-1")
+    return path
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def written(made, folder, name):
+    """Writes a converted model as the command does."""
+    for path, data in made.included.items():
+        path.write_bytes(data)
+    (folder / name).write_bytes(made.data)
+
+
+@pytest.mark.parametrize("read_by", READ_BY)
+def test_an_included_contact_comes_into_a_new_file_beside_it(tmp_path, converted, read_by):
+    path = in_pieces(tmp_path / "pieces", read_by)
+    before = contents(path.parent)
+    made = convert(path)
+    assert contents(path.parent) == before
+    old, new = (data.decode("iso-8859-1") for data in (before["model.feb"], made.data))
+    assert new == old.replace("contact.feb", "contact-mixture.feb")
+    ((name, piece),) = made.included.items()
+    assert name == path.parent / "contact-mixture.feb"
+    whole = text(Param("penalty", 2.0), Param("knmult", 0.0))
+    one = converted(whole).data.decode("iso-8859-1")
+    assert changed_lines(before["contact.feb"].decode(), piece.decode()) == changed_lines(whole, one)
+    assert [title for title in made.changes if "in " in title] == [
+        f'contact "lower/upper" in {path.parent / "contact.feb"}'
+    ]
+    written(made, path.parent, "new.feb")
+    assert [contact.kind.name for contact in read(path.parent / "new.feb").contacts] == ["sliding-mixture"]
+
+
+def test_files_between_read_the_new_file(tmp_path):
+    path = in_pieces(tmp_path, READ_BY[0], "inner.feb", "outer.feb")
+    before = contents(tmp_path)
+    made = convert(path)
+    assert {name.name for name in made.included} == {
+        "contact-mixture.feb",
+        "inner-mixture.feb",
+        "outer-mixture.feb",
+    }
+    for name, other in (("inner", "contact"), ("outer", "inner")):
+        old = before[f"{name}.feb"].replace(f"{other}.feb".encode(), f"{other}-mixture.feb".encode())
+        assert made.included[tmp_path / f"{name}-mixture.feb"] == old
+    written(made, tmp_path, "new.feb")
+    assert [contact.kind.name for contact in read(tmp_path / "new.feb").contacts] == ["sliding-mixture"]
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "iso-8859-1"])
+@pytest.mark.parametrize("read_by", READ_BY)
+def test_names_that_are_not_ascii_stay(tmp_path, read_by, encoding):
+    path = in_pieces(tmp_path, read_by)
+    (tmp_path / "contact.feb").rename(tmp_path / "Kontakt ä.feb")
+    old = path.read_text(encoding="iso-8859-1").replace("contact.feb", "Kontakt ä.feb").replace("ISO-8859-1", encoding)
+    path.write_text(old, encoding=encoding)
+    made = convert(path)
+    assert made.data.decode(encoding) == old.replace("Kontakt ä.feb", "Kontakt ä-mixture.feb")
+    assert [name.name for name in made.included] == ["Kontakt ä-mixture.feb"]
+
+
+def test_names_with_entities_are_refused(tmp_path):
+    path = in_pieces(tmp_path, READ_BY[0])
+    path.write_text(path.read_text(encoding="iso-8859-1").replace('"contact.feb"', '"contact&#46;feb"'))
+    with pytest.raises(
+        ModelError, match=r"model\.feb, line \d+: <Contact>: writes the name 'contact\.feb' with entities"
+    ):
         convert(path)
+
+
+def test_other_included_files_are_read_as_before(tmp_path):
+    path = in_pieces(tmp_path, READ_BY[1])
+    whole = path.read_text(encoding="iso-8859-1")
+    mesh = re.search(r"<Mesh>.*?</Mesh>", whole, re.DOTALL).group(0)
+    (tmp_path / "mesh.feb").write_text(f"{HEAD}{mesh}</febio_spec>")
+    path.write_text(whole.replace(mesh, '<Mesh from="mesh.feb"/>'), encoding="iso-8859-1")
+    made = convert(path)
+    assert b'<Mesh from="mesh.feb"/>' in made.data
+    assert {name.name for name in made.included} == {"contact-mixture.feb"}
+
+
+@pytest.mark.parametrize("in_place", [False, True])
+def test_the_command_writes_all_files_and_leaves_included_ones(tmp_path, in_place):
+    path = in_pieces(tmp_path, READ_BY[0])
+    before = contents(tmp_path)
+    command(path, in_place=in_place)
+    new = contents(tmp_path)
+    target = "model.feb" if in_place else "model-mixture.feb"
+    assert set(new) - set(before) == {"contact-mixture.feb", target} - set(before)
+    assert {name for name in before if new[name] != before[name]} == ({"model.feb"} if in_place else set())
+    assert b"contact-mixture.feb" in new[target]
+
+
+def test_a_model_of_pieces_stays_in_its_folder(tmp_path):
+    path = in_pieces(tmp_path, READ_BY[1])
+    before = contents(tmp_path)
+    with pytest.raises(HarnessError, match=r"reads contact\.feb from its folder"):
+        command(path, tmp_path / "elsewhere" / "model.feb")
+    assert contents(tmp_path) == before
+
+
+def test_nothing_of_a_name_that_is_taken_is_lost(tmp_path):
+    path = in_pieces(tmp_path, READ_BY[1])
+    (tmp_path / "contact-mixture.feb").write_text("something else")
+    before = contents(tmp_path)
+    with pytest.raises(HarnessError, match=r"contact-mixture\.feb, for the contacts of an included file, is there"):
+        command(path)
+    assert contents(tmp_path) == before
+
+
+def test_converting_again_finds_the_same_file(tmp_path):
+    path = in_pieces(tmp_path, READ_BY[1])
+    for name in ("one.feb", "two.feb"):
+        command(path, tmp_path / name)
+    assert (tmp_path / "one.feb").read_bytes() == (tmp_path / "two.feb").read_bytes()
 
 
 def test_the_parameters_are_those_of_the_code():

@@ -6,15 +6,18 @@ import random
 import re
 
 import pytest
+from older_formats import VERSIONS, in_instances, older
 
 from harness.conversion.convert import convert
 from harness.errors import ModelError
 from harness.models.ambient import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType
+from harness.models.pairs import Kind, of_kinds
 from harness.preflight.check import check
+from harness.run import febfile
 
-FILES = 200
+FILES = 400
 SEED = 20120103
 WORDS = ("", "nan", "inf", "-1", "0", "1e300", "much", "1:99999999999", "é", "<", "&amp;", "2,3", "x" * 5000)
 
@@ -22,11 +25,17 @@ WORDS = ("", "nan", "inf", "-1", "0", "1e300", "much", "1:99999999999", "é", "<
 def bases():
     joins = (InterfaceType.MIXTURE, InterfaceType.SOLUTE)
     models = [Diffusion(interface, PAPER, elements=2).model() for interface in joins]
-    return [*(model.text() for model in models), Apart(InterfaceType.MULTIPHASIC).model().text()]
+    models += [Apart(InterfaceType.MULTIPHASIC).model(), of_kinds(Kind.RIGID, Kind.BIPHASIC).model()]
+    texts = [model.text() for model in models]
+    texts += [older(text, version) for text in texts for version in VERSIONS]
+    return [*texts, in_instances(texts[0], "2.5", "<scale>1,1,1</scale>", "<rotate>0,0,0,1</rotate>")]
 
 
 def drop_element(text, dice):
-    name, start = dice.choice([(m.group(1), m.start()) for m in re.finditer(r"<(\w+)[ >]", text)])
+    found = [(m.group(1), m.start()) for m in re.finditer(r"<(\w+)[ >]", text)]
+    if not found:
+        return text
+    name, start = dice.choice(found)
     stop = text.find(f"</{name}>", start)
     return text[:start] + text[stop + len(name) + 3 :] if stop > 0 else text[:start]
 
@@ -81,7 +90,7 @@ def complaint(path, command):
     return ""
 
 
-@pytest.mark.parametrize("command", [check, convert])
+@pytest.mark.parametrize("command", [check, convert, febfile.inspect])
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
 def test_mutated_files(tmp_path, kind, command):
     path = tmp_path / "model.feb"

@@ -292,7 +292,7 @@ BROKEN = {
     "no XML": ("<febio_spec", "is not XML"),
     "no declaration": ("<febio_spec version='4.0'/>", "does not begin with <\\?xml"),
     "another root": ("<?xml version='1.0'?><model/>", "begins with <febio_spec>"),
-    "an older version": ("<?xml version='1.0'?><febio_spec version='2.5'/>", "FEBio Studio converts"),
+    "an older version": ("<?xml version='1.0'?><febio_spec version='2.0'/>", "2.5, 3.0, 4.0 can be read"),
     "no module": ("<?xml version='1.0'?><febio_spec version='4.0'/>", "has no <Module"),
 }
 

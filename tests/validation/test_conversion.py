@@ -7,11 +7,13 @@ points and ours at nodes agree as the mesh allows.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 from lxml import etree
+from older_formats import VERSIONS, in_instances, older
 
 from harness.conversion.convert import convert
 from harness.models.composite import Composite
@@ -24,7 +26,9 @@ from harness.models.layers import Layers
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
 from harness.models.patches import Patches
+from harness.preflight.model import read
 from harness.run import engine, logdata
+from harness.studies.real_models.all_scenes import SCENES
 
 pytestmark = pytest.mark.mixture_only
 
@@ -167,3 +171,87 @@ def test_the_answer_stays(runner, tmp_path, name):
         scale = np.abs(old[column]).max()
         if scale > 0.0:
             assert np.abs(new[column] - old[column]).max() <= chosen.tolerance * scale, column
+
+
+def in_folder(folder, text):
+    folder.mkdir()
+    path = folder / "model.feb"
+    path.write_text(text, encoding="iso-8859-1")
+    return path
+
+
+def results(path, plugin=None):
+    """What a run logs, and in how many iterations."""
+    finished = engine.run(path, plugin=plugin)
+    logged = {file.name: file.read_bytes() for file in path.parent.glob("*.txt")}
+    assert logged
+    return finished.report.iterations, logged
+
+
+def scene(name, folder):
+    return SCENES[name].write(name, folder).read_text(encoding="iso-8859-1")
+
+
+OLDER = ("node on facet", "elastic, two passes", "biphasic, edge of contact", "solute, the paper's penalties")
+"""With conditions on displacement, pressure and concentration, and with load curves."""
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("name", [*OLDER, "rigid-slab", "shells-back", "quasi-newton"])
+def test_older_formats_have_the_same_answer_to_the_digit(runner, tmp_path, name, version):
+    text = CASES[name].text if name in CASES else scene(name, tmp_path)
+    newest, old = in_folder(tmp_path / "4.0", text), in_folder(tmp_path / version, older(text, version))
+    assert results(old) == results(newest)
+    for path in (newest, old):
+        path.write_bytes(convert(path).data)
+    assert b"sliding-mixture" in old.read_bytes()
+    assert results(old, engine.required_plugin()) == results(newest, engine.required_plugin())
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_instances_of_parts_have_the_same_answer_to_the_digit(runner, tmp_path, version):
+    text = CASES["biphasic, edge of contact"].text
+    newest, old = in_folder(tmp_path / "4.0", text), in_folder(tmp_path / version, in_instances(text, version))
+    for path in (newest, old):
+        path.write_bytes(convert(path).data)
+    assert results(old, engine.required_plugin()) == results(newest, engine.required_plugin())
+
+
+PLACEMENTS = (
+    '<scale>0.5,2,1</scale><rotate type="vector">10,20,30</rotate><translate>1,2,3</translate>',
+    '<rotate type="Euler">15,25,35</rotate><translate>-1,0,2</translate>',
+    '<rotate type="quaternion">0.1,0.2,0.3,0.9</rotate>',
+    "<rotate>0.2,0.4,0.6,1.8</rotate><scale>1,1,3</scale>",
+    "<rotate>0,0,1,0</rotate>",
+)
+"""No unit quaternions among them, and one that FEBio takes for no rotation."""
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("number", range(len(PLACEMENTS)))
+def test_instances_lie_where_febio_has_them(runner, tmp_path, version, number):
+    chosen = CASES["biphasic, edge of contact"]
+    placements = (PLACEMENTS[number], PLACEMENTS[number - 1])
+    path = in_folder(tmp_path / version, in_instances(chosen.text, version, *placements))
+    points = read(path).mesh.points
+    _, history = answer(path, chosen)
+    at_first = np.stack([history[axis][0] - history[f"u{axis}"][0] for axis in "xyz"], axis=1)
+    assert np.abs(at_first - points).max() <= 1e-10 * np.abs(points).max()  # the digits of the log
+
+
+@pytest.mark.parametrize("read_by", ['<Contact from="contact.feb"/>', "<Include>contact.feb</Include>"])
+@pytest.mark.parametrize("version", [*VERSIONS, "4.0"])
+def test_contacts_in_included_files_have_the_same_answer_to_the_digit(runner, tmp_path, version, read_by):
+    text = CASES["biphasic, edge of contact"].text
+    text = text if version == "4.0" else older(text, version)
+    contact = re.search("<Contact>.*?</Contact>", text, re.DOTALL).group(0)
+    whole = in_folder(tmp_path / "whole", text)
+    path = in_folder(tmp_path / "pieces", text.replace(contact, read_by))
+    piece = path.with_name("contact.feb")
+    piece.write_text(f'<?xml version="1.0"?><febio_spec version="{version}">{contact}</febio_spec>')
+    assert results(path) == results(whole)
+    whole.write_bytes(convert(whole).data)
+    made = convert(path)
+    for file, data in {**made.included, path: made.data}.items():
+        file.write_bytes(data)
+    assert results(path, engine.required_plugin()) == results(whole, engine.required_plugin())

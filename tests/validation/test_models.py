@@ -133,7 +133,8 @@ def test_a_model_file_is_read_back(tmp_path):
     assert (file.module, file.contacts, file.end) == ("solute", ("sliding-mixture",), 17.5)
 
 
-MODEL = '<febio_spec version="4.0"><Module type="solute"/>{}</febio_spec>'
+XML = '<?xml version="1.0"?>'
+MODEL = XML + '<febio_spec version="4.0"><Module type="solute"/>{}</febio_spec>'
 
 
 @pytest.mark.parametrize(
@@ -141,15 +142,15 @@ MODEL = '<febio_spec version="4.0"><Module type="solute"/>{}</febio_spec>'
     [
         ("", "is not XML"),
         ("<febio_spec version='4.0'><Module></febio_spec>", "is not XML"),
-        ("<model/>", "line 1: the root is <model>; a model has <febio_spec>"),
-        ("<febio_spec version='2.5'/>", "version='2.5'>; the plugin is for version 4.0"),
-        ("<febio_spec version='4.0'/>", "has no <Module type="),
+        (XML + "<model/>", "line 1: <model>: a model begins with <febio_spec>"),
+        (XML + "<febio_spec version='2.0'/>", "has version '2.0'; 2.5, 3.0, 4.0 can be read"),
+        (XML + "<febio_spec version='4.0'/>", "has no <Module type="),
         (MODEL.format("<Contact><contact surface_pair='a'/></Contact>"), "<contact> has no type"),
         (
             MODEL.format("<Contact><contact type='sliding-mixture' surface_pair='a'/></Contact>"),
             "'a', which does not exist",
         ),
-        (MODEL.format("<Control><time_steps>ten</time_steps></Control>"), "<time_steps> is 'ten'; a number is needed"),
+        (MODEL.format("<Control><time_steps>ten</time_steps></Control>"), "<time_steps>: is 'ten'; a number is needed"),
     ],
 )
 def test_bad_model_files_are_explained(tmp_path, text, message):

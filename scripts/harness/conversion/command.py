@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -13,6 +14,7 @@ from rich.table import Table
 
 from harness.conversion import convert as conversion
 from harness.conversion.fates import Change
+from harness.conversion.sources import converted_name
 from harness.errors import HarnessError
 from harness.paths import command_name
 
@@ -20,7 +22,9 @@ console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 
 def convert(
-    model: Annotated[Path, typer.Argument(help="A .feb file of FEBio 4 with one of FEBio's sliding interfaces.")],
+    model: Annotated[
+        Path, typer.Argument(help="A .feb file of format 2.5, 3.0 or 4.0 with one of FEBio's sliding interfaces.")
+    ],
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="The new file; by default <model>-mixture.feb beside the old one."),
@@ -29,23 +33,52 @@ def convert(
 ) -> None:
     """Switch a model to sliding-mixture, keep all else byte for byte, and say what became of each parameter.
 
+    Contacts in included files go into new files beside these, which the new model reads.
     Refuses where the physics would change. Exit code 0: written; 2: not converted.
     """
     if in_place and output is not None:
         raise typer.BadParameter("--output and --in-place exclude each other")
-    beside = model.with_name(f"{model.stem}-mixture.feb")
+    beside = converted_name(model)
     target = model if in_place else output or beside
     if target == beside and target.exists():
         raise HarnessError(f"{target} is there already; name a file by --output")
     converted = conversion.convert(model)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(converted.data)
-    except OSError as error:
-        raise HarnessError(f"{target}: cannot be written ({error.strerror or error})") from error
+    _check_folder(model, target, converted.reads)
+    files = {**converted.included, target: converted.data}
+    _check_free(converted.included)
+    for path, data in files.items():
+        _write(path, data)
     for part, changes in converted.changes.items():
         console.print(_changes(part, changes))
-    console.print(f"Written: {escape(str(target))}. Check it: {command_name()} check {escape(str(target))}")
+    written = ", ".join(escape(str(path)) for path in files)
+    console.print(f"Written: {written}. Check it: {command_name()} check {escape(str(target))}")
+
+
+def _check_folder(model: Path, target: Path, reads: Sequence[str]) -> None:
+    """FEBio looks for files beside the model that names them."""
+    near = [name for name in reads if not Path(name).is_absolute()]
+    if near and target.resolve().parent != model.resolve().parent:
+        raise HarnessError(
+            f"{model} reads {', '.join(near)} from its folder, so the new model has to be there too: "
+            f"name an --output in {model.parent}"
+        )
+
+
+def _check_free(included: Mapping[Path, bytes]) -> None:
+    """What is there is not written over, unless it is the same."""
+    for path, data in included.items():
+        if path.exists() and path.read_bytes() != data:
+            raise HarnessError(
+                f"{path}, for the contacts of an included file, is there already; move or delete it first"
+            )
+
+
+def _write(path: Path, data: bytes) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+    except OSError as error:
+        raise HarnessError(f"{path}: cannot be written ({error.strerror or error})") from error
 
 
 def _changes(part: str, changes: list[Change]) -> Table:

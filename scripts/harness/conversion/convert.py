@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from harness.conversion import spans
+from harness.conversion import sources, spans
 from harness.conversion.fates import (
     DEFAULT,
     IMPERMEABLE,
@@ -19,6 +19,7 @@ from harness.conversion.fates import (
     missing,
 )
 from harness.conversion.refusals import refusals
+from harness.conversion.sources import Located, Sources
 from harness.conversion.spans import Edit, Span
 from harness.errors import ModelError
 from harness.preflight import model as models
@@ -26,6 +27,7 @@ from harness.preflight import xml_file as documents
 from harness.preflight.check import check
 from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TYPES
 from harness.preflight.finding import Severity
+from harness.preflight.formats.contact_names import OLD_NAMES
 from harness.preflight.model import Model
 from harness.preflight.prescribed_nodes import prescribed_nodes
 from harness.preflight.sides import Joint
@@ -45,13 +47,19 @@ class Converted:
     Attributes
     ----------
     data : bytes
-        The new file.
+        The new model file.
+    included : dict of Path to bytes
+        New files beside included ones, with the contacts of these.
     changes : dict of str to list of Change
-        By contact, or by another part of the file.
+        By contact, or by another part of the model.
+    reads : tuple of str
+        Other files that the model names.
     """
 
     data: bytes
-    changes: dict[str, list[Change]]
+    included: Mapping[Path, bytes]
+    changes: Mapping[str, list[Change]]
+    reads: tuple[str, ...]
 
 
 def convert(path: Path) -> Converted:
@@ -63,17 +71,20 @@ def convert(path: Path) -> Converted:
         The file cannot be read, has nothing to convert, or converting would change the physics or make a model that
         does not run; says all the reasons.
     """
-    data = documents.content(path)
-    model = models.read(path, data)
+    model = models.read(path)
     if not any(contact.kind.name in CONVERTIBLE for contact in model.contacts):
         found = ", ".join(sorted({contact.kind.name for contact in model.contacts}))
         raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {', '.join(CONVERTIBLE)} can be")
     _refuse(path, list(refusals(model)))
-    edits, changes = _edits(data, model)
-    made = spans.apply(data, edits)
-    wrong = [finding for finding in check(path, made) if finding.severity is Severity.ERROR]
+    files = sources.read(path)
+    edits, changes = _edits(files, model)
+    sources.redirect(files, edits)
+    new = {file: spans.apply(files.data[file], dict.fromkeys(edits[file])) for file in edits}
+    data = new.pop(path)
+    included = {sources.converted_name(file): made for file, made in new.items()}
+    wrong = [finding for finding in check(path, {path: data, **included}) if finding.severity is Severity.ERROR]
     _refuse(path, [f"{finding.place}: {finding.message}" for finding in wrong])
-    return Converted(made, changes)
+    return Converted(data, included, changes, tuple(reference.name for reference in files.references))
 
 
 def _refuse(path: Path, reasons: list[str]) -> None:
@@ -82,36 +93,41 @@ def _refuse(path: Path, reasons: list[str]) -> None:
         raise ModelError(f"{path} is not converted:\n{listed}")
 
 
-def _edits(data: bytes, model: Model) -> tuple[list[Edit], dict[str, list[Change]]]:
-    root = spans.locate(data, str(model.path))
-    edits: list[Edit] = []
+def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[str, list[Change]]]:
+    edits: dict[Path, list[Edit]] = {}
     changes: dict[str, list[Change]] = {}
-    sections = [*root.all("Contact"), *root.all("Step", "step", "Contact")]
-    contacts = [contact for section in sections for contact in section.all("contact")]
-    joints = _joints(model, contacts)
-    for number, contact in enumerate(contacts, 1):
-        kind = contact.attributes.get("type", "")
-        if kind not in CONVERTIBLE:
+    for number, (contact, joint) in enumerate(_joints(files, model), 1):
+        kind = contact.span.attributes.get("type", "")
+        if joint is None or joint.contact.kind.name not in CONVERTIBLE:
             continue
-        name = contact.attributes.get("name") or f"number {number}"
-        edits.append(spans.attribute(data, contact, "type", MIXTURE))
-        own = [Change(Action.MAPPED, "type", contact.line, f"{kind} becomes {MIXTURE}")]
-        for edit, change in _parameters(data, contact, joints[contact.start]):
+        data, own = (
+            files.data[contact.file],
+            [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {MIXTURE}")],
+        )
+        found = edits.setdefault(contact.file, [])
+        found.append(spans.attribute(data, contact.span, "type", MIXTURE))
+        for edit, change in _parameters(data, contact.span, joint):
             own.append(change)
-            edits += edit
-        changes[f'contact "{name}"'] = own
+            found += edit
+        changes[_title(contact, number, model.path)] = own
     for change in _prescribed(model):
         changes.setdefault("boundary conditions", []).append(change)
-    for change in _output(root):
+    for change in _output(files):
         changes.setdefault("output", []).append(change)
     return edits, changes
 
 
-def _joints(model: Model, contacts: Sequence[Span]) -> dict[int, Joint]:
-    """The sliding contacts of the model by where they start in its file: both are in FEBio's order of reading."""
-    sliding = [contact for contact in contacts if contact.attributes.get("type", "") in TYPES]
-    of_file = [known for known in model.contacts if documents.place(known.tag).file == model.path]
-    return {contact.start: Joint(model, known) for contact, known in zip(sliding, of_file, strict=True)}
+def _title(contact: Located, number: int, model: Path) -> str:
+    name = contact.span.attributes.get("name") or f"number {number}"
+    return f'contact "{name}"' + (f" in {contact.file}" if contact.file != model else "")
+
+
+def _joints(files: Sources, model: Model) -> Iterator[tuple[Located, Joint | None]]:
+    """The contacts of the files with what the model knows of sliding ones: both are in FEBio's order of reading."""
+    known = iter(model.contacts)
+    for contact in files.contacts:
+        sliding = contact.span.attributes.get("type", "") in (*TYPES, *OLD_NAMES)
+        yield contact, Joint(model, next(known)) if sliding else None
 
 
 def _impermeable(joint: Joint) -> bool:
@@ -120,7 +136,7 @@ def _impermeable(joint: Joint) -> bool:
 
 
 def _parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
-    kind, impermeable, rubs = TYPES[contact.attributes["type"]], _impermeable(joint), joint.contact.has_friction
+    kind, impermeable, rubs = joint.contact.kind, _impermeable(joint), joint.contact.has_friction
     for child in contact.children:
         value = spans.text(data, child)
         change = fate(kind, child.tag, value, rubs=rubs)(child.line)
@@ -146,8 +162,9 @@ def _prescribed(model: Model) -> Iterator[Change]:
             yield Change(Action.KEPT, prescribed.field, documents.place(prescribed.tag).line, f"{where}: {why}")
 
 
-def _output(root: Span) -> Iterator[Change]:
-    for variable in root.all("Output", "plotfile", "var"):
+def _output(files: Sources) -> Iterator[Change]:
+    for located in files.all("Output", "plotfile", "var"):
+        variable = located.span
         name = variable.attributes.get("type", "")
         if name in NOT_OURS:
             better = f"; '{NOT_OURS[name]}' takes its place" if NOT_OURS[name] else ""

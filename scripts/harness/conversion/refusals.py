@@ -21,9 +21,6 @@ def refusals(model: Model) -> Iterator[str]:
     for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
         if contact.given("fric_coeff") is not None and "fric_coeff" not in contact.kind.parameters:
             yield f"{place(contact.tag)}: {contact.kind.name} has no parameter <fric_coeff>; FEBio stops"
-    for contact in model.contacts:
-        if contact.kind.name in CONVERTIBLE and place(contact.tag).file != model.path:
-            yield f"{place(contact.tag)}: stands in an included file; move <Contact> into {model.path} first"
 
 
 def _of_materials(joint: Joint) -> Iterator[str]:

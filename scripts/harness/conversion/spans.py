@@ -102,7 +102,11 @@ def _end_of_tag(data: bytes, start: int) -> int:
 
 def text(data: bytes, span: Span) -> str:
     """What stands between the tags of an element, without comments and white space around it."""
-    return re.sub(rb"<!--.*?-->", b"", data[slice(*span.inner)], flags=re.DOTALL).decode("latin-1").strip()
+    found = re.sub(rb"<!--.*?-->", b"", data[slice(*span.inner)], flags=re.DOTALL)
+    try:
+        return found.decode("utf-8").strip()
+    except UnicodeDecodeError:
+        return found.decode("latin-1").strip()
 
 
 def apply(data: bytes, edits: Iterable[Edit]) -> bytes:

@@ -11,6 +11,7 @@ from harness.preflight import model as models
 from harness.preflight.finding import Finding, Severity
 from harness.preflight.rules import ON_PHYSICS, ON_SURFACES, ON_TEXT
 from harness.preflight.sides import Joint
+from harness.preflight.xml_file import AS_THEY_ARE, Contents
 
 UNREADABLE = ("bad-value", "load-curve")
 """Rules after which the values of the contact cannot be used."""
@@ -22,8 +23,8 @@ BROKEN = (
 _ORDER = list(Severity)
 
 
-def check(path: Path, data: bytes | None = None) -> list[Finding]:
-    """Findings of a model file, or of `data` as if it stood in that file; the worst first.
+def check(path: Path, instead: Contents = AS_THEY_ARE) -> list[Finding]:
+    """Findings of a model file, the worst first; what `instead` has is read in place of files.
 
     Raises
     ------
@@ -31,7 +32,7 @@ def check(path: Path, data: bytes | None = None) -> list[Finding]:
         The file cannot be read.
     """
     found: list[Finding] = []
-    model = models.read(path, data)
+    model = models.read(path, instead)
     for contact in model.contacts:
         found += _ask(Joint(model, contact))
     unique = list(dict.fromkeys(found))

@@ -20,7 +20,7 @@ console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 
 def check(
-    model: Annotated[Path, typer.Argument(help="A .feb file of FEBio 4.")],
+    model: Annotated[Path, typer.Argument(help="A .feb file of format 2.5, 3.0 or 4.0.")],
     json: Annotated[bool, typer.Option("--json", help="Write the findings as JSON.")] = False,
 ) -> None:
     """Predict trouble with the sliding contacts of a model before it is run.

@@ -14,7 +14,19 @@ from scipy.sparse.csgraph import connected_components
 from harness.errors import ModelError
 from harness.preflight import elements
 from harness.preflight.elements import Ids, Points
-from harness.preflight.xml_file import Document, Element, attribute, children, floats, integers, place, text
+from harness.preflight.xml_file import (
+    Document,
+    Element,
+    attribute,
+    children,
+    floats,
+    identifier,
+    integers,
+    place,
+    shortened,
+    text,
+    unknown_name,
+)
 
 SECTIONS = ("Nodes", "Elements", "NodeSet", "Surface", "Edge", "ElementSet", "PartList", "SurfacePair", "DiscreteSet")
 """What <Mesh> may hold."""
@@ -267,7 +279,7 @@ def _sets_of_elements(document: Document, blocks: tuple[Block, ...]) -> dict[str
         names = [name.strip() for name in text(tag).split(",")]
         unknown = next((name for name in names if name not in parts), None)
         if unknown is not None:
-            raise ModelError(f"{place(tag)}: names part '{unknown}', which does not exist; there is {', '.join(parts)}")
+            raise unknown_name(tag, "part", unknown, parts)
         found[f"@part_list:{attribute(tag, 'name')}"] = np.unique(np.concatenate([parts[name] for name in names]))
     return found
 
@@ -279,7 +291,7 @@ def _read_nodes(document: Document) -> tuple[Points, _Numbering, dict[str, Ids]]
     for section in document.all("Mesh", "Nodes"):
         first = len(ids)
         for node in children(section):
-            ids.append(_id(node))
+            ids.append(identifier(node))
             if len(ids) > 1 and ids[-1] <= ids[-2]:
                 raise ModelError(f"{place(node)}: node numbers must increase, and {ids[-2]} stands before {ids[-1]}")
             points.append(floats(node, 3))
@@ -290,22 +302,15 @@ def _read_nodes(document: Document) -> tuple[Points, _Numbering, dict[str, Ids]]
     return np.array(points), _Numbering(np.array(ids, dtype=np.int64)), sets
 
 
-def _id(tag: Element) -> int:
-    try:
-        return int(attribute(tag, "id"))
-    except ValueError as error:
-        raise ModelError(f"{place(tag)}: its id is not a number") from error
-
-
 def _read_block(tag: Element, numbering: _Numbering) -> Block:
     kind = attribute(tag, "type")
     shape = elements.shape(kind)
     if shape is None:
         known = ", ".join(elements.SHAPES)
-        raise ModelError(f"{place(tag)}: has elements of type '{kind}', which is unknown; there is {known}")
+        raise ModelError(f"{place(tag)}: has elements of type '{shortened(kind)}', which is unknown; there is {known}")
     rows = [_element(element, shape.nodes, kind) for element in children(tag)]
     flat = numbering.places((node for row in rows for node in row), tag)
-    ids = np.array([_id(element) for element in children(tag)], dtype=np.int64)
+    ids = np.array([identifier(element) for element in children(tag)], dtype=np.int64)
     return Block(attribute(tag, "name"), shape, flat.reshape(len(rows), shape.nodes), ids, tag)
 
 
@@ -337,7 +342,6 @@ def _read_pair(tag: Element, surfaces: dict[str, Surface]) -> Pair:
             raise ModelError(f"{place(tag)}: has no <{side}>")
         surface = surfaces.get(text(found))
         if surface is None:
-            known = ", ".join(surfaces) or "none"
-            raise ModelError(f"{place(found)}: names surface '{text(found)}', which does not exist; there is {known}")
+            raise unknown_name(found, "surface", text(found), surfaces)
         sides.append(surface)
     return Pair(attribute(tag, "name"), sides[0], sides[1], tag)

@@ -15,9 +15,23 @@ from harness.errors import ModelError
 from harness.preflight import materials, mesh_section
 from harness.preflight import xml_file as documents
 from harness.preflight.contact_types import TYPES, ContactType
+from harness.preflight.formats import newest
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Mesh, Pair
-from harness.preflight.xml_file import Document, Element, attribute, children, number, optional_number, place, text
+from harness.preflight.xml_file import (
+    AS_THEY_ARE,
+    Contents,
+    Document,
+    Element,
+    attribute,
+    children,
+    number,
+    optional_number,
+    place,
+    shortened,
+    text,
+    unknown_name,
+)
 
 
 @dataclass(frozen=True)
@@ -139,8 +153,7 @@ class Model:
     def _material_of(self, domain: Element) -> Material:
         name = attribute(domain, "mat")
         if name not in self.materials:
-            known = ", ".join(self.materials) or "none"
-            raise ModelError(f"{place(domain)}: names material '{name}', which does not exist; there is {known}")
+            raise unknown_name(domain, "material", name, self.materials)
         return self.materials[name]
 
     @cached_property
@@ -202,7 +215,7 @@ class Model:
         points = self.curves.get(curve)
         if points is None:
             known = ", ".join(self.curves) or "none"
-            raise ModelError(f"{place(tag)}: refers to load controller {curve}; there is {known}")
+            raise ModelError(f"{place(tag)}: refers to load controller {shortened(curve)}; there is {known}")
         return points * (1.0, value)
 
     def at(self, tag: Element, times: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -221,13 +234,13 @@ class Model:
         name = attribute(condition.tag, "node_set")
         found = self.mesh.node_sets.get(name)
         if found is None:
-            known = ", ".join([there for there in self.mesh.node_sets if there[0] != "@"][:20]) or "none"
-            raise ModelError(f"{place(condition.tag)}: names node set '{name}', which does not exist; there is {known}")
+            known = (there for there in self.mesh.node_sets if there[0] != "@")
+            raise unknown_name(condition.tag, "node set", name, known)
         return found
 
 
-def read(path: Path, data: bytes | None = None) -> Model:
-    """Read a model file and what it includes, or `data` as if it stood in that file.
+def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
+    """Read a model file and what it includes; what `instead` has is read in place of files.
 
     Raises
     ------
@@ -236,7 +249,7 @@ def read(path: Path, data: bytes | None = None) -> Model:
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")
-    document = documents.read(path, data)
+    document = newest.read(path, instead)
     module = next(document.all("Module"), None)
     if module is None:
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')
@@ -276,12 +289,14 @@ def _contacts(document: Document, known: Mesh) -> Iterator[Contact]:
         if kind in TYPES:
             yield Contact(TYPES[kind], _pair(tag, known), step, tag)
         elif kind.startswith("sliding"):
-            raise ModelError(f"{place(tag)}: is of type '{kind}', which is unknown; there is {', '.join(TYPES)}")
+            raise ModelError(
+                f"{place(tag)}: is of type '{shortened(kind)}', which is unknown; there is {', '.join(TYPES)}"
+            )
 
 
 def _pair(tag: Element, known: Mesh) -> Pair:
     name = attribute(tag, "surface_pair")
     if name not in known.pairs:
-        there = ", ".join(known.pairs) or "none: add a <SurfacePair> to <Mesh>"
-        raise ModelError(f"{place(tag)}: has surface_pair='{name}', which does not exist; there is {there}")
+        there = ", ".join(map(shortened, known.pairs)) or "none: add a <SurfacePair> to <Mesh>"
+        raise ModelError(f"{place(tag)}: has surface_pair='{shortened(name)}', which does not exist; there is {there}")
     return known.pairs[name]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import codecs
+import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
+from types import MappingProxyType
+from typing import TypeAlias, cast
 
 import numpy as np
 from lxml import etree
@@ -17,21 +19,28 @@ from harness.errors import ModelError
 from harness.preflight.finding import Place
 
 Element = etree._Element
-VERSION = "4.0"
+Contents: TypeAlias = Mapping[Path, bytes]
+"""What is read in place of files, by their paths."""
+AS_THEY_ARE: Contents = MappingProxyType({})
+VERSIONS = ("2.5", "3.0", "4.0")
+"""Formats of model files, the newest last."""
+WRITTEN_AS = "written_as"
+"""Attribute with line and tag of what an element is made from, where the file has another one."""
 DEEPEST_INCLUDE = 8
 LONGEST_RANGE = 50_000_000
-_TELLING = ("name", "id", "sol", "type")
+LONGEST_NAME, MOST_NAMES = 80, 20
+_TELLING = ("name", "id", "sol", "type", "bc")
 
 
-def parse(path: Path, data: bytes | None = None) -> Element:
-    """Root of a file of FEBio 4, or of `data` in its place.
+def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
+    """Root of a model file.
 
     Raises
     ------
     ModelError
-        The file cannot be read, is no XML, or is no FEBio model of version 4.0.
+        The file cannot be read, is no XML, or is no FEBio model of one of `VERSIONS`.
     """
-    data = content(path) if data is None else data
+    data = content(path, instead)
     parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
     try:
         root = etree.fromstring(data, parser, base_url=str(path))
@@ -41,21 +50,23 @@ def parse(path: Path, data: bytes | None = None) -> Element:
         raise ModelError(f'{path}: does not begin with <?xml version="1.0"?>, without which FEBio opens no file')
     if root.tag != "febio_spec":
         raise ModelError(f"{place(root)}: a model begins with <febio_spec>")
-    if root.get("version") != VERSION:
-        found = f"version '{root.get('version')}'" if root.get("version") else "no version"
+    if root.get("version") not in VERSIONS:
+        found = f"version '{shortened(str(root.get('version')))}'" if root.get("version") else "no version"
         raise ModelError(
-            f"{place(root)}: has {found}; version {VERSION} can be read (FEBio Studio converts older files)"
+            f"{place(root)}: has {found}; {', '.join(VERSIONS)} can be read (FEBio Studio converts older files)"
         )
     return root
 
 
-def content(path: Path) -> bytes:
+def content(path: Path, instead: Contents = AS_THEY_ARE) -> bytes:
     """The bytes of a file.
 
     Raises
     ------
     ModelError
     """
+    if path in instead:
+        return instead[path]
     try:
         return path.read_bytes()
     except OSError as error:
@@ -63,10 +74,27 @@ def content(path: Path) -> bytes:
 
 
 def place(element: Element) -> Place:
-    """Where an element is, for a message."""
-    told = next((f' {key}="{element.get(key)}"' for key in _TELLING if element.get(key)), "")
+    """Where an element is, for a message: line and tag as the file has them."""
     file = Path(element.getroottree().docinfo.URL or "")
+    written_as = element.get(WRITTEN_AS)
+    if written_as:
+        line, _, tag = written_as.partition(" ")
+        return Place(file, int(line), tag)
+    told = next((f' {key}="{shortened(str(element.get(key)))}"' for key in _TELLING if element.get(key)), "")
     return Place(file, cast("int", element.sourceline), f"<{element.tag}{told}>")
+
+
+def shortened(value: str) -> str:
+    """A name that a file has, for a message."""
+    return value if len(value) <= LONGEST_NAME else value[:LONGEST_NAME] + "..."
+
+
+def unknown_name(element: Element, what: str, name: str, known: Iterable[str], none: str = "none") -> ModelError:
+    """That an element names what does not exist, and what does."""
+    there = [shortened(each) for each in itertools.islice(known, MOST_NAMES)]
+    return ModelError(
+        f"{place(element)}: names {what} '{shortened(name)}', which does not exist; there is {', '.join(there) or none}"
+    )
 
 
 def children(element: Element, tag: str | None = None) -> Iterator[Element]:
@@ -79,6 +107,7 @@ class Document:
     """The sections of a model, from all of its files, in the order in which FEBio reads them."""
 
     path: Path
+    version: str
     sections: tuple[Element, ...]
 
     def all(self, *names: str) -> Iterator[Element]:
@@ -97,45 +126,59 @@ class Document:
                 yield from ((number, child) for child in children(parent, tag))
 
 
-def read(path: Path, data: bytes | None = None) -> Document:
-    """Read a model file and what it includes, or `data` as if it stood in that file.
+def read(path: Path, instead: Contents = AS_THEY_ARE) -> Document:
+    """Read a model file and what it includes, in the format in which it is written.
 
     Raises
     ------
     ModelError
-        As `parse`; an included file that is missing or includes itself.
+        As `parse`; an included file that is missing, includes itself, or is of another format.
     """
-    return Document(path, tuple(_sections(path, 0, data)))
+    root = parse(path, instead)
+    return Document(path, str(root.get("version")), tuple(_sections(path, root, 0, instead)))
 
 
-def _sections(path: Path, depth: int, data: bytes | None = None) -> Iterator[Element]:
+def _sections(model: Path, root: Element, depth: int, instead: Contents) -> Iterator[Element]:
     if depth > DEEPEST_INCLUDE:
-        raise ModelError(f"{path}: is included more than {DEEPEST_INCLUDE} files deep; does a file include itself?")
-    for section in children(parse(path, data)):
+        file = place(root).file
+        raise ModelError(f"{file}: is included more than {DEEPEST_INCLUDE} files deep; does a file include itself?")
+    for section in children(root):
         if section.tag == "Include":
-            yield from _sections(_included(section, text(section)), depth + 1)
+            inner = parse(included(model, place(section), text(section), instead), instead)
+            if inner.get("version") != root.get("version"):
+                raise ModelError(
+                    f"{place(inner)}: has version '{inner.get('version')}'; {place(section)} includes it, and "
+                    f"that file has '{root.get('version')}': files of one model have one version"
+                )
+            yield from _sections(model, inner, depth + 1, instead)
         elif section.get("from"):
-            yield _section_from(section)
+            yield _section_from(model, section, instead)
         else:
             yield section
 
 
-def _section_from(section: Element) -> Element:
-    source = _included(section, str(section.get("from")))
-    found = next(children(parse(source), str(section.tag)), None)
+def _section_from(model: Path, section: Element, instead: Contents) -> Element:
+    source = included(model, place(section), str(section.get("from")), instead)
+    found = next(children(parse(source, instead), str(section.tag)), None)
     if found is None:
         raise ModelError(f"{place(section)}: is to be read from {source}, which has no <{section.tag}>")
     return found
 
 
-def _included(section: Element, name: str) -> Path:
-    """The file that a section names; FEBio looks beside the model file, or from where it is started."""
-    beside = place(section).file.parent / name
-    if name and beside.is_file():
+def included(model: Path, where: Place, name: str, instead: Contents = AS_THEY_ARE) -> Path:
+    """The file that a section names; FEBio looks beside the model file, or from where it is started.
+
+    Raises
+    ------
+    ModelError
+        There is none.
+    """
+    beside = model.parent / name
+    if name and (beside in instead or beside.is_file()):
         return beside
     if name and Path(name).is_file():
         return Path(name)
-    raise ModelError(f"{place(section)}: includes '{name}', and there is no file {beside}")
+    raise ModelError(f"{where}: includes '{name}', and there is no file {beside}")
 
 
 def text(element: Element) -> str:
@@ -234,3 +277,16 @@ def attribute(element: Element, name: str) -> str:
     if not value:
         raise ModelError(f"{place(element)}: has no attribute '{name}', which FEBio needs")
     return str(value)
+
+
+def identifier(element: Element) -> int:
+    """The number in the attribute `id`.
+
+    Raises
+    ------
+    ModelError
+    """
+    try:
+        return int(attribute(element, "id"))
+    except ValueError as error:
+        raise ModelError(f"{place(element)}: its id is not a number") from error

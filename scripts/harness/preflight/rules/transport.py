@@ -72,10 +72,10 @@ def time_step(joint: Joint) -> Iterator[Finding]:
 
 
 def _fourier(side: Side, solute: int, size: float) -> float:
-    """Smallest d dt/h^2 of a solute in the elements of a side; infinite where it is not known."""
+    """Smallest d dt/h^2 of a solute in the elements of a side; infinite where none is known and positive."""
     known = [m.solutes[solute].diffusivity for m in side.kinds if solute in m.solutes]
     thickness = float(np.nanmedian(side.thickness)) if side.found.any() else math.nan
-    values = [d * size / thickness**2 for d in known if math.isfinite(d) and thickness > 0.0]
+    values = [d * size / thickness**2 for d in known if math.isfinite(d) and d > 0.0 and thickness > 0.0]
     return min(values, default=math.inf)
 
 

@@ -54,9 +54,11 @@ def _converted(original: Path, timeout: float, state: State | None, kept: bool) 
     shutil.copytree(original.parent, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.txt", "*.log"))
     path = folder / original.name
     try:
-        path.write_bytes(convert.convert(original).data)
+        made = convert.convert(path)
     except HarnessError as error:
         return Took(ended=False, why=f"not converted: {error}")
+    for file, data in {**made.included, path: made.data}.items():
+        file.write_bytes(data)
     if not kept:
         without_penalties(path)
     return _compared(_run(path, timeout, plugin=True), state, _state(path))
