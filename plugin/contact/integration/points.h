@@ -25,7 +25,9 @@ struct FacetPair {
   int primary = 0;
   int secondary = 0;
   std::vector<IntegrationPoint> points;
-  std::vector<PointKinematics> kinematics = {};  ///< of the points, where they were found; FacingPairs has them
+  /// Of the points, where they were found; FacingPairs has them.
+  // NOLINTNEXTLINE(readability-redundant-member-init): so that lists of initial values may leave it out
+  std::vector<PointKinematics> kinematics = {};
 };
 
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.

@@ -214,7 +214,7 @@ void add_sliding(PairLinearisation& linear, const MortarSpace& space, const Face
   std::optional<SlidingPoint> sliding;
   Index number = -1;
   for (const CornerPoint& at : points) {
-    if (at.number != number)
+    if (!sliding || at.number != number)
       sliding = sliding_point(space, pair, indexing::at(pair.points, at.number), at.point, pressure);
     number = at.number;
     add_sliding(linear.friction[at.corner], loads, at, *sliding);
