@@ -11,8 +11,6 @@ Element = etree._Element
 VERSIONS = ("2.5", "3.0")
 DOFS = {"zero fluid pressure": "p", "prescribed fluid pressure": "p", "initial fluid pressure": "p"}
 """Conditions of one unknown alone; the others name theirs."""
-STEP = ("time_steps", "step_size", "plot_level", "time_stepper", "output_level", "plot_stride")
-"""Children of <Control> that stay where they are."""
 TURNED = {"x": "Rx", "y": "Ry", "z": "Rz", "u": "Ru", "v": "Rv", "w": "Rw"}
 
 

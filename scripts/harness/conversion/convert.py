@@ -100,10 +100,8 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
         kind = contact.span.attributes.get("type", "")
         if joint is None or joint.contact.kind.name not in CONVERTIBLE:
             continue
-        data, own = (
-            files.data[contact.file],
-            [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {MIXTURE}")],
-        )
+        data = files.data[contact.file]
+        own = [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {MIXTURE}")]
         found = edits.setdefault(contact.file, [])
         found.append(spans.attribute(data, contact.span, "type", MIXTURE))
         for edit, change in _parameters(data, contact.span, joint):

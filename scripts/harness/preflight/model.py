@@ -167,7 +167,7 @@ class Model:
     @cached_property
     def controls(self) -> tuple[Element, ...]:
         """Control sections, in order of the steps."""
-        return (*self.document.all("Control"), *self.document.all("Step", "step", "Control"))
+        return self.document.each("Control")
 
     @cached_property
     def contact_pairs(self) -> tuple[Pair, ...]:

@@ -119,11 +119,17 @@ class Document:
 
     def everywhere(self, section: str, tag: str | None = None) -> Iterator[tuple[int, Element]]:
         """Children of a section, at top level (step 0) and in each analysis step (from 1)."""
-        for parent in self.all(section):
-            yield from ((0, child) for child in children(parent, tag))
+        for step, parent in self._by_step(section):
+            yield from ((step, child) for child in children(parent, tag))
+
+    def each(self, section: str) -> tuple[Element, ...]:
+        """Sections of a name, at top level and in each analysis step."""
+        return tuple(found for _, found in self._by_step(section))
+
+    def _by_step(self, section: str) -> Iterator[tuple[int, Element]]:
+        yield from ((0, found) for found in self.all(section))
         for number, step in enumerate(self.all("Step", "step"), 1):
-            for parent in children(step, section):
-                yield from ((number, child) for child in children(parent, tag))
+            yield from ((number, found) for found in children(step, section))
 
 
 def read(path: Path, instead: Contents = AS_THEY_ARE) -> Document:

@@ -63,8 +63,7 @@ def _check_contact(contact: Element, pairs: list[str]) -> None:
 
 
 def _end(document: Document) -> float:
-    controls = (*document.all("Control"), *document.all("Step", "step", "Control"))
-    return sum(_number(control, "time_steps") * _number(control, "step_size") for control in controls)
+    return sum(_number(each, "time_steps") * _number(each, "step_size") for each in document.each("Control"))
 
 
 def _number(control: Element, tag: str) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from harness.preflight.formats.rewriting import everywhere, rename
+from harness.preflight.formats.rewriting import rename
 from harness.preflight.xml_file import Document, children
 
 OLD_NAMES = {
@@ -14,7 +14,7 @@ OLD_NAMES = {
 
 def rename_contacts(document: Document) -> None:
     """Contact types by the names of format 4.0."""
-    for section in everywhere(document, "Contact"):
+    for section in document.each("Contact"):
         for tag in children(section, "contact"):
             kind = str(tag.get("type"))
             if kind in OLD_NAMES:

@@ -10,7 +10,7 @@ from harness.preflight.formats import conditions
 from harness.preflight.formats.contact_names import rename_contacts
 from harness.preflight.formats.geometry import mesh_of_geometry
 from harness.preflight.formats.node_lists import list_members
-from harness.preflight.formats.rewriting import add, enclose, everywhere, material_names, rename, upper_case
+from harness.preflight.formats.rewriting import add, enclose, material_names, rename, upper_case
 from harness.preflight.xml_file import Document, Element, attribute, children, place, shortened
 
 _OF_STEP = ("analysis", "time_steps", "step_size", "time_stepper")
@@ -28,13 +28,13 @@ def rewritten(document: Document) -> Document:
     rigid = [_rigid_bodies(section, names) for section in document.all("Boundary")]
     for section in document.all("Step", "step", "Boundary"):
         _rigid_bodies(section, names)
-    for section in everywhere(document, "Boundary"):
+    for section in document.each("Boundary"):
         section[:] = [made for tag in [*children(section)] for made in _boundary(section, tag)]
-    for section in everywhere(document, "Initial"):
+    for section in document.each("Initial"):
         for tag in children(section, "init"):
             conditions.initial(tag, attribute(tag, "bc"))
     upper_case(document)
-    for section in everywhere(document, "Control"):
+    for section in document.each("Control"):
         _control(section)
     for curve in document.all("LoadData", "loadcurve"):
         enclose(rename(curve, "load_controller"), "points", children(curve))
@@ -74,7 +74,10 @@ def _rigid(section: Element, tag: Element, body: str) -> None:
     dof = _RIGID[unknown]
     made = add(section, "rigid_bc", tag, type="rigid_fixed" if tag.tag == "fixed" else "rigid_displacement")
     add(made, "rb", tag, body)
-    add(made, f"{dof}_dof", tag, "1") if tag.tag == "fixed" else add(made, "dof", tag, dof)
+    if tag.tag == "fixed":
+        add(made, f"{dof}_dof", tag, "1")
+    else:
+        add(made, "dof", tag, dof)
 
 
 def _control(section: Element) -> None:

@@ -8,7 +8,7 @@ from harness.preflight.formats import conditions
 from harness.preflight.formats.contact_names import rename_contacts
 from harness.preflight.formats.geometry import mesh_of_geometry
 from harness.preflight.formats.node_lists import list_members
-from harness.preflight.formats.rewriting import add, everywhere, material_names, rename, upper_case
+from harness.preflight.formats.rewriting import add, material_names, rename, upper_case
 from harness.preflight.xml_file import Document, Element, children, text
 
 
@@ -17,12 +17,12 @@ def rewritten(document: Document) -> Document:
     names = material_names(document)
     document = mesh_of_geometry(document, names)
     list_members(document)
-    for section in [*everywhere(document, "Boundary")]:
+    for section in document.each("Boundary"):
         section[:] = [made for tag in [*children(section)] for made in _boundary(section, tag)]
-    for section in everywhere(document, "Initial"):
+    for section in document.each("Initial"):
         for tag in children(section, "ic"):
             _initial(tag)
-    for section in everywhere(document, "Rigid"):
+    for section in document.each("Rigid"):
         for tag in [*children(section, "rigid_constraint")]:
             _rigid(tag, names)
     upper_case(document)

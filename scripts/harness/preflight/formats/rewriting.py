@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from lxml import etree
 
@@ -31,12 +31,6 @@ def _remember(tag: Element, origin: Element) -> None:
     tag.set(WRITTEN_AS, f"{where.line} {where.tag}")
 
 
-def everywhere(document: Document, name: str) -> Iterator[Element]:
-    """Sections of that name, at top level and in analysis steps."""
-    yield from document.all(name)
-    yield from document.all("Step", "step", name)
-
-
 def set_text(tag: Element, text: str) -> None:
     """Replaces all that stands in a tag."""
     tag[:] = []
@@ -62,6 +56,6 @@ def material_names(document: Document) -> dict[str, str]:
 
 def upper_case(document: Document) -> None:
     """Kinds of analysis as 4.0 writes them."""
-    for control in everywhere(document, "Control"):
+    for control in document.each("Control"):
         for tag in children(control, "analysis"):
             set_text(tag, (tag.get("type") or tag.text or "").strip().upper())
