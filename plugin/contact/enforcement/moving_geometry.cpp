@@ -277,7 +277,7 @@ void MovingGeometry::for_each_coupling(const UsePatch& use) const {
   const auto use_part = [&](const Patch& patch) { use_effects(space_, patch, use); };
   const auto use_node = [&](const Patch& patch) { method_.for_each_coupling(patch, use_part); };
   const NodeFlags in_contact = point_ ? point_->loads.in_contact : initial_status();
-  if (geometric_ && point_) {
+  if (geometric_ && point_) {  // the pairs are still those that the nodes were linearised with
     for (const NodeLinearisation& node : point_->nodes) {
       if (!node.empty()) use_node(node.patch);
     }
