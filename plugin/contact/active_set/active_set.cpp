@@ -89,6 +89,7 @@ NodeFlags ActiveSet::initial_slip(const NodalLoads& now) const {
 
 NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
   NodeFlags slips = predicted.slips;
+  const FrictionBands bands = friction_bands(predicted);
   for (Index node = 0; node < slips.count(); ++node) {
     if (!predicted.in_contact[node]) continue;
     const bool pulled = !laws_.bear_tension() && predicted.traction[node] > 0;
@@ -101,17 +102,21 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
     const double excess = slips[node] && predicted.rubs[node]
                               ? slip_excess(trial, bound, predicted.friction.reference_of(node))
                               : trial.norm() - bound;
-    if (std::abs(excess) > friction_band(predicted, node)) slips[node] = excess > 0 || turns_round(predicted, node);
+    if (std::abs(excess) > friction_band(bands, node)) slips[node] = excess > 0 || turns_round(predicted, node);
   }
   return slips;
 }
 
-double ActiveSet::friction_band(const NodalLoads& predicted, Index node) const {
+ActiveSet::FrictionBands ActiveSet::friction_bands(const NodalLoads& predicted) const {
   const VectorXd& bound = predicted.friction.bound;
   const double largest = bound.size() > 0 ? bound.maxCoeff() : 0.0;
+  const double rounding = laws_.traction_rounding(predicted.size);
+  return {rounding + options_.friction_band * largest, rounding + options_.edge_friction_band * largest};
+}
+
+double ActiveSet::friction_band(const FrictionBands& bands, Index node) const {
   const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
-  return laws_.traction_rounding(predicted.size) +
-         (at_edge ? options_.edge_friction_band : options_.friction_band) * largest;
+  return at_edge ? bands.at_edge : bands.elsewhere;
 }
 
 bool ActiveSet::turns_round(const NodalLoads& predicted, Index node) const {
@@ -153,10 +158,11 @@ NodeFlags ActiveSet::initial_rubs(const NodalLoads& now) const {
 
 NodeFlags ActiveSet::updated_rubs(const NodalLoads& predicted) const {
   NodeFlags rubs = predicted.rubs;
+  const FrictionBands bands = friction_bands(predicted);
   for (Index node = 0; node < rubs.count(); ++node) {
     if (!predicted.in_contact[node]) continue;
     const double bound = laws_.rubbing(predicted, node);
-    if (std::abs(bound) > friction_band(predicted, node)) rubs[node] = bound > 0;
+    if (std::abs(bound) > friction_band(bands, node)) rubs[node] = bound > 0;
   }
   return rubs;
 }

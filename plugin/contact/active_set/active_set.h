@@ -108,8 +108,13 @@ class ActiveSet {
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
   /// The traction that counts.
   double negligible(const NodalLoads& loads, const NodalGaps& now) const;
-  /// How near to the bound trials do not decide.
-  double friction_band(const NodalLoads& predicted, Index node) const;
+  /// How near to the bound trials do not decide, for nodes at the edge of sliding and for others.
+  struct FrictionBands {
+    double elsewhere;
+    double at_edge;
+  };
+  FrictionBands friction_bands(const NodalLoads& predicted) const;
+  double friction_band(const FrictionBands& bands, Index node) const;
   /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
   /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
   bool turns_round(const NodalLoads& predicted, Index node) const;

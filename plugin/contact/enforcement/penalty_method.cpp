@@ -3,6 +3,14 @@
 #include <utility>
 
 namespace mixture_contact {
+namespace {
+
+/// Adds the rows of the nodes that friction works at, `change` times its work at each.
+void add_work(const VectorXd& work, const Matrix3Xd& change, MatrixXd& tangent) {
+  for (Index n = 0; n < work.size(); ++n) tangent.middleRows<3>(3 * n) += work[n] * change;
+}
+
+}  // namespace
 
 NodalLoads PenaltyMethod::predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const {
   NodalLoads loads = point.predicted_averages(fields);
@@ -13,16 +21,15 @@ NodalLoads PenaltyMethod::predicted_loads(const LinearisationPoint& point, const
 void PenaltyMethod::add_friction(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                  MatrixXd& tangent, std::vector<TangentBlock>& blocks) const {
   if (!loads.in_contact[node]) return;
+  if (!loads.slips[node]) return add_work(linear.friction.work, linear.friction.trial_variation, tangent);
   const FrictionTraction law = friction_law(loads, node);
   const FrictionBound bound = laws().friction_bound(loads, node);
   const NodeLinearisation::Friction& friction = linear.friction;
   Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();
   if (friction.has_fluid()) d_bound += bound.d_pressure * friction.pressure_variation.transpose();
-  const Matrix3Xd change = loads.slips[node] ? Matrix3Xd(law.d_trial.lazyProduct(friction.trial_variation) +
-                                                         law.d_bound.lazyProduct(d_bound))
-                                             : friction.trial_variation;
-  for (Index n = 0; n < friction.work.size(); ++n) tangent.middleRows<3>(3 * n) += friction.work[n] * change;
-  if (!friction.has_fluid() || bound.d_pressure == 0 || !loads.slips[node] || space().symmetric()) return;
+  add_work(friction.work, law.d_trial.lazyProduct(friction.trial_variation) + law.d_bound.lazyProduct(d_bound),
+           tangent);
+  if (!friction.has_fluid() || bound.d_pressure == 0 || space().symmetric()) return;
   const Patch columns = linear.patch.of_field(friction.pressure_field, false);
   MatrixXd by_pressure(tangent.rows(), friction.work.size());
   const Vector3d per_pressure = bound.d_pressure * law.d_bound;

@@ -10,15 +10,27 @@ FacetGradient gradient_at_node(const Facet& facet, Index corner) {
   return shape_functions(facet.type, parametric_node(facet.type, static_cast<int>(corner))).gradient;
 }
 
+Vector3d interpolated(const FacetCoordinates& x, const FacetVector& shape) {
+  Vector3d sum = Vector3d::Zero();
+  for (Index node = 0; node < shape.size(); ++node) sum += shape[node] * x.col(node);
+  return sum;
+}
+
+Eigen::Matrix<double, 3, 2> tangents(const FacetCoordinates& x, const FacetGradient& gradient) {
+  Eigen::Matrix<double, 3, 2> sum = Eigen::Matrix<double, 3, 2>::Zero();
+  for (Index node = 0; node < gradient.rows(); ++node) sum += x.col(node).lazyProduct(gradient.row(node));
+  return sum;
+}
+
 Vector3d area_vector(const Eigen::Matrix<double, 3, 2>& tangents) { return tangents.col(0).cross(tangents.col(1)); }
 
 }  // namespace
 
 PastPoint past_point(const PointKinematics& point, const FacetCoordinates& past1, const FacetCoordinates& past2) {
   PastPoint past;
-  past.distance = past2 * point.secondary_shape - past1 * point.primary_shape;
-  past.primary_tangents = past1 * point.primary_gradient;
-  past.secondary_tangents = past2 * point.secondary_gradient;
+  past.distance = interpolated(past2, point.secondary_shape) - interpolated(past1, point.primary_shape);
+  past.primary_tangents = tangents(past1, point.primary_gradient);
+  past.secondary_tangents = tangents(past2, point.secondary_gradient);
   past.normal = area_vector(past.primary_tangents).normalized();
   return past;
 }
@@ -30,25 +42,20 @@ Eigen::Matrix<double, 3, 2> normal_slope(const PastPoint& past, const Eigen::Mat
   return (slope - past.normal * (past.normal.transpose() * slope)) / area_vector(past.primary_tangents).norm();
 }
 
-PairVariation<3> slip_variation(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& normal_slope,
-                                const KinematicVariations& vary) {
+SlipSlope slip_slope(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& normal_slope) {
   const Vector3d& n = past.normal;
-  const Eigen::Matrix<double, 3, 2> with_eta = past.secondary_tangents - n * (n.transpose() * past.secondary_tangents);
-  const Eigen::Matrix<double, 3, 2> with_xi = past.primary_tangents + normal_slope * n.dot(past.distance) +
-                                              n * (past.distance.transpose() * normal_slope);
-  return with_eta * vary.eta - with_xi * vary.xi;
+  return {
+      past.secondary_tangents - n * (n.transpose() * past.secondary_tangents),
+      -past.primary_tangents - normal_slope * n.dot(past.distance) - n * (past.distance.transpose() * normal_slope)};
 }
 
-FacetCoordinates convection(const Facet& facet, Index corner, const FacetCoordinates& past) {
+Convection convection(const Facet& facet, Index corner, const FacetCoordinates& past) {
   const FacetGradient gradient = gradient_at_node(facet, corner);
-  const Eigen::Matrix<double, 3, 2> tangents = past * gradient;
-  const Eigen::Matrix2d metric = tangents.transpose() * tangents;
-  if (!(metric.determinant() > 0)) return FacetCoordinates::Zero(3, past.cols());
-  return tangents * metric.inverse() * gradient.transpose();
-}
-
-double area_at_node(const Facet& facet, Index corner, const FacetCoordinates& x) {
-  return area_vector(x * gradient_at_node(facet, corner)).norm();
+  const Eigen::Matrix<double, 3, 2> t = tangents(past, gradient);
+  const double area = area_vector(t).norm();
+  const Eigen::Matrix2d metric = t.transpose() * t;
+  if (!(metric.determinant() > 0)) return {FacetCoordinates::Zero(3, past.cols()), area};
+  return {(t * metric.inverse()).lazyProduct(gradient.transpose()), area};
 }
 
 }  // namespace mixture_contact

@@ -24,18 +24,25 @@ Vector3d slip(const PastPoint& past);
 /// Derivative of the unit normal with xi. `curvature`: columns X1,11, X1,22, X1,12.
 Eigen::Matrix<double, 3, 2> normal_slope(const PastPoint& past, const Eigen::Matrix3d& curvature);
 
-/// First variation of the slip with the present nodal positions: the points that face each other change,
+/// How the slip varies with the present nodal positions: the points that face each other change, dr = r,eta deta +
+/// r,xi dxi.
+struct SlipSlope {
+  Eigen::Matrix<double, 3, 2> with_eta;
+  Eigen::Matrix<double, 3, 2> with_xi;
+};
+
 /// dr = (1 - N N) (X2,beta deta_beta - X1,alpha dxi_alpha) - (dN N + N dN) D with dN = N,alpha dxi_alpha.
-PairVariation<3> slip_variation(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& normal_slope,
-                                const KinematicVariations& vary);
+SlipSlope slip_slope(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& normal_slope);
 
-/// How the surface around a node of a facet has moved since the step began, F = x,alpha (X) X^alpha: coefficients C_b,
-/// one column per node of the facet, with F = sum_b x_b C_b^T, linear in the present positions x_b. F takes a vector of
-/// the tangent plane then to what it is now, turned with the surface and stretched with it, and drops a normal part.
-/// Zero where the facet has no area there.
-FacetCoordinates convection(const Facet& facet, Index corner, const FacetCoordinates& past);
+/// How the surface around a node of a facet has moved since the step began, F = x,alpha (X) X^alpha.
+struct Convection {
+  FacetCoordinates
+      coefficients;  ///< C_b, one column per node: F = sum_b x_b C_b^T, linear in the present positions x_b
+  double area;       ///< |X,1 x X,2| at the node
+};
 
-/// |X,1 x X,2| at a node of a facet.
-double area_at_node(const Facet& facet, Index corner, const FacetCoordinates& x);
+/// F takes a vector of the tangent plane then to what it is now, turned with the surface and stretched with it, and
+/// drops a normal part. Zero where the facet has no area there.
+Convection convection(const Facet& facet, Index corner, const FacetCoordinates& past);
 
 }  // namespace mixture_contact

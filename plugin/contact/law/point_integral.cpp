@@ -35,12 +35,15 @@ Vector3d friction_force(const PointKinematics& point, const PointLoads& loads) {
   return loads.weight * point.area * loads.friction;
 }
 
-PairVariation<3> friction_force_variation(const PointKinematics& point, const KinematicVariations& vary,
-                                          const PointLoads& loads) {
+void add_friction_force_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                  const PointLoads& loads, PairVariation<3>& dforce) {
   // d[w |a| t_T] = w [ t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha ]
-  const PairVariation<1> darea = vary.area + point.area * vary.weight;
-  const Eigen::Matrix<double, 3, 2> slope = point.area * loads.friction_slope;
-  return loads.weight * (loads.friction.lazyProduct(darea) + slope.lazyProduct(vary.xi));
+  const Vector3d with_area = loads.weight * loads.friction;
+  const Eigen::Matrix<double, 3, 2> with_xi = loads.weight * point.area * loads.friction_slope;
+  for (Index column = 0; column < dforce.cols(); ++column) {
+    const double darea = vary.area[column] + point.area * vary.weight[column];
+    dforce.col(column) += darea * with_area + with_xi.lazyProduct(vary.xi.col(column));
+  }
 }
 
 }  // namespace
@@ -68,7 +71,7 @@ void add_traction_tangent(const PointKinematics& point, const KinematicVariation
                             (point.area_vector.lazyProduct(dtn) + loads.traction.value * vary.area_vector);
   Vector3d force = loads.weight * loads.traction.value * point.area_vector;
   if (loads.has_friction()) {
-    dforce += friction_force_variation(point, vary, loads);
+    add_friction_force_variation(point, vary, loads, dforce);
     force += friction_force(point, loads);
   }
   add_force_tangent(point, vary, force, dforce, tangent);
@@ -91,11 +94,6 @@ void add_flux_tangent(const PointKinematics& point, const KinematicVariations& v
       tangent(node, layout.scalar(column, 0)) += weight * point.area * flux.derivative * h[column] * h[node];
     }
   }
-}
-
-PairVariation<1> area_variation(const PointKinematics& point, const KinematicVariations& vary,
-                                const PointShare& share) {
-  return share.value * (vary.area + point.area * vary.weight) + point.area * share.slope.lazyProduct(vary.xi);
 }
 
 PairVariation<1> jump_variation(const PointKinematics& point, const KinematicVariations& vary,

@@ -43,18 +43,6 @@ void add_traction_tangent(const PointKinematics& point, const KinematicVariation
 void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
                       const PairVector& values, const LocalLayout& layout, MatrixXd& tangent);
 
-/// Share of a point in an average: w psi_a, and w psi_a,alpha.
-struct PointShare {
-  double value;
-  Eigen::RowVector2d slope;
-
-  /// d(w psi_a)
-  PairVariation<1> variation(const KinematicVariations& vary) const { return value * vary.weight + slope * vary.xi; }
-};
-
-/// First variation of a point's area, d(w psi_a |a|)
-PairVariation<1> area_variation(const PointKinematics& point, const KinematicVariations& vary, const PointShare& share);
-
 /// Derivative of a jump h.phi with the nodal positions, phi1,alpha dxi_alpha - phi2,beta deta_beta.
 PairVariation<1> jump_variation(const PointKinematics& point, const KinematicVariations& vary,
                                 const PairVector& values);

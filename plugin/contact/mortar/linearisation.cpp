@@ -24,6 +24,15 @@ PairPlaces dof_map(const Patch& pair, const Patch& patch) {
   return map;
 }
 
+/// What friction has of a pair around one node of its primary facet, as NodeLinearisation::Friction has it.
+struct PairFriction {
+  PairVariation<6> average_variation;
+  PairVariation<1> area_variation;  ///< of the node's area
+  PairVector work;
+  PairVariation<1> pressure_variation;  ///< empty without fluid, as the next
+  PairVector pressure_weights;
+};
+
 /// What a pair of facets has around the nodes of its primary facet, one column for each of them; rows are those of a
 /// NodeLinearisation of the pair's patch.
 struct PairLinearisation {
@@ -35,15 +44,16 @@ struct PairLinearisation {
   MatrixXd gap_variation;
   MatrixXd traction_work;
   IndexedVector<Jump> jumps;
-  IndexedVector<NodeLinearisation::Friction> friction;  ///< per node; empty without friction
+  IndexedVector<PairFriction> friction;  ///< per node; empty without friction
 };
 
-void set_zero(NodeLinearisation::Friction& friction, const LocalLayout& displacements, const Effects& effects) {
-  friction.slip_variation.setZero(3, displacements.size());
-  friction.area_vector_variation.setZero(3, displacements.size());
+/// Of a node or of a pair.
+template <class Friction>
+void set_zero(Friction& friction, const LocalLayout& displacements, const Effects& effects) {
+  friction.average_variation.setZero(6, displacements.size());
+  friction.area_variation.setZero(displacements.size());
   friction.work.setZero(displacements.nodes());
   if (!effects.has_bearing_fluid()) return;
-  friction.pressure_field = effects.pressure_field();
   friction.pressure_variation.setZero(displacements.size());
   friction.pressure_weights.setZero(displacements.nodes());
 }
@@ -51,7 +61,10 @@ void set_zero(NodeLinearisation::Friction& friction, const LocalLayout& displace
 NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patch) {
   NodeLinearisation linear;
   linear.patch = patch;
-  if (space.effects().has_friction()) set_zero(linear.friction, patch.of_displacements().layout(), space.effects());
+  if (space.effects().has_friction()) {
+    set_zero(linear.friction, patch.of_displacements().layout(), space.effects());
+    linear.friction.pressure_field = space.effects().pressure_field();
+  }
   if (patch.displacements) linear.gap_variation.setZero(patch.of_displacements().layout().size());
   linear.traction_work = linear.gap_variation;
   for (const int field : patch.fields) {
@@ -70,18 +83,18 @@ PairLinearisation zero_linearisation(const MortarSpace& space, const FacetPair& 
   const PairLinearisation::Jump none{linear.gap_variation, MatrixXd::Zero(layout.nodes(), corners)};
   linear.jumps.assign(linear.patch.fields.size(), none);
   if (!space.effects().has_friction()) return linear;
-  linear.friction = IndexedVector<NodeLinearisation::Friction>(corners);
-  for (NodeLinearisation::Friction& friction : linear.friction) set_zero(friction, layout, space.effects());
+  linear.friction = IndexedVector<PairFriction>(corners);
+  for (PairFriction& friction : linear.friction) set_zero(friction, layout, space.effects());
   return linear;
 }
 
-void scatter(const NodeLinearisation::Friction& pair, const PairPlaces& place, NodeLinearisation::Friction& sum) {
+void scatter(const PairFriction& pair, const PairPlaces& place, NodeLinearisation::Friction& sum) {
   for (Index n = 0; n < place.size(); ++n) {
-    sum.slip_variation.middleCols<3>(3 * place[n]) += pair.slip_variation.middleCols<3>(3 * n);
-    sum.area_vector_variation.middleCols<3>(3 * place[n]) += pair.area_vector_variation.middleCols<3>(3 * n);
+    sum.average_variation.middleCols<3>(3 * place[n]) += pair.average_variation.middleCols<3>(3 * n);
+    sum.area_variation.segment<3>(3 * place[n]) += pair.area_variation.segment<3>(3 * n).transpose();
     sum.work[place[n]] += pair.work[n];
     if (!sum.has_fluid()) continue;
-    sum.pressure_variation.segment<3>(3 * place[n]) += pair.pressure_variation.segment<3>(3 * n);
+    sum.pressure_variation.segment<3>(3 * place[n]) += pair.pressure_variation.segment<3>(3 * n).transpose();
     sum.pressure_weights[place[n]] += pair.pressure_weights[n];
   }
 }
@@ -113,9 +126,15 @@ struct CornerPoint {
   Index number;  ///< of the point
   Index corner;
   int node;
-  PointShare share;
-  PairVariation<1> area;  ///< d(w psi_a |a|)
+  double share;                ///< w psi_a
+  PairVariation<1> wandering;  ///< w psi_a,alpha dxi_alpha
+  PairVariation<1> area;       ///< d(w psi_a |a|)
 };
+
+/// d|a| + |a| dw/w
+PairVariation<1> weighted_area_variation(const VaryingPoint& point) {
+  return point.vary.area + point.contact.kinematics.area * point.vary.weight;
+}
 
 /// For all nodes in contact.
 std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<VaryingPoint>& points,
@@ -125,10 +144,13 @@ std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<Var
   for (Index q = 0; q < count_of(points); ++q) {
     const auto& [contact, vary] = at(points, q);
     const double weight = contact.loads.weight;
+    const PairVariation<1> darea = weighted_area_variation(at(points, q));
     for (Index a = 0; a < facet.count(); ++a) {
       if (!in_contact[facet.node(a)]) continue;
-      const PointShare share{weight * contact.psi[a], weight * contact.psi_gradient.row(a)};
-      found.push_back({at(points, q), q, a, facet.node(a), share, area_variation(contact.kinematics, vary, share)});
+      const double share = weight * contact.psi[a];
+      const Eigen::RowVector2d slope = weight * contact.psi_gradient.row(a);
+      found.push_back({at(points, q), q, a, facet.node(a), share, slope.lazyProduct(vary.xi), {}});
+      found.back().area = share * darea + contact.kinematics.area * found.back().wandering;
     }
   }
   return found;
@@ -138,7 +160,7 @@ std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<Var
 /// dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
 void add_mean_variation(Eigen::Ref<VectorXd> sum, const CornerPoint& at, const PairVariation<1>& variation,
                         double excess, double area) {
-  const double part = at.share.value * at.point.contact.kinematics.area;
+  const double part = at.share * at.point.contact.kinematics.area;
   sum += (part / area * variation + excess / area * at.area).transpose();
 }
 
@@ -149,7 +171,7 @@ void add_gap(PairLinearisation& linear, const LocalLayout& layout, const NodalLo
   add_mean_variation(linear.gap_variation.col(at.corner), at, at.point.vary.gap, excess, loads.area[at.node]);
   auto work = linear.traction_work.col(at.corner);
   for (Index n = 0; n < layout.nodes(); ++n) {
-    work.segment<3>(layout.displacement(n, 0)) += at.share.value * h[n] * kinematics.area_vector;
+    work.segment<3>(layout.displacement(n, 0)) += at.share * h[n] * kinematics.area_vector;
   }
 }
 
@@ -158,7 +180,7 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
   const int field = contact.fields[k];
   const double area = loads.flux_area(field, at.node);
   const PairVector h = contact.kinematics.jump_weights();
-  linear.jumps[k].weights.col(at.corner) += at.share.value * contact.kinematics.area / area * h;
+  linear.jumps[k].weights.col(at.corner) += at.share * contact.kinematics.area / area * h;
   if (!linear.patch.displacements) return;
   const PairVector values = contact.values.col(k);
   add_mean_variation(linear.jumps[k].projection_variation.col(at.corner), at,
@@ -166,58 +188,94 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
                      area);
 }
 
-/// What friction needs of a point, whichever of its nodes is looked at.
+/// What friction needs of a point, whichever of its nodes is looked at. The averages around node a are sums of
+/// w psi_a y over the points, y = (|a| r, a), divided by its area A_a.
 struct SlidingPoint {
-  Vector3d slip;
-  PairVariation<3> slip_variation;
-  double pressure;
-  PairVariation<1> pressure_variation;
-  PairVector pressure_weights;
+  Eigen::Matrix<double, 6, 1> value;  ///< y
+  PairVariation<6> variation;         ///< dy + y dw/w
+  PairVector work;                    ///< |a| h
+  bool moves;                         ///< whether the point wanders over the primary facet
+  double pressure = 0;                ///< |a| (p~ - p*), its variation alike, and its weights with p~
+  PairVariation<1> pressure_variation = {};
+  PairVector pressure_weights = {};
 };
 
-SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
-                           const VaryingPoint& point, const BearingPressure& pressure) {
+void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const VaryingPoint& point) {
   const PointKinematics& kinematics = point.contact.kinematics;
-  const Facet& facet = space.facing().primary_facet(pair);
-  const PastPoint past = past_point(space, pair, kinematics);
-  const Eigen::Matrix3d curvature = facet_coordinates(facet, space.past().primary) *
-                                    shape_hessian(facet.type, place.xi);
-  return {slip(past), slip_variation(past, normal_slope(past, curvature), point.vary),
-          pressure_at(pressure, kinematics), pressure_variation(pressure, kinematics, point.vary),
-          pressure_weights(pressure, kinematics)};
+  const double here = pressure_at(pressure, kinematics);
+  sliding.pressure = kinematics.area * here;
+  sliding.pressure_variation = kinematics.area * pressure_variation(pressure, kinematics, point.vary) +
+                               here * weighted_area_variation(point);
+  sliding.pressure_weights = kinematics.area * pressure_weights(pressure, kinematics);
 }
 
-/// Averages as in add_gap().
-void add_sliding(NodeLinearisation::Friction& friction, const NodalLoads& loads, const CornerPoint& at,
-                 const SlidingPoint& sliding) {
-  const auto& [contact, vary] = at.point;
+SlidingPoint sliding_point(const PastFacets& facets, const Eigen::Matrix3d& curvature, const VaryingPoint& point) {
+  const auto& [contact, vary] = point;
   const PointKinematics& kinematics = contact.kinematics;
-  const double whole = loads.area[at.node];
-  const double per_area = at.share.value / whole;
-  const double part = per_area * kinematics.area;
-  const PairVariation<1> weight = at.share.variation(vary) / whole;
-  const PairVariation<1> area = at.area / whole;
-  const Vector3d slip = sliding.slip - loads.friction.slip.col(at.node);
-  friction.slip_variation += part * sliding.slip_variation + slip.lazyProduct(area);
-  friction.area_vector_variation += per_area * vary.area_vector + kinematics.area_vector.lazyProduct(weight) -
-                                    loads.friction.area_vector.col(at.node).lazyProduct(area);
-  friction.work += at.share.value * kinematics.area * kinematics.jump_weights();
-  if (!friction.has_fluid()) return;
-  const double pressure = sliding.pressure - loads.friction.pressure[at.node];
-  friction.pressure_variation += (part * sliding.pressure_variation + pressure * area).transpose();
-  friction.pressure_weights += part * sliding.pressure_weights;
+  const PastPoint past = past_point(kinematics, facets.primary, facets.secondary);
+  const Vector3d r = slip(past);
+  const PairVariation<1> darea = weighted_area_variation(point);
+  SlidingPoint sliding;
+  sliding.moves = !vary.xi.isZero(0);
+  sliding.value << kinematics.area * r, kinematics.area_vector;
+  sliding.variation.resize(6, darea.size());
+  const SlipSlope slope = slip_slope(past, normal_slope(past, curvature));
+  const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slope.with_eta;
+  const Eigen::Matrix<double, 3, 2> with_xi = kinematics.area * slope.with_xi;
+  for (Index column = 0; column < darea.size(); ++column) {
+    sliding.variation.col(column).head<3>() = with_eta.lazyProduct(vary.eta.col(column)) +
+                                              with_xi.lazyProduct(vary.xi.col(column)) + darea[column] * r;
+    sliding.variation.col(column).tail<3>() = vary.area_vector.col(column) +
+                                              vary.weight[column] * kinematics.area_vector;
+  }
+  sliding.work = kinematics.area * kinematics.jump_weights();
+  return sliding;
+}
+
+/// Adds a point's part of the sums around a node: d(w psi_a y) = w psi_a (dy + y dw/w) + y w psi_a,alpha dxi_alpha.
+void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& sliding) {
+  const double share = at.share;
+  sum.area_variation += at.area;
+  sum.work += share * sliding.work;
+  const bool has_fluid = sum.pressure_weights.size() > 0;
+  if (has_fluid) {
+    sum.pressure_variation += share * sliding.pressure_variation;
+    sum.pressure_weights += share * sliding.pressure_weights;
+  }
+  if (!sliding.moves) {
+    sum.average_variation += share * sliding.variation;
+    return;
+  }
+  for (Index column = 0; column < at.wandering.size(); ++column)
+    sum.average_variation.col(column) += share * sliding.variation.col(column) + at.wandering[column] * sliding.value;
+  if (has_fluid) sum.pressure_variation += sliding.pressure * at.wandering;
+}
+
+/// Makes averages of the sums around a node: d(Y/A) = (dY - Y/A dA)/A.
+void divide_by_area(NodeLinearisation::Friction& sum, const NodalLoads& loads, Index node) {
+  const double per_area = 1 / loads.area[node];
+  const NodalFriction& friction = loads.friction;
+  Eigen::Matrix<double, 6, 1> average;
+  average << friction.slip.col(node), friction.area_vector.col(node);
+  for (Index column = 0; column < sum.area_variation.size(); ++column)
+    sum.average_variation.col(column) = per_area *
+                                        (sum.average_variation.col(column) - sum.area_variation[column] * average);
+  if (!sum.has_fluid()) return;
+  sum.pressure_variation = per_area * (sum.pressure_variation - friction.pressure[node] * sum.area_variation);
+  sum.pressure_weights *= per_area;
 }
 
 void add_sliding(PairLinearisation& linear, const MortarSpace& space, const FacetPair& pair,
-                 const std::vector<CornerPoint>& points, const NodalLoads& loads, const FacingFields& fields) {
+                 const std::vector<CornerPoint>& points, const FacingFields& fields) {
+  const Facet& facet = space.facing().primary_facet(pair);
+  const PastFacets past = past_facets(space, pair);
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
-  std::optional<SlidingPoint> sliding;
-  Index number = -1;
-  for (const CornerPoint& at : points) {
-    if (!sliding || at.number != number)
-      sliding = sliding_point(space, pair, indexing::at(pair.points, at.number), at.point, pressure);
-    number = at.number;
-    add_sliding(linear.friction[at.corner], loads, at, *sliding);
+  for (auto at = points.begin(); at != points.end();) {
+    const Index number = at->number;
+    const Vector2d& xi = indexing::at(pair.points, number).xi;
+    SlidingPoint sliding = sliding_point(past, past.primary * shape_hessian(facet.type, xi), at->point);
+    if (space.effects().has_bearing_fluid()) set_pressure(sliding, pressure, at->point);
+    for (; at != points.end() && at->number == number; ++at) add_sliding(linear.friction[at->corner], *at, sliding);
   }
 }
 
@@ -234,7 +292,7 @@ PairLinearisation linearise_pair(const MortarSpace& space, const FacetPair& pair
     laps.traction();
   }
   if (space.effects().has_friction()) {
-    add_sliding(linear, space, pair, all, loads, fields);
+    add_sliding(linear, space, pair, all, fields);
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
@@ -258,9 +316,10 @@ VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
 /// Adds the changes of a node's averages.
 void predict(NodalFriction& friction, Index node, const NodeLinearisation& linear, const VectorXd& moved,
              const FacingFields& change) {
-  friction.slip.col(node) += linear.friction.slip_variation * moved;
+  const Eigen::Matrix<double, 6, 1> averages = linear.friction.average_variation * moved;
+  friction.slip.col(node) += averages.head<3>();
+  friction.area_vector.col(node) += averages.tail<3>();
   friction.trial.col(node) += linear.friction.trial_variation * moved;
-  friction.area_vector.col(node) += linear.friction.area_vector_variation * moved;
   friction.convection[node] += convection_change(linear, moved);
   if (!linear.friction.has_fluid()) return;
   friction.pressure[node] += linear.friction.pressure_variation.dot(moved);
@@ -289,7 +348,7 @@ std::size_t bytes_of(const NodalLoads& loads) {
 }
 
 std::size_t bytes_of(const NodeLinearisation::Friction& friction) {
-  return bytes(friction.slip_variation) + bytes(friction.area_vector_variation) + bytes(friction.trial_variation) +
+  return bytes(friction.average_variation) + bytes(friction.area_variation) + bytes(friction.trial_variation) +
          bytes(friction.convection) + bytes(friction.work) + bytes(friction.pressure_variation) +
          bytes(friction.pressure_weights);
 }
@@ -313,8 +372,7 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
     if (around[node].empty() && !space.has_unknown_multipliers()) return;
     nodes[node] = zero_linearisation(space, space.node_patch(node, around[node]));
     if (nodes[node].friction.empty()) return;
-    nodes[node].friction.convection = convection_around(facing, space.past().primary, node, around[node],
-                                                        nodes[node].patch.primary);
+    nodes[node].friction.convection = convection_around(space, node, around[node], nodes[node].patch.primary);
   });
   const auto linear_pair = [&](Index index) {
     const FacetPair& pair = facing.pairs()[index];
@@ -328,6 +386,9 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
       const int node = pair.patch.primary[a];
       if (loads.in_contact[node]) scatter(pair, a, nodes[node]);
     }
+  });
+  in_parallel(nodes.count(), [&](Index node) {
+    if (loads.in_contact[node] && !nodes[node].friction.empty()) divide_by_area(nodes[node].friction, loads, node);
   });
   return nodes;
 }
@@ -362,8 +423,14 @@ Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorX
   return change;
 }
 
+bool LinearisationPoint::is_at(const FacingFields& fields) const {
+  return primary.position == fields.primary.position && secondary.position == fields.secondary.position &&
+         primary.scalar == fields.primary.scalar && secondary.scalar == fields.secondary.scalar;
+}
+
 NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) const {
   NodalLoads predicted = loads;
+  if (is_at(fields)) return predicted;
   const SurfaceFields first = change(primary, fields.primary);
   const SurfaceFields second = change(secondary, fields.secondary);
   in_parallel(nodes.count(), [&](Index node) {

@@ -5,6 +5,8 @@
 
 namespace mixture_contact {
 
+using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
 /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
 /// Where multipliers are unknowns every node has one, out of contact of its multipliers alone.
 struct NodeLinearisation {
@@ -15,13 +17,13 @@ struct NodeLinearisation {
   };
   /// Of what friction depends on; empty without friction. Rows are components.
   struct Friction {
-    Matrix3Xd slip_variation;         ///< ds_a/du, columns in the order of gap_variation
-    Matrix3Xd area_vector_variation;  ///< d(NodalFriction::area_vector)/du, alike
-    Matrix3Xd trial_variation;        ///< dtau_a/du, alike
-    Matrix3Xd convection;             ///< C_b: F_a = sum_b x_b C_b^T over the primary nodes of the patch
-    VectorXd work;                    ///< sum_q w psi_a |a| h, one per node of the patch: times t_T the virtual work
-    VectorXd pressure_variation;      ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
-    VectorXd pressure_weights;        ///< with the values of p~, one per node of the patch; empty without fluid
+    Matrix6Xd average_variation;  ///< of s_a and of NodalFriction::area_vector, columns as gap_variation's order
+    VectorXd area_variation;      ///< of the node's area, alike
+    Matrix3Xd trial_variation;    ///< dtau_a/du, alike
+    Matrix3Xd convection;         ///< C_b: F_a = sum_b x_b C_b^T over the primary nodes of the patch
+    VectorXd work;                ///< sum_q w psi_a |a| h, one per node of the patch: times t_T the virtual work
+    VectorXd pressure_variation;  ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
+    VectorXd pressure_weights;    ///< with the values of p~, one per node of the patch; empty without fluid
 
     int pressure_field = 0;  ///< as Effects has it
 
@@ -63,6 +65,7 @@ struct LinearisationPoint {
   VectorXd equation_weights;               ///< of the equations of unknown multipliers
 
   bool is_linearised() const { return !nodes.empty(); }
+  bool is_at(const FacingFields& fields) const;
   /// Its averages, with status and loads of the point, as they vary to another state.
   NodalLoads predicted_averages(const FacingFields& fields) const;
   std::size_t memory() const;

@@ -18,9 +18,11 @@ PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::
   contact.loads.traction = {contact.psi.dot(traction), 0.0};
   contact.loads.traction_slope = contact.psi_gradient.transpose() * traction;
   if (!loads.friction.empty()) {
-    const FacetCoordinates friction = facet_coordinates(facet, loads.friction.traction);
-    contact.loads.friction = friction * contact.psi;
-    contact.loads.friction_slope = friction * contact.psi_gradient;
+    for (Index a = 0; a < facet.count(); ++a) {
+      const Vector3d nodal = loads.friction.traction.col(facet.node(a));
+      contact.loads.friction += contact.psi[a] * nodal;
+      contact.loads.friction_slope += nodal.lazyProduct(contact.psi_gradient.row(a));
+    }
   }
   contact.loads.weight = place.weight;
   contact.loads.time_increment = dt;

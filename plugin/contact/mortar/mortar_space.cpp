@@ -47,6 +47,12 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   return sums;
 }
 
+std::size_t bytes_of(const IndexedVector<IndexedVector<Convection>>& convections) {
+  std::size_t sum = bytes(convections);
+  for (const IndexedVector<Convection>& facet : convections) sum += bytes(facet);
+  return sum;
+}
+
 }  // namespace
 
 MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
@@ -59,6 +65,17 @@ MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondar
       offset_(settings.gap.offset),
       friction_(settings.friction),
       effect_times_(effects.scalar_fields()) {}
+
+void MortarSpace::measure_slips_from(const FacingPositions& past) {
+  past_ = {{past.primary, past.secondary}};
+  const IndexedVector<Facet>& facets = facing_.primary().facets;
+  convections_ = IndexedVector<IndexedVector<Convection>>(facets.count());
+  in_parallel(facets.count(), [&](Index index) {
+    const FacetCoordinates x = facet_coordinates(facets[index], past.primary);
+    for (Index corner = 0; corner < x.cols(); ++corner)
+      convections_[index].push_back(convection(facets[index], corner, x));
+  });
+}
 
 FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
   FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
@@ -132,7 +149,8 @@ NodalLoads MortarSpace::averages(NodalGaps gaps, const FacingFields& fields, Con
 }
 
 std::size_t MortarSpace::memory() const {
-  return facing_.memory() + weights_.memory() + bytes(past_[Side::primary]) + bytes(past_[Side::secondary]);
+  return facing_.memory() + weights_.memory() + bytes_of(convections_) + bytes(past_[Side::primary]) +
+         bytes(past_[Side::secondary]);
 }
 
 Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {

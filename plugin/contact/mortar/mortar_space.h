@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/timings.h"
+#include "geometry/slip.h"
 #include "integration/facing_pairs.h"
 #include "law/nodal_loads.h"
 #include "mortar/boundary_weights.h"
@@ -29,8 +30,10 @@ class MortarSpace {
   }
 
   /// Slips are measured from these positions, of an accepted state.
-  void measure_slips_from(const FacingPositions& past) { past_ = {{past.primary, past.secondary}}; }
+  void measure_slips_from(const FacingPositions& past);
   FacingPositions past() const { return seen_from(Side::primary, past_); }
+  /// Of the nodes of a primary facet, from where the surfaces lay when the step began.
+  const IndexedVector<Convection>& convections(int primary_facet) const { return convections_[primary_facet]; }
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
   /// Where the pairs were found.
@@ -64,6 +67,7 @@ class MortarSpace {
   bool symmetric_;
   double offset_;
   const FrictionRule& friction_;
+  IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node, where there is friction
   PerSide<Matrix3Xd> past_;             ///< primary and secondary positions as the step began, where there is friction
   mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
 };

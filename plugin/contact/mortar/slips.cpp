@@ -21,34 +21,34 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   if (!facing.has_node_among(pair, in_contact)) return sums;
   const Index count = facing.primary_facet(pair).count();
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
+  const PastFacets past = past_facets(space, pair);
   sums = {FacetCoordinates::Zero(3, count), FacetCoordinates::Zero(3, count), FacetVector::Zero(count)};
   for (std::size_t q = 0; q < pair.points.size(); ++q) {
     const IntegrationPoint& place = pair.points[q];
     const PointKinematics& point = pair.kinematics[q];
     const FacetVector share = place.weight * space.shape(pair.primary, place.sub_facet, place.xi).value;
-    sums.slip += point.area * slip(past_point(space, pair, point)) * share.transpose();
-    sums.area_vector += point.area_vector * share.transpose();
+    const Vector3d slipped = point.area * slip(past_point(point, past.primary, past.secondary));
+    sums.slip += slipped.lazyProduct(share.transpose());
+    sums.area_vector += point.area_vector.lazyProduct(share.transpose());
     sums.pressure += pressure_at(pressure, point) * point.area * share;
   }
   return sums;
 }
 
-/// Has the primary facets of pairs around a node used: with their area there when the step began and the coefficients
-/// of convection(), one column per node of the facet. Returns the sum of the areas.
+/// Has the primary facets of pairs around a node used: with their convection there. Returns the sum of the areas.
 template <class Use>
-double for_each_facet_around(const FacingPairs& facing, const Matrix3Xd& past, Index node,
-                             const std::vector<const FacetPair*>& pairs, const Use& use) {
+double for_each_facet_around(const MortarSpace& space, Index node, const std::vector<const FacetPair*>& pairs,
+                             const Use& use) {
   double areas = 0;
   int done = -1;
   for (const FacetPair* pair : pairs) {
     if (pair->primary == done) continue;  // pairs come in the order of their primary facets
     done = pair->primary;
-    const Facet& facet = facing.primary_facet(*pair);
-    const FacetCoordinates x = facet_coordinates(facet, past);
+    const Facet& facet = space.facing().primary_facet(*pair);
     const Index corner = std::find(facet.begin(), facet.end(), node) - facet.begin();
-    const double area = area_at_node(facet, corner, x);
-    use(facet, area, convection(facet, corner, x));
-    areas += area;
+    const Convection& there = space.convections(pair->primary)[corner];
+    use(facet, there);
+    areas += there.area;
   }
   return areas;
 }
@@ -84,31 +84,31 @@ void set_convection(NodalFriction& friction, const MortarSpace& space, const Nod
   friction.convection.fill(around.count(), Eigen::Matrix3d::Zero());
   in_parallel(around.count(), [&](Index node) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    const auto add = [&](const Facet& facet, double area, const FacetCoordinates& c) {
-      sum += area * facet_coordinates(facet, x1).lazyProduct(c.transpose());
+    const auto add = [&](const Facet& facet, const Convection& there) {
+      sum += there.area * facet_coordinates(facet, x1).lazyProduct(there.coefficients.transpose());
     };
-    const double areas = for_each_facet_around(space.facing(), space.past().primary, node, around[node], add);
+    const double areas = for_each_facet_around(space, node, around[node], add);
     if (areas > 0) friction.convection[node] = sum / areas;
   });
 }
 
-Matrix3Xd convection_around(const FacingPairs& facing, const Matrix3Xd& past, Index node,
-                            const std::vector<const FacetPair*>& pairs, const IndexedVector<int>& primary) {
+Matrix3Xd convection_around(const MortarSpace& space, Index node, const std::vector<const FacetPair*>& pairs,
+                            const IndexedVector<int>& primary) {
   Matrix3Xd sum = Matrix3Xd::Zero(3, primary.count());
-  const auto add = [&](const Facet& facet, double area, const FacetCoordinates& c) {
-    for (Index b = 0; b < c.cols(); ++b) {
+  const auto add = [&](const Facet& facet, const Convection& there) {
+    for (Index b = 0; b < there.coefficients.cols(); ++b) {
       const auto column = std::find(primary.begin(), primary.end(), facet.node(b)) - primary.begin();
-      sum.col(column) += area * c.col(b);
+      sum.col(column) += there.area * there.coefficients.col(b);
     }
   };
-  const double areas = for_each_facet_around(facing, past, node, pairs, add);
+  const double areas = for_each_facet_around(space, node, pairs, add);
   return areas > 0 ? Matrix3Xd(sum / areas) : sum;
 }
 
-PastPoint past_point(const MortarSpace& space, const FacetPair& pair, const PointKinematics& point) {
+PastFacets past_facets(const MortarSpace& space, const FacetPair& pair) {
   const FacingPositions past = space.past();
-  return past_point(point, facet_coordinates(space.facing().primary_facet(pair), past.primary),
-                    facet_coordinates(space.facing().secondary_facet(pair), past.secondary));
+  return {facet_coordinates(space.facing().primary_facet(pair), past.primary),
+          facet_coordinates(space.facing().secondary_facet(pair), past.secondary)};
 }
 
 BearingPressure bearing_pressure(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields) {
@@ -131,8 +131,8 @@ double pressure_at(const BearingPressure& pressure, const PointKinematics& point
 PairVariation<1> pressure_variation(const BearingPressure& pressure, const PointKinematics& point,
                                     const KinematicVariations& vary) {
   if (pressure.empty()) return PairVariation<1>::Zero(vary.gap.size());
-  if (pressure.first == 0) return (pressure.value.transpose() * point.primary_gradient) * vary.xi;
-  return (pressure.value.transpose() * point.secondary_gradient) * vary.eta;
+  if (pressure.first == 0) return (pressure.value.transpose() * point.primary_gradient).eval().lazyProduct(vary.xi);
+  return (pressure.value.transpose() * point.secondary_gradient).eval().lazyProduct(vary.eta);
 }
 
 PairVector pressure_weights(const BearingPressure& pressure, const PointKinematics& point) {

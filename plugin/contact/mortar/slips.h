@@ -16,10 +16,15 @@ void set_convection(NodalFriction& friction, const MortarSpace& space, const Nod
 /// F_a = sum_b x_b C_b^T: the mean over the primary facets around a node that face the other surface, weighted with
 /// their areas there when the step began. `pairs`: those around the node; one column per node of `primary`, which holds
 /// all nodes of these facets.
-Matrix3Xd convection_around(const FacingPairs& facing, const Matrix3Xd& past, Index node,
-                            const std::vector<const FacetPair*>& pairs, const IndexedVector<int>& primary);
+Matrix3Xd convection_around(const MortarSpace& space, Index node, const std::vector<const FacetPair*>& pairs,
+                            const IndexedVector<int>& primary);
 
-PastPoint past_point(const MortarSpace& space, const FacetPair& pair, const PointKinematics& point);
+/// Nodes of both facets of a pair, where they were when the step began.
+struct PastFacets {
+  FacetCoordinates primary;
+  FacetCoordinates secondary;
+};
+PastFacets past_facets(const MortarSpace& space, const FacetPair& pair);
 
 /// The fluid pressure that bears a part of the load, as it acts on the nodes of one facet of a pair.
 struct BearingPressure {

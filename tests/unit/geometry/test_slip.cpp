@@ -44,8 +44,8 @@ BOOST_AUTO_TEST_CASE(the_variation_of_the_slip_matches_differences_for_every_pai
     const PointKinematics point = contact.now.kinematics(contact.now.unknowns);
     const PastPoint past = contact.past_point(point);
     // The point is fixed on its facet: the slope of the normal does not matter.
-    const PairVariation<3> exact = slip_variation(past, Eigen::Matrix<double, 3, 2>::Zero(),
-                                                  kinematic_variations(point));
+    const SlipSlope slope = slip_slope(past, Eigen::Matrix<double, 3, 2>::Zero());
+    const MatrixXd exact = slope.with_eta * kinematic_variations(point).eta;
     const MatrixXd approximate = differences([&](const VectorXd& q) -> VectorXd { return contact.slip_at(q); },
                                              contact.now.unknowns);
     worst = std::max(worst, relative_error(approximate, exact));
@@ -66,11 +66,8 @@ BOOST_AUTO_TEST_CASE(the_variation_with_the_place_matches_differences_for_every_
     };
     const auto slip_at = [&](const VectorXd& xi) -> VectorXd { return slip(past_point(point_at(xi), past1, past2)); };
     const PastPoint past = past_point(point_at(now.xi), past1, past2);
-    KinematicVariations vary;
-    vary.eta.setZero(2, 2);
-    vary.xi.setIdentity(2, 2);
     const Eigen::Matrix3d curvature = past1 * shape_hessian(now.primary, now.xi);
-    const MatrixXd exact = slip_variation(past, normal_slope(past, curvature), vary);
+    const MatrixXd exact = slip_slope(past, normal_slope(past, curvature)).with_xi;
     worst = std::max(worst, relative_error(differences(slip_at, now.xi), exact));
   });
   BOOST_TEST(worst <= difference_tolerance);
@@ -105,7 +102,7 @@ BOOST_AUTO_TEST_CASE(convection_turns_and_stretches_with_the_facet) {
     Facet facet;
     facet.type = type;
     for (Index corner = 0; corner < past.cols(); ++corner) {
-      const FacetCoordinates c = convection(facet, corner, past);
+      const FacetCoordinates c = convection(facet, corner, past).coefficients;
       const FacetGradient gradient = shape_functions(type, parametric_node(type, static_cast<int>(corner))).gradient;
       const Eigen::Matrix<double, 3, 2> tangents = past * gradient;
       const Vector3d normal = tangents.col(0).cross(tangents.col(1)).normalized();
@@ -122,5 +119,5 @@ BOOST_AUTO_TEST_CASE(a_facet_without_area_carries_nothing) {
   Facet facet;
   facet.type = FacetType::tri3;
   const FacetCoordinates point = FacetCoordinates::Zero(3, 3);
-  BOOST_TEST(convection(facet, 0, point).norm() == 0.0);
+  BOOST_TEST(convection(facet, 0, point).coefficients.norm() == 0.0);
 }
