@@ -24,8 +24,7 @@ Vector3d slip(const PastPoint& past);
 /// Derivative of the unit normal with xi. `curvature`: columns X1,11, X1,22, X1,12.
 Eigen::Matrix<double, 3, 2> normal_slope(const PastPoint& past, const Eigen::Matrix3d& curvature);
 
-/// How the slip varies with the present nodal positions: the points that face each other change, dr = r,eta deta +
-/// r,xi dxi.
+/// How the slip varies with the present nodal positions, as other points face each other: dr = r,eta deta + r,xi dxi.
 struct SlipSlope {
   Eigen::Matrix<double, 3, 2> with_eta;
   Eigen::Matrix<double, 3, 2> with_xi;
@@ -36,9 +35,8 @@ SlipSlope slip_slope(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& n
 
 /// How the surface around a node of a facet has moved since the step began, F = x,alpha (X) X^alpha.
 struct Convection {
-  FacetCoordinates
-      coefficients;  ///< C_b, one column per node: F = sum_b x_b C_b^T, linear in the present positions x_b
-  double area;       ///< |X,1 x X,2| at the node
+  FacetCoordinates coefficients;  ///< C_b, one column per node: F = sum_b x_b C_b^T, linear in present positions x_b
+  double area;                    ///< |X,1 x X,2| at the node
 };
 
 /// F takes a vector of the tangent plane then to what it is now, turned with the surface and stretched with it, and

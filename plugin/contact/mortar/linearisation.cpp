@@ -191,13 +191,13 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
 /// What friction needs of a point, whichever of its nodes is looked at. The averages around node a are sums of
 /// w psi_a y over the points, y = (|a| r, a), divided by its area A_a.
 struct SlidingPoint {
-  Eigen::Matrix<double, 6, 1> value;  ///< y
-  PairVariation<6> variation;         ///< dy + y dw/w
-  PairVector work;                    ///< |a| h
-  bool moves;                         ///< whether the point wanders over the primary facet
-  double pressure = 0;                ///< |a| (p~ - p*), its variation alike, and its weights with p~
-  PairVariation<1> pressure_variation = {};
-  PairVector pressure_weights = {};
+  Eigen::Matrix<double, 6, 1> value;    ///< y
+  PairVariation<6> variation;           ///< dy + y dw/w
+  PairVector work;                      ///< |a| h
+  bool moves = false;                   ///< whether the point wanders over the primary facet
+  double pressure = 0;                  ///< |a| (p~ - p*); without fluid the next two are empty
+  PairVariation<1> pressure_variation;  ///< of |a| (p~ - p*) at fixed nodal values, plus it times dw/w
+  PairVector pressure_weights;          ///< |a| (p~ - p*) with the values of p~
 };
 
 void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const VaryingPoint& point) {

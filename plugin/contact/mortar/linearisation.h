@@ -17,7 +17,7 @@ struct NodeLinearisation {
   };
   /// Of what friction depends on; empty without friction. Rows are components.
   struct Friction {
-    Matrix6Xd average_variation;  ///< of s_a and of NodalFriction::area_vector, columns as gap_variation's order
+    Matrix6Xd average_variation;  ///< of s_a and NodalFriction::area_vector, columns in gap_variation's order
     VectorXd area_variation;      ///< of the node's area, alike
     Matrix3Xd trial_variation;    ///< dtau_a/du, alike
     Matrix3Xd convection;         ///< C_b: F_a = sum_b x_b C_b^T over the primary nodes of the patch
@@ -65,6 +65,7 @@ struct LinearisationPoint {
   VectorXd equation_weights;               ///< of the equations of unknown multipliers
 
   bool is_linearised() const { return !nodes.empty(); }
+  /// Whether fields are those of the point, which predicts no change then.
   bool is_at(const FacingFields& fields) const;
   /// Its averages, with status and loads of the point, as they vary to another state.
   NodalLoads predicted_averages(const FacingFields& fields) const;
