@@ -48,6 +48,7 @@ struct PointShare {
   double value;
   Eigen::RowVector2d slope;
 
+  bool is_zero() const { return value == 0 && slope.isZero(0); }
   /// d(w psi_a)
   PairVariation<1> variation(const KinematicVariations& vary) const { return value * vary.weight + slope * vary.xi; }
 };
