@@ -6,7 +6,7 @@ from functools import partial
 
 from harness.indentation import command as indentation
 from harness.pages import command as pages
-from harness.pages import command_reference
+from harness.pages import command_reference, front
 from harness.pages.gallery import command as gallery
 from harness.studies.cost import command as cost
 from harness.studies.cost import page as cost_page
@@ -68,6 +68,7 @@ pages.PAGES.update({page.name: page for page in PAGES})
 pages.PAGES[command_reference.PAGE] = partial(
     command_reference.page, (*FOR_EVERYBODY, *_OF_THE_REPOSITORY), FOR_EVERYBODY
 )
+pages.PAGES[front.PAGE] = front.page
 
 app = commands(*FOR_EVERYBODY, *_OF_THE_REPOSITORY)
 

@@ -10,7 +10,7 @@ import pytest
 
 from harness import cli
 from harness.errors import DataFileError
-from harness.pages import evidence
+from harness.pages import evidence, front
 from harness.pages.evidence import EvidencePage
 from harness.paths import DOCS, REPOSITORY
 from harness.run.provenance import Stamp
@@ -80,10 +80,19 @@ def test_the_results_of_each_page_have_one_stamp(made):
 @pytest.mark.parametrize("path", PROSE, ids=lambda path: path.name)
 def test_measured_figures_stand_on_pages_of_evidence_alone(path):
     text = path.read_text(encoding="utf-8")
-    for constant in DEFINITIONS:
+    for constant in (*DEFINITIONS, *front.quoted(text)):
         text = text.replace(constant, "")
     found = [line for line in text.splitlines() if MEASURED.search(line)]
     assert found == []
+
+
+def test_readme_quotes_what_each_page_says_first():
+    text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
+    assert text == front.page()
+    pages = ("verification", "hard-cases", "cost", "price")
+    assert [line.split("](")[1].split(")")[0] for line in front.quoted(text)] == [
+        f"docs/evidence/{name}.md" for name in pages
+    ]
 
 
 OF_FEBIO = "augmentation # 1"

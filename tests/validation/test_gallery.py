@@ -54,6 +54,14 @@ def test_solute_enters_the_joint_with_each_layer_holding_its_share(shown):
     assert curves.force.argmax() == len(curves.times) - 1, "the load peaks at the end of the cycle"
 
 
+def test_solute_of_the_upper_layer_crosses_into_the_lower_one(shown):
+    """The fluid has none, so that what the lower layer gains comes across the contact."""
+    _, _, curves = shown("joint-release")
+    assert curves.contents["upper"][-1] < 0.97 * curves.contents["upper"][0]
+    assert curves.contents["lower"][0] == 0.0
+    assert curves.contents["lower"][-1] > 0.01 * curves.contents["upper"][0]
+
+
 def test_the_graft_takes_up_what_the_host_hands_on(shown):
     _, _, curves = shown("graft")
     graft = curves.contents["graft"]

@@ -284,10 +284,11 @@ void MovingGeometry::for_each_coupling(const UsePatch& use) const {
   } else {
     for_each_node_patch(space_, in_contact, use_node);
   }
-  if (!space_.has_unknown_multipliers()) return;
   // The change of the geometry couples the nodes of a pair also where the method does not.
   for (const FacetPair& pair : space_.facing().pairs()) {
-    if (space_.facing().has_node_among(pair, in_contact)) use_part(space_.facing().patch(pair));
+    if (!space_.facing().has_node_among(pair, in_contact)) continue;
+    if (space_.has_unknown_multipliers() || !space_.is_averaged_over(pair, in_contact))
+      use_part(space_.facing().patch(pair));
   }
 }
 

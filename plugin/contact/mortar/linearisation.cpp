@@ -41,6 +41,7 @@ struct PairLinearisation {
     MatrixXd weights;
   };
   Patch patch;
+  IndexedVector<bool> is_averaged;  ///< per node: whether its averages are taken over points of the pair
   MatrixXd gap_variation;
   MatrixXd traction_work;
   IndexedVector<Jump> jumps;
@@ -78,6 +79,7 @@ PairLinearisation zero_linearisation(const MortarSpace& space, const FacetPair& 
   linear.patch = space.facing().patch(pair);
   const LocalLayout layout = linear.patch.of_displacements().layout();
   const Index corners = layout.primary_nodes();
+  linear.is_averaged.assign(linear.patch.primary.size(), false);
   if (linear.patch.displacements) linear.gap_variation.setZero(layout.size(), corners);
   linear.traction_work = linear.gap_variation;
   const PairLinearisation::Jump none{linear.gap_variation, MatrixXd::Zero(layout.nodes(), corners)};
@@ -136,7 +138,7 @@ PairVariation<1> weighted_area_variation(const VaryingPoint& point) {
   return point.vary.area + point.contact.kinematics.area * point.vary.weight;
 }
 
-/// For all nodes in contact.
+/// For all nodes in contact whose averages are taken over it.
 std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<VaryingPoint>& points,
                                        const NodeFlags& in_contact) {
   std::vector<CornerPoint> found;
@@ -149,6 +151,7 @@ std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<Var
       if (!in_contact[facet.node(a)]) continue;
       const double share = weight * contact.psi[a];
       const Eigen::RowVector2d slope = weight * contact.psi_gradient.row(a);
+      if (share == 0 && slope.isZero(0)) continue;
       found.push_back({at(points, q), q, a, facet.node(a), share, slope.lazyProduct(vary.xi), {}});
       found.back().area = share * darea + contact.kinematics.area * found.back().wandering;
     }
@@ -287,6 +290,7 @@ PairLinearisation linearise_pair(const MortarSpace& space, const FacetPair& pair
   const LocalLayout layout = patch.of_displacements().layout();
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   const std::vector<CornerPoint> all = corner_points(space.facing().primary_facet(pair), points, loads.in_contact);
+  for (const CornerPoint& at : all) linear.is_averaged[at.corner] = true;
   if (patch.displacements) {
     for (const CornerPoint& at : all) add_gap(linear, layout, loads, at);
     laps.traction();
@@ -383,8 +387,7 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
   };
   in_order(facing.pairs().count(), linear_pair, [&](Index /*index*/, const PairLinearisation& pair) {
     for (Index a = 0; a < pair.patch.primary.count(); ++a) {
-      const int node = pair.patch.primary[a];
-      if (loads.in_contact[node]) scatter(pair, a, nodes[node]);
+      if (pair.is_averaged[a]) scatter(pair, a, nodes[pair.patch.primary[a]]);
     }
   });
   in_parallel(nodes.count(), [&](Index node) {

@@ -153,6 +153,20 @@ std::size_t MortarSpace::memory() const {
          bytes(past_[Side::secondary]);
 }
 
+bool MortarSpace::is_averaged_over(const FacetPair& pair, Index node) const {
+  const Facet& facet = facing_.primary_facet(pair);
+  const Index a = std::find(facet.begin(), facet.end(), node) - facet.begin();
+  return std::any_of(pair.points.begin(), pair.points.end(), [&](const IntegrationPoint& point) {
+    const ShapeFunctions psi = shape(pair.primary, point.sub_facet, point.xi);
+    return psi.value[a] != 0 || !psi.gradient.row(a).isZero(0);
+  });
+}
+
+bool MortarSpace::is_averaged_over(const FacetPair& pair, const NodeFlags& nodes) const {
+  const Facet& facet = facing_.primary_facet(pair);
+  return std::any_of(facet.begin(), facet.end(), [&](int node) { return nodes[node] && is_averaged_over(pair, node); });
+}
+
 Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {
   Patch patch;
   patch.displacements = effects().traction;
@@ -161,7 +175,9 @@ Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& p
     for (int field = 0; field < effects().scalar_fields(); ++field) patch.fields.push_back(field);
   }
   for (const FacetPair* pair : pairs) {
-    merge_unique(patch.primary, facing_.primary_facet(*pair));
+    const bool is_averaged = is_averaged_over(*pair, node);
+    if (is_averaged || effects().has_friction()) merge_unique(patch.primary, facing_.primary_facet(*pair));
+    if (!is_averaged) continue;
     merge_unique(patch.secondary, facing_.secondary_facet(*pair));
     merge_unique(patch.fields, facing_.exchanged_fields(*pair));
   }

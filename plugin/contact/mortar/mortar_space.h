@@ -43,7 +43,12 @@ class MortarSpace {
 
   /// Whether multipliers are unknowns, so that every node has equations of its own.
   bool has_unknown_multipliers() const { return unknown_multipliers_; }
-  /// The nodes and fields that the averages of a node are taken over, given the pairs around it.
+  /// Whether the averages of a node of a pair's primary facet, or of any that is among those given, are taken over
+  /// points of the pair: the psi_a of a quadratic facet's node is zero on the sub-facets that do not have the node.
+  bool is_averaged_over(const FacetPair& pair, Index node) const;
+  bool is_averaged_over(const FacetPair& pair, const NodeFlags& nodes) const;
+  /// The nodes and fields that the averages of a node are taken over, given the pairs around it; with friction also the
+  /// nodes of all facets around it, which it convects with.
   Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
   /// What the rows of one field of a patch depend on.
   Patch columns_of(const Patch& patch, int field) const;

@@ -1,8 +1,9 @@
-"""Gallery: a section of a joint, cartilage on cartilage, takes up solute from the synovial fluid under cyclic load."""
+"""Gallery: a section of a joint under cyclic load, with solute from the synovial fluid or from one of its layers."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,14 +19,18 @@ from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
     UNCLAMPED,
+    Condition,
     Control,
     Curve,
     Mixture,
+    Param,
     Solid,
     Solute,
     ambient,
     displace,
     fix,
+    initial_concentration,
+    initial_pressure,
 )
 
 RADIUS = 15.0
@@ -48,15 +53,35 @@ CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3, solutes=(Solute(1, diffu
 LOADING, FILLING = 1, 2
 """Numbers of the load curves."""
 
-ABOUT = """\
+EFFECTIVE_PRESSURE = -GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * AMBIENT
+"""MPa, where the concentration is `AMBIENT` and the fluid pressure 0."""
+
+SECTION = """\
+Two layers of 1 mm on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by
+0.05 to 0.15 mm and back, with a period of 20 s. """
+SYMMETRY = """By symmetry half is modelled, as a
+layer of one element with no displacement along z."""
+UPTAKE = f"""\
 Cartilage on cartilage: a section of a joint that takes up solute from the synovial fluid under cyclic loading.
 
-Two layers of 1 mm on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by
-0.05 to 0.15 mm and back, with a period of 20 s. The layers hold no solute at first. The synovial fluid wets what is
+{SECTION}The layers hold no solute at first. The synovial fluid wets what is
 not in contact; within the first cycle its concentration rises to 1 mM, and its effective pressure falls to
 -R T c = -0.0024776 MPa with it, so that its fluid pressure is 0. The edge of the contact moves with each cycle: what
-was at ambient values is in contact, and solute is handed from layer to layer. By symmetry half is modelled, as a
-layer of one element with no displacement along z."""
+was at ambient values is in contact, and solute is handed from layer to layer. {SYMMETRY}"""
+RELEASE = f"""\
+Cartilage on cartilage: a section of a joint in which solute crosses from one layer into the other under cyclic loading.
+
+{SECTION}The upper layer holds 1 mM of a solute at first, at an
+effective pressure of -R T c = -0.0024776 MPa, so that its fluid pressure is 0; the lower layer and the synovial fluid
+hold none. The solute leaves into the fluid where the surface is open, and crosses the contact into the lower layer
+where it is closed. {SYMMETRY}"""
+
+
+class Source(Enum):
+    """Where the solute is at first."""
+
+    FLUID = UPTAKE
+    UPPER = RELEASE
 
 
 @dataclass(frozen=True)
@@ -73,6 +98,7 @@ class Joint:
         Time steps in a cycle.
     across, through : int
         Elements along the half-width and through the thickness of each layer.
+    source : Source
     """
 
     interface: InterfaceType = InterfaceType.MIXTURE
@@ -81,6 +107,7 @@ class Joint:
     steps: int = 20
     across: int = 24
     through: int = 8
+    source: Source = Source.FLUID
     name: str = "joint"
     plot: bool = False
 
@@ -93,12 +120,12 @@ class Joint:
             fix("upper-bone", "x"),
             fix("symmetry", "x"),
             displace("upper-bone", "y", -MOST, LOADING),
+            *self._filled(),
         )
-        outside = ambient(-GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * AMBIENT, AMBIENT, FILLING)
-        settings = replace(self.settings, extra=(*self.settings.extra, *outside))
+        settings = replace(self.settings, extra=(*self.settings.extra, *self._outside()))
         return Model(
             self.name,
-            header(self.name, ABOUT, self.interface),
+            header(self.name, self.source.value, self.interface),
             UNCLAMPED.module,
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE},
@@ -110,6 +137,16 @@ class Joint:
             further_columns=("Rx", "Ry", "Rz"),
         )
 
+    def _filled(self) -> tuple[Condition, ...]:
+        """What the layers hold at first."""
+        if self.source is Source.FLUID:
+            return ()
+        return initial_pressure("upper", EFFECTIVE_PRESSURE), initial_concentration("upper", AMBIENT)
+
+    def _outside(self) -> tuple[Param, ...]:
+        """Ambient values: those of a fluid that fills with solute, or of one without."""
+        return ambient(EFFECTIVE_PRESSURE, AMBIENT, FILLING) if self.source is Source.FLUID else ambient(0.0, 0.0)
+
     def _mesh(self) -> Mesh:
         """Both layers; the surfaces of the joint touch at x = 0."""
         node_sets = {
@@ -117,6 +154,7 @@ class Joint:
             "symmetry": plane("x", 0.0),
             "lower-bone": plane("y", -THICKNESS, "lower"),
             "upper-bone": Chosen("upper", _above(THICKNESS)),
+            **({} if self.source is Source.FLUID else {"upper": everywhere("upper")}),
         }
         surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", _above(0.0))}
         bodies = {"lower": self._lower(), "upper": self._upper()}

@@ -142,6 +142,25 @@ std::set<Entry> of_facing_facets(const Scene& scene) {
   return entries;
 }
 
+/// The entries that the tangent fills with values other than zero, made symmetric, since profiles are.
+std::set<Entry> other_than_zero(const Scene& scene) {
+  const GlobalLayout layout(scene);
+  const auto contact = scene.contact();
+  std::set<Entry> entries;
+  contact->tangent(scene.fields, 1, [&](const auto& rows, const auto& columns, const MatrixXd& values) {
+    const std::vector<Index> row = layout.entries(rows);
+    const std::vector<Index> column = layout.entries(columns);
+    for (Index i = 0; i < values.rows(); ++i) {
+      for (Index j = 0; j < values.cols(); ++j) {
+        if (values(i, j) == 0) continue;
+        entries.emplace(at(row, i), at(column, j));
+        entries.emplace(at(column, j), at(row, i));
+      }
+    }
+  });
+  return entries;
+}
+
 /// Pairs of nodes no further than two apart along a line of `cells` elements.
 constexpr std::size_t near_pairs_on_a_line = 5 * cells - 1;
 
@@ -192,5 +211,29 @@ BOOST_AUTO_TEST_CASE(unknown_multipliers_couple_only_nodes_of_facets_that_face_e
     BOOST_TEST(std::includes(profile.begin(), profile.end(), tangent.begin(), tangent.end()));
     for (Index multiplier = layout.nodal_size(); multiplier < layout.size(); ++multiplier)
       BOOST_TEST(tangent.count({multiplier, multiplier}) == 1U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_of_quadratic_facets_have_entries_only_with_what_their_averages_are_taken_over) {
+  for (const FacetType type : {FacetType::tri6, FacetType::tri7, FacetType::quad8, FacetType::quad9}) {
+    Scene scene(facing_grids(type, FacetType::quad4, 0.05, 2, 5), effects_of(false, 0), explicit_settings(3, 2, 5));
+    scene.settings.integration = Integration::segments;
+    std::mt19937 random(1);
+    scene.disturb(0.005, random);
+    const std::set<Entry> profile = in_profile(scene);
+    BOOST_TEST(!profile.empty());
+    BOOST_TEST((profile == other_than_zero(scene)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_profile_has_the_places_of_quadratic_facets_that_are_partly_in_contact) {
+  for (const FacetType type : {FacetType::tri6, FacetType::tri7, FacetType::quad8, FacetType::quad9}) {
+    Scene scene(facing_grids(type, type, 0.05, 3, 5), effects_of(true, 1), explicit_settings(3, 2, 5));
+    scene.settings.integration = Integration::segments;
+    Matrix3Xd& x = scene.fields[Side::secondary].position;
+    x.row(2) += 0.1 * x.row(0);
+    const std::set<Entry> profile = in_profile(scene);
+    const std::set<Entry> tangent = in_tangent(scene);
+    BOOST_TEST(std::includes(profile.begin(), profile.end(), tangent.begin(), tangent.end()));
   }
 }

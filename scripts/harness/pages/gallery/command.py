@@ -12,7 +12,7 @@ from harness.pages.gallery import entries, figures, friction, page
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 
-COVER, COVER_PICTURE = "joint", "images/joint-readme.png"
+COVER, COVER_PICTURE = "joint-release", "images/joint-readme.png"
 """The model whose picture stands in README."""
 console = Console(highlight=False, soft_wrap=True)
 

@@ -77,7 +77,7 @@ UPRIGHT = Section(across=0, up=2)
 
 def entries() -> tuple[Entry, ...]:
     """All models of the gallery: first the article's problems, then those from practice."""
-    return (_diffusion(), _convection(), _indentation(), _joint(), _graft(), _platens())
+    return (_diffusion(), _convection(), _indentation(), _joint(), _release(), _graft(), _platens())
 
 
 def _diffusion() -> Entry:
@@ -125,6 +125,18 @@ def _joint() -> Entry:
         Section(mirrored=True),
         (20.0, 30.0, 190.0, 200.0),
         ("upper-bone", "Ry"),
+    )
+
+
+def _release() -> Entry:
+    released = joint.Joint(source=joint.Source.UPPER, name="joint-release")
+    return Entry(
+        "Cartilage on cartilage, a solute crosses",
+        "What one layer holds, a drug or a contrast agent, goes into the other one and into the synovial fluid.",
+        replace(released, plot=True).model(),
+        replace(released, cycles=1, across=10, through=4).model(),
+        Section(mirrored=True),
+        (20.0, 30.0, 190.0, 200.0),
     )
 
 

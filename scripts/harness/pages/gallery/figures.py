@@ -74,10 +74,11 @@ def draw_cover(entry: Entry, result: RunResult, path: Path) -> Path:
         drawn = draw_bodies(axes, result.model.mesh, entry.section, positions, history["c1"][state])
         axes.set_title(f"after {time:g} s", fontsize=10)
         axes.set_ylim(-1.6, 1.7)
-    _name(places[0], "upper cartilage", (0.0, 0.65), "white")
+    _name(places[0], "upper cartilage, 1 mM at first", (0.0, 0.65), "black")
     _name(places[0], "lower cartilage", (0.0, -0.5), "white")
-    _name(places[0], "synovial fluid\n(1 mM)", (-6.3, 0.55), "black", (-4.1, 0.12))
-    _name(places[1], "contact", (0.0, 0.6), "white", (0.0, 0.0))
+    _name(places[0], "synovial fluid\n(0 mM)", (-6.3, 0.55), "black", (-4.1, 0.12))
+    _name(places[1], "crosses the contact", (0.0, -0.75), "white")
+    _name(places[1], "", (0.0, 0.4), "white", (0.0, -0.6))
     places[1].plot([2.5, 4.5], [-1.25, -1.25], "k-", linewidth=2.0)
     places[1].text(2.3, -1.25, "2 mm", ha="right", va="center", fontsize=8)
     if drawn is not None:
@@ -116,9 +117,20 @@ def _scale(axes: Axes) -> None:
 
 
 def _name(axes: Axes, text: str, at: tuple[float, float], colour: str, of: tuple[float, float] | None = None) -> None:
-    """A name in the picture, with an arrow to what it is of where it stands beside it."""
+    """A name in the picture, outlined, with an arrow to what it is of where it stands beside it."""
     arrow = {"arrowstyle": "->", "color": colour, "linewidth": 0.8} if of else None
-    axes.annotate(text, of or at, xytext=at, ha="center", va="center", fontsize=8, color=colour, arrowprops=arrow)
+    outline = [withStroke(linewidth=1.5, foreground="black" if colour == "white" else "white")]
+    axes.annotate(
+        text,
+        of or at,
+        xytext=at,
+        ha="center",
+        va="center",
+        fontsize=8,
+        color=colour,
+        arrowprops=arrow,
+        path_effects=outline,
+    )
 
 
 def _without_solute(model: Model) -> NDArray[np.bool_]:

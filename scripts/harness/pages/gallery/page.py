@@ -92,7 +92,7 @@ _INTRODUCTION = """\
 
 <!-- Written by `scripts/mixcontact gallery --folder docs`: change scripts/harness/pages/gallery/entries.py instead. -->
 
-Models to start from, each a file in `models/` whose head says what it shows, its units and how to run it. All use
+Models to start from, each a file in `models/` whose head says what is prescribed, its units and how to run it. All use
 mm, N, s, nmol and K; hence MPa, mM = nmol/mm³, mm⁴/(N s) for permeabilities and mm²/s for diffusivities. The pictures
 show the effective concentration over the deformed bodies.
 
@@ -136,11 +136,11 @@ def _anchor(title: str) -> str:
 
 def _section(entry: Entry) -> str:
     name = entry.model.name
-    about = _about(entry.model)
+    first_paragraph = _about(entry.model).split("\n\n")[0]
     return f"""\
 ## {entry.title}
 
-{about}
+{first_paragraph}
 
 {entry.start_here}
 

@@ -73,9 +73,9 @@ def _headline(data: Sequence[Datum], problems: Sequence[Problem]) -> str:
         own = _point(data, problem, Parameter.DEFAULT, 0.0)
         good = [d for d in pareto.comparable(data, problem) if d.interface != OURS]
         best = pareto.cheapest(good, ALIKE * pareto.error_of(own))
-        theirs = f"the best of FEBio's settings {best.iterations}" if best else "no setting of FEBio's reaches it"
-        told.append(f"problem {problem.value}: {pareto.error_of(own):.0e} in {own.iterations} iterations, {theirs}")
-    return f"With nothing set, and beside FEBio's interfaces at up to twice that error: {'; '.join(told)}."
+        theirs = f"{best.iterations} with the best of FEBio's settings" if best else "no setting of FEBio's reaches it"
+        told.append(f"{pareto.error_of(own):.0e} in {own.iterations} iterations in problem {problem.value} ({theirs})")
+    return f"Error with nothing set, and FEBio's interfaces at up to twice that error: {'; '.join(told)}."
 
 
 def _recommended(data: Sequence[Datum], problems: Sequence[Problem], advice: Advice) -> str:

@@ -128,6 +128,20 @@ def _price(name: str, contact: str, runs: Sequence[_Run], reference: Sequence[_R
     )
 
 
+def joints_headline(prices: Sequence[JointPrice]) -> str:
+    """Range of times and iterations over FEBio's, in a sentence, and in how many scenes whose run is not the faster."""
+    pairs = list(zip(prices[::2], prices[1::2], strict=True))
+    ended = [(ours, theirs) for ours, theirs in pairs if ours.ended and theirs.ended]
+    times = [ours.ratio for ours, _ in ended]
+    slower = sum(time > 1.0 for time in times)
+    iterations = [ours.iterations / theirs.iterations for ours, theirs in ended]
+    return (
+        f"On {len(ended)} of {len(pairs)} joints of tetrahedra both it and FEBio's interface end: it takes "
+        f"{min(iterations):.2f} to {max(iterations):.2f} times the iterations, and "
+        f"{min(times):.2f} to {max(times):.2f} times the run's time; FEBio's is the faster on {slower}."
+    )
+
+
 def joints_table(prices: Sequence[JointPrice]) -> str:
     """Both contacts of each scene in one row, as Markdown: ours, then FEBio's."""
     heads = ("scene", "iterations", "retries", "matrices", "time, ours over FEBio's", "our contact, part of the run")

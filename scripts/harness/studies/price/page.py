@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from harness.pages.evidence import DATA, EvidencePage
 from harness.studies import files
 from harness.studies.price.effect_costs import EffectCost
-from harness.studies.price.joints import JointPrice, joints_table
+from harness.studies.price.joints import JointPrice, joints_headline, joints_table
 from harness.studies.price.paired_runs import Price
 from harness.studies.price.scenes import effects_added
 
@@ -36,9 +36,10 @@ def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     costs = files.read_csv(DATA / EFFECTS, EffectCost)
     prices = files.read_csv(DATA / COMPARISON, Price)
+    joints = files.read_csv(DATA / JOINTS, JointPrice)
     return {
-        "headline": _headline(costs),
-        "joints": joints_table(files.read_csv(DATA / JOINTS, JointPrice)),
+        "headline": f"{_headline(costs)} {joints_headline(joints)}",
+        "joints": joints_table(joints),
         "facets": str(next(iter(effects_added().values())).section),
         "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),
         "comparison": comparison_table(prices),

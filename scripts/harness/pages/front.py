@@ -1,0 +1,38 @@
+"""What README quotes of the pages of evidence: beside the link to a page, what that page says first, in bold."""
+
+from __future__ import annotations
+
+import re
+
+from harness.errors import DataFileError
+from harness.paths import REPOSITORY
+
+PAGE = "../README.md"
+"""From docs/."""
+_QUOTED = re.compile(r"^(- \[[^\]]+\]\((docs/evidence/[\w-]+\.md)\)) \*\*.*\*\*$", re.MULTILINE)
+_SAID = re.compile(r"^\*\*(.+)\*\*$", re.MULTILINE)
+
+
+def page() -> str:
+    """README with what the pages say now."""
+    text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
+    return _QUOTED.sub(lambda line: f"{line[1]} **{said_first(line[2])}**", text)
+
+
+def quoted(text: str) -> list[str]:
+    """The lines of a text that quote a page of evidence."""
+    return [line[0] for line in _QUOTED.finditer(text)]
+
+
+def said_first(name: str) -> str:
+    """What a page of evidence says first.
+
+    Raises
+    ------
+    DataFileError
+        For a page that says nothing in bold.
+    """
+    found = _SAID.search((REPOSITORY / name).read_text(encoding="utf-8"))
+    if not found:
+        raise DataFileError(f"{name} has no line in bold that says what it found")
+    return found[1]
