@@ -69,7 +69,7 @@ not in contact; within the first cycle its concentration rises to 1 mM, and its 
 -R T c = -0.0024776 MPa with it, so that its fluid pressure is 0. The edge of the contact moves with each cycle: what
 was at ambient values is in contact, and solute is handed from layer to layer. {SYMMETRY}"""
 RELEASE = f"""\
-Cartilage on cartilage: a section of a joint in which solute crosses from one layer into the other under cyclic loading.
+Cartilage on cartilage: a section of a joint in which solute crosses from layer to layer under cyclic loading.
 
 {SECTION}The upper layer holds 1 mM of a solute at first, at an
 effective pressure of -R T c = -0.0024776 MPa, so that its fluid pressure is 0; the lower layer and the synovial fluid
