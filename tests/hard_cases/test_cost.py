@@ -31,6 +31,20 @@ def test_the_front_holds_what_nothing_else_beats():
 def test_runs_that_failed_and_other_meshes_are_not_compared():
     assert pareto.comparable(DATA, Problem.CONVECTION) == [BASE, CHEAP, POOR]
     assert pareto.comparable(DATA, Problem.DIFFUSION) == []
+    assert pareto.comparable(DATA, Problem.CONVECTION, ended=False) == [FAILED]
+
+
+def test_runs_without_counts_of_iterations_were_stopped_at_the_limit():
+    stopped = replace(FAILED, iterations=0)
+    assert [pareto.was_stopped(datum) for datum in (BASE, FAILED, stopped)] == [False, False, True]
+
+
+@pytest.mark.parametrize("problem", list(Problem))
+def test_runs_that_failed_stand_in_the_picture(tmp_path, problem):
+    data = [replace(datum, problem=problem.value) for datum in DATA]
+    drawn = pareto.draw(data, tmp_path / "cost.svg").read_text()
+    assert drawn.count('id="failed sliding-mixture"') == 1
+    assert "did not end" in drawn
 
 
 def test_the_answer_is_the_cheapest_that_is_good_enough():

@@ -103,7 +103,9 @@ def _failed(data: Sequence[Datum]) -> str:
     counts = []
     for interface in INTERFACES:
         own = [d for d in data if d.interface == interface.value]
-        counts.append(f"{sum(not d.ended for d in own)} of {len(own)} with `{interface.value}`")
+        stopped = sum(map(pareto.was_stopped, own))
+        at_limit = f" ({stopped} of them at the limit)" if stopped else ""
+        counts.append(f"{sum(not d.ended for d in own)} of {len(own)} with `{interface.value}`{at_limit}")
     return ", ".join(counts)
 
 

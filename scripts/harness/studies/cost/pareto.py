@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator
 
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import Parameter, Problem
@@ -47,10 +49,15 @@ def cost_of(datum: Datum) -> float:
     return datum.cpu if datum.problem == Problem.INDENTATION.value else datum.ratio
 
 
-def comparable(data: Sequence[Datum], problem: Problem) -> list[Datum]:
-    """Runs of a problem that ended, on the mesh and in the steps of the defaults."""
+def comparable(data: Sequence[Datum], problem: Problem, *, ended: bool = True) -> list[Datum]:
+    """Runs of a problem that ended, or did not, on the mesh and in the steps of the defaults."""
     parameters = {parameter.value for parameter in Parameter if parameter not in DISCRETISATION}
-    return [d for d in data if d.problem == problem.value and d.ended and d.parameter in parameters]
+    return [d for d in data if d.problem == problem.value and d.ended == ended and d.parameter in parameters]
+
+
+def was_stopped(datum: Datum) -> bool:
+    """Whether a run was stopped at the limit: febio4 did not come to write how many iterations it took."""
+    return not datum.ended and datum.iterations == 0
 
 
 def pareto(data: Sequence[Datum]) -> list[Datum]:
@@ -75,6 +82,7 @@ def draw(data: Sequence[Datum], path: Path) -> Path:
     figure = Figure(figsize=(max(7.0, 3.3 * len(problems)), 4.4), layout="constrained", facecolor="white")
     for axes, problem in zip(np.atleast_1d(figure.subplots(1, len(problems))), problems, strict=True):
         _panel(axes, comparable(data, problem))
+        _mark_failed(axes, comparable(data, problem, ended=False))
         whole = problem is Problem.INDENTATION
         axes.set_xlabel("processor time [s]" if whole else "processor time over that\nof the conforming reference [-]")
         axes.set_ylabel("error against the finest run [-]" if whole else "error of the contact [-]")
@@ -105,6 +113,25 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
         )
     front = pareto(data)
     axes.step([cost_of(d) for d in front], [max(error_of(d), SMALLEST) for d in front], "k:", where="post", lw=0.9)
+
+
+def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
+    """Runs that did not end, at the upper edge of the panel: over the time that they reached, or right where times are
+    relative to those of a reference, which such runs are not compared with.
+    """
+    if not data:
+        return
+    for datum in data:
+        colour, fill = LOOKS[datum.interface]
+        place = (cost_of(datum), axes.get_xaxis_transform()) if math.isfinite(cost_of(datum)) else (1, axes.transAxes)
+        mark = axes.plot(place[0], 1, MARKERS[Parameter(datum.parameter)], transform=place[1], clip_on=False)[0]
+        mark.set(color=colour, markerfacecolor=fill, markersize=5, gid=f"failed {datum.interface}")
+    axes.text(1.0, 0.95, "did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
+    if data[0].problem == Problem.INDENTATION.value:
+        axes.set_xscale("log")
+        axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.xaxis.set_minor_formatter("")
 
 
 def _handles(data: Sequence[Datum]) -> list[Line2D]:
