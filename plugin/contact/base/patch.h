@@ -25,6 +25,14 @@ struct Patch {
   /// The n-th node of the layout, by its index within its surface.
   int node(Index n) const { return n < primary.count() ? primary[n] : secondary[n - primary.count()]; }
 
+  /// Of of_displacements() and of_field(), which need not be made for it.
+  LocalLayout displacement_layout() const {
+    return {primary.count(), secondary.count(), 0, multiplier_node.has_value(), true};
+  }
+  LocalLayout field_layout(bool with_displacements) const {
+    return {primary.count(), secondary.count(), 1, multiplier_node.has_value(), with_displacements};
+  }
+
   /// The same nodes with their displacements alone.
   Patch of_displacements() const { return {primary, secondary, {}, multiplier_node, true}; }
   /// The n-th node of the layout alone, with the multipliers.

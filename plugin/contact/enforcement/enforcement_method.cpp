@@ -15,7 +15,9 @@ std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, c
 
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values) {
   if (space.symmetric()) values = 0.5 * (values + values.transpose()).eval();
-  return {patch.of_displacements(), patch.of_displacements(), std::move(values)};
+  Patch rows = patch.of_displacements();
+  Patch columns = rows;
+  return {std::move(rows), std::move(columns), std::move(values)};
 }
 
 }  // namespace mixture_contact

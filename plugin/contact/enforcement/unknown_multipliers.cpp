@@ -118,13 +118,13 @@ void UnknownMultipliers::add_traction_tangent(Index node, const NodeLinearisatio
   const double weight = weights[multiplier_layout(laws()).traction(node)];
   const ConditionValue condition = traction_condition(node, loads);
   const Patch own_alone = linear.patch.of_multipliers();
-  blocks.push_back(traction_block(space(), own_alone,
-                                  alone(own_alone.of_displacements().layout(), weight * condition.d_dmultiplier)));
+  blocks.push_back(
+      traction_block(space(), own_alone, alone(own_alone.displacement_layout(), weight * condition.d_dmultiplier)));
   if (!loads.in_contact[node]) return;
   const double unit = traction_unit(laws(), node);
   for (Index n = 0; n < linear.patch.layout().nodes(); ++n) {
     const Patch patch = linear.patch.of_node(n);
-    const LocalLayout layout = patch.of_displacements().layout();
+    const LocalLayout layout = patch.displacement_layout();
     MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
     const Index own = layout.traction_multiplier();
     tangent.block<1, 3>(own, 0) = weight * condition.d_dgap * linear.gap_variation.segment<3>(3 * n).transpose();

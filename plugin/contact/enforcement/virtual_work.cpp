@@ -8,6 +8,11 @@
 namespace mixture_contact {
 namespace {
 
+struct PairResidual {
+  Patch patch;
+  VectorXd values;
+};
+
 /// Blocks of zeros for the fluxes of a patch; none in a symmetric tangent, where what is left of their part depends on
 /// displacements alone.
 std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& patch) {
@@ -26,7 +31,7 @@ std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& pat
 GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
                                    const std::vector<VaryingPoint>& points) {
   const Patch patch = space.facing().patch(pair);
-  const LocalLayout displacements = patch.of_displacements().layout();
+  const LocalLayout displacements = patch.displacement_layout();
   MatrixXd traction = MatrixXd::Zero(displacements.size(), displacements.size());
   std::vector<TangentBlock> fluxes = flux_blocks(space, patch);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
@@ -46,20 +51,20 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
 void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add) {
   const FacingPairs& facing = space.facing();
-  const auto residual_of = [&](Index index) {
+  const auto residual_of = [&](Index index) -> std::optional<PairResidual> {
     const FacetPair& pair = facing.pairs()[index];
-    VectorXd sum;
-    if (!facing.has_node_among(pair, loads.in_contact)) return sum;
-    const LocalLayout layout = facing.patch(pair).layout();
-    sum.setZero(layout.size());
+    if (!facing.has_node_among(pair, loads.in_contact)) return std::nullopt;
+    PairResidual residual{facing.patch(pair), {}};
+    const LocalLayout layout = residual.patch.layout();
+    residual.values.setZero(layout.size());
     for (std::size_t q = 0; q < pair.points.size(); ++q) {
       const PointContact point = loaded_point(space, pair, q, loads, fields, dt);
-      add_residual(point.kinematics, point.loads, layout, sum);
+      add_residual(point.kinematics, point.loads, layout, residual.values);
     }
-    return sum;
+    return residual;
   };
-  in_order(facing.pairs().count(), residual_of, [&](Index index, const VectorXd& sum) {
-    if (sum.size() > 0) add(facing.patch(facing.pairs()[index]), sum);
+  in_order(facing.pairs().count(), residual_of, [&](Index /*index*/, const std::optional<PairResidual>& residual) {
+    if (residual) add(residual->patch, residual->values);
   });
 }
 

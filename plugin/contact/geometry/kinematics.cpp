@@ -80,7 +80,7 @@ KinematicVariations kinematic_variations(const PointKinematics& point, const Poi
   KinematicVariations variations;
   variations.gap.resize(columns);
   variations.area_vector = area_vector_variation(point.primary_tangents, point.primary_gradient, point.nodes()) +
-                           area_vector_slope(point.primary_tangents, motion.curvature) * motion.xi;
+                           area_vector_slope(point.primary_tangents, motion.curvature).lazyProduct(motion.xi);
   variations.xi = motion.xi;
   variations.weight = motion.weight;
   for (Index node = 0; node < point.nodes(); ++node) {
@@ -94,11 +94,11 @@ KinematicVariations kinematic_variations(const PointKinematics& point, const Poi
   const Eigen::RowVector3d bend = n.transpose() * motion.curvature;  // n1.x1,11, n1.x1,22, n1.x1,12
   Eigen::Matrix2d own = point.primary_tangents.transpose() * point.primary_tangents;
   own -= point.gap * (Eigen::Matrix2d() << bend[0], bend[2], bend[2], bend[1]).finished();
-  slip += own * motion.xi;
+  slip += own.lazyProduct(motion.xi);
   const Eigen::Matrix2d metric = point.primary_tangents.transpose() * point.secondary_tangents;
-  variations.eta = metric.inverse() * slip;
-  variations.gap += (n.transpose() * point.secondary_tangents) * variations.eta;
-  variations.area = n.transpose() * variations.area_vector;
+  variations.eta = metric.inverse().lazyProduct(slip);
+  variations.gap += (n.transpose() * point.secondary_tangents).lazyProduct(variations.eta);
+  variations.area = n.transpose().lazyProduct(variations.area_vector);
   return variations;
 }
 

@@ -24,7 +24,7 @@ std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Ve
     const Vector3d miss = x * shape.value - origin - unknown[2] * direction;
     Eigen::Matrix3d slope;
     slope << x * shape.gradient, -direction;
-    const Vector3d change = slope.partialPivLu().solve(miss);
+    const Vector3d change = slope.inverse() * miss;
     unknown -= change;
     if (!unknown.allFinite()) return std::nullopt;
     if (close) return RayHit{unknown.head<2>(), unknown[2]};

@@ -100,8 +100,9 @@ Symmetric<Number> root(const Symmetric<Number>& m) {
 }
 
 /// Directions of unit covariance: to the corners of a square, or of a triangle with equal sides.
-Eigen::Matrix2Xd directions(FacetType type) {
-  Eigen::Matrix2Xd result(2, is_triangle(type) ? 3 : 4);
+using Directions = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 4>;
+Directions directions(FacetType type) {
+  Directions result(2, is_triangle(type) ? 3 : 4);
   if (is_triangle(type)) {
     const double root = std::sqrt(1.5);
     result << -root, root, 0, -std::sqrt(0.5), -std::sqrt(0.5), std::sqrt(2.0);
@@ -118,7 +119,7 @@ std::vector<PolygonPoint<Number>> points_of_inertia(const Polygon<Number>& polyg
   const Symmetric<Number> s = root(covariance(polygon, aligned, middle_of));
   const Place<Number> first = s.xx * aligned.first + s.xy * aligned.second;
   const Place<Number> second = s.xy * aligned.first + s.yy * aligned.second;
-  const Eigen::Matrix2Xd to = directions(aligned.type);
+  const Directions to = directions(aligned.type);
   const Number area = 0.5 / static_cast<double>(to.cols()) * middle_of.twice_area;
   std::vector<PolygonPoint<Number>> points;
   points.reserve(static_cast<std::size_t>(to.cols()));

@@ -87,11 +87,18 @@ double carried_weight(const PlacedFacet& facet, const Sample<double>& sample, co
 template <int R, class ByCorner>
 void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& facet, const SubFacet& piece,
                  Index first_node, const ByCorner& by_corner) {
+  const auto add = [&](Index node, const auto& by_node) {
+    sum.add(first_node + node, view.height(facet.x.col(node)), by_node);
+  };
   for (int a = 0; a < node_count(piece.type); ++a) {
-    const FacetVector weights = node_weights(facet.type, at(piece.nodes, a));
+    const int corner = at(piece.nodes, a);
+    if (corner < facet.x.cols()) {
+      add(corner, by_corner(a));
+      continue;
+    }
+    const FacetVector weights = node_weights(facet.type, corner);
     for (Index node = 0; node < weights.size(); ++node) {
-      if (weights[node] == 0) continue;
-      sum.add(first_node + node, view.height(facet.x.col(node)), weights[node] * by_corner(a));
+      if (weights[node] != 0) add(node, weights[node] * by_corner(a));
     }
   }
 }
@@ -132,9 +139,9 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
     weight.add(a, height, -(shape.gradient(a, 0) * r1 + shape.gradient(a, 1) * r2) / determinant);
   }
 
-  motion.xi = slope.inverse() * shift.with_nodes(view, tilt);
+  motion.xi = slope.inverse().lazyProduct(shift.with_nodes(view, tilt));
   const Eigen::RowVector2d by_xi(r1.dot(bend.col(0)) + r2.dot(bend.col(2)), r1.dot(bend.col(2)) + r2.dot(bend.col(1)));
-  motion.weight = weight.with_nodes(view, tilt) - by_xi / determinant * motion.xi;
+  motion.weight = weight.with_nodes(view, tilt) - (by_xi / determinant).lazyProduct(motion.xi);
   return motion;
 }
 
@@ -174,6 +181,7 @@ struct Piece {
 template <class Number>
 std::vector<Piece<Number>> pieces_of(const PlacedFacet& facet) {
   std::vector<Piece<Number>> pieces;
+  pieces.reserve(sub_facets(facet.type).size());
   for (const SubFacet& part : sub_facets(facet.type)) {
     const View view = view_at(facet.type, facet.x, middle(facet.type, part));
     Polygon<Number> polygon = seen<Number>(view, facet, part, 0);
@@ -227,6 +235,7 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
                                              const Matrix3Xd& x1, const Matrix3Xd& x2) {
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   std::vector<IntegrationPoint> points;
+  points.reserve(max_polygon_corners);  // of most overlaps
   bool complete = true;
   sample_overlap(primary.pieces, secondary, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
@@ -366,6 +375,7 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   const std::vector<Piece<VaryingNumber>> pieces = pieces_of<VaryingNumber>(primary);
   std::vector<ViewTilt> tilts;
+  tilts.reserve(pieces.size());
   for (const Piece<VaryingNumber>& piece : pieces)
     tilts.push_back(view_tilt(piece.view, primary.type, primary.x, middle(primary.type, piece.part)));
   std::vector<PointMotion> motions;

@@ -7,19 +7,16 @@ namespace {
 /// node.
 void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
                        const PairVariation<3>& dforce, MatrixXd& tangent) {
-  const auto add = [&](Index node, double weight, const auto& slope, const PairVariation<3>& along_1,
-                       const PairVariation<3>& along_2) {
-    tangent.middleRows<3>(3 * node) += weight * dforce + slope[0] * along_1 + slope[1] * along_2;
-  };
-  const auto along = [&](const auto& variation) -> PairVariation<3> { return force.lazyProduct(variation); };
-  const PairVariation<3> xi_1 = along(vary.xi.row(0));
-  const PairVariation<3> xi_2 = along(vary.xi.row(1));
-  const PairVariation<3> eta_1 = along(vary.eta.row(0));
-  const PairVariation<3> eta_2 = along(vary.eta.row(1));
   const Index first = point.primary_nodes();
-  for (Index a = 0; a < first; ++a) add(a, point.primary_shape[a], point.primary_gradient.row(a), xi_1, xi_2);
-  for (Index b = 0; first + b < point.nodes(); ++b) {
-    add(first + b, -point.secondary_shape[b], -point.secondary_gradient.row(b), eta_1, eta_2);
+  const PairVector h = point.jump_weights();
+  for (Index column = 0; column < dforce.cols(); ++column) {
+    const Vector3d with_force = dforce.col(column);
+    const auto add = [&](Index node, double dh) {
+      tangent.col(column).segment<3>(3 * node) += h[node] * with_force + dh * force;
+    };
+    for (Index a = 0; a < first; ++a) add(a, point.primary_gradient.row(a).dot(vary.xi.col(column)));
+    for (Index b = 0; first + b < h.size(); ++b)
+      add(first + b, -point.secondary_gradient.row(b).dot(vary.eta.col(column)));
   }
 }
 

@@ -63,27 +63,28 @@ NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patc
   NodeLinearisation linear;
   linear.patch = patch;
   if (space.effects().has_friction()) {
-    set_zero(linear.friction, patch.of_displacements().layout(), space.effects());
+    set_zero(linear.friction, patch.displacement_layout(), space.effects());
     linear.friction.pressure_field = space.effects().pressure_field();
   }
-  if (patch.displacements) linear.gap_variation.setZero(patch.of_displacements().layout().size());
+  if (patch.displacements) linear.gap_variation.setZero(patch.displacement_layout().size());
   linear.traction_work = linear.gap_variation;
-  for (const int field : patch.fields) {
-    linear.jumps.push_back({linear.gap_variation, VectorXd::Zero(patch.of_field(field, false).layout().size())});
-  }
+  const NodeLinearisation::Jump none{linear.gap_variation, VectorXd::Zero(patch.field_layout(false).size())};
+  linear.jumps.assign(patch.fields.size(), none);
   return linear;
 }
 
 PairLinearisation zero_linearisation(const MortarSpace& space, const FacetPair& pair) {
   PairLinearisation linear;
   linear.patch = space.facing().patch(pair);
-  const LocalLayout layout = linear.patch.of_displacements().layout();
+  const LocalLayout layout = linear.patch.displacement_layout();
   const Index corners = layout.primary_nodes();
   linear.is_averaged.assign(linear.patch.primary.size(), false);
   if (linear.patch.displacements) linear.gap_variation.setZero(layout.size(), corners);
   linear.traction_work = linear.gap_variation;
-  const PairLinearisation::Jump none{linear.gap_variation, MatrixXd::Zero(layout.nodes(), corners)};
-  linear.jumps.assign(linear.patch.fields.size(), none);
+  if (!linear.patch.fields.empty()) {
+    const PairLinearisation::Jump none{linear.gap_variation, MatrixXd::Zero(layout.nodes(), corners)};
+    linear.jumps.assign(linear.patch.fields.size(), none);
+  }
   if (!space.effects().has_friction()) return linear;
   linear.friction = IndexedVector<PairFriction>(corners);
   for (PairFriction& friction : linear.friction) set_zero(friction, layout, space.effects());
@@ -104,8 +105,8 @@ void scatter(const PairFriction& pair, const PairPlaces& place, NodeLinearisatio
 /// Adds what a pair of facets has around a node of its primary facet to the node's own.
 void scatter(const PairLinearisation& pair, Index corner, NodeLinearisation& sum) {
   const PairPlaces place = dof_map(pair.patch, sum.patch);
-  const LocalLayout layout = sum.patch.of_displacements().layout();
-  const LocalLayout own = pair.patch.of_displacements().layout();
+  const LocalLayout layout = sum.patch.displacement_layout();
+  const LocalLayout own = pair.patch.displacement_layout();
   const auto add_variation = [&](VectorXd& variation, const MatrixXd& part) {
     if (!sum.patch.displacements) return;
     for (Index n = 0; n < place.size(); ++n) {
@@ -287,7 +288,7 @@ PairLinearisation linearise_pair(const MortarSpace& space, const FacetPair& pair
                                  const FacingFields& fields) {
   PairLinearisation linear = zero_linearisation(space, pair);
   const Patch& patch = linear.patch;
-  const LocalLayout layout = patch.of_displacements().layout();
+  const LocalLayout layout = patch.displacement_layout();
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   const std::vector<CornerPoint> all = corner_points(space.facing().primary_facet(pair), points, loads.in_contact);
   for (const CornerPoint& at : all) linear.is_averaged[at.corner] = true;
@@ -308,7 +309,7 @@ PairLinearisation linearise_pair(const MortarSpace& space, const FacetPair& pair
 
 /// Displacements of a patch's nodes in the order of patch.of_displacements(), given those of both surfaces.
 VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
-  const LocalLayout layout = patch.of_displacements().layout();
+  const LocalLayout layout = patch.displacement_layout();
   VectorXd values(layout.size());
   for (Index n = 0; n < layout.nodes(); ++n) {
     const SurfaceFields& surface = n < layout.primary_nodes() ? change.primary : change.secondary;
@@ -327,7 +328,7 @@ void predict(NodalFriction& friction, Index node, const NodeLinearisation& linea
   friction.convection[node] += convection_change(linear, moved);
   if (!linear.friction.has_fluid()) return;
   friction.pressure[node] += linear.friction.pressure_variation.dot(moved);
-  const LocalLayout layout = linear.patch.of_displacements().layout();
+  const LocalLayout layout = linear.patch.displacement_layout();
   for (Index n = 0; n < layout.nodes(); ++n) {
     const double weight = linear.friction.pressure_weights[n];
     if (weight == 0) continue;
@@ -398,7 +399,7 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
 
 double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fields) {
   const int field = linear.patch.fields[k];
-  const LocalLayout layout = linear.patch.of_field(field, false).layout();
+  const LocalLayout layout = linear.patch.field_layout(false);
   double jump = 0;
   for (Index n = 0; n < layout.nodes(); ++n) {
     const SurfaceFields& surface = n < layout.primary_nodes() ? fields.primary : fields.secondary;
@@ -409,7 +410,7 @@ double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fie
 
 VectorXd jump_row(const NodeLinearisation::Jump& jump, const Patch& columns) {
   const LocalLayout layout = columns.layout();
-  const LocalLayout displacements = columns.of_displacements().layout();
+  const LocalLayout displacements = columns.displacement_layout();
   VectorXd row = VectorXd::Zero(layout.size());
   for (Index n = 0; n < layout.nodes(); ++n) {
     row[layout.scalar(n, 0)] = jump.weights[n];
