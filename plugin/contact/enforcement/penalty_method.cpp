@@ -5,9 +5,33 @@
 namespace mixture_contact {
 namespace {
 
-/// Adds the rows of the nodes that friction works at, `change` times its work at each.
-void add_work(const VectorXd& work, const Matrix3Xd& change, MatrixXd& tangent) {
-  for (Index n = 0; n < work.size(); ++n) tangent.middleRows<3>(3 * n) += work[n] * change;
+/// Rows of four nodes, which are whole packets of a processor's registers, as three rows are not.
+using FourNodes = Eigen::Matrix<double, 12, 1>;
+
+/// What every four nodes have in a vector over the rows of a patch.
+IndexedVector<FourNodes> by_four_nodes(const VectorXd& values) {
+  IndexedVector<FourNodes> rows;
+  rows.reserve(indexing::entries(values.size() / 12));
+  for (Index first = 0; first + 12 <= values.size(); first += 12) rows.emplace_back(values.segment<12>(first));
+  return rows;
+}
+
+/// The work of traction and friction at the nodes of a patch as both vary, by columns.
+MatrixXd work_of_both(const VectorXd& traction_work, const VectorXd& d_traction, const VectorXd& friction_work,
+                      const Matrix3Xd& d_friction) {
+  const IndexedVector<FourNodes> traction = by_four_nodes(traction_work);
+  const IndexedVector<FourNodes> friction = by_four_nodes(friction_work.transpose().replicate<3, 1>().reshaped());
+  MatrixXd work(traction_work.size(), d_friction.cols());
+  for (Index c = 0; c < work.cols(); ++c) {
+    const double change = d_traction[c];
+    const Vector3d of_node = d_friction.col(c);
+    const FourNodes of_four = of_node.replicate<4, 1>();
+    for (Index k = 0; k < traction.count(); ++k)
+      work.col(c).segment<12>(12 * k) = traction[k] * change + friction[k].cwiseProduct(of_four);
+    for (Index n = 4 * traction.count(); n < friction_work.size(); ++n)
+      work.col(c).segment<3>(3 * n) = traction_work.segment<3>(3 * n) * change + friction_work[n] * of_node;
+  }
+  return work;
 }
 
 }  // namespace
@@ -18,21 +42,24 @@ NodalLoads PenaltyMethod::predicted_loads(const LinearisationPoint& point, const
   return loads;
 }
 
-void PenaltyMethod::add_friction(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                 MatrixXd& tangent, std::vector<TangentBlock>& blocks) const {
-  if (!loads.in_contact[node]) return;
-  if (!loads.slips[node]) return add_work(linear.friction.work, linear.friction.trial_variation, tangent);
+Matrix3Xd PenaltyMethod::slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const {
   const FrictionTraction law = friction_law(loads, node);
   const FrictionBound bound = laws().friction_bound(loads, node);
   const NodeLinearisation::Friction& friction = linear.friction;
   Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();
   if (friction.has_fluid()) d_bound += bound.d_pressure * friction.pressure_variation.transpose();
-  add_work(friction.work, law.d_trial.lazyProduct(friction.trial_variation) + law.d_bound.lazyProduct(d_bound),
-           tangent);
-  if (!friction.has_fluid() || bound.d_pressure == 0 || space().symmetric()) return;
+  return law.d_trial.lazyProduct(friction.trial_variation) + law.d_bound.lazyProduct(d_bound);
+}
+
+void PenaltyMethod::add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                       std::vector<TangentBlock>& blocks) const {
+  const NodeLinearisation::Friction& friction = linear.friction;
+  if (!friction.has_fluid() || space().symmetric()) return;
+  const double d_pressure = laws().friction_bound(loads, node).d_pressure;
+  if (d_pressure == 0) return;
   const Patch columns = linear.patch.of_field(friction.pressure_field, false);
-  MatrixXd by_pressure(tangent.rows(), friction.work.size());
-  const Vector3d per_pressure = bound.d_pressure * law.d_bound;
+  MatrixXd by_pressure(linear.traction_work.size(), friction.work.size());
+  const Vector3d per_pressure = d_pressure * friction_law(loads, node).d_bound;
   for (Index n = 0; n < friction.work.size(); ++n)
     by_pressure.middleRows<3>(3 * n) = friction.work[n] * per_pressure * friction.pressure_weights.transpose();
   blocks.push_back({linear.patch.of_displacements(), columns, std::move(by_pressure)});
@@ -44,12 +71,18 @@ std::vector<TangentBlock> PenaltyMethod::node_tangent(Index node, const NodeLine
   std::vector<TangentBlock> blocks;
   ScopedTimer laps(space().effect_times(), effects().scalar_fields());
   if (effects().traction) {
-    const double penalty = laws().traction_penalty(node);
-    MatrixXd tangent = penalty * linear.traction_work * linear.gap_variation.transpose();
-    laps.traction();
-    if (!linear.friction.empty()) add_friction(node, linear, loads, tangent, blocks);
-    laps.friction();
-    blocks.push_back(traction_block(space(), linear.patch, std::move(tangent)));
+    const VectorXd work = laws().traction_penalty(node) * linear.traction_work;
+    if (linear.friction.empty() || !loads.in_contact[node]) {
+      blocks.push_back(traction_block(space(), linear.patch, work * linear.gap_variation.transpose()));
+    } else {
+      const bool slips = loads.slips[node];
+      const Matrix3Xd sliding = slips ? slip_variation(node, linear, loads) : Matrix3Xd();
+      if (slips) add_pressure_block(node, linear, loads, blocks);
+      laps.friction();
+      MatrixXd tangent = work_of_both(work, linear.gap_variation, linear.friction.work,
+                                      slips ? sliding : linear.friction.trial_variation);
+      blocks.push_back(traction_block(space(), linear.patch, std::move(tangent)));
+    }
     laps.traction();
   }
   for (Index k = 0; k < linear.patch.fields.count(); ++k) {

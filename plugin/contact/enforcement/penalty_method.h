@@ -23,9 +23,11 @@ class PenaltyMethod : public EnforcementMethod {
                                          const VectorXd& weights, double dt) const override;
 
  private:
-  /// Adds the variation of friction with displacements to that of the traction, and that with the fluid pressure.
-  void add_friction(Index node, const NodeLinearisation& linear, const NodalLoads& loads, MatrixXd& tangent,
-                    std::vector<TangentBlock>& blocks) const;
+  /// dt_T/du of a node that slides, at fixed pressures.
+  Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
+  /// Adds the variation of its friction with the pressures of the fluid.
+  void add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                          std::vector<TangentBlock>& blocks) const;
 };
 
 }  // namespace mixture_contact

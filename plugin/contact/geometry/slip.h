@@ -20,18 +20,16 @@ PastPoint past_point(const PointKinematics& point, const FacetCoordinates& past1
 /// Slip over the step of the primary side relative to the secondary one, r = (1 - N N) D, as the surfaces lay when the
 /// step began. It is zero in any rigid motion of both bodies, whatever the gap: then D = g N.
 Vector3d slip(const PastPoint& past);
+/// The same without what its slope needs.
+Vector3d slip(const PointKinematics& point, const FacetCoordinates& past1, const FacetCoordinates& past2);
 
 /// Derivative of the unit normal with xi. `curvature`: columns X1,11, X1,22, X1,12.
 Eigen::Matrix<double, 3, 2> normal_slope(const PastPoint& past, const Eigen::Matrix3d& curvature);
 
-/// How the slip varies with the present nodal positions, as other points face each other: dr = r,eta deta + r,xi dxi.
-struct SlipSlope {
-  Eigen::Matrix<double, 3, 2> with_eta;
-  Eigen::Matrix<double, 3, 2> with_xi;
-};
-
-/// dr = (1 - N N) (X2,beta deta_beta - X1,alpha dxi_alpha) - (dN N + N dN) D with dN = N,alpha dxi_alpha.
-SlipSlope slip_slope(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& normal_slope);
+/// How the slip varies with the present nodal positions, as other points face each other: dr = r,eta deta + r,xi dxi
+/// = (1 - N N) (X2,beta deta_beta - X1,alpha dxi_alpha) - (dN N + N dN) D with dN = N,alpha dxi_alpha.
+Eigen::Matrix<double, 3, 2> slip_slope_with_eta(const PastPoint& past);
+Eigen::Matrix<double, 3, 2> slip_slope_with_xi(const PastPoint& past, const Eigen::Matrix<double, 3, 2>& normal_slope);
 
 /// How the surface around a node of a facet has moved since the step began, F = x,alpha (X) X^alpha.
 struct Convection {

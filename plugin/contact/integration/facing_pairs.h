@@ -48,6 +48,8 @@ class FacingPairs {
   bool has_node_among(const FacetPair& pair, const NodeFlags& nodes) const;
   /// For each of the nodes given, the pairs whose primary facet has it.
   IndexedVector<std::vector<const FacetPair*>> around(const NodeFlags& nodes) const;
+  /// Whether points move over the primary facets as the surfaces move.
+  bool moves_points() const { return finder_->moves_points(); }
   /// How the points of a pair move with the nodes.
   std::vector<PointMotion> motions(const FacetPair& pair, const FacingPositions& x) const {
     return finder_->motions(pair, x.primary, x.secondary);

@@ -58,6 +58,9 @@ class PointFinder {
   /// Ends the iterations of a step, or those before an augmentation: no point is kept any more.
   virtual void end_iterations() {}
 
+  /// Whether points move over the primary facets as the surfaces move; if not, motions() are none.
+  virtual bool moves_points() const = 0;
+
   /// How the points of a pair, found at these positions, move with them; one entry per point.
   virtual std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
 
@@ -86,6 +89,7 @@ class GaussPoints : public PointFinder {
   IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   bool begin_iteration() override;
   void end_iterations() override;
+  bool moves_points() const override { return false; }
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::size_t memory() const override;
 

@@ -30,6 +30,7 @@ class Segments : public PointFinder {
 
   IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  bool moves_points() const override { return true; }
   std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   std::size_t memory() const override { return self_.memory() + paired_.capacity() * sizeof(Facing); }
 

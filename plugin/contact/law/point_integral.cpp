@@ -37,9 +37,12 @@ void add_friction_force_variation(const PointKinematics& point, const KinematicV
   // d[w |a| t_T] = w [ t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha ]
   const Vector3d with_area = loads.weight * loads.friction;
   const Eigen::Matrix<double, 3, 2> with_xi = loads.weight * point.area * loads.friction_slope;
+  const bool varies = !loads.friction_slope.isZero(0);
   for (Index column = 0; column < dforce.cols(); ++column) {
     const double darea = vary.area[column] + point.area * vary.weight[column];
-    dforce.col(column) += darea * with_area + with_xi.lazyProduct(vary.xi.col(column));
+    Vector3d change = darea * with_area;
+    if (varies) change += with_xi.lazyProduct(vary.xi.col(column));
+    dforce.col(column) += change;
   }
 }
 

@@ -18,7 +18,8 @@ struct PointLoads {
       flux;                     ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
   Eigen::MatrixX2d flux_slope;  ///< dq_n/dxi_alpha per exchanged field; empty where the point does not move
   Vector3d friction{0, 0, 0};   ///< t_T [MPa]
-  Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();  ///< dt_T/dxi_alpha
+  Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();  ///< dt_T/dxi_alpha where the point
+                                                                                     ///< moves over the primary facet
   double weight = 0;          ///< quadrature weight: da1 = weight * |a|
   double time_increment = 0;  ///< fluxes are integrated over the time step: their rows carry dt [s]
 

@@ -48,10 +48,9 @@ struct PairLinearisation {
   IndexedVector<PairFriction> friction;  ///< per node; empty without friction
 };
 
-/// Of a node or of a pair.
+/// Of a node or of a pair; all but the average_variation.
 template <class Friction>
-void set_zero(Friction& friction, const LocalLayout& displacements, const Effects& effects) {
-  friction.average_variation.setZero(6, displacements.size());
+void set_rest_zero(Friction& friction, const LocalLayout& displacements, const Effects& effects) {
   friction.area_variation.setZero(displacements.size());
   friction.work.setZero(displacements.nodes());
   if (!effects.has_bearing_fluid()) return;
@@ -59,14 +58,25 @@ void set_zero(Friction& friction, const LocalLayout& displacements, const Effect
   friction.pressure_weights.setZero(displacements.nodes());
 }
 
+void set_zero(PairFriction& friction, const LocalLayout& displacements, const Effects& effects) {
+  friction.average_variation.setZero(6, displacements.size());
+  set_rest_zero(friction, displacements, effects);
+}
+
+void set_zero(NodeLinearisation::Friction& friction, const LocalLayout& displacements, const Effects& effects) {
+  friction.average_variation.fill(displacements.nodes(), Eigen::Matrix<double, 6, 3>::Zero());
+  set_rest_zero(friction, displacements, effects);
+}
+
 NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patch) {
   NodeLinearisation linear;
   linear.patch = patch;
+  const LocalLayout layout = patch.displacement_layout();
   if (space.effects().has_friction()) {
-    set_zero(linear.friction, patch.displacement_layout(), space.effects());
+    set_zero(linear.friction, layout, space.effects());
     linear.friction.pressure_field = space.effects().pressure_field();
   }
-  if (patch.displacements) linear.gap_variation.setZero(patch.displacement_layout().size());
+  if (patch.displacements) linear.gap_variation.setZero(layout.size());
   linear.traction_work = linear.gap_variation;
   const NodeLinearisation::Jump none{linear.gap_variation, VectorXd::Zero(patch.field_layout(false).size())};
   linear.jumps.assign(patch.fields.size(), none);
@@ -93,7 +103,7 @@ PairLinearisation zero_linearisation(const MortarSpace& space, const FacetPair& 
 
 void scatter(const PairFriction& pair, const PairPlaces& place, NodeLinearisation::Friction& sum) {
   for (Index n = 0; n < place.size(); ++n) {
-    sum.average_variation.middleCols<3>(3 * place[n]) += pair.average_variation.middleCols<3>(3 * n);
+    sum.average_variation[place[n]] += pair.average_variation.middleCols<3>(3 * n);
     sum.area_variation.segment<3>(3 * place[n]) += pair.area_variation.segment<3>(3 * n).transpose();
     sum.work[place[n]] += pair.work[n];
     if (!sum.has_fluid()) continue;
@@ -213,24 +223,37 @@ void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const 
   sliding.pressure_weights = kinematics.area * pressure_weights(pressure, kinematics);
 }
 
-SlidingPoint sliding_point(const PastFacets& facets, const Eigen::Matrix3d& curvature, const VaryingPoint& point) {
-  const auto& [contact, vary] = point;
+/// r,xi at a place of the primary facet.
+Eigen::Matrix<double, 3, 2> slope_over_primary(const PastFacets& facets, const PastPoint& past, FacetType type,
+                                               const Vector2d& xi) {
+  return slip_slope_with_xi(past, normal_slope(past, facets.primary * shape_hessian(type, xi)));
+}
+
+SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, const PastFacets& facets,
+                           const CornerPoint& at) {
+  const auto& [contact, vary] = at.point;
   const PointKinematics& kinematics = contact.kinematics;
   const PastPoint past = past_point(kinematics, facets.primary, facets.secondary);
   const Vector3d r = slip(past);
-  const PairVariation<1> darea = weighted_area_variation(point);
+  const PairVariation<1> darea = weighted_area_variation(at.point);
   SlidingPoint sliding;
-  sliding.moves = !vary.xi.isZero(0);
+  sliding.moves = space.facing().moves_points();
   sliding.value << kinematics.area * r, kinematics.area_vector;
   sliding.variation.resize(6, darea.size());
-  const SlipSlope slope = slip_slope(past, normal_slope(past, curvature));
-  const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slope.with_eta;
-  const Eigen::Matrix<double, 3, 2> with_xi = kinematics.area * slope.with_xi;
+  const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slip_slope_with_eta(past);
+  Eigen::Matrix<double, 3, 2> with_xi = Eigen::Matrix<double, 3, 2>::Zero();
+  if (sliding.moves) {
+    const Facet& facet = space.facing().primary_facet(pair);
+    with_xi = kinematics.area * slope_over_primary(facets, past, facet.type, indexing::at(pair.points, at.number).xi);
+  }
   for (Index column = 0; column < darea.size(); ++column) {
-    sliding.variation.col(column).head<3>() = with_eta.lazyProduct(vary.eta.col(column)) +
-                                              with_xi.lazyProduct(vary.xi.col(column)) + darea[column] * r;
-    sliding.variation.col(column).tail<3>() = vary.area_vector.col(column) +
-                                              vary.weight[column] * kinematics.area_vector;
+    Vector3d facing = with_eta.lazyProduct(vary.eta.col(column));
+    Vector3d normal = vary.area_vector.col(column);
+    if (sliding.moves) {
+      facing += with_xi.lazyProduct(vary.xi.col(column));
+      normal += vary.weight[column] * kinematics.area_vector;
+    }
+    sliding.variation.col(column) << facing + darea[column] * r, normal;
   }
   sliding.work = kinematics.area * kinematics.jump_weights();
   return sliding;
@@ -246,13 +269,12 @@ void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& s
     sum.pressure_variation += share * sliding.pressure_variation;
     sum.pressure_weights += share * sliding.pressure_weights;
   }
-  if (!sliding.moves) {
-    sum.average_variation += share * sliding.variation;
-    return;
+  for (Index n = 0; n < sum.work.size(); ++n) {
+    Eigen::Matrix<double, 6, 3> change = share * sliding.variation.middleCols<3>(3 * n);
+    if (sliding.moves) change += sliding.value.lazyProduct(at.wandering.segment<3>(3 * n));
+    sum.average_variation.middleCols<3>(3 * n) += change;
   }
-  for (Index column = 0; column < at.wandering.size(); ++column)
-    sum.average_variation.col(column) += share * sliding.variation.col(column) + at.wandering[column] * sliding.value;
-  if (has_fluid) sum.pressure_variation += sliding.pressure * at.wandering;
+  if (has_fluid && sliding.moves) sum.pressure_variation += sliding.pressure * at.wandering;
 }
 
 /// Makes averages of the sums around a node: d(Y/A) = (dY - Y/A dA)/A.
@@ -261,9 +283,10 @@ void divide_by_area(NodeLinearisation::Friction& sum, const NodalLoads& loads, I
   const NodalFriction& friction = loads.friction;
   Eigen::Matrix<double, 6, 1> average;
   average << friction.slip.col(node), friction.area_vector.col(node);
-  for (Index column = 0; column < sum.area_variation.size(); ++column)
-    sum.average_variation.col(column) = per_area *
-                                        (sum.average_variation.col(column) - sum.area_variation[column] * average);
+  for (Index n = 0; n < sum.average_variation.count(); ++n) {
+    const Eigen::RowVector3d area_variation = sum.area_variation.segment<3>(3 * n);
+    sum.average_variation[n] = per_area * (sum.average_variation[n] - average.lazyProduct(area_variation));
+  }
   if (!sum.has_fluid()) return;
   sum.pressure_variation = per_area * (sum.pressure_variation - friction.pressure[node] * sum.area_variation);
   sum.pressure_weights *= per_area;
@@ -271,13 +294,11 @@ void divide_by_area(NodeLinearisation::Friction& sum, const NodalLoads& loads, I
 
 void add_sliding(PairLinearisation& linear, const MortarSpace& space, const FacetPair& pair,
                  const std::vector<CornerPoint>& points, const FacingFields& fields) {
-  const Facet& facet = space.facing().primary_facet(pair);
   const PastFacets past = past_facets(space, pair);
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
   for (auto at = points.begin(); at != points.end();) {
     const Index number = at->number;
-    const Vector2d& xi = indexing::at(pair.points, number).xi;
-    SlidingPoint sliding = sliding_point(past, past.primary * shape_hessian(facet.type, xi), at->point);
+    SlidingPoint sliding = sliding_point(space, pair, past, *at);
     if (space.effects().has_bearing_fluid()) set_pressure(sliding, pressure, at->point);
     for (; at != points.end() && at->number == number; ++at) add_sliding(linear.friction[at->corner], *at, sliding);
   }
@@ -321,10 +342,17 @@ VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
 /// Adds the changes of a node's averages.
 void predict(NodalFriction& friction, Index node, const NodeLinearisation& linear, const VectorXd& moved,
              const FacingFields& change) {
-  const Eigen::Matrix<double, 6, 1> averages = linear.friction.average_variation * moved;
+  Eigen::Matrix<double, 6, 1> averages = Eigen::Matrix<double, 6, 1>::Zero();
+  Vector3d trial = Vector3d::Zero();
+  for (Index n = 0; n < linear.friction.average_variation.count(); ++n) {
+    for (Index axis = 0; axis < 3; ++axis) {
+      averages += linear.friction.average_variation[n].col(axis) * moved[3 * n + axis];
+      trial += linear.friction.trial_variation.col(3 * n + axis) * moved[3 * n + axis];
+    }
+  }
   friction.slip.col(node) += averages.head<3>();
   friction.area_vector.col(node) += averages.tail<3>();
-  friction.trial.col(node) += linear.friction.trial_variation * moved;
+  friction.trial.col(node) += trial;
   friction.convection[node] += convection_change(linear, moved);
   if (!linear.friction.has_fluid()) return;
   friction.pressure[node] += linear.friction.pressure_variation.dot(moved);

@@ -5,8 +5,6 @@
 
 namespace mixture_contact {
 
-using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
-
 /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
 /// Where multipliers are unknowns every node has one, out of contact of its multipliers alone.
 struct NodeLinearisation {
@@ -17,9 +15,10 @@ struct NodeLinearisation {
   };
   /// Of what friction depends on; empty without friction. Rows are components.
   struct Friction {
-    Matrix6Xd average_variation;  ///< of s_a and NodalFriction::area_vector, columns in gap_variation's order
-    VectorXd area_variation;      ///< of the node's area, alike
-    Matrix3Xd trial_variation;    ///< dtau_a/du, alike
+    /// Of s_a and NodalFriction::area_vector with the position of each node of the patch.
+    IndexedVector<Eigen::Matrix<double, 6, 3>> average_variation;
+    VectorXd area_variation;      ///< of the node's area, in the order of gap_variation
+    Matrix3Xd trial_variation;    ///< dtau_a/du, columns alike
     Matrix3Xd convection;         ///< C_b: F_a = sum_b x_b C_b^T over the primary nodes of the patch
     VectorXd work;                ///< sum_q w psi_a |a| h, one per node of the patch: times t_T the virtual work
     VectorXd pressure_variation;  ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation

@@ -21,7 +21,7 @@ PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::
     for (Index a = 0; a < facet.count(); ++a) {
       const Vector3d nodal = loads.friction.traction.col(facet.node(a));
       contact.loads.friction += contact.psi[a] * nodal;
-      contact.loads.friction_slope += nodal.lazyProduct(contact.psi_gradient.row(a));
+      if (facing.moves_points()) contact.loads.friction_slope += nodal.lazyProduct(contact.psi_gradient.row(a));
     }
   }
   contact.loads.weight = place.weight;

@@ -27,7 +27,7 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
     const IntegrationPoint& place = pair.points[q];
     const PointKinematics& point = pair.kinematics[q];
     const FacetVector share = place.weight * space.shape(pair.primary, place.sub_facet, place.xi).value;
-    const Vector3d slipped = point.area * slip(past_point(point, past.primary, past.secondary));
+    const Vector3d slipped = point.area * slip(point, past.primary, past.secondary);
     sums.slip += slipped.lazyProduct(share.transpose());
     sums.area_vector += point.area_vector.lazyProduct(share.transpose());
     sums.pressure += pressure_at(pressure, point) * point.area * share;
@@ -51,6 +51,24 @@ double for_each_facet_around(const MortarSpace& space, Index node, const std::ve
     areas += there.area;
   }
   return areas;
+}
+
+/// F = sum_b x_b C_b^T
+Eigen::Matrix3d convected(const Convection& there, const FacetCoordinates& x) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (Index b = 0; b < x.cols(); ++b) sum += x.col(b).lazyProduct(there.coefficients.col(b).transpose());
+  return sum;
+}
+
+/// Has each primary facet that is paired used, with its index.
+template <class Use>
+void for_each_primary_facet(const MortarSpace& space, const Use& use) {
+  int done = -1;
+  for (const FacetPair& pair : space.facing().pairs()) {
+    if (pair.primary == done) continue;  // pairs come in the order of their primary facets
+    done = pair.primary;
+    use(done, space.facing().primary_facet(pair));
+  }
 }
 
 }  // namespace
@@ -80,16 +98,21 @@ NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, c
 
 void set_convection(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
                     const Matrix3Xd& x1) {
-  const auto around = space.facing().around(in_contact);
-  friction.convection.fill(around.count(), Eigen::Matrix3d::Zero());
-  in_parallel(around.count(), [&](Index node) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    const auto add = [&](const Facet& facet, const Convection& there) {
-      sum += there.area * facet_coordinates(facet, x1).lazyProduct(there.coefficients.transpose());
-    };
-    const double areas = for_each_facet_around(space, node, around[node], add);
-    if (areas > 0) friction.convection[node] = sum / areas;
+  friction.convection.fill(space.nodes(), Eigen::Matrix3d::Zero());
+  VectorXd areas = VectorXd::Zero(space.nodes());
+  for_each_primary_facet(space, [&](int index, const Facet& facet) {
+    const FacetCoordinates x = facet_coordinates(facet, x1);
+    for (Index corner = 0; corner < facet.count(); ++corner) {
+      const int node = facet.node(corner);
+      if (!in_contact[node]) continue;
+      const Convection& there = space.convections(index)[corner];
+      friction.convection[node] += there.area * convected(there, x);
+      areas[node] += there.area;
+    }
   });
+  for (Index node = 0; node < space.nodes(); ++node) {
+    if (areas[node] > 0) friction.convection[node] /= areas[node];
+  }
 }
 
 Matrix3Xd convection_around(const MortarSpace& space, Index node, const std::vector<const FacetPair*>& pairs,
@@ -102,7 +125,8 @@ Matrix3Xd convection_around(const MortarSpace& space, Index node, const std::vec
     }
   };
   const double areas = for_each_facet_around(space, node, pairs, add);
-  return areas > 0 ? Matrix3Xd(sum / areas) : sum;
+  if (areas > 0) sum /= areas;
+  return sum;
 }
 
 PastFacets past_facets(const MortarSpace& space, const FacetPair& pair) {
