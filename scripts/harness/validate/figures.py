@@ -115,8 +115,10 @@ def _curves(
     for parameter, colour, mark in zip(parameters, COLOURS, MARKS, strict=False):
         axes.plot(z, exact(z, parameter), color=colour, linewidth=1.3)
         found = profiles.get(float(parameter), Profile("", parameter, [], []))
-        style = {"marker": mark, "color": colour, "markerfacecolor": "white", "markersize": 4.5, "clip_on": False}
-        axes.plot(found.z, found.c, linestyle="", label=label(parameter), **style)
+        drawn = axes.plot(found.z, found.c, mark, color=colour, markersize=4.5, clip_on=False, label=label(parameter))[
+            0
+        ]
+        drawn.set_markerfacecolor("white")
 
 
 def _save(figure: Figure, axes: Axes, path: Path) -> Path:
