@@ -25,6 +25,12 @@ using namespace mixture_contact;
 inline constexpr std::array all_facets{FacetType::tri3,  FacetType::tri6,  FacetType::tri7,
                                        FacetType::quad4, FacetType::quad8, FacetType::quad9};
 
+#ifdef MIXCONTACT_SANITIZED
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
 /// Pairs of facet types, a primary and a secondary one: each of `ones` with each of `twos`.
 ///
 /// A sanitizer needs fewer, since it looks at memory and not at values: what is read and written on one side depends on
@@ -34,14 +40,14 @@ template <std::size_t N, std::size_t M>
 std::vector<std::pair<FacetType, FacetType>> facet_pairs(const std::array<FacetType, N>& ones,
                                                          const std::array<FacetType, M>& twos) {
   std::vector<std::pair<FacetType, FacetType>> result;
-#ifdef MIXCONTACT_SANITIZED
-  for (std::size_t i = 0; i < std::max(N, M); ++i) result.emplace_back(ones[i % N], twos[(i + 1) % M]);
-  result.emplace_back(ones.back(), twos.back());
-#else
+  if (sanitized) {
+    for (std::size_t i = 0; i < std::max(N, M); ++i) result.emplace_back(ones[i % N], twos[(i + 1) % M]);
+    result.emplace_back(ones.back(), twos.back());
+    return result;
+  }
   for (const FacetType one : ones) {
     for (const FacetType two : twos) result.emplace_back(one, two);
   }
-#endif
   return result;
 }
 
