@@ -86,8 +86,6 @@ def test_a_bar_that_is_missed_is_a_failure(runner, tmp_path):
         "--interface",
         InterfaceType.SOLUTE.value,
         "--only",
-        "orders",
-        "--only",
         "layers",
         "--folder",
         tmp_path,

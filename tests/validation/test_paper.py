@@ -13,7 +13,7 @@ from harness.post import compare
 from harness.validate import checks
 
 SHORT = Control(
-    20,
+    40,
     50.0,
     displacement_tolerance=1e-6,
     energy_tolerance=1e-8,
