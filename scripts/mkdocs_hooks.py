@@ -14,11 +14,10 @@ from mkdocs.structure.pages import Page
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from harness import cli  # noqa: F401 - its commands know the pages of studies
 from harness.errors import HarnessError
 from harness.pages.api_reference import api_pages
-from harness.pages.command import pages
 from harness.paths import REPOSITORY
+from harness.site import pages
 
 
 def on_pre_build(**_: object) -> None:

@@ -5,31 +5,43 @@ from __future__ import annotations
 import sys
 import tempfile
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from importlib import import_module
 from pathlib import Path
 
 import typer
 from rich.console import Console
 from rich.markup import escape
 
-from harness.conversion import command as conversion
 from harness.errors import HarnessError
-from harness.pages import command as pages
-from harness.preflight import command as preflight
-from harness.run import command as run
-from harness.validate import command as validate
 
 BAD_INPUT, OUR_FAULT = 2, 4
 """Exit codes: the input cannot be used; a fault in here."""
 
 _ABOUT = "Make, run and check models of contact between mixtures."
-FOR_EVERYBODY = (validate.validate, run.run, preflight.check, conversion.convert, validate.plot, pages.models)
+FOR_EVERYBODY = {
+    "validate": "harness.validate.command",
+    "run": "harness.run.command",
+    "check": "harness.preflight.command",
+    "convert": "harness.conversion.command",
+    "plot": "harness.validate.command",
+    "models": "harness.pages.command",
+}
+"""Commands and the modules that hold their functions, which have the commands' names."""
 
 
-def commands(*functions: Callable[..., None]) -> typer.Typer:
-    app = typer.Typer(add_completion=False, no_args_is_help=True, help=_ABOUT)
-    for function in functions:
-        app.command()(function)
+def function(name: str, known: Mapping[str, str]) -> Callable[..., None]:
+    """The function behind a command."""
+    found: Callable[..., None] = getattr(import_module(known[name]), name.replace("-", "_"))
+    return found
+
+
+def commands(known: Mapping[str, str], arguments: Sequence[str] = ()) -> typer.Typer:
+    """The commands, or that alone which the arguments begin with: what the others need takes a second to import."""
+    app = typer.Typer(add_completion=False, no_args_is_help=True)
+    app.callback(help=_ABOUT)(lambda: None)
+    for name in [*arguments[:1]] if set(arguments[:1]) & set(known) else known:
+        app.command(name)(function(name, known))
     return app
 
 
@@ -62,4 +74,4 @@ def _written_down(fault: Exception) -> Path:
 
 def main() -> None:
     """Run the command line of an installed harness."""
-    start(commands(*FOR_EVERYBODY))
+    start(commands(FOR_EVERYBODY, sys.argv[1:]))

@@ -71,25 +71,34 @@ def test_the_measures_of_validation_meet_their_bars_in_at_most_the_iterations_of
     assert [measure.name for measure in found if not measure.passed] == []
 
 
-@pytest.mark.parametrize(
-    ("clamp", "end", "saved"), [(False, 20.0, 0.15), pytest.param(True, 200.0, 0.08, marks=pytest.mark.slow)]
-)
-def test_the_predictor_saves_iterations_and_keeps_the_solution(runner, clamp, end, saved):
-    """On the coarse mesh; FEBio's tolerance on the change of a step is 1e-3. With the clamp, until concentrations that
-    it holds have become few. Measured: 99 iterations instead of 120, and 187 instead of 207. 15 and 33 steps start
-    plainly because the residual of the predicted state is larger; were they kept it would be 88 and 160 iterations.
+COLUMNS = ("ux", "uy", "p", "c1")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("module", "clamp"), [("multiphasic", False), ("solute", True)])
+def test_the_predictor_saves_iterations_to_the_end_and_keeps_each_state(runner, module, clamp):
+    """Without and with concentrations that FEBio clamps. Measured: 0.84 and 0.85 of the iterations, 4e-7."""
+    plain, ahead = (runner(problem(COARSE, module, clamp, Primary.CYLINDER, *params)) for params in ((), (PREDICTOR,)))
+    assert ahead.report.iterations <= 0.9 * plain.report.iterations
+    for column in COLUMNS:
+        size = np.max(np.abs(plain.nodes[column]))
+        np.testing.assert_allclose(ahead.nodes[column], plain.nodes[column], rtol=0.0, atol=1e-6 * size)
+
+
+def test_the_predictor_saves_iterations_at_the_start(runner):
+    """On the coarse mesh; FEBio's tolerance on the change of a step is 1e-3. Measured: 99 iterations instead of 120. 15
+    steps start plainly because the residual of the predicted state is larger; were they kept it would be 88 iterations.
     """
-    short = replace(CONTROL, end=end)
-    segments = ContactSettings(integration="segments")
-    base = Indentation(
-        settings=segments, grid=LEVELS[0], module="multiphasic", clamp=clamp, gripped=False, control=short
+    settings = {on: ContactSettings(extra=(PREDICTOR,) if on else ()) for on in (False, True)}
+    control = replace(CONTROL, end=20.0)
+    base = Indentation(grid=COARSE, module="multiphasic", gripped=False, control=control)
+    plain, ahead = (
+        runner(replace(base, settings=settings[on], name=f"step-start{'-predicted' if on else ''}").model())
+        for on in (False, True)
     )
-    with_predictor = replace(segments, extra=(Param("predictor", True),))
-    ahead = runner(replace(base, settings=with_predictor, name=f"step-start-{end:.0f}-predicted").model())
-    plain = runner(replace(base, name=f"step-start-{end:.0f}").model())
     assert ahead.report.normal
     assert ahead.report.retries == plain.report.retries == 0
-    assert ahead.report.iterations <= (1 - saved) * plain.report.iterations
-    for column in ("ux", "uy", "p", "c1"):
+    assert ahead.report.iterations <= 0.85 * plain.report.iterations
+    for column in COLUMNS:
         size = np.max(np.abs(plain.nodes[column]))
         np.testing.assert_allclose(ahead.nodes[column][-1], plain.nodes[column][-1], rtol=0.0, atol=2e-4 * size)

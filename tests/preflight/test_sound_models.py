@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from harness.cli import app, main
+from harness.cli import main
 from harness.closed_forms.penalty_leak import relative_jump
 from harness.errors import ModelError
 from harness.models import composite
@@ -34,6 +34,7 @@ from harness.preflight.finding import Severity
 from harness.preflight.model import read
 from harness.preflight.penalty import leak, penalty
 from harness.preflight.sides import TRACTION, Joint, solute
+from harness.user_commands import FOR_EVERYBODY, commands
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
 SOUND = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
@@ -329,7 +330,7 @@ def test_what_does_not_exist_is_named(findings, old, new, message):
 
 
 def command(*arguments):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+    return CliRunner().invoke(commands(FOR_EVERYBODY), [str(argument) for argument in arguments])
 
 
 def test_exit_codes_and_json(tmp_path):

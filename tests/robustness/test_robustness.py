@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from harness.cli import app
+from harness.cli import COMMANDS
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.paths import MODELS
 from harness.run import engine
@@ -18,6 +18,7 @@ from harness.studies.robustness import archives, differences, feb, sanitized, so
 from harness.studies.robustness.execution import Way
 from harness.studies.robustness.sanitized import Plugin
 from harness.studies.robustness.trial import Trial
+from harness.user_commands import commands
 
 STEPS = 4
 
@@ -131,6 +132,6 @@ def test_leaks_of_febio_are_not_those_of_the_plugin(tmp_path):
 
 
 def test_an_unknown_model_is_named():
-    done = CliRunner().invoke(app, ["robustness", "--only", "no-such-model"])
+    done = CliRunner().invoke(commands(COMMANDS), ["robustness", "--only", "no-such-model"])
     assert done.exit_code != 0
     assert "no-such-model" in done.output

@@ -45,13 +45,13 @@ def runs(tmp_path_factory: pytest.TempPathFactory):
 
 @pytest.mark.slow
 def test_diffusion_agrees_at_every_node_and_time(runs):
-    found = differences(*runs(strict(Diffusion(control=Control(400, 20.0)).model(), FLOORS[10.0])))
+    found = differences(*runs(strict(Diffusion(control=Control(100, 80.0)).model(), FLOORS[10.0])))
     assert max(found.values()) <= BAR, found
 
 
 @pytest.mark.parametrize("peclet", [*(pytest.param(k, marks=pytest.mark.slow) for k in (0, 1)), 10])
 def test_convection_agrees_at_every_node_and_time(runs, peclet):
-    found = differences(*runs(strict(Convection(peclet=peclet).model(), FLOORS[100.0])))
+    found = differences(*runs(strict(Convection(peclet=peclet, control=Control(100, 200.0)).model(), FLOORS[100.0])))
     assert max(found.values()) <= BAR, found
 
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -14,6 +15,8 @@
 #include <map>
 #include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace test {
 
@@ -21,6 +24,34 @@ using namespace mixture_contact;
 
 inline constexpr std::array all_facets{FacetType::tri3,  FacetType::tri6,  FacetType::tri7,
                                        FacetType::quad4, FacetType::quad8, FacetType::quad9};
+
+#ifdef MIXCONTACT_SANITIZED
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+/// Pairs of facet types, a primary and a secondary one: each of `ones` with each of `twos`.
+///
+/// A sanitizer needs fewer, since it looks at memory and not at values: what is read and written on one side depends on
+/// the type there, and what both share is largest for the last of both. A sanitized build takes each type once on each
+/// side, with triangles and quadrilaterals mixed, and that largest pair.
+template <std::size_t N, std::size_t M>
+std::vector<std::pair<FacetType, FacetType>> facet_pairs(const std::array<FacetType, N>& ones,
+                                                         const std::array<FacetType, M>& twos) {
+  std::vector<std::pair<FacetType, FacetType>> result;
+  if (sanitized) {
+    for (std::size_t i = 0; i < std::max(N, M); ++i) result.emplace_back(ones[i % N], twos[(i + 1) % M]);
+    result.emplace_back(ones.back(), twos.back());
+    return result;
+  }
+  for (const FacetType one : ones) {
+    for (const FacetType two : twos) result.emplace_back(one, two);
+  }
+  return result;
+}
+
+inline std::vector<std::pair<FacetType, FacetType>> facet_pairs() { return facet_pairs(all_facets, all_facets); }
 
 /// Step of a central difference of a function of size 1 that varies over a length of 1: the truncation error step^2 and
 /// the rounding error epsilon/step are equal at step = epsilon^(1/3); the error is then about epsilon^(2/3) = 4e-11.

@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 
 import pytest
 
-from harness import cli
+from harness import site
 from harness.errors import DataFileError
 from harness.pages import evidence, front
 from harness.pages.evidence import EvidencePage
@@ -72,7 +72,7 @@ def test_places_and_figures_agree(page):
         page("{written} {count} {ratio} {stamp}")
 
 
-@pytest.mark.parametrize("made", cli.PAGES, ids=lambda made: made.name)
+@pytest.mark.parametrize("made", site.EVIDENCE, ids=lambda made: made.name)
 def test_the_results_of_each_page_have_one_stamp(made):
     assert evidence.one_stamp([evidence.DATA / source for source in made.sources]).commit
 

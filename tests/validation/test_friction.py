@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache, partial
 from itertools import product
 
 import numpy as np
@@ -90,23 +91,28 @@ def _case(name, mesh):
     return pytest.param(name, mesh, marks=slow, id=f"{name}-{mesh.value}")
 
 
-@pytest.mark.parametrize(("name", "mesh"), cases())
-def test_hard_cases_of_friction_end_and_are_in_balance(runner, name, mesh):
-    made = rubbing_record.make(runner, name, mesh)
-    assert made.friction.ended, made.failures
-    assert missed(made.measures) == []
+@pytest.fixture(scope="module")
+def made(runner):
+    """A case with what was checked of it, made once."""
+    return cache(partial(rubbing_record.make, runner))
 
 
 @pytest.mark.parametrize(("name", "mesh"), cases())
-def test_what_hard_cases_of_friction_cost(runner, name, mesh):
-    assert missed(rubbing_record.make(runner, name, mesh).costs) == []
+def test_hard_cases_of_friction_end_and_are_in_balance(made, name, mesh):
+    record = made(name, mesh)
+    assert record.friction.ended, record.failures
+    assert missed(record.measures) == []
 
 
 @pytest.mark.parametrize(("name", "mesh"), cases())
-def test_the_data_of_the_page_are_what_the_code_gives(runner, name, mesh):
+def test_what_hard_cases_of_friction_cost(made, name, mesh):
+    assert missed(made(name, mesh).costs) == []
+
+
+@pytest.mark.parametrize(("name", "mesh"), cases())
+def test_the_data_of_the_page_are_what_the_code_gives(made, name, mesh):
     """Where this fails on purpose: `scripts/mixcontact friction-cases --docs --no-febio`."""
-    made = rubbing_record.make(runner, name, mesh)
-    for now in (made.friction, made.frictionless):
+    for now in (made(name, mesh).friction, made(name, mesh).frictionless):
         assert now.counts == RECORDED[name, mesh.value][now.interface].counts
 
 

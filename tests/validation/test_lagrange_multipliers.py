@@ -19,7 +19,7 @@ from harness.post import compare
 
 LAGMULT = ContactSettings(laugon="LAGMULT")
 STRICT = Control(
-    40,
+    20,
     50.0,
     displacement_tolerance=1e-6,
     energy_tolerance=1e-8,

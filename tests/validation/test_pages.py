@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import pytest
 
-from harness import cli  # noqa: F401 - its commands know the pages of studies
+from harness import site
 from harness.errors import DataFileError
-from harness.pages import command, plugin_parameters, verification
+from harness.pages import plugin_parameters, verification
 from harness.paths import DOCS
 from harness.validate.checks import CHECKS
 
 
-@pytest.mark.parametrize("name", command.PAGES)
+@pytest.mark.parametrize("name", site.PAGES)
 def test_a_generated_page_is_up_to_date(name):
     """Where this fails: `scripts/mixcontact pages`."""
-    assert (DOCS / name).read_text(encoding="utf-8") == command.PAGES[name]()
+    assert (DOCS / name).read_text(encoding="utf-8") == site.PAGES[name]()
 
 
 def altered(tmp_path, monkeypatch, old: str, new: str) -> None:

@@ -16,7 +16,7 @@ from harness.paths import REPOSITORY
 HARNESS = REPOSITORY / "scripts" / "harness"
 ROOMS = (
     *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post"),
-    *("indentation", "validate", "pages", "studies", "user_commands", "cli", "__main__"),
+    *("indentation", "validate", "pages", "studies", "user_commands", "cli", "site", "__main__"),
 )
 """Folders and files directly in the harness, the lowest first."""
 STUDIES = (

@@ -1,8 +1,7 @@
-"""The commands that write what is generated: pages of the documentation, the report, the collection in models/."""
+"""The commands that write what is generated from runs and models: the report, and the collection in models/."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -10,15 +9,7 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
-from harness.pages import (
-    collection,
-    linear_solver_results,
-    plugin_parameters,
-    scene_results,
-    sketches,
-    verification,
-)
-from harness.pages.gallery import page as gallery
+from harness.pages import collection, verification
 from harness.paths import DOCS, MODELS, RESULTS
 from harness.run import provenance
 from harness.validate.checks import CHECKS
@@ -26,33 +17,6 @@ from harness.validate.checks import CHECKS
 console = Console(highlight=False, soft_wrap=True)
 MISSED = 1
 """Exit code where a tolerance is missed."""
-
-PAGES: dict[str, Callable[[], str]] = {
-    plugin_parameters.PAGE: plugin_parameters.page,
-    gallery.PAGE: lambda: gallery.page(gallery.read(DOCS)),
-    verification.PAGE: lambda: verification.page(verification.read(DOCS)),
-    scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
-    scene_results.ALL: lambda: scene_results.all_scenes(scene_results.read(DOCS / scene_results.DATA)),
-    linear_solver_results.PAGE: lambda: linear_solver_results.page(
-        linear_solver_results.read(DOCS / linear_solver_results.DATA)
-    ),
-}
-"""Generated pages, from code or from results in docs/data, without a run. `harness.cli` adds those of studies."""
-
-
-def pages(
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
-) -> None:
-    """Write the generated pages of the documentation anew, from the code and from the results in docs/data."""
-    for name, text in PAGES.items():
-        path = DOCS / name
-        made = text()
-        if not check:
-            path.write_text(made, encoding="utf-8")
-        elif not path.is_file() or path.read_text(encoding="utf-8") != made:
-            raise HarnessError(f"{path} is not what `pages` writes; it writes it anew")
-    if not check:
-        sketches.draw(DOCS)
 
 
 def report(

@@ -1,4 +1,4 @@
-"""What the code does not say of the contact's parameters: unit, effect, price, and what FEBio's interfaces do."""
+"""What the code does not say of the contact's parameters: unit, effect, cost, and what FEBio's interfaces do."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Note:
     ----------
     effect : str
         What it means and does.
-    price : str
+    cost : str
         What it costs, in time or robustness.
     febio : str
         What it is in FEBio's own interfaces.
@@ -24,7 +24,7 @@ class Note:
     """
 
     effect: str
-    price: str = "none"
+    cost: str = "none"
     febio: str = "same"
     unit: str = ""
     default: str = ""

@@ -172,7 +172,7 @@ Which one to change first stands in the [how-to](../how-to/parameters.md#which-p
 
 def _table(parameters: list[Parameter]) -> str:
     lines = [
-        "| parameter | unit | default | meaning and effect | price | in FEBio's interfaces |",
+        "| parameter | unit | default | meaning and effect | cost | in FEBio's interfaces |",
         "|---|---|---|---|---|---|",
     ]
     return "\n".join([*lines, *(_row(parameter, NOTES[parameter.name]) for parameter in parameters)])
@@ -181,4 +181,4 @@ def _table(parameters: list[Parameter]) -> str:
 def _row(parameter: Parameter, note: Note) -> str:
     unit = note.unit or ("0, 1" if parameter.kind == "bool" else "-")
     default = "automatic" if parameter.name in AUTOMATIC else note.default or parameter.default
-    return f"| `{parameter.name}` | {unit} | {default} | {note.effect} | {note.price} | {note.febio} |"
+    return f"| `{parameter.name}` | {unit} | {default} | {note.effect} | {note.cost} | {note.febio} |"

@@ -56,6 +56,15 @@ class Zones:
         left, right = (np.interp(side * self.stick_half_width, self.x, self.pressure) for side in (-1.0, 1.0))
         return float(FRICTION * 0.5 * (left + right))
 
+    def pressed(self, tolerance: float) -> list[Measure]:
+        """Half-width and peak of the pressure against Hertz's, relative: its square falls linearly with x^2 to zero."""
+        slope, start = np.polyfit((self.x - np.mean(self.x)) ** 2, self.pressure**2, 1)
+        width, peak = np.sqrt(-start / slope) / self.half_width, np.sqrt(start) * FRICTION / self.bound
+        return [
+            Measure("Hertz's line contact, half-width, relative error", float(abs(width - 1.0)), tolerance),
+            Measure("Hertz's line contact, peak pressure, relative error", float(abs(peak - 1.0)), tolerance),
+        ]
+
     def measures(self, tolerance: float) -> list[Measure]:
         """Stick half-width and peak shear against the closed form, relative."""
         width = self.stick_half_width / cattaneo_mindlin.stick_half_width(self.half_width, self.ratio)

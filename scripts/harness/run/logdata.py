@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -78,9 +79,15 @@ def read_history(path: Path, columns: tuple[str, ...]) -> History:
         A missing file, a file without data, or one whose blocks differ in size; names file and line.
     """
     try:
-        lines = path.read_text().splitlines()
+        return _read(path, columns, path.stat().st_mtime_ns)
     except OSError as error:
         raise DataFileError(f"cannot read the data file {path}: {error.strerror}") from error
+
+
+@lru_cache(maxsize=8)
+def _read(path: Path, columns: tuple[str, ...], _changed: int) -> History:
+    """The checks of a run read its files one after the other, each several times."""
+    lines = path.read_text().splitlines()
     times: list[float] = []
     blocks: list[list[str]] = []
     for number, line in enumerate(lines, 1):
@@ -115,4 +122,5 @@ def _assemble(path: Path, columns: tuple[str, ...], times: list[float], blocks: 
         table = np.array(words, dtype=np.float64).reshape(len(blocks), n_items, width)
     except ValueError as error:
         raise DataFileError(f"{path}: {error}") from error
+    table.flags.writeable = False  # shared by all who read the file
     return History(np.array(times), table[0, :, 0].astype(np.int64), columns, table[:, :, 1:])

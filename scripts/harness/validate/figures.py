@@ -21,6 +21,8 @@ CONVECTION = "figure-3.3"
 TIMES = (100.0, 400.0, 1000.0, 2000.0, 4000.0, 8000.0)
 """Times of the curves of figure 3.2, s."""
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8", "#c77d0a", "#4a4e52")
+MARKS = ("o", "s", "^", "D", "v", "X")
+"""One for each curve, so that grey tells them apart."""
 
 
 def diffusion_profiles(context: Context) -> list[Profile]:
@@ -108,18 +110,19 @@ def _curves(
     profiles: dict[float, Profile],
     label: Callable[[float], str],
 ) -> None:
-    """Closed forms as lines, and nodal values as open circles over them."""
+    """Closed forms as lines, and nodal values as open marks over them."""
     z = np.linspace(-1.0, 1.0, 401)
-    for parameter, colour in zip(parameters, COLOURS, strict=False):
-        axes.plot(z, exact(z, parameter), color=colour, linewidth=1.3, label=label(parameter))
-        found = profiles.get(float(parameter))
-        if found:
-            axes.plot(found.z, found.c, "o", color=colour, markerfacecolor="white", markersize=3.6, clip_on=False)
+    for parameter, colour, mark in zip(parameters, COLOURS, MARKS, strict=False):
+        axes.plot(z, exact(z, parameter), color=colour, linewidth=1.3)
+        found = profiles.get(float(parameter), Profile("", parameter, [], []))
+        drawn = axes.plot(found.z, found.c, mark, color=colour, markersize=4.5, clip_on=False, label=label(parameter))[
+            0
+        ]
+        drawn.set_markerfacecolor("white")
 
 
 def _save(figure: Figure, axes: Axes, path: Path) -> Path:
     axes.plot([], [], "-", color="0.3", label="closed form")
-    axes.plot([], [], "o", color="0.3", markerfacecolor="white", markersize=3.6, label="simulation")
     figure.legend(loc="outside right upper", fontsize=8, frameon=False)
     figure.savefig(path, dpi=160)
     return path

@@ -15,10 +15,8 @@ constexpr int samples = 10;
 template <class Check>
 void for_every_pair(unsigned seed, const Check& check) {
   std::mt19937 random(seed);
-  for (const FacetType one : all_facets) {
-    for (const FacetType two : all_facets) {
-      for (int sample = 0; sample < samples; ++sample) check(RandomContact(one, two, 0, random));
-    }
+  for (const auto& [one, two] : facet_pairs()) {
+    for (int sample = 0; sample < samples; ++sample) check(RandomContact(one, two, 0, random));
   }
 }
 

@@ -29,10 +29,8 @@ struct SlidingContact {
 template <class Check>
 void for_every_pair(unsigned seed, const Check& check) {
   std::mt19937 random(seed);
-  for (const FacetType one : all_facets) {
-    for (const FacetType two : all_facets) {
-      for (int sample = 0; sample < samples; ++sample) check(SlidingContact(one, two, random), random);
-    }
+  for (const auto& [one, two] : facet_pairs()) {
+    for (int sample = 0; sample < samples; ++sample) check(SlidingContact(one, two, random), random);
   }
 }
 

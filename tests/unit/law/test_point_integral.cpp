@@ -17,10 +17,8 @@ constexpr double balance_tolerance = 1e-12;
 template <class Check>
 void for_every_pair(unsigned seed, int samples, const Check& check) {
   std::mt19937 random(seed);
-  for (const FacetType one : all_facets) {
-    for (const FacetType two : all_facets) {
-      for (int sample = 0; sample < samples; ++sample) check(RandomContact(one, two, fields, random));
-    }
+  for (const auto& [one, two] : facet_pairs()) {
+    for (int sample = 0; sample < samples; ++sample) check(RandomContact(one, two, fields, random));
   }
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import cycle
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,8 @@ from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
+STYLES = ("-", "--", ":")
+"""Of lines, so that grey tells them apart, too."""
 DPI = 110
 ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 """Lengths of a scale bar, mm."""
@@ -164,9 +167,8 @@ def draw_curves(curves: Curves, path: Path) -> Path:
 
 
 def _panel(axes: Axes, times: Array, lines: Mapping[str, Array], label: str) -> None:
-    for number, (name, values) in enumerate(lines.items()):
-        style = "-" if number % 2 == 0 else "--"
-        axes.plot(times, values, style, color=COLOURS[number % len(COLOURS)], linewidth=1.4, label=name)
+    for (name, values), colour, style in zip(lines.items(), cycle(COLOURS), cycle(STYLES)):
+        axes.plot(times, values, style, color=colour, linewidth=1.4, label=name)
     axes.set_xlabel("time [s]")
     axes.set_ylabel(label)
     axes.spines[["top", "right"]].set_visible(False)

@@ -86,7 +86,7 @@ def draw(data: Sequence[Datum], path: Path) -> Path:
         whole = problem is Problem.INDENTATION
         axes.set_xlabel("processor time [s]" if whole else "processor time over that\nof the conforming reference [-]")
         axes.set_ylabel("error against the finest run [-]" if whole else "error of the contact [-]")
-        axes.set_title(f"problem {problem.value}", fontsize=10)
+        axes.set_title(f"problem {problem.value}", fontsize=10, pad=10)
     figure.legend(handles=_handles(data), fontsize=8, ncols=4, loc="outside lower center", frameon=False)
     figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
     return path
@@ -129,9 +129,10 @@ def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
     axes.text(1.0, 0.95, "did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
     if data[0].problem == Problem.INDENTATION.value:
         axes.set_xscale("log")
-        axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-        axes.xaxis.set_major_formatter("{x:g}")
-        axes.xaxis.set_minor_formatter("")
+        for axis in (axes.xaxis, axes.yaxis):  # both span a decade or two
+            axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            axis.set_major_formatter("{x:g}")
+            axis.set_minor_formatter("")
 
 
 def _handles(data: Sequence[Datum]) -> list[Line2D]:

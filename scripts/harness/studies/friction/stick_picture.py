@@ -30,11 +30,12 @@ def draw(data: Sequence[Datum], path: Path) -> Path:
     all_axes = figure.subplots(1, len(Problem))
     for axes, problem in zip(all_axes, Problem, strict=True):
         _panel(axes, [d for d in data if d.problem == problem.value and d.ended])
+        _mark_failed(axes, [d for d in data if d.problem == problem.value and not d.ended])
         axes.set(xlabel=LABELS[problem][1], ylabel=LABELS[problem][0], xscale="log", yscale="log")
         axes.xaxis.set_major_formatter(ScalarFormatter())
         axes.xaxis.set_minor_formatter(NullFormatter())
-        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 3.0, 5.0)))
-        axes.set_title(problem.value, fontsize=10)
+        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 3.0, 4.0, 5.0)))
+        axes.set_title(problem.value, fontsize=10, pad=10)
     found = {label: line for axes in all_axes for line, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     figure.legend(found.values(), found, fontsize=8, ncols=3, loc="outside lower center", frameon=False)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -59,3 +60,14 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
             markersize=12 if default else 5,
             label=f"{interface}, {parameter}",
         )
+
+
+def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
+    """Runs that did not end, in a row at the upper right corner: they have neither an error nor a time to compare."""
+    for number, datum in enumerate(data):
+        colour, fill = LOOKS[datum.interface]
+        mark = MARKERS[Parameter(datum.parameter)]
+        drawn = axes.plot(1.0 - 0.05 * number, 1.0, mark, transform=axes.transAxes, clip_on=False)[0]
+        drawn.set(color=colour, markerfacecolor=fill, markersize=6, gid=f"failed {datum.interface}")
+    if data:
+        axes.text(1.0, 0.97, "did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)

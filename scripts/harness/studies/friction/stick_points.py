@@ -197,11 +197,17 @@ def least_time(data: Sequence[Datum]) -> str:
 
 
 def _paid(datum: Datum | None) -> str:
-    if datum is None:
-        return "not reached"
+    return f"{_setting(datum)}: {datum.iterations} it., {datum.time:.2f}" if datum else "not reached"
+
+
+def _setting(datum: Datum) -> str:
     default = datum.parameter == Parameter.DEFAULT.value
-    what = datum.parameter if default else f"{datum.parameter} {datum.value:g}"
-    return f"{what}: {datum.iterations} it., {datum.time:.2f}"
+    return datum.parameter if default else f"{datum.parameter} {datum.value:g}"
+
+
+def failed(data: Sequence[Datum]) -> str:
+    """The runs that did not end, in words."""
+    return "; ".join(f"`{d.interface}`, {_setting(d)}" for d in data if not d.ended) or "none"
 
 
 def value_of(data: Sequence[Datum], problem: Problem, parameter: Parameter, value: float) -> float:
@@ -221,5 +227,6 @@ def figures(data: Sequence[Datum]) -> dict[str, str]:
     }
     return {
         "least_time": least_time(data),
+        "failed": failed(data),
         **{f"stick_{name}": f"{value_of(data, *point):.1e}" for name, point in told.items()},
     }

@@ -197,17 +197,17 @@ def _facet_length(model: Model, surface: str) -> float:
 
 
 def invariance(run: RunResult, rerun: Runner, tolerance: float) -> list[Measure]:
-    """The same model moved, renumbered and with its sides exchanged."""
-    columns = run.model.node_columns
-    away = rerun(variants.moved(run.model)).nodes
-    moved = variants.difference(run, variants.turned_back(away.values, columns), away.times)
-    model, place = variants.renumbered(run.model)
+    """The same model moved and renumbered, in one run, and with its sides exchanged."""
+    model, place = variants.renumbered(variants.moved(run.model))
     other = rerun(model).nodes
-    renumbered = variants.difference(run, other.values[:, place], other.times)
+    back = variants.turned_back(other.values[:, place], run.model.node_columns)
     exchanged = rerun(variants.swapped(run.model))
     return [
-        Measure("moved as a whole, relative difference", moved, INVARIANT),
-        Measure("nodes renumbered, relative difference", renumbered, INVARIANT),
+        Measure(
+            "moved as a whole, nodes renumbered, relative difference",
+            variants.difference(run, back, other.times),
+            INVARIANT,
+        ),
         Measure(
             "sides swapped, relative difference of forces and concentrations",
             _swap(run, exchanged),
