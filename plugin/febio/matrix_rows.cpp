@@ -39,21 +39,6 @@ Row row_of(CRSSparseMatrix& matrix, int equation) {
   return {matrix.Indices() + begin, end - begin, matrix.Values() + begin};
 }
 
-/// Rows of a block one after the other that have the same columns, as those of one node mostly do: blocks are stored by
-/// columns.
-using Band = std::vector<Row>;
-
-/// The band that begins with a row of a block, given the equations of its rows; none where that row has no equation.
-Band band_from(CRSSparseMatrix& matrix, const std::vector<int>& equations, std::size_t first) {
-  Band band;
-  for (std::size_t i = first; i < equations.size() && equations[i] >= 0; ++i) {
-    const Row row = row_of(matrix, equations[i]);
-    if (!band.empty() && !row.has_columns_of(band.front())) break;
-    band.push_back(row);
-  }
-  return band;
-}
-
 /// Finds the places of columns in a row, given those in another one, which are mostly the same.
 void find_places(const Row& row, const std::vector<Column>& order, int offset, std::vector<int>& places) {
   int place = 0;
@@ -75,14 +60,14 @@ MatrixRows::MatrixRows(FEGlobalMatrix& matrix) : rows_(dynamic_cast<CRSSparseMat
 void MatrixRows::subtract(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& block) const {
   const std::vector<Column> order = ascending(columns);
   std::vector<int> places(order.size(), 0);
-  Band band;
-  for (std::size_t first = 0; first < rows.size(); first += std::max<std::size_t>(1, band.size())) {
-    band = band_from(*rows_, rows, first);
-    if (band.empty()) continue;
-    find_places(band.front(), order, rows_->Offset(), places);
+  Row last;  // the next one mostly has the same columns: it is of the same node
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] < 0) continue;
+    const Row row = row_of(*rows_, rows[i]);
+    if (!row.has_columns_of(last)) find_places(row, order, rows_->Offset(), places);
     for (std::size_t k = 0; k < order.size(); ++k) {
-      for (std::size_t i = 0; i < band.size(); ++i)
-        band[i].values[places[k]] -= block(static_cast<Index>(first + i), order[k].second);
+      row.values[places[k]] -= block(static_cast<Index>(i), order[k].second);
     }
+    last = row;
   }
 }
