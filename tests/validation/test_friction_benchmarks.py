@@ -59,7 +59,7 @@ RECORDED = files.read_csv(DATA / curves_table.SOURCE, Row)
 """What the page of friction says."""
 
 
-@pytest.mark.slow
+@pytest.mark.slow(longest=True)
 @pytest.mark.mixture_only
 @pytest.mark.parametrize("problem", ["torque", "force"])
 def test_the_hemisphere_of_the_page_is_what_the_code_gives(runner, problem):
@@ -74,7 +74,7 @@ def test_the_torque_of_a_twisting_hemisphere():
     assert missed(curves.torque_measures(RECORDED, "fine mesh")) == []
 
 
-@pytest.mark.slow
+@pytest.mark.slow(longest=True)
 @pytest.mark.mixture_only
 def test_the_force_of_concentric_spheres(runner):
     """On the coarse mesh; `friction-benchmarks` runs the fine one, too."""

@@ -83,8 +83,8 @@ layer. `yes`: the run ends normally, with the values of `pardiso` to {largest} o
 {table}
 
 Multipliers put zeros on the diagonal, on which incomplete factorisations divide: use a direct solver with `LAGMULT`.
-Whether `ilu0` or `ilut` solves a model with multipliers depends on rounding, and differs between machines; the cells say
-what one machine found.
+Whether `ilu0` or `ilut` solves a model with multipliers depends on rounding, and differs between machines; the cells
+say what one machine found.
 The log and `scripts/mixcontact check` warn of a solver for symmetric matrices and of an iterative one with `LAGMULT`.
 FEBio's message is "Linear solver failed to find solution" where a solver fails, and "The selected linear solver does
 not support the requested matrix format" where it is for symmetric matrices or was not built in.
