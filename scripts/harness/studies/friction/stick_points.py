@@ -186,13 +186,19 @@ LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)
 
 
 def least_time(data: Sequence[Datum]) -> str:
-    """A Markdown table: the least that each interface pays for an error in stick: setting, iterations, time."""
+    """A Markdown table: the least that each interface pays for an error in stick: setting, iterations, time.
+
+    The last column names the interface that pays least.
+    """
     names = list(dict.fromkeys(d.interface for d in data))
-    lines = ["| error | " + " | ".join(f"`{name}`" for name in names) + " |", "|---" * (len(names) + 1) + "|"]
+    lines = ["| " + " | ".join(("error", *(f"`{name}`" for name in names), "less time")) + " |"]
+    lines.append("|---" * (len(names) + 2) + "|")
     for error in LEVELS:
         good = [d for d in data if d.problem == Problem.STICK.value and d.ended and d.error <= error]
         best = [min((d for d in good if d.interface == name), key=lambda d: d.time, default=None) for name in names]
-        lines.append(f"| {error:.0e} | " + " | ".join(_paid(each) for each in best) + " |")
+        least = min(filter(None, best), key=lambda d: d.time, default=None)
+        cells = (f"{error:.0e}", *(_paid(each) for each in best), f"`{least.interface}`" if least else "")
+        lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 
