@@ -75,6 +75,7 @@ NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patc
   if (space.effects().has_friction()) {
     set_zero(linear.friction, layout, space.effects());
     linear.friction.pressure_field = space.effects().pressure_field();
+    linear.friction.turning = space.facing().moves_points() ? layout.nodes() : layout.primary_nodes();
   }
   if (patch.displacements) linear.gap_variation.setZero(layout.size());
   linear.traction_work = linear.gap_variation;
@@ -103,8 +104,12 @@ PairLinearisation zero_linearisation(const MortarSpace& space, const FacetPair& 
 
 void scatter(const PairFriction& pair, const PairPlaces& place, NodeLinearisation::Friction& sum) {
   for (Index n = 0; n < place.size(); ++n) {
-    sum.average_variation[place[n]] += pair.average_variation.middleCols<3>(3 * n);
-    sum.area_variation.segment<3>(3 * place[n]) += pair.area_variation.segment<3>(3 * n).transpose();
+    if (place[n] < sum.turning) {
+      sum.average_variation[place[n]] += pair.average_variation.middleCols<3>(3 * n);
+      sum.area_variation.segment<3>(3 * place[n]) += pair.area_variation.segment<3>(3 * n).transpose();
+    } else {
+      sum.average_variation[place[n]].topRows<3>() += pair.average_variation.block<3, 3>(0, 3 * n);
+    }
     sum.work[place[n]] += pair.work[n];
     if (!sum.has_fluid()) continue;
     sum.pressure_variation.segment<3>(3 * place[n]) += pair.pressure_variation.segment<3>(3 * n).transpose();
@@ -209,6 +214,7 @@ struct SlidingPoint {
   PairVariation<6> variation;           ///< dy + y dw/w
   PairVector work;                      ///< |a| h
   bool moves = false;                   ///< whether the point wanders over the primary facet
+  Index turning = 0;                    ///< nodes that turn the normal: all where it moves, else the primary facet's
   double pressure = 0;                  ///< |a| (p~ - p*); without fluid the next two are empty
   PairVariation<1> pressure_variation;  ///< of |a| (p~ - p*) at fixed nodal values, plus it times dw/w
   PairVector pressure_weights;          ///< |a| (p~ - p*) with the values of p~
@@ -238,6 +244,7 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   const PairVariation<1> darea = weighted_area_variation(at.point);
   SlidingPoint sliding;
   sliding.moves = space.facing().moves_points();
+  sliding.turning = sliding.moves ? kinematics.nodes() : kinematics.primary_nodes();
   sliding.value << kinematics.area * r, kinematics.area_vector;
   sliding.variation.resize(6, darea.size());
   const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slip_slope_with_eta(past);
@@ -253,7 +260,8 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
       facing += with_xi.lazyProduct(vary.xi.col(column));
       normal += vary.weight[column] * kinematics.area_vector;
     }
-    sliding.variation.col(column) << facing + darea[column] * r, normal;
+    sliding.variation.col(column).head<3>() = facing + darea[column] * r;
+    sliding.variation.col(column).tail<3>() = normal;
   }
   sliding.work = kinematics.area * kinematics.jump_weights();
   return sliding;
@@ -269,11 +277,13 @@ void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& s
     sum.pressure_variation += share * sliding.pressure_variation;
     sum.pressure_weights += share * sliding.pressure_weights;
   }
-  for (Index n = 0; n < sum.work.size(); ++n) {
+  for (Index n = 0; n < sliding.turning; ++n) {
     Eigen::Matrix<double, 6, 3> change = share * sliding.variation.middleCols<3>(3 * n);
     if (sliding.moves) change += sliding.value.lazyProduct(at.wandering.segment<3>(3 * n));
     sum.average_variation.middleCols<3>(3 * n) += change;
   }
+  for (Index n = sliding.turning; n < sum.work.size(); ++n)
+    sum.average_variation.block<3, 3>(0, 3 * n) += share * sliding.variation.block<3, 3>(0, 3 * n);
   if (has_fluid && sliding.moves) sum.pressure_variation += sliding.pressure * at.wandering;
 }
 
@@ -283,10 +293,11 @@ void divide_by_area(NodeLinearisation::Friction& sum, const NodalLoads& loads, I
   const NodalFriction& friction = loads.friction;
   Eigen::Matrix<double, 6, 1> average;
   average << friction.slip.col(node), friction.area_vector.col(node);
-  for (Index n = 0; n < sum.average_variation.count(); ++n) {
+  for (Index n = 0; n < sum.turning; ++n) {
     const Eigen::RowVector3d area_variation = sum.area_variation.segment<3>(3 * n);
     sum.average_variation[n] = per_area * (sum.average_variation[n] - average.lazyProduct(area_variation));
   }
+  for (Index n = sum.turning; n < sum.average_variation.count(); ++n) sum.average_variation[n].topRows<3>() *= per_area;
   if (!sum.has_fluid()) return;
   sum.pressure_variation = per_area * (sum.pressure_variation - friction.pressure[node] * sum.area_variation);
   sum.pressure_weights *= per_area;

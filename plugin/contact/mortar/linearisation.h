@@ -24,6 +24,9 @@ struct NodeLinearisation {
     VectorXd pressure_variation;  ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
     VectorXd pressure_weights;    ///< with the values of p~, one per node of the patch; empty without fluid
 
+    /// Nodes of the patch, from its first, that turn the mean normal or change the node's area: all where points move
+    /// over their facets, else the primary ones. The others change the slip alone.
+    Index turning = 0;
     int pressure_field = 0;  ///< as Effects has it
 
     bool empty() const { return work.size() == 0; }

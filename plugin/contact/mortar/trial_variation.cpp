@@ -19,8 +19,10 @@ Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisa
   const Eigen::Matrix3d by_slip = laws.friction_penalty(node) * in_plane * friction.convection[node];
   const Eigen::Matrix<double, 3, 6> by_average = (Eigen::Matrix<double, 3, 6>() << -by_slip, -by_normal).finished();
   Matrix3Xd change(3, 3 * vary.average_variation.count());
-  for (Index b = 0; b < vary.average_variation.count(); ++b)
+  for (Index b = 0; b < vary.turning; ++b)
     change.middleCols<3>(3 * b) = by_average.lazyProduct(vary.average_variation[b]);
+  for (Index b = vary.turning; b < vary.average_variation.count(); ++b)
+    change.middleCols<3>(3 * b) = by_average.leftCols<3>().lazyProduct(vary.average_variation[b].topRows<3>());
   for (Index b = 0; b < vary.convection.cols(); ++b)
     change.middleCols<3>(3 * b) += vary.convection.col(b).dot(trial.past) * in_plane;
   return change;
