@@ -15,6 +15,7 @@ from harness.studies.cost import command, interleaved, pareto
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import OWN, Problem, finest, points
+from harness.studies.limit import at_limit
 
 BASE = Datum("3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 1.0, 0.0, 9.0)
 CHEAP = replace(BASE, parameter="penalty factor", value=10.0, contact_error=1e-2, iterations=22, ratio=0.9)
@@ -34,9 +35,9 @@ def test_runs_that_failed_and_other_meshes_are_not_compared():
     assert pareto.comparable(DATA, Problem.CONVECTION, ended=False) == [FAILED]
 
 
-def test_runs_without_counts_of_iterations_were_stopped_at_the_limit():
+def test_runs_without_counts_of_iterations_were_ended_by_the_limit():
     stopped = replace(FAILED, iterations=0)
-    assert [pareto.was_stopped(datum) for datum in (BASE, FAILED, stopped)] == [False, False, True]
+    assert [at_limit(datum.ended, datum.iterations) for datum in (BASE, FAILED, stopped)] == [False, False, True]
 
 
 @pytest.mark.parametrize("problem", list(Problem))

@@ -120,29 +120,34 @@ def test_the_table_says_where_febio_adds_less():
     rows = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4), price("sliding-biphasic", 10.0, 0.6)])
     assert [row.split(" | ")[-1] for row in rows.splitlines()[3:]] == ["`sliding-biphasic` |", "`sliding-mixture` |"]
     failed = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4, ended=False)])
-    assert "does not end" in failed
+    assert "| fails |" in failed
     assert failed.endswith("`sliding-mixture` |")
 
 
 def test_a_table_of_joints_names_the_run_that_takes_less_time():
     def price(kind: str, ratio: float, *, ended: bool = True) -> joints.JointPrice:
-        counts = (60, 0, 60) if kind == "sliding-mixture" else (50, 1, 40)
+        counts = {joints.OURS: (60, 0, 60), joints.PREDICTED: (45, 2, 45)}.get(kind, (50, 1, 40))
         return joints.JointPrice("knee", kind, ended, *counts, 2.0, ratio, 1.0, 1.5, 0.2, 600, 100, 500, 9000)
 
-    ours, theirs = price("sliding-mixture", 1.25), price("sliding-elastic", 1.0)
-    (row,) = joints.joints_table([ours, theirs]).splitlines()[2:]
-    assert row == "| knee | 60, 50 | 0, 1 | 60, 40 | 1.25 (1.00 to 1.50) | 20 % | 6.0 | 1.00 | `sliding-elastic` |"
-    (row,) = joints.joints_table([price("sliding-mixture", 0.8), theirs]).splitlines()[2:]
-    assert row.endswith("`sliding-mixture` |")
-    (row,) = joints.joints_table([ours, price("sliding-elastic", 1.0, ended=False)]).splitlines()[2:]
-    assert "60, does not end" in row
-    assert row.endswith("`sliding-mixture` |")
+    def row(*prices: joints.JointPrice) -> str:
+        return joints.joints_table(joints.arranged(prices)).splitlines()[2]
+
+    ours, predicted, theirs = price(joints.OURS, 1.25), price(joints.PREDICTED, 1.1), price("sliding-elastic", 1.0)
+    default = "| knee | 60, 50 | 0, 1 | 60, 40 | 1.25 (1.00 to 1.50) | 20 % | 6.0 | 1.00 | `sliding-elastic` |"
+    assert row(ours, predicted, theirs) == f"{default} 45 | 2 | 1.10 (1.00 to 1.50) |"
+    assert "| `sliding-mixture` | 45 |" in row(price(joints.OURS, 0.8), predicted, theirs)
+    failed = row(ours, predicted, price("sliding-elastic", 1.0, ended=False))
+    assert "60, fails" in failed
+    assert failed.endswith("| `sliding-mixture` | 45 | 2 |  |")
+    with pytest.raises(DataFileError, match="'knee' is not there with all contacts"):
+        joints.arranged([ours, theirs])
 
 
-def test_both_contacts_of_a_joint_have_the_same_mesh_and_conditions():
+def test_the_contacts_of_a_joint_have_the_same_mesh_and_conditions():
     for scene in joints.SCENES.values():
-        ours, theirs = scene.model(), joints.rival(scene).model()
-        assert ours.contacts[0].kind == "sliding-mixture" != theirs.contacts[0].kind
+        ours, predicted, theirs = (one.model() for one in joints.contacts(scene).values())
+        assert ours.contacts[0].kind == predicted.contacts[0].kind == "sliding-mixture" != theirs.contacts[0].kind
+        assert [param.tag for param in predicted.contacts[0].params] == ["predictor"]
         assert replace(ours, contacts=(), header="", mesh=None) == replace(theirs, contacts=(), header="", mesh=None)
         np.testing.assert_array_equal(ours.mesh.nodes, theirs.mesh.nodes)
         assert ours.mesh.pairs == theirs.mesh.pairs

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from harness.pages import scene_results
+from harness.studies.limit import LIMIT
 from harness.studies.real_models import comparison
 from harness.studies.real_models.all_scenes import SCENES
 
@@ -42,7 +43,6 @@ SLOW = (
     "friction-elements-tet10",
 )
 """One of each kind; the command `real-models` runs all."""
-TIMEOUT = 300.0
 WITH_RETRIES_BY_DEFAULT = {
     "slot-closes": "the step in which the slot's mouth touches fails with a factor of 100, FEBio's interface's as well",
 }
@@ -61,7 +61,7 @@ def test_there_are_scenes_of_every_kind():
 @pytest.mark.usefixtures("runner")
 @pytest.mark.parametrize("name", [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)])
 def test_a_scene_runs_as_with_febios_interface(name, tmp_path):
-    row = comparison.compare(name, SCENES[name], tmp_path, TIMEOUT)
+    row = comparison.compare(name, SCENES[name], tmp_path, LIMIT)
     assert row.febio.ended
     for ours in (row.converted, row.defaults):
         assert ours.ended, ours.why

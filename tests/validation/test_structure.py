@@ -21,6 +21,7 @@ ROOMS = (
 """Folders and files directly in the harness, the lowest first."""
 STUDIES = (
     "files",
+    "limit",
     "timing",
     "hard_cases",
     "fuzz",

@@ -22,14 +22,15 @@ HEAD = """\
 
 Scenes of the breadth that users have: element types, materials, loads, rigid bodies, porous bodies with and
 without solutes, each with the FEBio interface that a user would take and the parameters that a user would
-give it. Each is run three times: with FEBio's interface; through `scripts/mixcontact convert`, with the same
-penalties; and with the penalties deleted, so that the plugin chooses them.
+give it. Each is run in four ways: with FEBio's interface; through `scripts/mixcontact convert`, with the same
+penalties; with the penalties deleted, so that the plugin chooses them; and so with `predictor` 1 as well. The limit is
+the same for all and counts processor time.
 
 ```console
 scripts/mixcontact real-models --only elements-hex8
 ```
 
-runs one of them; without `--only` all of them. {stamp}
+runs one of them; without `--only` all of them. Made with {stamp}.
 
 {summary}
 
@@ -40,7 +41,8 @@ numbers the two are equal to 1e-8 (`tests/real_models/test_uniform_contact.py`).
 meets a flat one, and the meshes are coarse: FEBio's interfaces act at Gauss points of facets, this one on means
 around nodes, and they see the same facets by different gaps. {finer} Pressures differ most at nodes that one
 interface has in contact and the other at the ambient pressure: at the edge of contact and, with FEBio's
-interfaces, at single nodes within it. The predictor is off.
+interfaces, at single nodes within it. The predictor is off but in the last column of runs; it is not available in
+models with rigid bodies.
 
 [All scenes](../reference/real-models.md) have a row each. These are worse than FEBio's, or not comparable:
 
@@ -52,7 +54,7 @@ ALL_HEAD = """\
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/scene_results.py instead. -->
 
 Newton iterations, with retries in brackets, of the scenes of [real models](../evidence/real-models.md), where it says
-what the columns are. {stamp}
+what the columns are. Made with {stamp}.
 
 {table}
 """
@@ -62,6 +64,10 @@ FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit"
 """Scenes on two meshes, one twice as fine as the other."""
 MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""
+AT_LIMIT = "ended by the limit"
+"""Why a run did not end that took all of its processor time."""
+UNAVAILABLE = "not available in models with rigid bodies"
+"""What the plugin says of the predictor there."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +84,7 @@ class Took:
     of_fields : float
         The same of pressure and concentrations, the largest of them; not a number where there are none.
     why : str
-        Why there is no run, or why it failed.
+        Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it.
     """
 
     ended: bool
@@ -89,16 +95,27 @@ class Took:
     of_fields: float = math.nan
     why: str = ""
 
+    @property
+    def at_limit(self) -> bool:
+        """Whether the limit ended it."""
+        return self.why == AT_LIMIT
+
+    @property
+    def available(self) -> bool:
+        """Whether the plugin takes the model with the predictor."""
+        return UNAVAILABLE not in self.why
+
 
 @dataclass(frozen=True)
 class Row:
-    """A scene and its three runs."""
+    """A scene and its runs: with FEBio's interface, converted, without penalties, and so with the predictor."""
 
     name: str
     about: str
     febio: Took
     converted: Took
     defaults: Took
+    predicted: Took
 
     def worse(self, ours: Took) -> str:
         """In what a run of ours is worse than FEBio's; empty where in nothing."""
@@ -114,10 +131,9 @@ class Row:
 
 @dataclass(frozen=True)
 class Results:
-    """What the command found, with what, and with which limit of wall time (s)."""
+    """What the command found, and with what."""
 
     stamp: Stamp
-    wall_limit: float
     rows: list[Row]
 
 
@@ -138,7 +154,7 @@ def read(path: Path) -> Results:
     try:
         data = json.loads(path.read_text())
         rows = [_row(**row) for row in data["rows"]]
-        return Results(Stamp(**data["stamp"]), data["wall_limit"], rows)
+        return Results(Stamp(**data["stamp"]), rows)
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise DataFileError(f"{path} holds no results ({error}); `real-models --docs` writes it") from error
 
@@ -151,16 +167,12 @@ def page(results: Results) -> str:
     """The page of evidence: what it comes to, and the scenes in which a run of ours is worse."""
     rows = results.rows
     told = [row for row in rows if not row.febio.ended or row.worse(row.converted) or row.worse(row.defaults)]
-    return HEAD.format(stamp=_made(results), summary=summary(rows), finer=finer(rows), table=table(told))
+    return HEAD.format(stamp=results.stamp, summary=summary(rows), finer=finer(rows), table=table(told))
 
 
 def all_scenes(results: Results) -> str:
     """The page with a row for each scene."""
-    return ALL_HEAD.format(stamp=_made(results), table=table(results.rows))
-
-
-def _made(results: Results) -> str:
-    return f"Made with {results.stamp}, and a limit of {results.wall_limit:g} s of wall time for each run."
+    return ALL_HEAD.format(stamp=results.stamp, table=table(results.rows))
 
 
 def finer(rows: Sequence[Row]) -> str:
@@ -174,8 +186,8 @@ def finer(rows: Sequence[Row]) -> str:
 def table(rows: Sequence[Row]) -> str:
     """A Markdown table, a row for each scene: iterations, and retries in brackets where there are any."""
     lines = [
-        "| scene | | FEBio | converted | displacements differ by | fields | defaults | worse in |",
-        "|---|---|---|---|---|---|---|---|",
+        "| scene | | FEBio | converted | displacements differ by | fields | defaults | with `predictor` 1 | worse in |",
+        "|---|---|---|---|---|---|---|---|---|",
     ]
     for row in rows:
         worse = "; ".join(
@@ -191,6 +203,7 @@ def table(rows: Sequence[Row]) -> str:
             _number(row.converted.difference),
             _number(row.converted.of_fields),
             _cell(row.defaults),
+            _cell(row.predicted),
             worse.replace("|", "/"),
         )
         lines.append("| " + " | ".join(cells) + " |")
@@ -203,11 +216,15 @@ def _number(difference: float) -> str:
 
 def _cell(took: Took) -> str:
     retries = f" ({took.retries})" if took.retries else ""
-    return f"{took.iterations}{retries}" if took.ended else f"fails after {took.steps} steps{retries}"
+    if took.ended:
+        return f"{took.iterations}{retries}"
+    if not took.available:
+        return "not available"
+    return f"{'limit' if took.at_limit else 'fails'} after {took.steps} steps{retries}"
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """How many scenes end, and how many are no worse than FEBio's."""
+    """How many scenes end, how many are no worse than FEBio's, and what the limit and the predictor do."""
     sound = [row for row in rows if row.febio.ended]
     parts = [f"{len(rows)} scenes; FEBio's interface ends {len(sound)} of them."]
     for name, of in (("Converted", "converted"), ("With the penalties deleted", "defaults")):
@@ -219,4 +236,23 @@ def summary(rows: Sequence[Row]) -> str:
             f"{name}, {ended} of these end, {fewer} in at most FEBio's iterations; {harmed} are worse: they fail, or "
             f"take more retries, or more than {MOST} times the iterations."
         )
-    return " ".join(parts)
+    return " ".join([*parts, _predictor(rows), _limit(rows)])
+
+
+def _predictor(rows: Sequence[Row]) -> str:
+    """What the predictor does to the runs without penalties."""
+    runs = [(row.defaults, row.predicted) for row in rows if row.predicted.available]
+    both = [(plain, predicted) for plain, predicted in runs if plain.ended and predicted.ended]
+    without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
+    return (
+        f"With the predictor, which {len(runs)} of the scenes can have, {sum(took.ended for _, took in runs)} end; the "
+        f"{len(both)} that end with it and without it take {with_it} iterations with it and {without} without it."
+    )
+
+
+def _limit(rows: Sequence[Row]) -> str:
+    """Which runs the limit ended."""
+    ways = {"FEBio's": "febio", "converted": "converted", "defaults": "defaults", "with the predictor": "predicted"}
+    counts = {name: sum(getattr(row, way).at_limit for row in rows) for name, way in ways.items()}
+    told = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
+    return f"Runs that the limit ended: {told or 'none'}."

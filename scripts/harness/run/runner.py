@@ -9,10 +9,11 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import Any
 
 from filelock import FileLock
 
@@ -128,7 +129,7 @@ class Runner:
         folder = self.root / f"{model.name}-{key}"
         self.root.mkdir(parents=True, exist_ok=True)
         with FileLock(self.root / f"{key}.lock"):
-            return _read_back(model, folder) or self._run(model, options, folder)
+            return _read_back(model, folder, self.processor_limit) or self._run(model, options, folder)
 
     def _run(self, model: Model, options: tuple[str, ...], folder: Path) -> RunResult:
         with suppress(FileNotFoundError):
@@ -138,8 +139,8 @@ class Runner:
         progress = self._progress(model)
         finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
-        done = {"report": asdict(finished.report), "wall": finished.wall, "cpu": finished.cpu}
-        (folder / "done.json").write_text(json.dumps(done))
+        times = {"wall": finished.wall, "cpu": finished.cpu, "limit": self.processor_limit}
+        (folder / "done.json").write_text(json.dumps({"report": asdict(finished.report), **times}))
         return RunResult(model, folder, finished.report, finished.wall, finished.cpu)
 
     def _progress(self, model: Model) -> engine.Progress | None:
@@ -164,13 +165,20 @@ def _key(model: Model, binaries: Sequence[Path], options: Sequence[str]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _read_back(model: Model, folder: Path) -> RunResult | None:
+def _read_back(model: Model, folder: Path, limit: float | None) -> RunResult | None:
+    """What an earlier run left, where it would end in the same way with this limit (s) of processor time."""
     try:
         done = json.loads((folder / "done.json").read_text())
     except FileNotFoundError:
         return None
-    if "cpu" not in done:
+    if "limit" not in done or not _ends_alike(done, limit):
         return None
     report = done["report"]
     report["errors"], report["warnings"] = tuple(report["errors"]), tuple(report["warnings"])
     return RunResult(model, folder, febio_log.Report(**report), done["wall"], done["cpu"])
+
+
+def _ends_alike(done: Mapping[str, Any], limit: float | None) -> bool:
+    if done["report"]["normal"]:
+        return limit is None or done["cpu"] <= limit
+    return bool(done["limit"] == limit)

@@ -23,12 +23,11 @@ from harness.studies.cost import interleaved, page, pareto, point_runs
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import INTERFACES, Parameter, Problem, points
+from harness.studies.limit import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
 DATA = RESULTS_OF_THE_PAGES / "cost.csv"
 """What was measured, as it comes with the documentation."""
-LIMIT = 60.0
-"""s of processor time for one run, the same for all interfaces."""
 
 
 class Part(str, Enum):

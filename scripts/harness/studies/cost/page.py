@@ -13,6 +13,7 @@ from harness.studies import files
 from harness.studies.cost import pareto
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import INTERFACES, Parameter, Problem
+from harness.studies.limit import at_limit
 
 SOURCE, PICTURE = "cost.csv", "images/cost.svg"
 OURS = InterfaceType.MIXTURE.value
@@ -103,9 +104,9 @@ def _failed(data: Sequence[Datum]) -> str:
     counts = []
     for interface in INTERFACES:
         own = [d for d in data if d.interface == interface.value]
-        stopped = sum(map(pareto.was_stopped, own))
-        at_limit = f" ({stopped} of them at the limit)" if stopped else ""
-        counts.append(f"{sum(not d.ended for d in own)} of {len(own)} with `{interface.value}`{at_limit}")
+        stopped = sum(at_limit(d.ended, d.iterations) for d in own)
+        told = f" ({stopped} of them at the limit)" if stopped else ""
+        counts.append(f"{sum(not d.ended for d in own)} of {len(own)} with `{interface.value}`{told}")
     return ", ".join(counts)
 
 

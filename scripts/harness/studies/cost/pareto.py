@@ -55,11 +55,6 @@ def comparable(data: Sequence[Datum], problem: Problem, *, ended: bool = True) -
     return [d for d in data if d.problem == problem.value and d.ended == ended and d.parameter in parameters]
 
 
-def was_stopped(datum: Datum) -> bool:
-    """Whether a run was stopped at the limit: febio4 did not come to write how many iterations it took."""
-    return not datum.ended and datum.iterations == 0
-
-
 def pareto(data: Sequence[Datum]) -> list[Datum]:
     """Data than which no other one is both cheaper and more accurate, from the cheapest on."""
     front: list[Datum] = []

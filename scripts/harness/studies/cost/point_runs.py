@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from statistics import median
 
@@ -21,8 +21,6 @@ from harness.validate import checks
 
 PAIRS = 3
 """How often a run of 3.1 or 3.2 and that of the conforming reference are timed, in turn."""
-FINEST_LIMIT = 1800.0
-"""s of processor time for the finest run of 3.3, which all others are compared with and so must end."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +76,7 @@ def measure(point: Point, runner: Runner) -> Datum:
     ended, contact_error, error, ratios = run.report.normal, math.nan, math.nan, (math.nan,) * 3
     wall, cpu = run.wall, run.cpu
     if ended and point.problem is Problem.INDENTATION:
-        error = _error_33(run, replace(runner, processor_limit=FINEST_LIMIT)(finest()))
+        error = _error_33(run, runner(finest()))
     elif ended:
         reference = runner(point.model(InterfaceType.CONFORMING))
         contact_error = compare.largest_difference(run, reference, "c1")

@@ -20,10 +20,9 @@ from harness.studies.hard_cases import rubbing_record
 from harness.studies.hard_cases.outcomes import Outcome
 from harness.studies.hard_cases.rubbing import CASES
 from harness.studies.hard_cases.scene import Fineness, Interface
+from harness.studies.limit import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
-LIMIT = 1800.0
-"""s of processor time for one run, the same in all three, as results of one page have one."""
 Limit = Annotated[float, typer.Option(help="s of processor time for each run.")]
 
 

@@ -20,6 +20,7 @@ from harness.post import slip_zones
 from harness.run.runner import Runner, RunResult
 from harness.studies import timing
 from harness.studies.cost.points import AUGLAG_START
+from harness.studies.limit import at_limit
 from harness.validate import friction_checks
 
 SOURCE = "friction-cost.csv"
@@ -213,7 +214,11 @@ def _setting(datum: Datum) -> str:
 
 def failed(data: Sequence[Datum]) -> str:
     """The runs that did not end, in words."""
-    return "; ".join(f"`{d.interface}`, {_setting(d)}" for d in data if not d.ended) or "none"
+    return "; ".join(f"`{d.interface}`, {_setting(d)}{_stopped(d)}" for d in data if not d.ended) or "none"
+
+
+def _stopped(datum: Datum) -> str:
+    return " (ended by the limit)" if at_limit(datum.ended, datum.iterations) else ""
 
 
 def value_of(data: Sequence[Datum], problem: Problem, parameter: Parameter, value: float) -> float:

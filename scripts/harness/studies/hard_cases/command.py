@@ -21,10 +21,9 @@ from harness.studies.hard_cases.catalogue import CASES
 from harness.studies.hard_cases.outcomes import End, Outcome
 from harness.studies.hard_cases.record import Record
 from harness.studies.hard_cases.scene import Fineness, Interface
+from harness.studies.limit import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
-LIMIT = 120.0
-"""s of processor time for one run, the same for all interfaces."""
 
 
 def hard_cases(

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
+from harness.studies.limit import at_limit
+
 HEADINGS = {
     "sliding-mixture": "`sliding-mixture`",
     "sliding-mixture-predictor": "with `predictor` 1",
@@ -55,7 +57,8 @@ class Attempt:
     def counts(self) -> str:
         """Steps / iterations / steps tried again; of a run that did not end the part of its time that it reached."""
         numbers = f"{self.steps} / {self.iterations} / {self.retries}"
-        return numbers if self.ended else f"fails at {100.0 * self.reached:.0f} %"
+        why = "limit" if at_limit(self.ended, self.iterations) else "fails"
+        return numbers if self.ended else f"{why} at {100.0 * self.reached:.0f} %"
 
 
 @dataclass(frozen=True)
@@ -75,7 +78,7 @@ class Outcome(Attempt):
         """How it ended."""
         if self.ended:
             return End.MISSES if self.missed else End.PASSES
-        return End.FAILS if self.iterations else End.LIMIT
+        return End.LIMIT if at_limit(self.ended, self.iterations) else End.FAILS
 
     @property
     def short(self) -> str:

@@ -17,12 +17,11 @@ from harness.run import provenance
 from harness.run.runner import Runner
 from harness.studies import files
 from harness.studies.hard_cases.scene import Fineness
+from harness.studies.limit import LIMIT
 from harness.studies.predictor import page, paired_models, summary_table
 from harness.studies.predictor.paired_models import Took
 
 console = Console(highlight=False, soft_wrap=True)
-LIMIT = 600.0
-"""s of processor time for one run."""
 
 
 def predictor(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from harness.studies.limit import at_limit
 from harness.studies.predictor.paired_models import MOST, Pair, Took
 
 
@@ -20,7 +21,8 @@ def _row(pair: Pair) -> str:
 
 def _cell(took: Took) -> str:
     retries = f" ({took.retries})" if took.retries else ""
-    return f"{took.iterations}{retries}" if took.ended else f"fails after {took.steps} steps{retries}"
+    why = "limit" if at_limit(took.ended, took.iterations) else "fails"
+    return f"{took.iterations}{retries}" if took.ended else f"{why} after {took.steps} steps{retries}"
 
 
 def summary(pairs: Sequence[Pair]) -> str:

@@ -16,6 +16,7 @@ from harness.pages.evidence import DATA
 from harness.paths import DOCS, RESULTS
 from harness.run import provenance
 from harness.studies import files
+from harness.studies.limit import LIMIT
 from harness.studies.price import bars, effect_costs, joints, page, paired_runs, table
 from harness.studies.price.effect_costs import EffectCost
 from harness.studies.price.scenes import Kind, Scene, effects_added
@@ -52,7 +53,7 @@ def price(
         _show_effects(_of_logs(logs), folder)
         return
     chosen = only or list(Part)
-    stamp = provenance.stamp(paired_runs.LIMIT)
+    stamp = provenance.stamp(LIMIT)
     tell = partial(console.print, markup=False)
     if Part.JOINTS in chosen:
         found = joints.measure(joints.SCENES, repetitions, tell)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from harness.studies import timing
+from harness.studies.limit import LIMIT
 from harness.studies.price import table
 from harness.studies.price.scenes import Scene
 
@@ -51,7 +52,7 @@ def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[s
 
 
 def _log(scene: Scene) -> str:
-    return timing.execute(scene.model())[1]
+    return timing.execute(scene.model(), processor_limit=LIMIT)[1]
 
 
 def costs(scene: str, logs: Sequence[str]) -> list[EffectCost]:

@@ -1,4 +1,4 @@
-"""A ball in its socket, of tetrahedra: ours with its defaults beside FEBio's own interface, run in turn."""
+"""A ball in its socket, of tetrahedra: ours, ours with the predictor, and FEBio's own interface, run in turn."""
 
 from __future__ import annotations
 
@@ -6,11 +6,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from statistics import median
+from typing import NamedTuple
 
+from harness.errors import DataFileError
 from harness.models.ball_in_socket import BallInSocket
+from harness.models.parts import Param
 from harness.studies import timing
+from harness.studies.hard_cases.scene import Interface
+from harness.studies.limit import LIMIT, at_limit
 from harness.studies.price import table
-from harness.studies.price.paired_runs import LIMIT
 from harness.studies.price.scenes import Kind, penalties
 
 FACTOR = 10.0
@@ -24,6 +28,8 @@ SCENES: Mapping[str, BallInSocket] = {
     "tet10, pressed": BallInSocket(elements=4, quadratic=True, slides=False),
 }
 """By what the page calls them."""
+OURS, PREDICTED = Interface.MIXTURE.value, Interface.PREDICTED.value
+"""What a row calls ours without and with the predictor."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +40,7 @@ class JointPrice:
     ----------
     scene : str
     type : str
-        Type of the contact.
+        Type of the contact; `PREDICTED` for ours with the predictor.
     ended : bool
     iterations, retries, matrices : int
         Newton iterations, time steps tried again, and matrices formed.
@@ -83,15 +89,21 @@ def rival(scene: BallInSocket) -> BallInSocket:
     return replace(scene, contact=kind.rival, params=penalties(kind, FACTOR).params())
 
 
+def contacts(scene: BallInSocket) -> dict[str, BallInSocket]:
+    """The scene with each contact that is compared, by what a row calls it; FEBio's last."""
+    predicted = replace(scene, params=(*scene.params, Param("predictor", True)))
+    theirs = rival(scene)
+    return {OURS: scene, PREDICTED: predicted, theirs.contact: theirs}
+
+
 def measure(scenes: Mapping[str, BallInSocket], repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
-    """Run both contacts of each scene in turn, `repetitions` times."""
+    """Run the contacts of each scene in turn, `repetitions` times."""
     return [price for name, scene in scenes.items() for price in _prices(name, scene, repetitions, announce)]
 
 
 def _prices(name: str, scene: BallInSocket, repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
-    contacts = {one.contact: one for one in (scene, rival(scene))}
     runs = timing.interleave(
-        {contact: partial(_run, one) for contact, one in contacts.items()},
+        {contact: partial(_run, one) for contact, one in contacts(scene).items()},
         repetitions,
         lambda contact, number: announce(f"{name}: {contact} ({number} of {repetitions})"),
     )
@@ -128,40 +140,77 @@ def _price(name: str, contact: str, runs: Sequence[_Run], reference: Sequence[_R
     )
 
 
-def joints_headline(prices: Sequence[JointPrice]) -> str:
-    """Range of times and iterations over FEBio's, in a sentence, and in how many scenes whose run is not the faster."""
-    pairs = list(zip(prices[::2], prices[1::2], strict=True))
-    ended = [(ours, theirs) for ours, theirs in pairs if ours.ended and theirs.ended]
+class Joint(NamedTuple):
+    """A scene with ours, with ours and the predictor, and with FEBio's interface."""
+
+    ours: JointPrice
+    predicted: JointPrice
+    febio: JointPrice
+
+
+def arranged(prices: Sequence[JointPrice]) -> list[Joint]:
+    """The rows by scene.
+
+    Raises
+    ------
+    DataFileError
+        Where a scene lacks one of its contacts.
+    """
+    scenes: dict[str, list[JointPrice]] = {}
+    for price in prices:
+        scenes.setdefault(price.scene, []).append(price)
+    for name, own in scenes.items():
+        if [price.type for price in own[:-1]] != [OURS, PREDICTED]:
+            raise DataFileError(f"'{name}' is not there with all contacts; `price --docs` measures it anew")
+    return [Joint(*own) for own in scenes.values()]
+
+
+def headline(joints: Sequence[Joint]) -> str:
+    """Of ours without the predictor over FEBio's: range of times and iterations, and in how many scenes FEBio's is the
+    faster.
+    """
+    ended = [(joint.ours, joint.febio) for joint in joints if joint.ours.ended and joint.febio.ended]
     times = [ours.ratio for ours, _ in ended]
     slower = sum(time > 1.0 for time in times)
     iterations = [ours.iterations / theirs.iterations for ours, theirs in ended]
     return (
-        f"On {len(ended)} of {len(pairs)} joints of tetrahedra both it and FEBio's interface end: it takes "
+        f"On {len(ended)} of {len(joints)} joints of tetrahedra both it and FEBio's interface end: it takes "
         f"{min(iterations):.2f} to {max(iterations):.2f} times the iterations, and "
         f"{min(times):.2f} to {max(times):.2f} times the run's time; FEBio's is the faster on {slower}."
     )
 
 
-def joints_table(prices: Sequence[JointPrice]) -> str:
-    """Both contacts of each scene in one row, as Markdown: ours, then FEBio's."""
+def joints_table(joints: Sequence[Joint]) -> str:
+    """The contacts of each scene in one row, as Markdown: ours, then FEBio's, then ours with the predictor."""
     heads = ("scene", "iterations", "retries", "matrices", "time, ours over FEBio's", "our contact, part of the run")
     more = ("points on a primary facet", "matrix entries, ours over FEBio's", "less time")
-    lines = ["| " + " | ".join((*heads, *more)) + " |", "|---" * len((*heads, *more)) + "|"]
-    pairs = zip(prices[::2], prices[1::2], strict=True)
-    return "\n".join([*lines, *(_row(ours, theirs) for ours, theirs in pairs)])
+    predicted = ("with `predictor` 1: iterations", "retries", "time over FEBio's")
+    columns = (*heads, *more, *predicted)
+    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
+    return "\n".join([*lines, *map(_row, joints)])
 
 
-def _row(ours: JointPrice, theirs: JointPrice) -> str:
+def _row(joint: Joint) -> str:
+    ours, predicted, theirs = joint
     both = [f"{a}, {b}" for a, b in zip(_counts(ours), _counts(theirs), strict=True)]
-    ended = ours.ended and theirs.ended
-    ratio = f"{ours.ratio:.2f} ({ours.ratio_low:.2f} to {ours.ratio_high:.2f})" if ended else ""
     less = theirs if theirs.ended and (not ours.ended or ours.ratio > 1.0) else ours
     points = f"{ours.points / ours.facets:.1f}"
-    cells = (ours.scene, *both, ratio, f"{100 * ours.share:.0f} %", points, f"{ours.entries / theirs.entries:.2f}")
-    return "| " + " | ".join((*cells, f"`{less.type}`")) + " |"
+    entries = f"{ours.entries / theirs.entries:.2f}"
+    cells = (ours.scene, *both, _ratio(ours, theirs), f"{100 * ours.share:.0f} %", points, entries, f"`{less.type}`")
+    return "| " + " | ".join((*cells, *_counts(predicted)[:2], _ratio(predicted, theirs))) + " |"
+
+
+def _ratio(price: JointPrice, theirs: JointPrice) -> str:
+    both = price.ended and theirs.ended
+    return f"{price.ratio:.2f} ({price.ratio_low:.2f} to {price.ratio_high:.2f})" if both else ""
 
 
 def _counts(price: JointPrice) -> tuple[str, str, str]:
     if not price.ended:
-        return ("does not end", "", "")
+        return (unended(price.iterations), "", "")
     return (str(price.iterations), str(price.retries), str(price.matrices))
+
+
+def unended(iterations: int) -> str:
+    """What a table says of a run that did not end, of which febio4 told so many iterations."""
+    return "ended by the limit" if at_limit(False, iterations) else "fails"

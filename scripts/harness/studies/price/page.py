@@ -11,8 +11,9 @@ from matplotlib.figure import Figure
 
 from harness.pages.evidence import DATA, EvidencePage
 from harness.studies import files
+from harness.studies.price import joints
 from harness.studies.price.effect_costs import EffectCost
-from harness.studies.price.joints import JointPrice, joints_headline, joints_table
+from harness.studies.price.joints import JointPrice
 from harness.studies.price.paired_runs import Price
 from harness.studies.price.scenes import effects_added
 
@@ -36,10 +37,10 @@ def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     costs = files.read_csv(DATA / EFFECTS, EffectCost)
     prices = files.read_csv(DATA / COMPARISON, Price)
-    joints = files.read_csv(DATA / JOINTS, JointPrice)
+    measured = joints.arranged(files.read_csv(DATA / JOINTS, JointPrice))
     return {
-        "headline": f"{_headline(costs)} {joints_headline(joints)}",
-        "joints": joints_table(joints),
+        "headline": f"{_headline(costs)} {joints.headline(measured)}",
+        "joints": joints.joints_table(measured),
         "facets": str(next(iter(effects_added().values())).section),
         "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),
         "comparison": comparison_table(prices),
@@ -115,7 +116,8 @@ def comparison_table(prices: Sequence[Price]) -> str:
     ours = {price.kind: price for price in prices if price.factor == 0.0}
     for price in prices:
         factor = f"factor {price.factor:g}" if price.factor else "defaults"
-        counts = (price.iterations, price.unknowns, price.entries) if price.ended else ("does not end", "", "")
+        told = (price.iterations, price.unknowns, price.entries)
+        counts = told if price.ended else (joints.unended(price.iterations), "", "")
         less = _less(ours[price.kind], price)
         cells = (price.kind, f"`{price.type}`", factor, *map(str, counts), _added(price), less)
         lines.append(f"| {' | '.join(cells)} |")

@@ -11,6 +11,7 @@ from statistics import median
 
 from harness.models.interface import InterfaceType
 from harness.studies import timing
+from harness.studies.limit import LIMIT
 from harness.studies.price import table
 from harness.studies.price.scenes import Kind, Scene, penalties
 
@@ -18,8 +19,6 @@ Announce = Callable[[str], None]
 """Told what is being run."""
 
 _TIMER = re.compile(r"^\s*([a-z ]+?) \.+ : \d+:\d\d:\d\d \(([-\d.e+]+) sec\)", re.MULTILINE)
-LIMIT = 60.0
-"""s of processor time for one run, the same for all contacts."""
 FACTORS = (1000.0, 1.0)
 """Factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes."""
 

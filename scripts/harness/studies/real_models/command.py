@@ -15,22 +15,21 @@ from harness.pages import scene_results
 from harness.pages.scene_results import Row
 from harness.paths import DOCS, RESULTS
 from harness.run import provenance
+from harness.studies.limit import LIMIT
 from harness.studies.real_models import comparison
 from harness.studies.real_models.all_scenes import SCENES
 
 console = Console(highlight=False, soft_wrap=True)
-TIMEOUT = 120.0
-"""s of wall time for one run, the same for all interfaces."""
 
 
 def real_models(
     only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "real-models",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = TIMEOUT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
-    """Run each scene with FEBio's interface, converted, and converted with the penalties deleted; write the table.
+    """Run each scene with FEBio's interface, converted, with the penalties deleted, and so with the predictor.
 
     Exit code 0: what FEBio's interface ends, sliding-mixture ends in both ways.
     """
@@ -39,11 +38,11 @@ def real_models(
         raise typer.BadParameter("--docs needs all scenes; leave --only out")
 
     def compare(name: str) -> Row:
-        return comparison.compare(name, SCENES[name], folder, timeout)
+        return comparison.compare(name, SCENES[name], folder, limit)
 
     with ThreadPoolExecutor(jobs) as pool:
         rows = list(track(pool.map(compare, chosen), "scenes", total=len(chosen), console=console))
-    _write(scene_results.Results(provenance.stamp(), timeout, rows), folder, docs)
+    _write(scene_results.Results(provenance.stamp(limit), rows), folder, docs)
     if any(row.febio.ended and not (row.converted.ended and row.defaults.ended) for row in rows):
         raise typer.Exit(1)
 

@@ -1,9 +1,10 @@
-"""A scene with FEBio's interface, converted, and converted with the penalties deleted."""
+"""A scene with FEBio's interface, converted, with the penalties deleted, and with the predictor as well."""
 
 from __future__ import annotations
 
 import math
 import shutil
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
@@ -14,8 +15,10 @@ from numpy.typing import NDArray
 
 from harness.conversion import convert
 from harness.errors import HarnessError
-from harness.pages.scene_results import Row, Took
+from harness.models.interface import InterfaceType
+from harness.pages.scene_results import AT_LIMIT, Row, Took
 from harness.run import engine, febio_log, logdata
+from harness.studies.limit import at_limit
 
 POSITIONS, DISPLACEMENTS = ("x", "y", "z"), ("ux", "uy", "uz")
 DISPLACEMENT = "displacement"
@@ -23,6 +26,8 @@ PENALTIES = ("auto_penalty", "penalty", "pressure_penalty", "concentration_penal
 Array = NDArray[np.float64]
 State = dict[str, Array]
 """By kind."""
+Element = etree._Element
+Change = Callable[[Element], None]
 
 
 class Written(Protocol):
@@ -40,17 +45,16 @@ class Written(Protocol):
         """Write ``<name>.feb`` with FEBio's interface into `folder`, and return its path."""
 
 
-def compare(name: str, scene: Written, folder: Path, timeout: float) -> Row:
-    """Run a scene three times."""
+def compare(name: str, scene: Written, folder: Path, limit: float) -> Row:
+    """Run a scene in four ways, each run with a limit of processor time (s)."""
     original = scene.write(name, folder / name / "febio")
-    febio = _run(original, timeout, plugin=False)
-    state = _state(original)
-    ours = [_converted(original, timeout, state, kept) for kept in (True, False)]
-    return Row(name, scene.about, replace(febio, difference=0.0), *ours)
+    febio = _run(original, limit, plugin=False)
+    state = _state(original) if febio.ended else None
+    ours = {way: _converted(original, folder / name / way, limit, state, change) for way, change in WAYS.items()}
+    return Row(name, scene.about, replace(febio, difference=0.0), **ours)
 
 
-def _converted(original: Path, timeout: float, state: State | None, kept: bool) -> Took:
-    folder = original.parent.parent / ("converted" if kept else "defaults")
+def _converted(original: Path, folder: Path, limit: float, state: State | None, change: Change) -> Took:
     shutil.copytree(original.parent, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.txt", "*.log"))
     path = folder / original.name
     try:
@@ -59,24 +63,40 @@ def _converted(original: Path, timeout: float, state: State | None, kept: bool) 
         return Took(ended=False, why=f"not converted: {error}")
     for file, data in {**made.included, path: made.data}.items():
         file.write_bytes(data)
-    if not kept:
-        without_penalties(path)
-    return _compared(_run(path, timeout, plugin=True), state, _state(path))
-
-
-def without_penalties(path: Path) -> None:
-    """Delete the penalties from every contact of a model file."""
     tree = etree.parse(str(path))
     for contact in tree.getroot().iter("contact"):
-        for tag in [child for child in contact if child.tag in PENALTIES]:
-            contact.remove(tag)
+        change(contact)
     tree.write(str(path), xml_declaration=True, encoding="ISO-8859-1")
+    took = _run(path, limit, plugin=True)
+    return _compared(took, state, _state(path)) if took.ended else took
 
 
-def _run(path: Path, timeout: float, plugin: bool) -> Took:
-    command = engine.Febio4().command(path, plugin)
-    report = engine.execute(command, path.parent, check=False, timeout=timeout).report
-    why = "" if report.normal else _reason(report)
+def as_converted(_: Element) -> None:
+    """Leave a contact as it is."""
+
+
+def without_penalties(contact: Element) -> None:
+    """Delete the penalties of a contact."""
+    for tag in [child for child in contact if child.tag in PENALTIES]:
+        contact.remove(tag)
+
+
+def predicted(contact: Element) -> None:
+    """Delete the penalties of a contact and turn the predictor on where it is the plugin's."""
+    without_penalties(contact)
+    if contact.get("type") == InterfaceType.MIXTURE.value:
+        etree.SubElement(contact, "predictor").text = "1"
+
+
+WAYS: Mapping[str, Change] = {"converted": as_converted, "defaults": without_penalties, "predicted": predicted}
+"""What is changed in each contact of the converted model, by the names of the runs."""
+
+
+def _run(path: Path, limit: float, plugin: bool) -> Took:
+    command = engine.limited(engine.Febio4().command(path, plugin), limit)
+    done = engine.execute(command, path.parent, check=False)
+    report = done.report
+    why = "" if report.normal else _reason(report, done.cpu, limit)
     return Took(report.normal, report.steps, report.iterations, report.retries, why=why)
 
 
@@ -93,8 +113,11 @@ def _difference(febio: Array, ours: Array) -> float:
     return float(np.abs(ours - febio).max() / size) if size > 0 else 0.0
 
 
-def _reason(report: febio_log.Report) -> str:
-    return report.errors[-1] if report.errors else "no normal termination"
+def _reason(report: febio_log.Report, cpu: float, limit: float) -> str:
+    """Why a run did not end; the system ends one within a few hundredths of its limit."""
+    if at_limit(report.normal, report.iterations) and cpu >= 0.9 * limit:
+        return AT_LIMIT
+    return "; ".join(report.errors) or "no normal termination"
 
 
 def _state(path: Path) -> State | None:
