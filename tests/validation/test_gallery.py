@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from harness.models import platens
 from harness.models.interface import InterfaceType
 from harness.pages.gallery import entries, figures, page
 from harness.paths import DOCS, MODELS
+from harness.run.provenance import Stamp
 
 ENTRIES = {entry.model.name: entry for entry in entries.entries()}
 PNG = b"\x89PNG"
@@ -81,10 +84,20 @@ def test_the_force_on_the_platens_relaxes(shown):
     assert "exchanges traction, solvent, solute 1." in result.log
 
 
+def test_records_that_were_made_with_something_else_are_left_out(tmp_path):
+    stamp = Stamp("0.1.0", "abc1234", "FEBio 4.11.0")
+    records = {"platens": page.Record(124, 28, 120, 251, 0, 1.4)}
+    assert page.made_alike(tmp_path, stamp) == {}
+    page.write(tmp_path, page.Results(stamp, records))
+    assert page.read(tmp_path) == page.Results(stamp, records)
+    assert page.made_alike(tmp_path, stamp) == records
+    assert page.made_alike(tmp_path, replace(stamp, commit="def5678")) == {}
+
+
 def test_the_page_shows_each_model_and_is_up_to_date():
-    records = page.read(DOCS)
-    assert list(records) == list(ENTRIES)
-    assert page.page(records) == (DOCS / "gallery.md").read_text(encoding="utf-8")
+    results = page.read(DOCS)
+    assert list(results.records) == list(ENTRIES)
+    assert page.page(results) == (DOCS / "gallery.md").read_text(encoding="utf-8")
     for name in ENTRIES:
         assert (MODELS / f"{name}.feb").is_file()
         for kind in ("section", "curves"):

@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from harness.pages import linear_solver_results
-from harness.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS, Outcome, Solver
+from harness.pages.linear_solver_results import (
+    ENFORCEMENTS,
+    SCENES,
+    SOLVERS,
+    Outcome,
+    Results,
+    Solver,
+    Trial,
+    renewed,
+)
 from harness.paths import DOCS
 from harness.run import engine
 from harness.run.febio_log import Report
+from harness.run.provenance import Stamp
 from harness.studies.linear_solvers.trials import MODELS, SYMMETRIC_ONLY, outcome, trials
 
-MEASURED = {
-    (trial.scene, trial.enforcement, trial.solver, trial.preconditioner): trial.outcome
-    for trial in linear_solver_results.read(DOCS / linear_solver_results.DATA)
-}
+MEASURED = {trial.cell: trial.outcome for trial in linear_solver_results.read(DOCS / linear_solver_results.DATA).rows}
 QUICK = ("creep", "LAGMULT")
 
 
@@ -64,6 +73,17 @@ def test_the_log_judges_the_solver_that_febio_takes_by_default(runner, tmp_path)
         "the linear solver 'skyline' solves symmetric matrices only"
         in engine.execute(command, tmp_path, check=False).output
     )
+
+
+def test_rows_stay_where_this_febio_lacks_the_solver():
+    old = Trial("creep", "superlu_mt", "", "LAGMULT", Outcome.SOLVED.value, 1e-9, "FEBio with SuperLU_MT", "abc1234")
+    lacking = replace(old, outcome=Outcome.UNAVAILABLE.value, febio="FEBio 4.11.0", commit="def5678")
+    solved = replace(lacking, outcome=Outcome.SOLVED.value)
+    assert renewed([old], [lacking]) == [old]
+    assert renewed([old], [solved]) == [solved]
+    assert renewed([], [lacking]) == [lacking]
+    told = linear_solver_results.page(Results(Stamp("0.1.0", "def5678", "FEBio 4.11.0"), [old]))
+    assert "Rows made otherwise: `superlu_mt` with FEBio with SuperLU_MT, plugin at commit abc1234." in told
 
 
 def ended(output: str, normal: bool = False) -> engine.Run:

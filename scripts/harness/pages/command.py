@@ -12,7 +12,9 @@ from harness.errors import HarnessError
 from harness.pages import collection, verification
 from harness.paths import DOCS, MODELS, RESULTS
 from harness.run import provenance
-from harness.validate.checks import CHECKS
+from harness.run.runner import Runner
+from harness.validate import figures
+from harness.validate.checks import CHECKS, Context
 
 console = Console(highlight=False, soft_wrap=True)
 MISSED = 1
@@ -23,7 +25,7 @@ def report(
     only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Where page and numbers go.")] = DOCS,
 ) -> None:
-    """Make all checks of `validate` one after the other, and write the verification report."""
+    """Make all checks of `validate` one after the other, and write the verification report and figures 3.2 and 3.3."""
     known = {check.name: check for check in CHECKS}
     for name in only or []:
         if name not in known:
@@ -34,9 +36,17 @@ def report(
         missed = sum(not measure.passed for measure in section.measures)
         console.print(f"{section.name}: {len(section.measures)} figures, {missed} missed")
     written = verification.write(folder, verification.Report(provenance.stamp(), sections))
+    if not only:
+        written += _pictures(folder / "images")
     console.print("Written: " + ", ".join(str(path) for path in written))
     if any(not measure.passed for section in sections for measure in section.measures):
         raise typer.Exit(MISSED)
+
+
+def _pictures(folder: Path) -> list[Path]:
+    """Figures 3.2 and 3.3, of the runs behind the report."""
+    context = Context(Runner(RESULTS / "runs"))
+    return figures.draw([*figures.diffusion_profiles(context), *figures.convection_profiles(context)], folder)
 
 
 def models(

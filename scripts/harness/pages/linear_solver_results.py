@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from enum import Enum
 from pathlib import Path
+
+from harness.errors import DataFileError
+from harness.run.provenance import Stamp
 
 PAGE = "reference/linear-solvers.md"
 DATA = Path("data", "linear-solvers.json")
@@ -57,7 +60,21 @@ class Outcome(str, Enum):
 
 @dataclass(frozen=True)
 class Trial:
-    """A run: what was solved by what, how it ended, and how far its last state is from the reference."""
+    """A run.
+
+    Attributes
+    ----------
+    scene, solver, preconditioner, enforcement : str
+        What was solved by what.
+    outcome : str
+        How it ended.
+    difference : float
+        Of the last state from that of the reference, relative to the largest value of each kind.
+    febio : str
+        The FEBio that ran it.
+    commit : str
+        Of the plugin's sources, or unknown.
+    """
 
     scene: str
     solver: str
@@ -66,6 +83,20 @@ class Trial:
     outcome: str
     difference: float
     febio: str
+    commit: str
+
+    @property
+    def cell(self) -> tuple[str, str, str, str]:
+        """Where it stands in the table."""
+        return (self.scene, self.enforcement, self.solver, self.preconditioner)
+
+
+@dataclass(frozen=True)
+class Results:
+    """The trials, and what the last of them were made with; others say their own FEBio and commit."""
+
+    stamp: Stamp
+    rows: list[Trial]
 
 
 HEAD = """\
@@ -94,42 +125,64 @@ not support the requested matrix format" where it is for symmetric matrices or w
 scripts/mixcontact linear-solvers --only pardiso
 ```
 
-measures the rows of one solver with the FEBio that is found; without `--only` all of them.
+measures the rows of one solver with the FEBio that is found; without `--only` all of them. Rows of a solver that this
+FEBio was built without stay as they were measured.
 """
 
 
-def read(path: Path) -> list[Trial]:
-    """The measured trials."""
-    return [Trial(**entry) for entry in json.loads(path.read_text(encoding="utf-8"))]
+def write(results: Results, path: Path) -> None:
+    """Write results as JSON."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(asdict(results), indent=1) + "\n")
 
 
-def page(trials: Sequence[Trial]) -> str:
+def read(path: Path) -> Results:
+    """Read what `write` wrote.
+
+    Raises
+    ------
+    DataFileError
+        A missing file, or one that holds no such results.
+    """
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        return Results(Stamp(**data["stamp"]), [Trial(**row) for row in data["rows"]])
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise DataFileError(f"{path} holds no results ({error}); `linear-solvers` writes it") from error
+
+
+def renewed(known: Sequence[Trial], made: Sequence[Trial]) -> list[Trial]:
+    """The newer of two trials of the same cell; the older one where the newer FEBio lacks the solver."""
+    old = {trial.cell: trial for trial in known}
+    new = {t.cell: t for t in made if t.outcome != Outcome.UNAVAILABLE or t.cell not in old}
+    return list((old | new).values())
+
+
+def page(results: Results) -> str:
     """The text of the page."""
+    trials = results.rows
     largest = max(trial.difference for trial in trials if trial.outcome == Outcome.SOLVED)
-    return HEAD.format(largest=f"{largest:.0e}", engines=_engines(trials), table=table(trials))
+    return HEAD.format(largest=f"{largest:.0e}", engines=_engines(results), table=table(trials))
 
 
 def table(trials: Sequence[Trial]) -> str:
     """A row for each solver, a column for each scene and enforcement."""
     columns = [(scene, enforcement) for scene in SCENES for enforcement in ENFORCEMENTS]
     heads = ["`<linear_solver>`, `<pc_left>`", *(f"{scene}: `{enforcement}`" for scene, enforcement in columns)]
-    found = {(t.solver, t.preconditioner, t.scene, t.enforcement): t.outcome for t in trials}
+    found = {trial.cell: trial.outcome for trial in trials}
     rows = [
-        [solver.name, *(found.get((solver.type, solver.preconditioner, *column), "not measured") for column in columns)]
+        [solver.name, *(found.get((*column, solver.type, solver.preconditioner), "not measured") for column in columns)]
         for solver in SOLVERS
     ]
     return "\n".join(f"| {' | '.join(cells)} |" for cells in (heads, ["---"] * len(heads), *rows))
 
 
-def _engines(trials: Sequence[Trial]) -> str:
-    """What measured which rows."""
-    by_engine: dict[str, list[str]] = {}
-    for trial in trials:
-        names = by_engine.setdefault(trial.febio, [])
-        name = Solver(trial.solver).name
-        if name not in names:
-            names.append(name)
-    if len(by_engine) == 1:
-        return f"Measured with {trials[0].febio}, one thread."
-    said = "; ".join(f"{', '.join(names)} with {engine}" for engine, names in by_engine.items())
-    return f"Measured with one thread: {said}."
+def _engines(results: Results) -> str:
+    """What measured the rows: the stamp, and what differs from it."""
+    others: dict[tuple[str, str], list[str]] = {}
+    for trial in results.rows:
+        if (trial.febio, trial.commit) != (results.stamp.engine, results.stamp.commit):
+            names = others.setdefault((trial.febio, trial.commit), [])
+            names += [name for name in [Solver(trial.solver).name] if name not in names]
+    told = [f"{', '.join(names)} with {febio}, plugin at commit {commit}" for (febio, commit), names in others.items()]
+    return ". ".join([f"Made with {results.stamp}", *(["Rows made otherwise: " + "; ".join(told)] if told else [])]) + "."

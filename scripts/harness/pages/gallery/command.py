@@ -10,6 +10,7 @@ from rich.console import Console
 
 from harness.pages.gallery import entries, figures, friction, page
 from harness.paths import RESULTS
+from harness.run import provenance
 from harness.run.runner import Runner
 
 COVER, COVER_PICTURE = "joint-release", "images/joint-readme.png"
@@ -23,13 +24,16 @@ def gallery(
     folder: Annotated[Path, typer.Option(help="Where page, numbers and pictures go; `docs` for the site.")] = RESULTS
     / "gallery",
 ) -> None:
-    """Run the models that one would start from, and write their page with pictures, curves and run times."""
+    """Run the models that one would start from, and write their page with pictures, curves and run times.
+
+    With --only the others stay on the page where they were made with the same plugin and FEBio.
+    """
     chosen = {entry.model.name: entry for entry in entries.entries()}
     for name in only or []:
         if name not in chosen:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(chosen)}", param_hint="--only")
-    runner = Runner(RESULTS / "runs")
-    records = page.read(folder)
+    runner, stamp = Runner(RESULTS / "gallery" / "runs"), provenance.stamp()
+    records = page.made_alike(folder, stamp)
     for name in only or list(chosen):
         entry = chosen[name]
         result = runner(entry.small if small else entry.model)
@@ -41,5 +45,5 @@ def gallery(
         console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.cpu:g} s", markup=False)
     if not only and not small:
         friction.draw(runner, folder / page.IMAGES)
-    written = page.write(folder, records)
+    written = page.write(folder, page.Results(stamp, records))
     console.print("Written: " + ", ".join(str(path) for path in written))

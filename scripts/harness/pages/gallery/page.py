@@ -1,4 +1,4 @@
-"""The page of the gallery and the numbers on it: docs/gallery.md and docs/gallery.json."""
+"""The page of the gallery and the numbers on it: docs/gallery.md and docs/data/gallery.json."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from harness.errors import DataFileError
 from harness.models.document import Model
 from harness.pages.gallery import entries, friction
 from harness.pages.gallery.entries import Entry
-from harness.run import provenance
+from harness.run.provenance import Stamp
 from harness.run.runner import RunResult
 
 PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
@@ -24,15 +24,11 @@ class Record:
 
     Attributes
     ----------
-    plugin, engine : str
-        Versions.
     nodes, elements, steps, iterations, retries : int
     cpu : float
         Processor time, s, one thread.
     """
 
-    plugin: str
-    engine: str
     nodes: int
     elements: int
     steps: int
@@ -41,38 +37,55 @@ class Record:
     cpu: float
 
 
+@dataclass(frozen=True)
+class Results:
+    """The numbers of runs by the names of their models, and what they were made with."""
+
+    stamp: Stamp
+    records: Mapping[str, Record]
+
+
 def record(result: RunResult) -> Record:
     """The numbers of a run."""
     report, mesh = result.report, result.model.mesh
     elements = sum(len(part.elements) for part in mesh.parts)
-    versions = provenance.plugin_version(), provenance.engine_version(result.log)
     counts = (len(mesh.nodes), elements, report.steps, report.iterations, report.retries)
-    return Record(*versions, *counts, round(result.cpu, 1))
+    return Record(*counts, round(result.cpu, 1))
 
 
-def read(folder: Path) -> dict[str, Record]:
-    """The records in `folder`, none where no file is.
+def read(folder: Path) -> Results:
+    """What `write` wrote into `folder`.
 
     Raises
     ------
     DataFileError
-        For a file that is not what `write` writes.
+        A missing file, or one that holds no such results.
     """
     path = folder / DATA
-    if not path.exists():
-        return {}
     try:
-        return {name: Record(**entry) for name, entry in json.loads(path.read_text()).items()}
-    except (json.JSONDecodeError, TypeError, AttributeError) as error:
-        raise DataFileError(f"{path}: {error}; `gallery` writes it anew where it is removed") from error
+        data = json.loads(path.read_text())
+        return Results(Stamp(**data["stamp"]), {name: Record(**entry) for name, entry in data["models"].items()})
+    except (OSError, json.JSONDecodeError, KeyError, TypeError, AttributeError) as error:
+        raise DataFileError(f"{path} holds no results ({error}); `gallery` writes it") from error
 
 
-def write(folder: Path, records: Mapping[str, Record]) -> list[Path]:
-    """Write records and page into `folder`, in the order of the gallery."""
-    data = {entry.model.name: asdict(records[entry.model.name]) for entry in _recorded(records)}
+def made_alike(folder: Path, stamp: Stamp) -> dict[str, Record]:
+    """The records in `folder`; none where they were made with something else, or no file is."""
+    try:
+        known = read(folder)
+    except DataFileError:
+        return {}
+    return dict(known.records) if known.stamp == stamp else {}
+
+
+def write(folder: Path, results: Results) -> list[Path]:
+    """Write results and page into `folder`, in the order of the gallery."""
+    records = results.records
+    models = {entry.model.name: asdict(records[entry.model.name]) for entry in _recorded(records)}
+    data = {"stamp": asdict(results.stamp), "models": models}
     (folder / DATA).parent.mkdir(parents=True, exist_ok=True)
     (folder / DATA).write_text(json.dumps(data, indent=1) + "\n")
-    (folder / PAGE).write_text(page(records), encoding="utf-8")
+    (folder / PAGE).write_text(page(results), encoding="utf-8")
     return [folder / PAGE, folder / DATA]
 
 
@@ -80,11 +93,11 @@ def _recorded(records: Mapping[str, Record]) -> list[Entry]:
     return [entry for entry in entries.entries() if entry.model.name in records]
 
 
-def page(records: Mapping[str, Record]) -> str:
+def page(results: Results) -> str:
     """The text of the page, with those models that have a record."""
-    entries = _recorded(records)
+    entries = _recorded(results.records)
     sections = [*(_section(entry) for entry in entries), _friction()]
-    return "\n\n".join([_INTRODUCTION, _table(entries, records), *sections]) + "\n"
+    return "\n\n".join([_INTRODUCTION, _table(entries, results), *sections]) + "\n"
 
 
 _INTRODUCTION = """\
@@ -110,23 +123,18 @@ scripts/mixcontact gallery --small
 ```"""
 
 
-def _table(entries: list[Entry], records: Mapping[str, Record]) -> str:
+def _table(entries: list[Entry], results: Results) -> str:
     lines = [
         "| model | nodes | elements | steps | iterations | retries | processor time [s] |",
         "|---|---|---|---|---|---|---|",
     ]
     for entry in entries:
-        r = records[entry.model.name]
+        r = results.records[entry.model.name]
         lines.append(
             f"| [{entry.title}](#{_anchor(entry.title)}) | {r.nodes} | {r.elements} | {r.steps} | {r.iterations} | "
             f"{r.retries} | {r.cpu:g} |"
         )
-    versions = sorted({f"plugin {r.plugin}, {r.engine}" for r in records.values()})
-    lines += [
-        "",
-        f"Run with {' and '.join(versions)}, default penalties, one thread of a machine shared with other work.",
-    ]
-    return "\n".join(lines)
+    return "\n".join([*lines, "", f"Made with {results.stamp}, default penalties."])
 
 
 def _anchor(title: str) -> str:

@@ -12,7 +12,7 @@ from rich.console import Console
 from harness.pages import linear_solver_results
 from harness.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS
 from harness.paths import RESULTS
-from harness.studies import files
+from harness.run import provenance
 from harness.studies.linear_solvers.trials import trials
 
 console = Console(highlight=False, soft_wrap=True)
@@ -33,15 +33,15 @@ def linear_solvers(
         if name not in known:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(sorted(known))}", param_hint="--only")
     chosen = tuple(solver for solver in SOLVERS if not only or solver.type in only)
-    known_trials = linear_solver_results.read(data) if data.is_file() else []
-    kept = [trial for trial in known_trials if only and trial.solver not in only]
-    made = kept + [
+    stamp = provenance.stamp()
+    made = [
         replace(trial, febio=f"{trial.febio} {build}".strip())
         for scene in SCENES
         for enforcement in ENFORCEMENTS
         for trial, _ in trials(scene, enforcement, RESULTS / "linear-solvers" / scene / enforcement, chosen)
     ]
-    data.parent.mkdir(parents=True, exist_ok=True)
-    files.write_json(made, data)
-    console.print(linear_solver_results.table(made), markup=False)
+    known_rows = linear_solver_results.read(data).rows if data.is_file() else []
+    results = linear_solver_results.Results(stamp, linear_solver_results.renewed(known_rows, made))
+    linear_solver_results.write(results, data)
+    console.print(linear_solver_results.table(results.rows), markup=False)
     console.print(f"Written: {data}")

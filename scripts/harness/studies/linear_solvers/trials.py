@@ -72,9 +72,9 @@ def trials(
         run, found = _run(model, solver, folder / f"{solver.type}-{solver.preconditioner}")
         difference = _difference(found, expected)
         ended = outcome(run, solver, difference)
-        febio = provenance.engine_version(run.output)
+        made = (provenance.engine_version(run.output), provenance.plugin_commit())
         kind = (scene, solver.type, solver.preconditioner, enforcement)
-        yield Trial(*kind, ended.value, difference if run.report.normal else math.nan, febio), run
+        yield Trial(*kind, ended.value, difference if run.report.normal else math.nan, *made), run
 
 
 def _run(model: Model, solver: Solver, folder: Path) -> tuple[engine.Run, np.ndarray | None]:
