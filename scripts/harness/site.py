@@ -11,6 +11,7 @@ from harness.cli import COMMANDS
 from harness.errors import HarnessError
 from harness.pages import (
     command_reference,
+    evidence,
     front,
     linear_solver_results,
     plugin_parameters,
@@ -26,6 +27,7 @@ from harness.studies.hard_cases import page as hard_cases
 from harness.studies.hertz import page as hertz
 from harness.studies.predictor import page as predictor
 from harness.studies.price import page as price
+from harness.studies.remeasurement.steps import LIMITS
 from harness.user_commands import FOR_EVERYBODY, function
 
 EVIDENCE = (hard_cases.PAGE, friction.PAGE, cost.PAGE, price.PAGE, hertz.PAGE, predictor.PAGE)
@@ -52,7 +54,12 @@ PAGES: dict[str, Callable[[], str]] = {
 def pages(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation anew, from the code and from the results in docs/data."""
+    """Write the generated pages of the documentation anew, from the code and from the results in docs/data.
+
+    With --check it also fails where the results in docs/data were not measured in one go.
+    """
+    if check:
+        evidence.check_together(LIMITS)
     for name, text in PAGES.items():
         path = DOCS / name
         made = text()

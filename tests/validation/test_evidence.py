@@ -9,11 +9,15 @@ from dataclasses import asdict, replace
 import pytest
 
 from harness import site
-from harness.errors import DataFileError
+from harness.cli import COMMANDS
+from harness.errors import DataFileError, HarnessError
 from harness.pages import evidence, front
 from harness.pages.evidence import EvidencePage
 from harness.paths import DOCS, REPOSITORY
+from harness.run import provenance
 from harness.run.provenance import Stamp
+from harness.studies.remeasurement import command
+from harness.studies.remeasurement.steps import LIMITS, STEPS, Step
 
 STAMP = Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 60.0)
 MEASURED = re.compile(r"\d ?%|\b\d+ (?:Newton )?iterations\b|\b\d+ retries\b|\b\d+(?:\.\d+)? times (?:as|FEBio|the)\b")
@@ -75,6 +79,49 @@ def test_places_and_figures_agree(page):
 @pytest.mark.parametrize("made", site.EVIDENCE, ids=lambda made: made.name)
 def test_the_results_of_each_page_have_one_stamp(made):
     assert evidence.one_stamp([evidence.DATA / source for source in made.sources]).commit
+
+
+def test_all_results_were_measured_in_one_go():
+    """Where this fails: `scripts/mixcontact evidence`."""
+    assert set(LIMITS) == {path.name for path in evidence.DATA.iterdir()}
+    evidence.check_together(LIMITS)
+
+
+def test_results_of_several_goes_are_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(evidence, "DATA", tmp_path)
+    limits = {"one.csv": 60.0, "two.csv": 0.0}
+
+    def check(*stamps: Stamp) -> None:
+        for name, stamp in zip(limits, stamps, strict=True):
+            (tmp_path / name).write_text(f"# {json.dumps(asdict(stamp))}\nname\n")
+        evidence.check_together(limits)
+
+    free = replace(STAMP, limit=0.0)
+    check(STAMP, free)
+    for mixed in ((STAMP, replace(free, commit="def5678")), (replace(STAMP, limit=120.0), free), (STAMP, STAMP)):
+        with pytest.raises(DataFileError, match=r"not measured in one go.*one\.csv: .*; two\.csv: "):
+            check(*mixed)
+
+
+def test_a_step_is_done_where_its_files_have_the_commit_and_the_limit(tmp_path, monkeypatch):
+    monkeypatch.setattr(evidence, "DATA", tmp_path)
+    step = Step("one", ("one.csv",), (("cost", "--folder", "{folder}"),), STAMP.limit)
+    assert not step.is_done(STAMP.commit)
+    (tmp_path / "one.csv").write_text(f"# {json.dumps(asdict(STAMP))}\nname\n")
+    assert step.is_done(STAMP.commit)
+    assert not step.is_done("def5678")
+    assert not replace(step, limit=600.0).is_done(STAMP.commit)
+    assert step.commands_in(tmp_path) == [("cost", "--folder", str(tmp_path / "one"))]
+
+
+def test_each_step_of_the_evidence_is_a_command():
+    assert {command[0] for step in STEPS for command in step.commands} <= set(COMMANDS)
+
+
+def test_evidence_of_sources_that_are_not_committed_is_refused(monkeypatch):
+    monkeypatch.setattr(provenance, "plugin_commit", lambda: "abc1234+")
+    with pytest.raises(HarnessError, match=r"plugin, cmake, CMakeLists\.txt have changes that are not committed"):
+        command.committed()
 
 
 @pytest.mark.parametrize("path", PROSE, ids=lambda path: path.name)

@@ -33,6 +33,7 @@ STUDIES = (
     "robustness",
     "hertz",
     "linear_solvers",
+    "remeasurement",
 )
 """Rooms within studies, the lowest first."""
 ROLES = {"__init__", "command", "figures", "page"}

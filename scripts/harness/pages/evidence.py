@@ -102,6 +102,26 @@ def stamp_of(path: Path) -> Stamp:
         raise DataFileError(f"{path} says not what it was made with ({error})") from error
 
 
+def check_together(limits: Mapping[str, float]) -> None:
+    """Refuse results that were not measured in one go.
+
+    Parameters
+    ----------
+    limits : mapping
+        By the names of files below docs/data, the limit (s) that each must have.
+
+    Raises
+    ------
+    DataFileError
+        Where plugin, commit or FEBio differ, or a limit is another one.
+    """
+    found = {name: stamp_of(DATA / name) for name in limits}
+    versions = {(stamp.plugin, stamp.commit, stamp.engine) for stamp in found.values()}
+    if len(versions) != 1 or any(stamp.limit != limits[name] for name, stamp in found.items()):
+        told = "; ".join(f"{name}: {stamp}" for name, stamp in found.items())
+        raise DataFileError(f"results were not measured in one go, which `evidence` does: {told}")
+
+
 def one_stamp(paths: list[Path]) -> Stamp:
     """The stamp that files have in common.
 

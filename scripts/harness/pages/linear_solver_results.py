@@ -185,4 +185,4 @@ def _engines(results: Results) -> str:
             names = others.setdefault((trial.febio, trial.commit), [])
             names += [name for name in [Solver(trial.solver).name] if name not in names]
     told = [f"{', '.join(names)} with {febio}, plugin at commit {commit}" for (febio, commit), names in others.items()]
-    return ". ".join([f"Made with {results.stamp}", *(["Rows made otherwise: " + "; ".join(told)] if told else [])]) + "."
+    return f"Made with {results.stamp}." + (f" Rows made otherwise: {'; '.join(told)}." if told else "")

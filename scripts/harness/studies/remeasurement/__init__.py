@@ -1,0 +1,1 @@
+"""All comparisons and all other evidence, measured anew in one go."""
