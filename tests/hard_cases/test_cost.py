@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
+from harness.run import engine
 from harness.run.provenance import Stamp
+from harness.run.runner import RunResult
 from harness.studies import files
+from harness.studies import timing as timing_of_runs
 from harness.studies.cost import command, interleaved, pareto
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import OWN, Problem, finest, points
 from harness.studies.limit import at_limit
 
-BASE = Datum("3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 1.0, 0.0, 9.0)
+BASE = Datum(
+    "3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 0.1, 0.3, 1.0, 0.0, 9.0
+)
 CHEAP = replace(BASE, parameter="penalty factor", value=10.0, contact_error=1e-2, iterations=22, ratio=0.9)
 POOR = replace(BASE, parameter="AUGLAG tolerance", value=0.1, contact_error=1e-3, iterations=31, ratio=1.3)
 FAILED = replace(BASE, parameter="penalty factor", value=1.0, ended=False, contact_error=math.nan, ratio=math.nan)
@@ -87,6 +93,26 @@ def test_every_point_has_a_model_and_a_name_of_its_own():
     for point in chosen:
         assert point.model().contacts[0].kind == point.interface.value
     assert {p.interface for p in chosen if p.parameter in OWN} == {InterfaceType.MIXTURE}
+
+
+def test_the_span_of_a_cost_is_that_of_its_kind():
+    assert pareto.span_of(BASE) == (BASE.ratio_low, BASE.ratio_high)
+    assert pareto.span_of(replace(BASE, problem="3.3")) == (BASE.cpu_low, BASE.cpu_high)
+
+
+def test_short_runs_alone_are_repeated_for_their_times(monkeypatch):
+    asked: list[str] = []
+
+    def execute(model):
+        asked.append(model)
+        return engine.Run(Path(), None, "", 0.0, 2.0 + len(asked)), ""
+
+    monkeypatch.setattr(timing_of_runs, "execute", execute)
+    runs = {name: RunResult(name, Path(), None, 0.0, cpu) for name, cpu in (("a", 1.0), ("long", 50.0), ("b", 2.0))}
+    times = timing_of_runs.in_turn(runs, 3)
+    assert asked == ["a", "b", "a", "b"]
+    assert times == {"a": [1.0, 3.0, 5.0], "long": [50.0], "b": [2.0, 4.0, 6.0]}
+    assert timing_of_runs.spread(times["a"]) == (3.0, 1.0, 5.0)
 
 
 def test_the_picture_is_drawn(tmp_path):

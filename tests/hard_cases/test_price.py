@@ -104,11 +104,12 @@ def test_memory_does_not_know_of_solutes_that_are_not_shared(runner):
     assert memory((1,)) == memory((1, 2, 3)) > 0
 
 
-def test_costs_are_those_of_the_run_that_was_disturbed_least(tmp_path):
-    slow = LOG.replace("2.500e-02", "9.500e-02")
-    costs = effect_costs.costs("solid", [slow, LOG, slow])
+def test_costs_are_those_of_the_run_with_the_median_share(tmp_path):
+    less, more = LOG.replace("of 1.25 s", "of 2.5 s"), LOG.replace("of 1.25 s", "of 1 s")
+    costs = effect_costs.costs("solid", [more, LOG, less])
     assert [cost.effect for cost in costs] == ["shared", "traction", "solvent", "solute 2"]
     assert sum(cost.part for cost in costs) == pytest.approx(costs[0].share) == pytest.approx(0.08)
+    assert (costs[0].share_low, costs[0].share_high) == pytest.approx((0.04, 0.1))
     assert "<svg" in page.draw(costs, tmp_path / "price.svg").read_text()
 
 

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
+from statistics import median
 from tempfile import TemporaryDirectory
 from typing import TypeVar
 
 from harness.models.document import Model
 from harness.run import engine
-from harness.run.runner import needs_plugin
+from harness.run.runner import RunResult, needs_plugin
 
 Key = TypeVar("Key")
 Result = TypeVar("Result")
 Announce = Callable[[Key, int], None]
+SHORT = 10.0
+"""s of processor time of a run that is short enough to be repeated for its time alone."""
 
 
 def execute(
@@ -54,3 +58,15 @@ def interleave(
                 announce(key, number)
             found[key].append(run())
     return found
+
+
+def in_turn(runs: Mapping[Key, RunResult], repetitions: int) -> dict[Key, list[float]]:
+    """Processor times (s) of runs that are done, and of as many repetitions in turn of those that are short."""
+    again = {key: partial(execute, run.model) for key, run in runs.items() if run.cpu < SHORT}
+    repeated = interleave(again, repetitions - 1)
+    return {key: [run.cpu, *(done.cpu for done, _ in repeated.get(key, []))] for key, run in runs.items()}
+
+
+def spread(values: Sequence[float]) -> tuple[float, float, float]:
+    """Median, least and largest."""
+    return median(values), min(values), max(values)

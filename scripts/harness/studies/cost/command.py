@@ -139,7 +139,7 @@ def cost_sweep(
     """Measure one problem with one interface, one parameter varied."""
     runner = Runner(RESULTS / "cost" / "runs", processor_limit=LIMIT)
     chosen = [point for point in points([problem]) if (point.interface, point.parameter) == (interface, parameter)]
-    files.write_json([point_runs.measure(point, runner) for point in chosen], out)
+    files.write_json(point_runs.measure(chosen, runner), out)
 
 
 def cost_interleaved(

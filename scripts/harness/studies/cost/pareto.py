@@ -49,6 +49,12 @@ def cost_of(datum: Datum) -> float:
     return datum.cpu if datum.problem == Problem.INDENTATION.value else datum.ratio
 
 
+def span_of(datum: Datum) -> tuple[float, float]:
+    """Least and largest cost of repeated runs."""
+    whole = datum.problem == Problem.INDENTATION.value
+    return (datum.cpu_low, datum.cpu_high) if whole else (datum.ratio_low, datum.ratio_high)
+
+
 def comparable(data: Sequence[Datum], problem: Problem, *, ended: bool = True) -> list[Datum]:
     """Runs of a problem that ended, or did not, on the mesh and in the steps of the defaults."""
     parameters = {parameter.value for parameter in Parameter if parameter not in DISCRETISATION}
@@ -93,11 +99,11 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
     for datum in data:
         default = datum.parameter == Parameter.DEFAULT.value
         colour, fill = LOOKS[datum.interface]
-        scatter = [[cost_of(datum) - datum.ratio_low], [datum.ratio_high - cost_of(datum)]]
+        low, high = span_of(datum)
         axes.errorbar(
             cost_of(datum),
             max(error_of(datum), SMALLEST),
-            xerr=None if datum.problem == Problem.INDENTATION.value else scatter,
+            xerr=[[cost_of(datum) - low], [high - cost_of(datum)]],
             fmt=MARKERS[Parameter(datum.parameter)],
             color=colour,
             ecolor="#b0b0b0",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from statistics import median
@@ -20,7 +21,7 @@ from harness.studies.cost.points import TIMES_33, Parameter, Point, Problem, fin
 from harness.validate import checks
 
 PAIRS = 3
-"""How often a run of 3.1 or 3.2 and that of the conforming reference are timed, in turn."""
+"""How often a run of 3.1 or 3.2 and that of the conforming reference are timed, in turn, and a short run of 3.3."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,10 @@ class Datum:
         from the finest run, of the force and of the solute in both bodies at 1 and 100 s.
     steps, iterations, residuals, retries : int
     wall, cpu : float
-        Wall and processor time of one thread, s; medians of some runs, of one for 3.3. On an idle machine they agree.
+        Wall and processor time of one thread, s; medians of some runs, of 3.3 the wall time of one. On an idle machine
+        they agree.
+    cpu_low, cpu_high : float
+        Least and largest of the processor times of 3.3, s, of one run where that is not short; nan for 3.1 and 3.2.
     ratio, ratio_low, ratio_high : float
         Median, least and largest of the ratios of this run's processor time and the conforming reference's, run in
         turn; nan for 3.3.
@@ -59,22 +63,32 @@ class Datum:
     retries: int
     wall: float
     cpu: float
+    cpu_low: float
+    cpu_high: float
     ratio: float
     ratio_low: float
     ratio_high: float
 
 
-def measure(point: Point, runner: Runner) -> Datum:
-    """Run a point and what it is compared with.
+def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
+    """Run points and what they are compared with; short runs of 3.3 are repeated in turn.
 
     Raises
     ------
     HarnessError
         Without an engine or plugin, or where the reference does not run.
     """
-    run = runner(point.model(), check=False)
+    runs = {point: runner(point.model(), check=False) for point in points}
+    whole = {p: run for p, run in runs.items() if p.problem is Problem.INDENTATION and run.report.normal}
+    times = timing.in_turn(whole, PAIRS)
+    return [_datum(point, run, times.get(point, [run.cpu]), runner) for point, run in runs.items()]
+
+
+def _datum(point: Point, run: RunResult, times: Sequence[float], runner: Runner) -> Datum:
     ended, contact_error, error, ratios = run.report.normal, math.nan, math.nan, (math.nan,) * 3
-    wall, cpu = run.wall, run.cpu
+    wall, (cpu, cpu_low, cpu_high) = run.wall, timing.spread(times)
+    if point.problem is not Problem.INDENTATION:
+        cpu_low = cpu_high = math.nan
     if ended and point.problem is Problem.INDENTATION:
         error = _error_33(run, runner(finest()))
     elif ended:
@@ -97,6 +111,8 @@ def measure(point: Point, runner: Runner) -> Datum:
         report.retries,
         wall,
         cpu,
+        cpu_low,
+        cpu_high,
         *ratios,
     )
 
@@ -122,7 +138,7 @@ def _pairs(model: Model, reference: Model) -> tuple[float, float, tuple[float, f
     runs = {name: partial(timing.execute, each) for name, each in (("own", model), ("conforming", reference))}
     own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
     ratios = [a.cpu / b.cpu for a, b in zip(own, other, strict=True)]
-    return median(r.wall for r in own), median(r.cpu for r in own), (median(ratios), min(ratios), max(ratios))
+    return median(r.wall for r in own), median(r.cpu for r in own), timing.spread(ratios)
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:

@@ -88,7 +88,7 @@ def friction_cost(
 ) -> None:
     """Measure what the tangential penalty and AUGLAG buy in slip that should not be, and what they cost."""
     runner = Runner(RESULTS / "friction-cost" / "runs", processor_limit=limit)
-    data = [stick_points.measure(point, runner) for point in stick_points.points()]
+    data = stick_points.measure(stick_points.points(), runner)
     console.print(stick_points.least_time(data), markup=False)
     (folder / "data").mkdir(parents=True, exist_ok=True)
     files.write_csv(data, Datum, folder / "data" / stick_points.SOURCE, provenance.stamp(limit))

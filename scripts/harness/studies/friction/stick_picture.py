@@ -49,9 +49,12 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
         own = [d for d in data if (d.interface, d.parameter) == (interface, parameter)]
         colour, fill = LOOKS[interface]
         default = parameter == Parameter.DEFAULT.value
-        axes.plot(
+        axes.errorbar(
             [d.time for d in own],
             [d.error for d in own],
+            xerr=[[d.time - d.time_low for d in own], [d.time_high - d.time for d in own]],
+            ecolor="#b0b0b0",
+            elinewidth=0.7,
             marker=MARKERS[Parameter(parameter)],
             linestyle=":",
             linewidth=0.8,

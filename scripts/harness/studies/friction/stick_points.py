@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
-from statistics import median
 
 from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.pairs import Kind
@@ -26,7 +25,7 @@ from harness.validate import friction_checks
 SOURCE = "friction-cost.csv"
 """Below docs/data."""
 PAIRS = 3
-"""How often a sheared block and its conforming reference are timed, in turn."""
+"""How often a sheared block and its conforming reference are timed, in turn, and a short run of partial slip."""
 ELEMENTS = 8
 """Over half the width of the contact in partial slip."""
 
@@ -126,8 +125,9 @@ class Datum:
         of the half-width of the zone that sticks, relative to the closed form's, on a mesh whose own error is part of
         it.
     iterations, retries, augmentations : int
-    time : float
-        Processor time; stick: over that of the conforming reference, run in turn, a median; partial slip: s.
+    time, time_low, time_high : float
+        Processor time; stick: over that of the conforming reference, run in turn; partial slip: s. Median, least and
+        largest; of one run where that is not short.
     """
 
     problem: str
@@ -140,19 +140,30 @@ class Datum:
     retries: int
     augmentations: int
     time: float
+    time_low: float
+    time_high: float
 
 
-def measure(point: Point, runner: Runner) -> Datum:
-    """Run a point.
+def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
+    """Run points; short runs of partial slip are repeated in turn.
 
     Raises
     ------
     HarnessError
         Without an engine or plugin, or where the conforming reference does not run.
     """
-    run = point.run(runner)
+    runs = {point: point.run(runner) for point in points}
+    slipping = {p: run for p, run in runs.items() if p.problem is Problem.PARTIAL and run.report.normal}
+    times = timing.in_turn(slipping, PAIRS)
+    return [_datum(point, run, times.get(point, [run.cpu]), runner) for point, run in runs.items()]
+
+
+def _datum(point: Point, run: RunResult, times: Sequence[float], runner: Runner) -> Datum:
     report = run.report
-    error, time = _error_and_time(point, run, runner) if report.normal else (math.nan, run.cpu)
+    if report.normal and point.problem is Problem.STICK:
+        error, times = _error_and_ratios(run, runner)
+    else:
+        error = slip_zones.zones(run).measures(1.0)[0].value if report.normal else math.nan
     return Datum(
         point.problem.value,
         point.interface.value,
@@ -163,23 +174,17 @@ def measure(point: Point, runner: Runner) -> Datum:
         report.iterations,
         report.retries,
         report.augmentations,
-        time,
+        *timing.spread(times),
     )
 
 
-def _error_and_time(point: Point, run: RunResult, runner: Runner) -> tuple[float, float]:
-    if point.problem is Problem.PARTIAL:
-        return slip_zones.zones(run).measures(1.0)[0].value, run.cpu
+def _error_and_ratios(run: RunResult, runner: Runner) -> tuple[float, list[float]]:
+    """The error of a sheared block, and its times over those of the conforming reference, run in turn."""
     joined = ShearedBlocks(Kind.BIPHASIC, InterfaceType.CONFORMING, name="friction-cost-conforming")
     reference = runner(joined.model())
-    return friction_checks.displaced(run, reference), _ratio(run, reference)
-
-
-def _ratio(run: RunResult, reference: RunResult) -> float:
-    """Median of the ratios of processor times."""
     runs = {name: partial(timing.execute, each.model) for name, each in (("own", run), ("conforming", reference))}
     own, other = ([done.cpu for done, _ in found] for found in timing.interleave(runs, PAIRS).values())
-    return median(a / b for a, b in zip(own, other, strict=True))
+    return friction_checks.displaced(run, reference), [a / b for a, b in zip(own, other, strict=True)]
 
 
 LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)

@@ -22,10 +22,9 @@ class EffectCost:
     effect : str
         ``shared`` is what all effects need.
     part : float
-        Part of the run's time that the contact takes for this effect: of the run with the least part, which other work
-        disturbed least.
-    share : float
-        Part of all effects.
+        Part of the run's time that the contact takes for this effect, of the run whose share is the median.
+    share, share_low, share_high : float
+        Part of all effects: median, least and largest.
     bytes : int
         Memory for each integration point.
     unknowns, entries : int
@@ -36,6 +35,8 @@ class EffectCost:
     effect: str
     part: float
     share: float
+    share_low: float
+    share_high: float
     bytes: int
     unknowns: int
     entries: int
@@ -60,6 +61,8 @@ def costs(scene: str, logs: Sequence[str]) -> list[EffectCost]:
 
     Other work stretches the time of the contact and of the run alike, so that the part of the one in the other stays.
     """
-    best = min((one for log in logs for one in table.read(log)), key=lambda times: times.share)
-    size = (best.share, best.memory, table.unknowns(logs[0]), table.entries(logs[0]))
-    return [EffectCost(scene, name, spent / best.run, *size) for name, spent in best.effects.items()]
+    found = sorted((one for log in logs for one in table.read(log)), key=lambda times: times.share)
+    middle = found[len(found) // 2]
+    shares = (middle.share, found[0].share, found[-1].share)
+    size = (middle.memory, table.unknowns(logs[0]), table.entries(logs[0]))
+    return [EffectCost(scene, name, spent / middle.run, *shares, *size) for name, spent in middle.effects.items()]

@@ -70,7 +70,8 @@ def _percent(part: float) -> str:
 
 def _scene(own: Sequence[EffectCost]) -> str:
     first = own[0]
-    cells = (_percent(first.share), first.unknowns, first.entries, first.bytes)
+    share = f"{_percent(first.share)} ({_percent(first.share_low)} to {_percent(first.share_high)})"
+    cells = (share, first.unknowns, first.entries, first.bytes)
     return f"| {first.scene} | {' | '.join(map(str, cells))} |"
 
 
@@ -99,7 +100,7 @@ def draw(costs: Sequence[EffectCost], path: Path) -> Path:
 
 
 def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:
-    """A stacked bar."""
+    """A stacked bar, with the least and the largest share of repeated runs."""
     at = 0.0
     for cost in own:
         colour, hatch = GREYS.get(cost.effect) or SOLUTES[int(cost.effect.split()[-1]) - 1]
@@ -107,6 +108,9 @@ def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:
         (bar,) = axes.barh(row, width, left=at, label=cost.effect, color=colour, ec="black", lw=0.5, height=0.6)
         bar.set_hatch(hatch)
         at += width
+    first = own[0]
+    span = [[100.0 * (first.share - first.share_low)], [100.0 * (first.share_high - first.share)]]
+    axes.errorbar(100.0 * first.share, row, xerr=span, fmt="none", ecolor="black", elinewidth=0.9, capsize=2.5)
 
 
 def comparison_table(prices: Sequence[Price]) -> str:

@@ -167,6 +167,7 @@ def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], reference:
     ended = all(one.ended for one in runs)
     contact = median(contact_time(one, other) for one, other in pairs) if ended else math.nan
     added = [one.cpu / other.cpu - 1.0 for one, other in pairs] if ended else [math.nan]
-    spread = (median(added), min(added), max(added))
     counts = (runs[0].unknowns, runs[0].entries)
-    return Price(kind.value, *key, ended, runs[0].iterations, reference[0].iterations, contact, *spread, *counts)
+    return Price(
+        kind.value, *key, ended, runs[0].iterations, reference[0].iterations, contact, *timing.spread(added), *counts
+    )
