@@ -109,6 +109,7 @@ def test_a_run_that_was_ended_by_its_limit_has_a_column_of_its_own():
     made = [outcome("febio-1", 0, ended=False), outcome("febio-1", 30, ended=False, retries=4)]
     assert "| FEBio, factor 1 | 2 | 0 | 0 | 1 | 1 | 4 |" in outcomes.summary(made)
     assert "limit: to 30 %" in outcomes.table(made[:1], {"edge-on-face": "edge"})
+    assert [one.counts for one in made] == ["limit at 30 %", "fails at 30 %"]
     assert "fails: to 30 %" in outcomes.table(made[1:], {"edge-on-face": "edge"})
 
 

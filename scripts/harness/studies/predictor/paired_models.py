@@ -13,6 +13,7 @@ from harness.run.febio_log import Report
 from harness.run.runner import Runner
 from harness.studies.hard_cases.catalogue import CASES
 from harness.studies.hard_cases.scene import Fineness, Interface
+from harness.studies.limit import at_limit
 
 MOST = 1.02
 """Iterations with the predictor over those without it, at most, for it to become the default."""
@@ -43,6 +44,11 @@ class Pair:
         return self.without.model
 
     @property
+    def both_end(self) -> bool:
+        """Whether both runs end."""
+        return self.without.ended and self.predicted.ended
+
+    @property
     def ratio(self) -> float:
         """Iterations with the predictor over those without it."""
         return self.predicted.iterations / max(1, self.without.iterations)
@@ -52,7 +58,8 @@ class Pair:
         """In what the predictor is worse; empty where in nothing."""
         worse = []
         if self.without.ended and not self.predicted.ended:
-            worse.append("does not end")
+            limit = at_limit(self.predicted.ended, self.predicted.iterations)
+            worse.append("ended by the limit" if limit else "does not end")
         if self.predicted.retries > self.without.retries:
             worse.append("more retries")
         if self.predicted.ended and self.ratio > MOST:

@@ -26,12 +26,13 @@ def _cell(took: Took) -> str:
 
 
 def summary(pairs: Sequence[Pair]) -> str:
-    """Sums over all models, and how many speak against the predictor as the default."""
-    without = sum(pair.without.iterations for pair in pairs)
-    predicted = sum(pair.predicted.iterations for pair in pairs)
+    """Sums over the models that end both ways, and how many speak against the predictor as the default."""
+    ended = [pair for pair in pairs if pair.both_end]
+    without = sum(pair.without.iterations for pair in ended)
+    predicted = sum(pair.predicted.iterations for pair in ended)
     harmed = [pair for pair in pairs if pair.harms]
     return (
-        f"{len(pairs)} models: {predicted} iterations with the predictor, {without} without it. In "
-        f"{len(harmed) or 'none'} of them it does harm: a run that fails, more retries, or more than {MOST} times "
-        "the iterations."
+        f"{len(pairs)} models; {len(ended)} end with the predictor and without it, in {predicted} and {without} "
+        f"iterations. In {len(harmed) or 'none'} it does harm: a run that fails, more retries, or more than {MOST} "
+        "times the iterations."
     )
