@@ -29,10 +29,10 @@ struct PlacedFacet {
   FacetCoordinates x;
 };
 
-/// What a corner of a linear piece weighs its facet's nodes with: the middle of an 8-node quadrilateral is no node.
-FacetVector node_weights(FacetType type, int node) {
-  if (node < node_count(type)) return FacetVector::Unit(node_count(type), node);
-  return shape_functions(type, parametric_node(type, node)).value;
+/// What a corner of a linear piece that is no node weighs its facet's nodes with: the middle of an 8-node
+/// quadrilateral.
+FacetVector node_weights(FacetType type, int corner) {
+  return shape_functions(type, parametric_node(type, corner)).value;
 }
 
 Vector3d corner(const PlacedFacet& facet, const SubFacet& piece, int a) {

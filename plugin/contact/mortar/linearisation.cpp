@@ -48,6 +48,12 @@ struct PairLinearisation {
   IndexedVector<PairFriction> friction;  ///< per node; empty without friction
 };
 
+/// How many nodes of a patch, from its first, turn the mean normal or change the area: all where points move over their
+/// facets, else the primary ones.
+Index turning_nodes(const FacingPairs& facing, Index nodes, Index primary_nodes) {
+  return facing.moves_points() ? nodes : primary_nodes;
+}
+
 /// Of a node or of a pair; all but the average_variation.
 template <class Friction>
 void set_rest_zero(Friction& friction, const LocalLayout& displacements, const Effects& effects) {
@@ -75,10 +81,11 @@ NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patc
   if (space.effects().has_friction()) {
     set_zero(linear.friction, layout, space.effects());
     linear.friction.pressure_field = space.effects().pressure_field();
-    linear.friction.turning = space.facing().moves_points() ? layout.nodes() : layout.primary_nodes();
+    linear.friction.turning = turning_nodes(space.facing(), layout.nodes(), layout.primary_nodes());
   }
   if (patch.displacements) linear.gap_variation.setZero(layout.size());
   linear.traction_work = linear.gap_variation;
+  if (patch.fields.empty()) return linear;
   const NodeLinearisation::Jump none{linear.gap_variation, VectorXd::Zero(patch.field_layout(false).size())};
   linear.jumps.assign(patch.fields.size(), none);
   return linear;
@@ -214,7 +221,7 @@ struct SlidingPoint {
   PairVariation<6> variation;           ///< dy + y dw/w
   PairVector work;                      ///< |a| h
   bool moves = false;                   ///< whether the point wanders over the primary facet
-  Index turning = 0;                    ///< nodes that turn the normal: all where it moves, else the primary facet's
+  Index turning = 0;                    ///< as NodeLinearisation::Friction has it, of the pair
   double pressure = 0;                  ///< |a| (p~ - p*); without fluid the next two are empty
   PairVariation<1> pressure_variation;  ///< of |a| (p~ - p*) at fixed nodal values, plus it times dw/w
   PairVector pressure_weights;          ///< |a| (p~ - p*) with the values of p~
@@ -244,7 +251,7 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   const PairVariation<1> darea = weighted_area_variation(at.point);
   SlidingPoint sliding;
   sliding.moves = space.facing().moves_points();
-  sliding.turning = sliding.moves ? kinematics.nodes() : kinematics.primary_nodes();
+  sliding.turning = turning_nodes(space.facing(), kinematics.nodes(), kinematics.primary_nodes());
   sliding.value << kinematics.area * r, kinematics.area_vector;
   sliding.variation.resize(6, darea.size());
   const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slip_slope_with_eta(past);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-LIMIT = 600.0
+LIMIT = 300.0
 """s of processor time for one run, the same for all interfaces in all studies."""
 
 
