@@ -29,6 +29,7 @@ COMMANDS = {
     "robustness": "harness.studies.robustness.command",
     "linear-solvers": "harness.studies.linear_solvers.command",
     "biphasic-hertz": "harness.studies.hertz.command",
+    "elastic-hertz": "harness.studies.hertz.command",
     "evidence": "harness.studies.remeasurement.command",
     "gallery": "harness.pages.gallery.command",
     "pages": "harness.site",

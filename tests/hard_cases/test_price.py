@@ -87,9 +87,12 @@ def test_contacts_are_compared_on_the_same_model():
     assert [scene.contact for scene in scenes.values()] == [
         "conforming",
         InterfaceType.MIXTURE.value,
+        InterfaceType.MIXTURE.value,
         "sliding-biphasic",
         "sliding-biphasic",
     ]
+    with_predictor = [scene.name for scene in scenes.values() if scene.settings == paired_runs.PREDICTING]
+    assert len(with_predictor) == 1
     assert len({scene.model().mesh.nodes.shape for scene in scenes.values() if scene.contact != "conforming"}) == 1
 
 
@@ -118,8 +121,11 @@ def test_the_table_says_where_febio_adds_less():
         return paired_runs.Price("biphasic", kind, factor, ended, 10, 10, 0.1, added, added, added, 500, 9000)
 
     ours = price("sliding-mixture", 0.0, 0.5)
-    rows = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4), price("sliding-biphasic", 10.0, 0.6)])
-    assert [row.split(" | ")[-1] for row in rows.splitlines()[3:]] == ["`sliding-biphasic` |", "`sliding-mixture` |"]
+    predicted = price("sliding-mixture-predictor", 0.0, 0.1)
+    theirs = [price("sliding-biphasic", 1.0, 0.4), price("sliding-biphasic", 10.0, 0.6)]
+    rows = page.comparison_table([ours, predicted, *theirs]).splitlines()[3:]
+    assert [row.split(" | ")[-1].strip() for row in rows] == ["|", "`sliding-biphasic` |", "`sliding-mixture` |"]
+    assert "`sliding-mixture`, `predictor` 1" in rows[0]
     failed = page.comparison_table([ours, price("sliding-biphasic", 1.0, 0.4, ended=False)])
     assert "| fails |" in failed
     assert failed.endswith("`sliding-mixture` |")

@@ -47,6 +47,7 @@ SMALL = {
     "scripts/mixcontact cost --docs": "{harness} cost --help",
     "scripts/mixcontact cost --only interleaved": "{harness} cost --help",
     "scripts/mixcontact biphasic-hertz --folder docs": "{harness} biphasic-hertz --help",
+    "scripts/mixcontact elastic-hertz --folder docs": "{harness} elastic-hertz --help",
     "scripts/mixcontact price --docs": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
     "scripts/mixcontact predictor --mesh coarse --docs": "{harness} predictor --help",

@@ -78,7 +78,7 @@ def test_the_torque_of_a_twisting_hemisphere():
 @pytest.mark.mixture_only
 def test_the_force_of_concentric_spheres(runner):
     """On the coarse mesh; `friction-benchmarks` runs the fine one, too."""
-    rows = curves.sphere_rows("coarse mesh", runner)
-    found = curves.values_at(rows, "spheres", "coarse mesh", published.WAYS)
+    rows = curves.sphere_rows(curves.SPHERES, "coarse mesh", runner)
+    found = curves.values_at(rows, curves.SPHERES, "coarse mesh", published.WAYS)
     spans = published.spread(published.SPHERES)
     assert [curves.outside(value, span) for value, span in zip(found.tolist(), spans, strict=True)] == [0.0] * 5

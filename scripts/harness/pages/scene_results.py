@@ -198,12 +198,12 @@ def table(rows: Sequence[Row]) -> str:
         cells = (
             row.name,
             row.about,
-            _cell(row.febio),
-            _cell(row.converted),
+            cell(row.febio),
+            cell(row.converted),
             _number(row.converted.difference),
             _number(row.converted.of_fields),
-            _cell(row.defaults),
-            _cell(row.predicted),
+            cell(row.defaults),
+            cell(row.predicted),
             worse.replace("|", "/"),
         )
         lines.append("| " + " | ".join(cells) + " |")
@@ -214,7 +214,8 @@ def _number(difference: float) -> str:
     return "" if math.isnan(difference) else f"{difference:.1e}"
 
 
-def _cell(took: Took) -> str:
+def cell(took: Took) -> str:
+    """Iterations, with retries in brackets; of a run that did not end, how far it came."""
     retries = f" ({took.retries})" if took.retries else ""
     if took.ended:
         return f"{took.iterations}{retries}"

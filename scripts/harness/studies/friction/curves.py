@@ -28,6 +28,9 @@ FEBIO_SERIES = "FEBio's sliding-elastic, coarse mesh"
 FEBIO_HEMISPHERE = TwistingHemisphere(interface=InterfaceType.ELASTIC, name="twisting-hemisphere-febio")
 MESHES = {"coarse mesh": (6, 2, 45), "fine mesh": (8, 3, 90)}
 """Of the spheres: elements along the edge of a patch and through a shell, and steps."""
+SPHERES, SMOOTH_SPHERES = "spheres", "smooth spheres"
+COEFFICIENTS = {SPHERES: 0.5, SMOOTH_SPHERES: 0.0}
+"""Friction coefficients of the problems of spheres."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,7 @@ class Row:
     Attributes
     ----------
     problem : str
-        "torque" or "force" of the hemisphere, or "spheres".
+        "torque" or "force" of the hemisphere, `SPHERES` or `SMOOTH_SPHERES`.
     series : str
         A mesh, or who published it.
     place : float
@@ -67,21 +70,22 @@ def _turned_rows(series: str, run: RunResult) -> list[Row]:
     return [*_rows("torque", series, angle, torque), *_rows("force", series, angle, force)]
 
 
-def sphere_rows(series: str, runner: Runner) -> list[Row]:
-    """Force on the octant of the spheres, on one of the meshes."""
-    elements, through, steps = MESHES[series]
-    name = f"concentric-spheres-0.5-{series.removesuffix(' mesh')}"
-    run = runner(ConcentricSpheres(0.5, elements, through, steps, name=name).model())
+def sphere_rows(problem: str, series: str, runner: Runner) -> list[Row]:
+    """Force on the octant of the spheres, with friction or without it, on one of the meshes."""
+    coefficient, (elements, through, steps) = COEFFICIENTS[problem], MESHES[series]
+    name = f"concentric-spheres-{coefficient:g}-{series.removesuffix(' mesh')}"
+    run = runner(ConcentricSpheres(coefficient, elements, through, steps, name=name).model(), check=False)
     lid = run.model.mesh.node_sets["lid"] - 1
     way = run.nodes.times / steps * WAY
-    return _rows("spheres", series, way, -run.nodes["Rz"][:, lid].sum(axis=1))
+    return _rows(problem, series, way, -run.nodes["Rz"][:, lid].sum(axis=1))
 
 
 def published_rows() -> list[Row]:
     """All that was published, at its places."""
     found = _published("torque", published.ANGLES, published.TORQUE)
     found += _published("force", published.ANGLES, published.PRESSED)
-    return [*found, *_published("spheres", published.WAYS, published.SPHERES)]
+    found += _published(SPHERES, published.WAYS, published.SPHERES)
+    return [*found, *_published(SMOOTH_SPHERES, published.WAYS, published.SMOOTH_SPHERES)]
 
 
 def turned(run: RunResult) -> tuple[Array, Array, Array]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from harness.studies.friction.curves import FEBIO_SERIES, Row
+from harness.studies.friction.curves import FEBIO_SERIES, SMOOTH_SPHERES, SPHERES, Row
 from harness.studies.friction.published import ABAQUS, AREIAS, FEBIO, SAUER
 
 PICTURE = "images/friction-benchmarks.svg"
@@ -17,13 +17,14 @@ LINES = {"coarse mesh": (":", "0.45"), "fine mesh": ("-", RED), FEBIO_SERIES: ("
 MARKS = {FEBIO: "o", SAUER: "s", ABAQUS: "^", AREIAS: "x"}
 PANELS = (
     ("torque", "angle [degrees]", "torque [N mm]", "twisting hemisphere"),
-    ("spheres", "way [mm]", "force [N]", "octant of concentric spheres"),
+    (SPHERES, "way [mm]", "force [N]", "octant of concentric spheres"),
+    (SMOOTH_SPHERES, "way [mm]", "force [N]", "the same without friction"),
 )
 
 
 def draw(rows: Sequence[Row], path: Path) -> Path:
     """A panel for each problem, as SVG."""
-    figure = Figure(figsize=(8.2, 4.0), layout="constrained", facecolor="white")
+    figure = Figure(figsize=(10.0, 4.0), layout="constrained", facecolor="white")
     all_axes = figure.subplots(1, len(PANELS))
     for axes, (problem, place, value, title) in zip(all_axes, PANELS, strict=True):
         _panel(axes, [row for row in rows if row.problem == problem])

@@ -9,7 +9,7 @@ import numpy as np
 from harness.pages.evidence import DATA
 from harness.studies import files
 from harness.studies.friction import published
-from harness.studies.friction.curves import Row, outside, values_at
+from harness.studies.friction.curves import SMOOTH_SPHERES, SPHERES, Row, outside, values_at
 from harness.studies.friction.published import Curves
 
 SOURCE = "friction-benchmarks.csv"
@@ -22,7 +22,8 @@ def figures() -> Mapping[str, str]:
         "turned": turned_line(rows),
         "torque_table": _table(rows, "torque", "angle [degrees]", published.ANGLES, published.TORQUE),
         "pressed": pressed_line(rows),
-        "spheres_table": _table(rows, "spheres", "way [mm]", published.WAYS, published.SPHERES),
+        "spheres_table": _table(rows, SPHERES, "way [mm]", published.WAYS, published.SPHERES),
+        "smooth_table": _table(rows, SMOOTH_SPHERES, "way [mm]", published.WAYS, published.SMOOTH_SPHERES),
     }
 
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from harness.pages import scene_results
 from harness.pages.evidence import DATA, EvidencePage
+from harness.pages.scene_results import Row, Took
+from harness.paths import DOCS
 from harness.studies import files
 from harness.studies.friction import curves_table, stick_points
 from harness.studies.hard_cases.outcomes import OURS, Outcome, Table, arranged
@@ -14,18 +17,48 @@ from harness.studies.hard_cases.rubbing_record import FRICTIONLESS, MOST_ITERATI
 from harness.studies.hard_cases.scene import Fineness
 
 CASES_SOURCE = "friction-cases.csv"
+MODELS_SOURCE = scene_results.DATA.name
+RUBS = "friction-"
+"""What the names of the real models with friction begin with."""
 
 
 def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
     headlines = [_headline(rows, mesh) for mesh in Fineness]
+    models = [row for row in scene_results.read(DOCS / scene_results.DATA).rows if row.name.startswith(RUBS)]
     return {
+        "beside": beside(models),
+        "models": "\n".join(_model(row) for row in models),
         "headline": " ".join(headlines),
         "cases": "\n".join(_lines(rows)),
         **curves_table.figures(),
         **stick_points.figures(files.read_csv(DATA / stick_points.SOURCE, stick_points.Datum)),
     }
+
+
+def beside(models: Sequence[Row]) -> str:
+    """In how many of the real models ours take at most the iterations of FEBio's interface."""
+    converted, defaults = (
+        sum(_at_most(took, row.febio) for took, row in pairs)
+        for pairs in ([(row.converted, row) for row in models], [(row.defaults, row) for row in models])
+    )
+    return (
+        f"With the penalties of FEBio's interface {converted} of {len(models)} take at most its iterations, with the "
+        f"defaults, which are stiffer, {defaults}."
+    )
+
+
+def _at_most(took: Took, febio: Took) -> bool:
+    return took.ended and (not febio.ended or took.iterations <= febio.iterations)
+
+
+def _model(row: Row) -> str:
+    """A row of the table: iterations, and which of the runs take more than FEBio's."""
+    runs = {"with its penalties": row.converted, "defaults": row.defaults}
+    fewer = ", ".join(name for name, took in runs.items() if not _at_most(took, row.febio))
+    cells = (row.about, *map(scene_results.cell, (row.febio, row.converted, row.defaults)), fewer)
+    return f"| {' | '.join(cells)} |"
 
 
 def _on(rows: Table, mesh: Fineness) -> Sequence[tuple[str, Outcome, Outcome]]:
@@ -58,7 +91,7 @@ def _lines(rows: Table) -> list[str]:
 
 PAGE = EvidencePage(
     "evidence/friction.md",
-    (CASES_SOURCE, curves_table.SOURCE, stick_points.SOURCE),
+    (CASES_SOURCE, curves_table.SOURCE, stick_points.SOURCE, MODELS_SOURCE),
     Path(__file__).with_name("page.md"),
     figures,
 )

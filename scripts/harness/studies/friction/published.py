@@ -31,6 +31,8 @@ SPHERES: Curves = {
     AREIAS: (0.70, 1.70, 3.00, 4.44, 5.03),
 }
 """Force on the octant, N."""
+SMOOTH_SPHERES: Curves = {FEBIO: (0.78, 1.80, 2.72, 4.04, 4.76)}
+"""The same without friction, N."""
 
 
 def spread(curves: Curves) -> list[tuple[float, float]]:

@@ -1,1 +1,1 @@
-"""Biphasic Hertz contact along a line: two meshes and draining surfaces beside the closed form of thin layers."""
+"""Hertz contacts on two meshes beside closed forms: of elastic bodies, and of thin biphasic layers along a line."""

@@ -1,13 +1,16 @@
-"""Half-width and peak pressure over time, runs over the closed form."""
+"""Runs over closed forms: half-width and peak pressure over time, and pressure over the contact."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from harness.studies.hertz import elastic_profiles
+from harness.studies.hertz.elastic_profiles import ProfileRow
 from harness.studies.hertz.growth_records import PROBLEMS, Record
 
 STYLES = {
@@ -30,6 +33,31 @@ def draw(rows: Sequence[Record], path: Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, metadata={"Date": None})
     return path
+
+
+def draw_elastic(rows: Sequence[ProfileRow], path: Path) -> Path:
+    """Pressure under a cylinder and under a sphere, both over those of the closed form, as SVG."""
+    figure = Figure(figsize=(8.2, 3.3), layout="constrained", facecolor="white")
+    for axes, problem in zip(figure.subplots(1, 2, sharey=True), elastic_profiles.PROBLEMS, strict=True):
+        _profiles(axes, [row for row in rows if row.problem == problem])
+        axes.set_title(f"{problem} on a block", fontsize=10)
+        axes.set_xlabel("distance from the middle / its half-width or radius [-]")
+    figure.axes[0].set_ylabel("pressure / peak pressure [-]")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, metadata={"Date": None})
+    return path
+
+
+def _profiles(axes: Axes, rows: Sequence[ProfileRow]) -> None:
+    inside = np.linspace(0.0, 1.0, 201)
+    axes.plot(inside, np.sqrt(1.0 - inside**2), "-", color=GREY, linewidth=1.4, label="Hertz, closed form")
+    for mesh, marker in zip(dict.fromkeys(row.mesh for row in rows), "ox", strict=True):
+        own = [row for row in rows if row.mesh == mesh and row.place < 1.5 * row.radius]
+        place, pressure = [row.place / row.radius for row in own], [row.pressure / row.peak for row in own]
+        axes.plot(place, pressure, marker, color="black", markerfacecolor="none", ms=4, label=mesh)
+    axes.set_ylim(bottom=0.0)
+    axes.legend(fontsize=8, frameon=False)
+    axes.spines[["top", "right"]].set_visible(False)
 
 
 def _panel(axes: Axes, rows: Sequence[Record], name: str, scale: float, label: str) -> None:

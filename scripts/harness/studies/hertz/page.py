@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from harness.models.biphasic_hertz import BiphasicHertz
@@ -12,9 +12,11 @@ from harness.pages.verification import Section
 from harness.paths import DOCS
 from harness.post.compare import Measure
 from harness.studies import files
+from harness.studies.hertz import elastic_profiles
+from harness.studies.hertz.elastic_profiles import ProfileRow
 from harness.studies.hertz.growth_records import PROBLEMS, Record, largest_errors
 
-SOURCE = "biphasic-hertz.csv"
+SOURCE, ELASTIC_SOURCE = "biphasic-hertz.csv", "elastic-hertz.csv"
 SPLIT = ("split against conforming", "less that of the conforming reference")
 """In names of measures that compare with the conforming reference."""
 
@@ -30,6 +32,7 @@ def figures() -> Mapping[str, str]:
         "checks": "\n".join(map(_check, sections)),
         "split": "\n".join(f"| {_cell(m.name)} | {m.value:.2g} |" for m in measures if any(s in m.name for s in SPLIT)),
         "layers": "\n".join(map(_layers, PROBLEMS)),
+        "elastic": "\n".join(_elastic(files.read_csv(DATA / ELASTIC_SOURCE, ProfileRow))),
     }
 
 
@@ -52,10 +55,22 @@ def _layers(problem: BiphasicHertz) -> str:
     return f"| {name} | " + " | ".join(f"{100.0 * error:.2f} %" for error in errors.values()) + " |"
 
 
+def _elastic(rows: Sequence[ProfileRow]) -> list[str]:
+    """A row of the table for each problem and mesh."""
+    lines = []
+    for problem, mesh in dict.fromkeys((row.problem, row.mesh) for row in rows):
+        found = elastic_profiles.errors([row for row in rows if (row.problem, row.mesh) == (problem, mesh)])
+        lines.append(f"| {problem}, {mesh} | " + " | ".join(f"{100.0 * abs(each):.2f} %" for each in found) + " |")
+    return lines
+
+
 def _cell(text: str) -> str:
     return text.replace("|", "\\|")
 
 
 PAGE = EvidencePage(
-    "evidence/verification.md", ("verification.json", SOURCE), Path(__file__).with_name("page.md"), figures
+    "evidence/verification.md",
+    ("verification.json", SOURCE, ELASTIC_SOURCE),
+    Path(__file__).with_name("page.md"),
+    figures,
 )

@@ -114,16 +114,17 @@ def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:
 
 
 def comparison_table(prices: Sequence[Price]) -> str:
-    """Ours beside FEBio's, as Markdown, with what adds less."""
+    """Ours beside FEBio's, as Markdown, with whether FEBio's or ours without the predictor adds less."""
     heads = ("bodies", "contact", "penalties", "iterations", "unknowns", "matrix entries", "added", "adds less")
     lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
-    ours = {price.kind: price for price in prices if price.factor == 0.0}
+    ours = {price.kind: price for price in prices if price.type == joints.OURS}
     for price in prices:
-        factor = f"factor {price.factor:g}" if price.factor else "defaults"
+        penalties = f"factor {price.factor:g}" if price.factor else "defaults"
         told = (price.iterations, price.unknowns, price.entries)
         counts = told if price.ended else (joints.unended(price.iterations), "", "")
         less = _less(ours[price.kind], price)
-        cells = (price.kind, f"`{price.type}`", factor, *map(str, counts), _added(price), less)
+        contact = f"`{joints.OURS}`, `predictor` 1" if price.type == joints.PREDICTED else f"`{price.type}`"
+        cells = (price.kind, contact, penalties, *map(str, counts), _added(price), less)
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
 
@@ -135,7 +136,7 @@ def _added(price: Price) -> str:
 
 
 def _less(ours: Price, price: Price) -> str:
-    if price is ours:
+    if price.type in (joints.OURS, joints.PREDICTED):
         return ""
     return f"`{price.type if price.ended and price.added < ours.added else ours.type}`"
 

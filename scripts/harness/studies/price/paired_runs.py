@@ -9,8 +9,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 from statistics import median
 
-from harness.models.interface import InterfaceType
+from harness.models.interface import ContactSettings, InterfaceType
+from harness.models.parts import Param
 from harness.studies import timing
+from harness.studies.hard_cases.scene import Interface
 from harness.studies.limit import LIMIT
 from harness.studies.price import table
 from harness.studies.price.scenes import Kind, Scene, penalties
@@ -19,6 +21,7 @@ Announce = Callable[[str], None]
 """Told what is being run."""
 
 _TIMER = re.compile(r"^\s*([a-z ]+?) \.+ : \d+:\d\d:\d\d \(([-\d.e+]+) sec\)", re.MULTILINE)
+PREDICTING = ContactSettings(extra=(Param("predictor", True),))
 FACTORS = (1000.0, 1.0)
 """Factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes."""
 
@@ -105,7 +108,7 @@ class Price:
     ----------
     kind : str
     type : str
-        Type of the contact.
+        Type of the contact, as `Interface` has it for ours with the predictor.
     factor : float
         Penalty factor; 0 for our defaults.
     ended : bool
@@ -142,7 +145,8 @@ def compared(scene: Scene) -> dict[tuple[str, float], Scene]:
     """The scene with each contact that is compared, by its type and penalty factor; the conforming reference first."""
     found = {
         (InterfaceType.CONFORMING.value, 0.0): replace(scene, contact=InterfaceType.CONFORMING.value),
-        (InterfaceType.MIXTURE.value, 0.0): scene,
+        (Interface.MIXTURE.value, 0.0): scene,
+        (Interface.PREDICTED.value, 0.0): replace(scene, settings=PREDICTING),
     }
     for factor in FACTORS:
         rival = scene.kind.rival

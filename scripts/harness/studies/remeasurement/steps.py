@@ -58,6 +58,7 @@ UNTIMED = (
         0.0,
     ),
     Step("biphasic-hertz", ("biphasic-hertz.csv",), (("biphasic-hertz", *_DOCS),), 0.0),
+    Step("elastic-hertz", ("elastic-hertz.csv",), (("elastic-hertz", *_DOCS),), 0.0),
     Step("hard-cases", ("hard-cases.csv",), (("hard-cases", *_COARSE),)),
     Step("predictor", ("predictor.csv",), (("predictor", *_COARSE),)),
     Step("real-models", ("real-models.json",), (("real-models", "--docs", "--jobs", "2", "--folder", "{folder}"),)),

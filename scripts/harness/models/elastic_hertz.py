@@ -1,0 +1,128 @@
+"""A sphere pressed on a block of the same material, without friction: Hertz's contact over a circle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import log
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models.assembly import NEAR, Chosen, assembled, graded, plane, tensor
+from harness.models.blocks import Body, Points
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import InterfaceType, contacts, default_settings
+from harness.models.mesh import Mesh
+from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix, hold
+
+RADIUS = 10.0
+"""mm."""
+CONTACT_RADIUS = 0.02
+"""a for which the approach is chosen, mm: small beside the radius, since the closed form is linear."""
+SIZE = 10.0 * CONTACT_RADIUS
+"""Width and height of the modelled quarter of each body, mm."""
+SOLID = Solid(1000.0, 0.3)
+COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))
+"""E*, MPa."""
+APPROACH = CONTACT_RADIUS**2 / RADIUS
+"""mm, of points far from the contact."""
+GROWTH = 1.4
+"""Of the elements outside of the contact."""
+FINE = 1.25
+"""Width of the finest part of the mesh, relative to a."""
+STEPS = 4
+ABOUT = """\
+A sphere of radius 10 mm on a block, the same material, pressed together without friction (Hertz, over a circle).
+By symmetry a quarter is modelled, within ten radii of the contact."""
+
+
+@dataclass(frozen=True)
+class ElasticHertz:
+    """Choices of this problem.
+
+    Attributes
+    ----------
+    elements : int
+        Over the radius of the contact.
+    interface : InterfaceType
+        With its default settings.
+    name : str
+    """
+
+    elements: int = 5
+    interface: InterfaceType = InterfaceType.MIXTURE
+    name: str = "elastic-hertz"
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.interface),
+            "solid",
+            mesh,
+            {"block": Elastic(SOLID), "sphere": Elastic(SOLID)},
+            (
+                fix("middle-x", "x"),
+                fix("middle-y", "y"),
+                *hold("block-outside", "xyz"),
+                *hold("sphere-outside", "xy"),
+                displace("sphere-outside", "z", -APPROACH, 1),
+            ),
+            Control(STEPS, 1.0, displacement_tolerance=1e-6, energy_tolerance=1e-9, reformations=40),
+            contacts(self.interface, mesh, default_settings(self.interface)),
+            (Curve(((0.0, 0.0), (float(STEPS), 1.0))),),
+            further_columns=("Rz",),
+            facet_columns=("contact pressure",),
+        )
+
+    def _mesh(self) -> Mesh:
+        """Both bodies with nodes at the same x and y; the sphere touches at the origin."""
+        sets = {
+            "middle-x": plane("x", 0.0),
+            "middle-y": plane("y", 0.0),
+            "block-outside": Chosen("block", _outside),
+            "sphere-outside": Chosen("sphere", _outside),
+        }
+        surfaces = {
+            "block": Chosen("block", lambda x: _near(x) & (np.abs(x[..., 2]) < NEAR)),
+            "sphere": Chosen("sphere", lambda x: _near(x) & (np.abs(x[..., 2] - _profile(x)) < NEAR)),
+        }
+        bodies = {"block": self._box(-1.0), "sphere": _rounded(self._box(1.0))}
+        return assembled(bodies, sets, surfaces, {"contact": ("sphere", "block")})
+
+    def _box(self, up: float) -> Body:
+        """A box above (1) or below (-1) z = 0, fine around the origin."""
+        size = CONTACT_RADIUS / self.elements
+        along = _refined(round(FINE * self.elements) * size, size)
+        return tensor([along, along, up * _refined(0.0, size)])
+
+
+def _refined(even: float, size: float) -> NDArray[np.float64]:
+    """Positions from 0 to SIZE (mm): elements of `size` as far as `even`, then each `GROWTH` times the one before."""
+    first = np.linspace(0.0, even, round(even / size) + 1)
+    number = round(log(1.0 + (SIZE - even) * (GROWTH - 1.0) / size) / log(GROWTH))
+    return np.concatenate([first[:-1], even + graded(SIZE - even, number, GROWTH)])
+
+
+def _profile(x: Points) -> NDArray[np.float64]:
+    """Height of the sphere over the block at first touch, mm."""
+    return np.asarray((x[..., 0] ** 2 + x[..., 1] ** 2) / (2.0 * RADIUS))
+
+
+def _rounded(body: Body) -> Body:
+    """A box whose lower face follows the sphere; its top stays."""
+    nodes = body.nodes.copy()
+    nodes[:, 2] += _profile(nodes) * (1.0 - nodes[:, 2] / SIZE)
+    return Body(nodes, body.elements)
+
+
+def _outside(x: Points) -> NDArray[np.bool_]:
+    """Sides and far ends: outer faces but the one in contact and those of symmetry."""
+    return np.asarray(np.maximum(np.maximum(x[..., 0], x[..., 1]), np.abs(x[..., 2])) > SIZE - NEAR)
+
+
+def _near(x: Points) -> NDArray[np.bool_]:
+    """Positions within two radii of the contact."""
+    return np.asarray(np.maximum(x[..., 0], x[..., 1]) < 2.0 * CONTACT_RADIUS)
