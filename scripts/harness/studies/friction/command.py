@@ -34,9 +34,9 @@ def friction_cases(
     limit: Limit = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the data of the documentation, too.")] = False,
 ) -> None:
-    """Run the hard cases of friction on two meshes, with friction and without, and write the table. `pages` writes the page from the data.
+    """Run the hard cases of friction on two meshes, with friction and without, and write the table.
 
-    Exit code 0: all end, and all checks are met.
+    `pages` writes the page of the documentation from the data. Exit code 0: all end, and all checks are met.
     """
     for name in only or []:
         if name not in CASES:
