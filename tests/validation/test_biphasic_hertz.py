@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from harness.closed_forms.biphasic_layers import EDGE
-from harness.models.biphasic_hertz import LENGTH, THICKNESS, BiphasicHertz
-from harness.post import line_growth
+from harness.models.biphasic_hertz import LENGTH, THICKNESS, BiphasicHertz, BiphasicLine
+from harness.post import contact_growth
 
 BAR = 0.03
-COARSE = BiphasicHertz()
-FINE = BiphasicHertz(across=2 * COARSE.across, through=2 * COARSE.through, name="biphasic-hertz-fine")
+COARSE = BiphasicLine()
+FINE = BiphasicLine(across=2 * COARSE.across, through=2 * COARSE.through, name="biphasic-hertz-fine")
 
 
 @pytest.fixture(scope="module")
@@ -19,8 +19,8 @@ def growth(runner):
     """What a run found and the closed form, from when the load has come."""
 
     def of(problem: BiphasicHertz):
-        found = line_growth.measured(runner(problem.model())).since(problem.load.points[1][0])
-        return found, line_growth.exact(problem, found.times)
+        found = contact_growth.measured(problem, runner(problem.model())).since(problem.load.points[1][0])
+        return found, contact_growth.exact(problem, found.times)
 
     return of
 

@@ -9,27 +9,27 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from harness.models.biphasic_hertz import BiphasicHertz
 from harness.studies.hertz import elastic_profiles
 from harness.studies.hertz.elastic_profiles import ProfileRow
-from harness.studies.hertz.growth_records import PROBLEMS, Record
+from harness.studies.hertz.growth_records import LINES, SPHERES, Record
 
-STYLES = {
-    PROBLEMS[0].name: ("o", "72 elements along the half"),
-    PROBLEMS[1].name: ("x", "144 elements"),
-    PROBLEMS[2].name: ("^", "72, free surfaces drain"),
-}
+MARKERS = "ox^"
 GREY = "0.25"
 
 
 def draw(rows: Sequence[Record], path: Path) -> Path:
-    """Both pictures side by side, as SVG."""
-    figure = Figure(figsize=(8.2, 3.3), layout="constrained")
-    left, right = figure.subplots(1, 2)
-    _panel(left, rows, "half_width", 1.0, "half-width [mm]")
-    _panel(right, rows, "peak", 1e3, "peak pressure [kPa]")
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=4, fontsize=8, frameon=False)
-    figure.patch.set_facecolor("white")
+    """Half-width or radius and peak pressure, a line of pictures for each shape of the contact, as SVG."""
+    figure = Figure(figsize=(8.2, 6.2), layout="constrained", facecolor="white")
+    all_axes = figure.subplots(2, 2)
+    for (left, right), (problems, extent) in zip(
+        all_axes, ((LINES, "half-width [mm]"), (SPHERES, "radius [mm]")), strict=True
+    ):
+        _panel(left, rows, problems, ("half_width", 1.0))
+        left.set_ylabel(extent)
+        _panel(right, rows, problems, ("peak", 1e3))
+        right.set_ylabel("peak pressure [kPa]")
+        left.legend(fontsize=8, frameon=False, loc="lower right")
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, metadata={"Date": None})
     return path
@@ -60,16 +60,18 @@ def _profiles(axes: Axes, rows: Sequence[ProfileRow]) -> None:
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def _panel(axes: Axes, rows: Sequence[Record], name: str, scale: float, label: str) -> None:
-    first = [row for row in rows if row.model == PROBLEMS[0].name]
+def _panel(axes: Axes, rows: Sequence[Record], problems: Sequence[BiphasicHertz], quantity: tuple[str, float]) -> None:
+    """A quantity, given by its name and a factor, of runs over the closed form."""
+    name, scale = quantity
+    first = [row for row in rows if row.model == problems[0].name]
     exact = [scale * getattr(row, f"{name}_exact") for row in first]
     axes.plot([row.time for row in first], exact, "-", color=GREY, linewidth=1.4, label="thin layers, closed form")
-    for model, (marker, legend) in STYLES.items():
-        own = [row for row in rows if row.model == model]
+    for problem, marker in zip(problems, MARKERS, strict=False):
+        own = [row for row in rows if row.model == problem.name]
         values = [scale * getattr(row, name) for row in own]
         filled = "none" if marker != "x" else GREY
+        legend = f"{problem.across} elements{', free surfaces drain' if problem.draining else ''}"
         axes.plot([row.time for row in own], values, marker, color="black", markerfacecolor=filled, ms=4, label=legend)
     axes.set_xlabel("time [s]")
-    axes.set_ylabel(label)
     axes.set_ylim(bottom=0.0)
     axes.spines[["top", "right"]].set_visible(False)

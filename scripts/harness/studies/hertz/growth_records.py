@@ -2,26 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from harness.models.biphasic_hertz import BiphasicHertz
-from harness.post import line_growth
+from harness.models.biphasic_hertz import BiphasicHertz, BiphasicLine, BiphasicSphere
+from harness.post import contact_growth
 from harness.run.runner import Runner
 
-_COARSE = BiphasicHertz()
-PROBLEMS = (
-    _COARSE,
-    replace(_COARSE, across=2 * _COARSE.across, through=2 * _COARSE.through, name="biphasic-hertz-fine"),
-    replace(_COARSE, draining=True, name="biphasic-hertz-draining"),
+LINES: tuple[BiphasicHertz, ...] = (
+    BiphasicLine(),
+    BiphasicLine(across=144, through=6, name="biphasic-hertz-fine"),
+    BiphasicLine(draining=True, name="biphasic-hertz-draining"),
 )
 """Coarse mesh, fine mesh, and the coarse one with surfaces that drain where they are not in contact."""
+SPHERES: tuple[BiphasicHertz, ...] = (
+    BiphasicSphere(across=36, through=2, around=4),
+    BiphasicSphere(across=72, through=2, around=4, name="biphasic-hertz-sphere-fine"),
+)
+"""Coarse and fine mesh."""
+PROBLEMS = LINES + SPHERES
 
 
 @dataclass(frozen=True)
 class Record:
-    """A time step of a run: time (s), half-width (mm), peak pressure (MPa), approach (mm), and the closed form's."""
+    """A time step of a run, and the closed form.
+
+    Time (s), half-width or radius (mm), peak pressure (MPa) and approach (mm).
+    """
 
     model: str
     time: float
@@ -35,8 +43,8 @@ class Record:
 
 def records(problem: BiphasicHertz, runner: Runner) -> list[Record]:
     """The rows of a run."""
-    found = line_growth.measured(runner(problem.model()))
-    exact = line_growth.exact(problem, found.times)
+    found = contact_growth.measured(problem, runner(problem.model()))
+    exact = contact_growth.exact(problem, found.times)
     columns = (found.half_width, found.peak, found.approach, exact.half_width, exact.peak, exact.approach)
     return [
         Record(problem.name, float(time), *map(float, row)) for time, *row in zip(found.times, *columns, strict=True)

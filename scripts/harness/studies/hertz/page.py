@@ -51,7 +51,8 @@ def _layers(problem: BiphasicHertz) -> str:
     rows = [row for row in files.read_csv(DATA / SOURCE, Record) if row.model == problem.name]
     errors = largest_errors(rows, problem.load.points[1][0])
     drained = "drain" if problem.draining else "impermeable"
-    name = f"{problem.across} by {problem.through} elements in a layer, free surfaces {drained}"
+    shape = problem.shape.name.lower()
+    name = f"{shape}, {problem.across} by {problem.through} elements in a layer, free surfaces {drained}"
     return f"| {name} | " + " | ".join(f"{100.0 * error:.2f} %" for error in errors.values()) + " |"
 
 

@@ -1,4 +1,4 @@
-"""A line contact that grows under a force: half-width, peak pressure and approach over time, beside the closed form."""
+"""A contact that grows under a force: half-width, peak pressure and approach over time, beside the closed form."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.closed_forms import biphasic_layers
-from harness.models.biphasic_hertz import DEPTH, HALF_WIDTH, OVERLAP, RADIUS, BiphasicHertz
+from harness.models.biphasic_hertz import BiphasicHertz
 from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ FINE = 2000
 
 @dataclass(frozen=True)
 class Growth:
-    """Over `times` (s): half-width (mm), peak pressure (MPa) and approach (mm)."""
+    """Over `times` (s): half-width or radius (mm), peak pressure (MPa) and approach (mm)."""
 
     times: Array
     half_width: Array
@@ -42,16 +42,15 @@ def exact(problem: BiphasicHertz, times: Array) -> Growth:
     return Growth(times, *at)
 
 
-def measured(run: RunResult) -> Growth:
-    """What a run found: contact area, largest pressure of a facet, and the way of the rigid bone."""
+def measured(problem: BiphasicHertz, run: RunResult) -> Growth:
+    """What a run of a problem found: contact area, largest pressure of a facet, and the way of the rigid bone."""
     primary, _ = run.model.mesh.pairs["joint"]
     surface, facets, nodes = run.surface(primary), run.facets(primary), run.nodes
     bone = int(run.model.mesh.parts[-1].elements.max()) - 1
-    overlap = OVERLAP * HALF_WIDTH**2 / (6.0 * RADIUS)
     growth = Growth(
         surface.times,
-        surface["contact area"][:, 0] / DEPTH,
+        problem.extent(surface["contact area"][:, 0]),
         facets["contact pressure"].max(axis=1),
-        overlap - nodes["uy"][:, bone],
+        problem.overlap - nodes["uy"][:, bone],
     )
     return growth.since(float(surface.times[surface.times > 0.0][0]))
