@@ -1,4 +1,4 @@
-"""Two thin biphasic layers under a force: the contact grows as the asymptotic closed form says."""
+"""Two thin biphasic layers under a force: the contact grows as the asymptotic closed form says, line and circle."""
 
 from __future__ import annotations
 
@@ -6,8 +6,12 @@ import numpy as np
 import pytest
 
 from harness.closed_forms.biphasic_layers import EDGE
-from harness.models.biphasic_hertz import LENGTH, THICKNESS, BiphasicHertz, BiphasicLine
+from harness.models.biphasic_hertz import LENGTH, THICKNESS, BiphasicHertz, BiphasicLine, BiphasicSphere
+from harness.pages.evidence import DATA
 from harness.post import contact_growth
+from harness.studies import files
+from harness.studies.hertz.growth_records import SPHERES, Record, largest_errors
+from harness.studies.hertz.page import SOURCE
 
 BAR = 0.03
 COARSE = BiphasicLine()
@@ -53,3 +57,28 @@ def test_errors_fall_with_the_mesh(growth):
     coarse, fine = (errors(*growth(problem), EDGE * THICKNESS) for problem in (COARSE, FINE))
     assert fine[0] < coarse[0]
     assert fine[1] < coarse[1] < BAR
+
+
+@pytest.mark.mixture_only
+def test_a_circle_carries_the_force_and_grows(runner):
+    """On a mesh that is small enough to run at each change: the area resolves a facet, the approach much less."""
+    problem = BiphasicSphere(across=18, through=1, around=2, name="biphasic-hertz-sphere-small")
+    run = runner(problem.model())
+    (_, force) = problem.load.points[-1]
+    carried = run.surface("lower-cartilage")["contact_force.y"][-1, 0]
+    assert carried == pytest.approx(-problem.modelled * force, rel=1e-6)
+    found = contact_growth.measured(problem, run).since(problem.load.points[1][0])
+    exact = contact_growth.exact(problem, found.times)
+    assert found.half_width[-1] > 1.1 * found.half_width[0]
+    assert np.abs(found.approach / exact.approach - 1.0).max() <= 0.05
+
+
+def test_radius_and_peak_pressure_over_a_circle_are_nearer_to_the_closed_form_on_the_finer_mesh():
+    """As the page has them: `biphasic-hertz --folder docs` runs both meshes."""
+    rows = files.read_csv(DATA / SOURCE, Record)
+    coarse, fine = (
+        largest_errors([row for row in rows if row.model == problem.name], problem.load.points[1][0])
+        for problem in SPHERES
+    )
+    assert all(fine[name] < coarse[name] for name in ("half_width", "peak"))
+    assert max(fine["half_width"], fine["peak"]) <= BAR
