@@ -17,8 +17,8 @@ LINES: tuple[BiphasicHertz, ...] = (
 )
 """Coarse mesh, fine mesh, and the coarse one with surfaces that drain where they are not in contact."""
 SPHERES: tuple[BiphasicHertz, ...] = (
-    BiphasicSphere(across=36, through=2, around=4),
-    BiphasicSphere(across=72, through=2, around=4, name="biphasic-hertz-sphere-fine"),
+    BiphasicSphere(across=36, through=2, around=6),
+    BiphasicSphere(across=72, through=3, around=12, name="biphasic-hertz-sphere-fine"),
 )
 """Coarse and fine mesh."""
 PROBLEMS = LINES + SPHERES

@@ -48,6 +48,8 @@ class Step:
 
 
 _DOCS = ("--folder", str(DOCS))
+_ON_THE_PAGE = ("--only", "joints", "--only", "effects", "--only", "comparison")
+"""Of prices."""
 _COARSE = ("--mesh", "coarse", "--docs", "--jobs", "2", "--folder", "{folder}")
 UNTIMED = (
     Step("verification", ("verification.json",), (("validate", "--jobs", "2"), ("report",)), 0.0),
@@ -75,7 +77,7 @@ TIMED = (
     Step(
         "price",
         ("price-joints.csv", "price-effects.csv", "price-comparison.csv"),
-        (("price", "--docs", "--folder", "{folder}"),),
+        (("price", *_ON_THE_PAGE, "--docs", "--folder", "{folder}"),),
     ),
 )
 """Nothing else runs beside these."""
