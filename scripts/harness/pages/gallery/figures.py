@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from harness.models.document import Model
@@ -24,6 +23,8 @@ COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
 STYLES = ("-", "--", ":")
 """Of lines, so that grey tells them apart, too."""
 DPI = 110
+BOX = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5}
+"""Behind names, so that they are read on every colour, and in grey."""
 ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 """Lengths of a scale bar, mm."""
 
@@ -77,11 +78,11 @@ def draw_cover(entry: Entry, result: RunResult, path: Path) -> Path:
         drawn = draw_bodies(axes, result.model.mesh, entry.section, positions, history["c1"][state])
         axes.set_title(f"after {time:g} s", fontsize=10)
         axes.set_ylim(-1.6, 1.7)
-    _name(places[0], "upper cartilage, 1 mM at first", (0.0, 0.65), "black")
-    _name(places[0], "lower cartilage", (0.0, -0.5), "white")
-    _name(places[0], "synovial fluid\n(0 mM)", (-6.3, 0.55), "black", (-4.1, 0.12))
-    _name(places[1], "crosses the contact", (0.0, -0.75), "white")
-    _name(places[1], "", (0.0, 0.4), "white", (0.0, -0.6))
+    _name(places[0], "upper cartilage, 1 mM at first", (0.0, 0.65))
+    _name(places[0], "lower cartilage", (0.0, -0.5))
+    _name(places[0], "synovial fluid\n(0 mM)", (-6.3, 0.55), (-4.1, 0.12))
+    _name(places[1], "crosses the contact", (0.0, -0.85))
+    places[1].annotate("", (0.0, -0.6), (0.0, 0.4), arrowprops={"arrowstyle": "->", "color": "white"})
     places[1].plot([2.5, 4.5], [-1.25, -1.25], "k-", linewidth=2.0)
     places[1].text(2.3, -1.25, "2 mm", ha="right", va="center", fontsize=8)
     if drawn is not None:
@@ -92,7 +93,6 @@ def draw_cover(entry: Entry, result: RunResult, path: Path) -> Path:
 
 def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
     """The name of each part at its middle."""
-    outlined = [withStroke(linewidth=2.0, foreground="black")]
     for part in mesh.parts:
         x, y = positions[np.unique(section.facets(mesh, part.elements))][:, [section.across, section.up]].T
         middle = 0.0 if section.mirrored else 0.5 * (x.min() + x.max())
@@ -101,11 +101,10 @@ def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
             middle,
             0.5 * (near.min() + near.max()),
             part.name,
-            color="white",
             fontsize=7,
             ha="center",
             va="center",
-            path_effects=outlined,
+            bbox=BOX,
         )
 
 
@@ -119,20 +118,11 @@ def _scale(axes: Axes) -> None:
     axes.set_ylim(low - 0.16 * (high - low), high)
 
 
-def _name(axes: Axes, text: str, at: tuple[float, float], colour: str, of: tuple[float, float] | None = None) -> None:
-    """A name in the picture, outlined, with an arrow to what it is of where it stands beside it."""
-    arrow = {"arrowstyle": "->", "color": colour, "linewidth": 0.8} if of else None
-    outline = [withStroke(linewidth=1.5, foreground="black" if colour == "white" else "white")]
+def _name(axes: Axes, text: str, at: tuple[float, float], of: tuple[float, float] | None = None) -> None:
+    """A name in the picture, with an arrow to what it is of where it stands beside it."""
+    arrow = {"arrowstyle": "->", "linewidth": 0.8} if of else None
     axes.annotate(
-        text,
-        of or at,
-        xytext=at,
-        ha="center",
-        va="center",
-        fontsize=8,
-        color=colour,
-        arrowprops=arrow,
-        path_effects=outline,
+        text, of or at, xytext=at, ha="center", va="center", fontsize=8, arrowprops=arrow, bbox=None if of else BOX
     )
 
 

@@ -89,7 +89,7 @@ def draw_joint(run: RunResult, path: Path) -> Path:
 def _tractions(axes: Axes, run: RunResult, state: int) -> None:
     """Friction and its bound along the contact; where it is below, the surfaces stick."""
     x, friction, bound = tractions(run, state)
-    axes.plot(x, 1000.0 * bound, "-", color="0.5", linewidth=1.2, label=r"$T_\mathrm{max}$")
+    axes.plot(x, 1000.0 * bound, "--", color="0.3", linewidth=1.2, label=r"$T_\mathrm{max}$")
     axes.plot(x, 1000.0 * friction, "-", color=COLOURS[1], linewidth=1.4, label=r"$|t_T|$")
     sticks = (bound > 0.0) & (friction < SLIP * bound)
     top = 1050.0 * float(bound.max())
