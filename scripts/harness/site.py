@@ -22,6 +22,7 @@ from harness.pages import (
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS
 from harness.studies.cost import page as cost
+from harness.studies.friction import curves_table
 from harness.studies.friction import page as friction
 from harness.studies.hard_cases import page as hard_cases
 from harness.studies.hertz import page as hertz
@@ -30,7 +31,7 @@ from harness.studies.price import page as price
 from harness.studies.remeasurement.steps import LIMITS
 from harness.user_commands import FOR_EVERYBODY, function
 
-EVIDENCE = (hard_cases.PAGE, friction.PAGE, cost.PAGE, price.PAGE, hertz.PAGE, predictor.PAGE)
+EVIDENCE = (hard_cases.PAGE, friction.PAGE, curves_table.PAGE, cost.PAGE, price.PAGE, hertz.PAGE, predictor.PAGE)
 """Pages of evidence, which are made from the results of studies."""
 
 PAGES: dict[str, Callable[[], str]] = {

@@ -53,7 +53,6 @@ SMALL = {
     "scripts/mixcontact predictor --mesh coarse --docs": "{harness} predictor --help",
     "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact friction-cases --docs --no-febio": "{harness} friction-cases --help",
-    "scripts/mixcontact friction-cases --only reversal --mesh coarse --no-febio": "{harness} friction-cases --help",
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
     "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",

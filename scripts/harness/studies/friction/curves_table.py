@@ -1,12 +1,13 @@
-"""Runs beside published curves as tables of a page."""
+"""The page of friction beside published curves: docs/evidence/friction-curves.md, with runs and curves as tables."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
 
-from harness.pages.evidence import DATA
+from harness.pages.evidence import DATA, EvidencePage
 from harness.studies import files
 from harness.studies.friction import published
 from harness.studies.friction.curves import SMOOTH_SPHERES, SPHERES, Row, outside, values_at
@@ -56,3 +57,6 @@ def _table(rows: Sequence[Row], problem: str, place: str, places: Sequence[float
         cells = ["fails before" if np.isnan(v) else f"{v:.2f}" for v in values]
         lines.append(f"| {at:g} | " + " | ".join(cells) + f" | {100.0 * out:.1f} % |")
     return "\n".join(lines)
+
+
+PAGE = EvidencePage("evidence/friction-curves.md", (SOURCE,), Path(__file__).with_name("curves.md"), figures)

@@ -1,4 +1,4 @@
-"""The page of friction: docs/evidence/friction.md, from hard cases and published curves."""
+"""The page of friction: docs/evidence/friction.md, from hard cases, slip that should not be, and real models."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from harness.pages.evidence import DATA, EvidencePage
 from harness.pages.scene_results import Row, Took
 from harness.paths import DOCS
 from harness.studies import files
-from harness.studies.friction import curves_table, stick_points
+from harness.studies.friction import stick_points
 from harness.studies.hard_cases.outcomes import OURS, Outcome, Table, arranged
 from harness.studies.hard_cases.rubbing import CASES
 from harness.studies.hard_cases.rubbing_record import FRICTIONLESS, MOST_ITERATIONS
@@ -29,10 +29,9 @@ def figures() -> Mapping[str, str]:
     models = [row for row in scene_results.read(DOCS / scene_results.DATA).rows if row.name.startswith(RUBS)]
     return {
         "beside": beside(models),
-        "models": "\n".join(_model(row) for row in models),
+        "models": "\n".join(map(_model, models)),
         "headline": " ".join(headlines),
         "cases": "\n".join(_lines(rows)),
-        **curves_table.figures(),
         **stick_points.figures(files.read_csv(DATA / stick_points.SOURCE, stick_points.Datum)),
     }
 
@@ -91,7 +90,7 @@ def _lines(rows: Table) -> list[str]:
 
 PAGE = EvidencePage(
     "evidence/friction.md",
-    (CASES_SOURCE, curves_table.SOURCE, stick_points.SOURCE, MODELS_SOURCE),
+    (CASES_SOURCE, stick_points.SOURCE, MODELS_SOURCE),
     Path(__file__).with_name("page.md"),
     figures,
 )
