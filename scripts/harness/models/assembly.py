@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from math import log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,6 +93,13 @@ def graded(length: float, elements: int, ratio: float) -> NDArray[np.float64]:
     """Positions of the nodes of a line from 0 to `length` (mm); each element is `ratio` times the one before."""
     sizes = ratio ** np.arange(elements)
     return np.asarray(length * np.concatenate([[0.0], np.cumsum(sizes)]) / sizes.sum())
+
+
+def refined(even: float, size: float, length: float, ratio: float) -> NDArray[np.float64]:
+    """Positions from 0 to `length` (mm): elements of `size` as far as `even`, then each `ratio` times the one before."""
+    first = np.linspace(0.0, even, round(even / size) + 1)
+    number = round(log(1.0 + (length - even) * (ratio - 1.0) / size) / log(ratio))
+    return np.concatenate([first[:-1], even + graded(length - even, number, ratio)])
 
 
 def box(low: tuple[float, float, float], high: tuple[float, float, float], elements: tuple[int, int, int]) -> Body:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import log
 
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models.assembly import NEAR, Chosen, assembled, graded, plane, tensor
+from harness.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
 from harness.models.header import header
@@ -95,15 +94,8 @@ class ElasticHertz:
     def _box(self, up: float) -> Body:
         """A box above (1) or below (-1) z = 0, fine around the origin."""
         size = CONTACT_RADIUS / self.elements
-        along = _refined(round(FINE * self.elements) * size, size)
-        return tensor([along, along, up * _refined(0.0, size)])
-
-
-def _refined(even: float, size: float) -> NDArray[np.float64]:
-    """Positions from 0 to SIZE (mm): elements of `size` as far as `even`, then each `GROWTH` times the one before."""
-    first = np.linspace(0.0, even, round(even / size) + 1)
-    number = round(log(1.0 + (SIZE - even) * (GROWTH - 1.0) / size) / log(GROWTH))
-    return np.concatenate([first[:-1], even + graded(SIZE - even, number, GROWTH)])
+        along = refined(round(FINE * self.elements) * size, size, SIZE, GROWTH)
+        return tensor([along, along, up * refined(0.0, size, SIZE, GROWTH)])
 
 
 def _profile(x: Points) -> NDArray[np.float64]:

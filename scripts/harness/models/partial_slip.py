@@ -9,7 +9,7 @@ from math import log
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, tensor
+from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, refined, tensor
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
@@ -111,16 +111,9 @@ class PartialSlip:
     def _block(self, up: float) -> Body:
         """A box above (1) or below (-1) z = 0, fine around the origin."""
         size = HALF_WIDTH / self.elements
-        along = _refined(round(FINE * self.elements) * size, size)
+        along = refined(round(FINE * self.elements) * size, size, SIZE, GROWTH)
         x = np.concatenate([-along[:0:-1], along])
-        return tensor([x, np.array([0.0, THICKNESS]), up * _refined(0.0, size)])
-
-
-def _refined(even: float, size: float) -> NDArray[np.float64]:
-    """Positions from 0 to SIZE (mm): elements of `size` as far as `even`, then each `GROWTH` times the one before."""
-    first = np.linspace(0.0, even, round(even / size) + 1)
-    number = round(log(1.0 + (SIZE - even) * (GROWTH - 1.0) / size) / log(GROWTH))
-    return np.concatenate([first[:-1], even + graded(SIZE - even, number, GROWTH)])
+        return tensor([x, np.array([0.0, THICKNESS]), up * refined(0.0, size, SIZE, GROWTH)])
 
 
 def _profile(x: NDArray[np.float64]) -> NDArray[np.float64]:
