@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
-from harness.errors import DataFileError
+from harness.pages import stamped_rows
 from harness.run.provenance import Stamp
 
 PAGE = "reference/linear-solvers.md"
@@ -132,8 +131,7 @@ FEBio was built without stay as they were measured.
 
 def write(results: Results, path: Path) -> None:
     """Write results as JSON."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(asdict(results), indent=1) + "\n")
+    stamped_rows.write(results, path)
 
 
 def read(path: Path) -> Results:
@@ -144,11 +142,7 @@ def read(path: Path) -> Results:
     DataFileError
         A missing file, or one that holds no such results.
     """
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        return Results(Stamp(**data["stamp"]), [Trial(**row) for row in data["rows"]])
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise DataFileError(f"{path} holds no results ({error}); `linear-solvers` writes it") from error
+    return Results(*stamped_rows.read(path, Trial, "linear-solvers"))
 
 
 def renewed(known: Sequence[Trial], made: Sequence[Trial]) -> list[Trial]:

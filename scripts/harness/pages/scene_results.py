@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
-from harness.errors import DataFileError
+from harness.pages import stamped_rows
 from harness.run.provenance import Stamp
 
 PAGE, ALL = "evidence/real-models.md", "reference/real-models.md"
@@ -139,8 +138,7 @@ class Results:
 
 def write(results: Results, path: Path) -> None:
     """Write results as JSON."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(asdict(results), indent=1) + "\n")
+    stamped_rows.write(results, path)
 
 
 def read(path: Path) -> Results:
@@ -151,12 +149,7 @@ def read(path: Path) -> Results:
     DataFileError
         A missing file, or one that holds no such results.
     """
-    try:
-        data = json.loads(path.read_text())
-        rows = [_row(**row) for row in data["rows"]]
-        return Results(Stamp(**data["stamp"]), rows)
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise DataFileError(f"{path} holds no results ({error}); `real-models --docs` writes it") from error
+    return Results(*stamped_rows.read(path, _row, "real-models --docs"))
 
 
 def _row(name: str, about: str, **runs: dict[str, bool | int | float | str]) -> Row:
