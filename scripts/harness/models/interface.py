@@ -86,6 +86,10 @@ class ContactSettings:
         return (*(Param(name, value) for name, value in named), *self.extra)
 
 
+PREDICTOR = Param("predictor", True)
+"""Turns the plugin's predictor on."""
+
+
 def automatic(scale: float) -> ContactSettings:
     """FEBio's automatic penalties times one common factor, by the penalty method."""
     return ContactSettings(

@@ -8,7 +8,7 @@ from enum import Enum
 from typing import Protocol
 
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, InterfaceType, automatic
+from harness.models.interface import PREDICTOR, ContactSettings, InterfaceType, automatic
 from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
@@ -64,7 +64,7 @@ class Interface(str, Enum):
         """
         if self.ours:
             own = ContactSettings() if scale == 1.0 else _scaled_defaults(scale)
-            return replace(own, extra=(Param("predictor", True),)) if self is Interface.PREDICTED else own
+            return replace(own, extra=(PREDICTOR,)) if self is Interface.PREDICTED else own
         given = automatic((1.0 if self is Interface.FEBIO_1 else 1000.0) * scale)
         fair = replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
         return replace(fair, concentration_penalty=None) if module == "biphasic" else fair

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model
-from harness.models.interface import InterfaceType
-from harness.models.parts import Contact, Param, Rigid
+from harness.models.interface import PREDICTOR, InterfaceType
+from harness.models.parts import Contact, Rigid
 from harness.pages import collection
 from harness.run.febio_log import Report
 from harness.run.runner import Runner
@@ -76,7 +76,7 @@ def _predicted(contact: Contact) -> Contact:
     if contact.kind != InterfaceType.MIXTURE.value:
         return contact
     others = tuple(param for param in contact.params if param.tag != "predictor")
-    return replace(contact, params=(*others, Param("predictor", True)))
+    return replace(contact, params=(*others, PREDICTOR))
 
 
 def known_models(meshes: Sequence[Fineness]) -> Iterator[tuple[str, Model]]:

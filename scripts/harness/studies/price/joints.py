@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from harness.errors import DataFileError
 from harness.models.ball_in_socket import BallInSocket
-from harness.models.parts import Param
+from harness.models.interface import PREDICTOR
 from harness.studies import timing
 from harness.studies.hard_cases.scene import Interface
 from harness.studies.limit import LIMIT, at_limit
@@ -91,7 +91,7 @@ def rival(scene: BallInSocket) -> BallInSocket:
 
 def contacts(scene: BallInSocket) -> dict[str, BallInSocket]:
     """The scene with each contact that is compared, by what a row calls it; FEBio's last."""
-    predicted = replace(scene, params=(*scene.params, Param("predictor", True)))
+    predicted = replace(scene, params=(*scene.params, PREDICTOR))
     theirs = rival(scene)
     return {OURS: scene, PREDICTED: predicted, theirs.contact: theirs}
 

@@ -9,8 +9,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from statistics import median
 
-from harness.models.interface import ContactSettings, InterfaceType
-from harness.models.parts import Param
+from harness.models.interface import PREDICTOR, ContactSettings, InterfaceType
 from harness.studies import timing
 from harness.studies.hard_cases.scene import Interface
 from harness.studies.limit import LIMIT
@@ -21,7 +20,7 @@ Announce = Callable[[str], None]
 """Told what is being run."""
 
 _TIMER = re.compile(r"^\s*([a-z ]+?) \.+ : \d+:\d\d:\d\d \(([-\d.e+]+) sec\)", re.MULTILINE)
-PREDICTING = ContactSettings(extra=(Param("predictor", True),))
+PREDICTING = ContactSettings(extra=(PREDICTOR,))
 FACTORS = (1000.0, 1.0)
 """Factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes."""
 
