@@ -14,6 +14,7 @@ from harness.studies.hertz.page import ELASTIC_SOURCE
 BAR = 0.03
 """Of half-width or radius and of peak pressure, relative, on the fine mesh."""
 NEWTON = 1e-4
+"""Of the peak pressure: iterations end at 1e-6 of the displacement, and rounding differs between machines."""
 
 
 def recorded(problem: str) -> list[list[ProfileRow]]:

@@ -96,7 +96,7 @@ def graded(length: float, elements: int, ratio: float) -> NDArray[np.float64]:
 
 
 def refined(even: float, size: float, length: float, ratio: float) -> NDArray[np.float64]:
-    """Positions from 0 to `length` (mm): elements of `size` as far as `even`, then each `ratio` times the one before."""
+    """Positions from 0 to `length` (mm): elements of `size` as far as `even`, then each `ratio` times the last one."""
     first = np.linspace(0.0, even, round(even / size) + 1)
     number = round(log(1.0 + (length - even) * (ratio - 1.0) / size) / log(ratio))
     return np.concatenate([first[:-1], even + graded(length - even, number, ratio)])
