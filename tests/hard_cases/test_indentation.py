@@ -14,8 +14,7 @@ from harness.indentation import measures
 from harness.indentation.histories import curves
 from harness.models.indentation import CONTROL, END, Indentation
 from harness.models.indentation_mesh import LEVELS, Primary
-from harness.models.interface import ContactSettings
-from harness.models.parts import Param
+from harness.models.interface import PREDICTOR, ContactSettings
 
 COARSE, MIDDLE = LEVELS[:2]
 MEASURED = {
@@ -28,7 +27,6 @@ MEASURED = {
 primary surface. `mixcontact predictor` runs the middle mesh with the predictor."""
 FEBIOS_BEST = 312
 """Iterations of FEBio's `sliding-multiphasic` on a model of this problem, with 4 retries; 404 with 19 on this one."""
-PREDICTOR = Param("predictor", True)
 
 
 def problem(grid, module, clamp, primary, *params):
