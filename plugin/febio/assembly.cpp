@@ -1,6 +1,7 @@
 #include "assembly.h"
 
 #include "contact/base/indexed_vector.h"
+#include "contact/interface/residual_ahead.h"
 #include "matrix_rows.h"
 #include "rigid_shell_bottoms.h"
 
@@ -82,17 +83,27 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix) {
   });
 }
 
+ContactInterface::AddResidual Assembly::adder(FEGlobalVector& residual) const {
+  return [this, &residual](const ContactInterface::Location& place, const VectorXd& values) {
+    std::vector<int> nodes = dofs_.nodes(place);
+    std::vector<int> ids = dofs_.equations(contact_.core(), place, nodes);
+    std::vector<double> entries(values.data(), values.data() + values.size());
+    residual.Assemble(nodes, ids, entries);
+  };
+}
+
 void Assembly::residual(FEGlobalVector& residual, double dt) const {
   const ContactInterface& core = contact_.core();
   const TaskClock timed = core.measurements().clock(Task::residual);
   const PerSide<SurfaceFields> fields = contact_.fields();
   const RigidShellBottoms arms(surfaces_);
-  core.residual(fields, dt, [&](const ContactInterface::Location& place, const VectorXd& values) {
-    std::vector<int> nodes = dofs_.nodes(place);
-    std::vector<int> ids = dofs_.equations(core, place, nodes);
-    std::vector<double> entries(values.data(), values.data() + values.size());
-    residual.Assemble(nodes, ids, entries);
-  });
+  core.residual(fields, dt, adder(residual));
+}
+
+void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {
+  const PerSide<SurfaceFields> fields = contact_.fields();
+  const RigidShellBottoms arms(surfaces_);
+  mixture_contact::residual_ahead(contact_.core(), fields, dt, adder(residual));
 }
 
 void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& global, bool is_constrained, double dt) const {

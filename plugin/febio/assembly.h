@@ -19,11 +19,15 @@ class Assembly {
   bool fits_matrix() const { return couplings() == couplings_of_matrix_; }
 
   void residual(FEGlobalVector& residual, double dt) const;
+  /// What of it is of nodes that begin the step in contact though they are open.
+  void residual_ahead(FEGlobalVector& residual, double dt) const;
   /// `is_constrained`: whether linear constraints tie degrees of freedom of the model to each other.
   void tangent(FELinearSystem& system, FEGlobalMatrix& global, bool is_constrained, double dt) const;
 
  private:
   Fingerprint couplings() const;
+  /// Adds parts of residuals to a vector.
+  mixture_contact::ContactInterface::AddResidual adder(FEGlobalVector& residual) const;
 
   const BoundContact& contact_;
   ContactSurfaces& surfaces_;

@@ -46,9 +46,10 @@ void BoundContact::prepare_step() {
   if (multiplier_layout(*core_).size() > 0) step_start_ = unknown_multipliers(*core_);
 }
 
-bool BoundContact::begin_iteration() {
+bool BoundContact::begin_iteration(bool looks_ahead) {
   const TaskClock timed = core_->measurements().clock(Task::stiffness);
-  return core_->begin_iteration(fields());
+  const double dt = surfaces_[Side::primary].GetFEModel()->GetTime().timeIncrement;
+  return core_->begin_iteration(fields(), looks_ahead ? dt : 0);
 }
 
 void BoundContact::hold_loads() { mixture_contact::hold_loads(*core_, fields()); }

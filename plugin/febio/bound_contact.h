@@ -25,10 +25,11 @@ class BoundContact : public mixture_contact::SteppedContact {
   /// Values at the nodes, as the core takes them.
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const;
 
+  std::vector<int> nodes() const override { return surfaces_.mesh_nodes(); }
   void project() override;
   void prepare_step() override;
   void end_iterations() override { core_->end_iterations(); }
-  bool begin_iteration() override;
+  bool begin_iteration(bool looks_ahead) override;
   void hold_loads() override;
   void linearise_at() override { core_->linearise_at(fields()); }
   bool is_solution() override { return core_->is_solution(fields()); }

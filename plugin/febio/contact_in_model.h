@@ -3,6 +3,8 @@
 
 #include "bound_contact.h"
 
+class FEGlobalVector;
+
 class ContactInModel {
  public:
   ContactInModel() = default;
@@ -21,6 +23,8 @@ class ContactInModel {
   virtual bool has_reducible_penalty() const = 0;
   /// Whether the matrix has room for the present active set.
   virtual bool fits_matrix() const = 0;
+  /// Adds what of the residual is of nodes that begin the step in contact though they are open.
+  virtual void add_residual_ahead(FEGlobalVector& residual) const = 0;
   /// When a step or the run has been solved.
   virtual void on_callback(unsigned int when) = 0;
 };

@@ -42,6 +42,14 @@ int ContactSurfaces::common_facets() const {
   return count;
 }
 
+std::vector<int> ContactSurfaces::mesh_nodes() const {
+  std::vector<int> nodes;
+  for (const FEMixtureSurface* surface : {&primary_, &secondary_}) {
+    for (int node = 0; node < surface->Nodes(); ++node) nodes.push_back(surface->NodeIndex(node));
+  }
+  return nodes;
+}
+
 PerSide<Matrix3Xd> ContactSurfaces::positions() {
   PerSide<Matrix3Xd> all;
   for (const Side side : both_sides) {

@@ -3,6 +3,8 @@
 
 #include "mixture_surface.h"
 
+#include <vector>
+
 class ContactSurfaces {
  public:
   using Side = mixture_contact::Side;
@@ -18,6 +20,8 @@ class ContactSurfaces {
   /// How many facets both have in common.
   int common_facets() const;
 
+  /// Of both, as the mesh counts them.
+  std::vector<int> mesh_nodes() const;
   PerSide<mixture_contact::Matrix3Xd> positions();
   /// Moves the nodes of the primary surface, in the reference configuration.
   void relocate_primary(const mixture_contact::Matrix3Xd& positions);

@@ -42,6 +42,8 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.traction_penalty_scale);
   archive(ar, multipliers.flux_penalty_scale);
   archive(ar, multipliers.accepted_traction);
+  archive(ar, multipliers.opening);
+  archive(ar, multipliers.opening_rate);
   archive_flags(ar, multipliers.flux_coupled);
 }
 

@@ -188,7 +188,7 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
 void FEMixtureContact::on_callback(unsigned int when) {
   if (when == CB_TIMESTEP_SOLVED) {
     output_.store();
-    core().accept_step(bound_.fields());
+    core().accept_step(bound_.fields(), GetFEModel()->GetTime().timeIncrement);
   }
   if (when == CB_SOLVED) output_.log_timings();
 }
@@ -202,6 +202,10 @@ void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
   assembly_.residual(residual, time.timeIncrement);
+}
+
+void FEMixtureContact::add_residual_ahead(FEGlobalVector& residual) const {
+  assembly_.residual_ahead(residual, GetFEModel()->GetTime().timeIncrement);
 }
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {

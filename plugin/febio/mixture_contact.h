@@ -46,6 +46,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   double ambient_value(int dof) const override;
   bool has_reducible_penalty() const override { return core().effects().traction && setup_.has_reducible_penalty(); }
   bool fits_matrix() const override { return assembly_.fits_matrix(); }
+  void add_residual_ahead(FEGlobalVector& residual) const override;
   void on_callback(unsigned int when) override;
 
  private:

@@ -1,6 +1,7 @@
 #include "model_contacts.h"
 
 #include "archive.h"
+#include "first_norms.h"
 #include "newton/line_search_guard.h"
 #include "newton/non_negative_concentrations.h"
 #include "newton/predictor.h"
@@ -67,6 +68,8 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer<newton::NonNegativeConcentrations>(non_negative_concentrations);
   offer<newton::LineSearchGuard>(line_search_guard);
   offer<newton::Predictor>(predictor);
+  helpers_.add(FirstNorms::name, std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }),
+               [this] { return !active().empty(); });
   fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_SOLVED, this);
 }
 

@@ -1,18 +1,36 @@
 #include "contact_steps.h"
 
 #include <algorithm>
+#include <map>
 
 namespace mixture_contact {
+namespace {
+
+/// Those that have a node in common with another one.
+std::set<const SteppedContact*> with_common_nodes(const std::vector<SteppedContact*>& contacts) {
+  std::map<int, const SteppedContact*> owners;
+  std::set<const SteppedContact*> sharing;
+  for (const SteppedContact* contact : contacts) {
+    for (const int node : contact->nodes()) {
+      const SteppedContact* const owner = owners.insert({node, contact}).first->second;
+      if (owner != contact) sharing.insert({owner, contact});
+    }
+  }
+  return sharing;
+}
+
+}  // namespace
 
 void ContactSteps::activate(SteppedContact& contact) {
   reset_rounds();
   contact.project();
   contact.end_iterations();
-  contact.begin_iteration();
+  contact.begin_iteration(false);
 }
 
 void ContactSteps::reset_rounds() {
   for (Round* const round : {&evaluations_, &trials_, &preparations_, &convergences_}) round->reset();
+  sharing_.reset();
 }
 
 bool ContactSteps::prepare_step(const void* told) {
@@ -23,13 +41,21 @@ bool ContactSteps::prepare_step(const void* told) {
   return true;
 }
 
+/// Not where a predictor does, which moves the model instead, and not where others hold the same nodes: all that would
+/// close of each would hold more together than there is to hold.
+bool ContactSteps::looks_ahead(const SteppedContact& contact) {
+  if (helpers_.will_predict()) return false;
+  if (!sharing_) sharing_ = with_common_nodes(model_.active_contacts());
+  return sharing_->count(&contact) == 0;
+}
+
 /// Decides what is in contact at this state, and what is at ambient values.
-ContactSteps::Changes ContactSteps::begin_iteration() {
+ContactSteps::Changes ContactSteps::begin_iteration(Begins begins) {
   bool loads = false;
   const bool linearises = model_.matrix_use() != MatrixUse::none;
   for (SteppedContact* contact : model_.active_contacts()) {
     if (linearises) {
-      loads = contact->begin_iteration() || loads;
+      loads = contact->begin_iteration(begins == Begins::anew && looks_ahead(*contact)) || loads;
     } else {
       contact->hold_loads();
     }
@@ -50,10 +76,10 @@ void ContactSteps::evaluate(const void* told) {
     case Stepper::Evaluation::begin_anew:
       for (SteppedContact* contact : contacts) contact->end_iterations();
       helpers_.begin_iterations();
-      changed = begin_iteration().any();
+      changed = begin_iteration(Begins::anew).values;
       break;
     case Stepper::Evaluation::go_on:
-      changed = begin_iteration().any();
+      changed = begin_iteration(Begins::from_the_last).values;
       changed = helpers_.adapt() || changed;
       break;
   }
@@ -98,7 +124,7 @@ void ContactSteps::before_matrix() {
     case Stepper::Matrix::nothing:
       break;
     case Stepper::Matrix::begin:
-      changes = begin_iteration();
+      changes = begin_iteration(Begins::from_the_last);
       changes.values = helpers_.adapt() || changes.values;
       if (changes.values) evaluate_again();
       break;

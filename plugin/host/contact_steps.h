@@ -7,6 +7,8 @@
 #include "newton/helper.h"
 #include "stepper.h"
 
+#include <optional>
+#include <set>
 #include <vector>
 
 namespace mixture_contact {
@@ -21,11 +23,14 @@ class SteppedContact {
   SteppedContact& operator=(SteppedContact&&) = delete;
   virtual ~SteppedContact() = default;
 
+  /// Nodes of the model that its surfaces have.
+  virtual std::vector<int> nodes() const = 0;
   virtual void project() = 0;
   virtual void prepare_step() = 0;
   virtual void end_iterations() = 0;
-  /// Returns whether loads have changed.
-  virtual bool begin_iteration() = 0;
+  /// `looks_ahead`: where a step begins, nodes may have the status that they are expected to end it with. Returns
+  /// whether loads have changed.
+  virtual bool begin_iteration(bool looks_ahead) = 0;
   /// Where no matrix follows: loads of the true laws at this state, without their linearisation.
   virtual void hold_loads() = 0;
   virtual void linearise_at() = 0;
@@ -102,7 +107,13 @@ class ContactSteps {
     bool values;  ///< at nodes, which the bodies depend on
     bool any() const { return loads || values; }
   };
-  Changes begin_iteration();
+  enum class Begins {
+    anew,          ///< a step, or the iterations after an augmentation
+    from_the_last  ///< what the last iteration predicts
+  };
+  Changes begin_iteration(Begins begins);
+  /// Whether a contact may look ahead where a step begins.
+  bool looks_ahead(const SteppedContact& contact);
   void evaluate_again();
   void start_at_prediction();
   bool is_solution();
@@ -114,6 +125,7 @@ class ContactSteps {
   Round trials_;
   Round preparations_;
   Round convergences_;
+  std::optional<std::set<const SteppedContact*>> sharing_;  ///< active contacts that have nodes in common with others
 };
 
 }  // namespace mixture_contact

@@ -1,5 +1,6 @@
 #include "problem.h"
 
+#include "contact/interface/residual_ahead.h"
 #include "hexahedron.h"
 
 #include <algorithm>
@@ -11,6 +12,14 @@ namespace {
 
 using Location = mixture_contact::ContactInterface::Location;
 using Status = Problem::Status;
+
+/// Adds parts of a contact's residuals to forces on all places. Keeps references.
+mixture_contact::ContactInterface::AddResidual adder(const Contact& contact, VectorXd& forces) {
+  return [&contact, &forces](const Location& at, const VectorXd& local) {
+    const std::vector<int> places = contact.places(at);
+    for (Index i = 0; i < local.size(); ++i) forces[mixture_contact::at(places, i)] += local[i];
+  };
+}
 
 void check_rigid(const Model& model, const Bodies& bodies, const std::vector<Status>& status) {
   for (std::size_t e = 0; e < bodies.elements(); ++e) {
@@ -118,7 +127,7 @@ void Problem::start_step(double time, double dt) {
 
 void Problem::accept_step() {
   bodies_.accept_step(state_.values);
-  for (const Contact& contact : contacts_) contact.core().accept_step(contact.fields(state_.values));
+  for (const Contact& contact : contacts_) contact.core().accept_step(contact.fields(state_.values), dt_);
 }
 
 // ------------------------------------------------------------ contact status
@@ -174,22 +183,28 @@ VectorXd Problem::residual() {
   for (std::size_t e = 0; e < bodies_.elements(); ++e) {
     if (!bodies_.material(e).rigid) forces_(bodies_.places(e)) -= bodies_.residual(e, state_.values, dt_);
   }
-  for (const Contact& contact : contacts_) {
-    contact.core().residual(contact.fields(state_.values), dt_, [&](const Location& at, const VectorXd& local) {
-      const std::vector<int> places = contact.places(at);
-      for (Index i = 0; i < local.size(); ++i) forces_[mixture_contact::at(places, i)] += local[i];
-    });
-  }
+  for (const Contact& contact : contacts_)
+    contact.core().residual(contact.fields(state_.values), dt_, adder(contact, forces_));
   for (std::size_t k = 0; k < unit_forces_.size(); ++k) {
     const SurfaceLoad& load = model_.loads[k];
     forces_ += load.value.at(time_, model_.curves) * (load.fluid ? dt_ : 1.0) * unit_forces_[k].reshaped();
   }
   if (!forces_.allFinite()) throw StepFailure("a residual is not a finite number");
-  VectorXd free = forces_;
+  return on_free_places(forces_);
+}
+
+VectorXd Problem::residual_ahead() const {
+  VectorXd forces = VectorXd::Zero(forces_.size());
+  for (const Contact& contact : contacts_)
+    mixture_contact::residual_ahead(contact.core(), contact.fields(state_.values), dt_, adder(contact, forces));
+  return on_free_places(std::move(forces));
+}
+
+VectorXd Problem::on_free_places(VectorXd forces) const {
   for (std::size_t i = 0; i < state_.status.size(); ++i) {
-    if (state_.status[i] != Status::free) free[static_cast<Index>(i)] = 0;
+    if (state_.status[i] != Status::free) forces[static_cast<Index>(i)] = 0;
   }
-  return free;
+  return forces;
 }
 
 void Problem::assemble(LinearSystem& system) const {

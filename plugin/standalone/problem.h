@@ -32,6 +32,7 @@ class Problem {
   void start_step(double time, double dt);
   /// Keeps the current state as what the next step starts from.
   void accept_step();
+  double time_increment() const { return dt_; }
 
   /// Switches nodes outside contact to ambient values, and frees the others. Returns whether anything changed.
   bool switch_ambient();
@@ -43,6 +44,8 @@ class Problem {
   /// Forces on the free places; zero in equilibrium. Throws StepFailure where an element is inverted or a force not
   /// finite.
   VectorXd residual();
+  /// What of them is of nodes that begin the step in contact though they are open.
+  VectorXd residual_ahead() const;
   /// Assembles the tangent, -d residual/d values.
   void assemble(LinearSystem& system) const;
 
@@ -61,6 +64,7 @@ class Problem {
 
  private:
   bool switch_ambient(int node, bool in_contact, const ContactDefinition& contact);
+  VectorXd on_free_places(VectorXd forces) const;
 
   const Model& model_;
   Bodies bodies_;

@@ -25,6 +25,9 @@ struct ActiveSetOptions {
   /// A node of that surface is in contact where the contact of the nodes that it faces, interpolated, reaches this
   /// share: a half, halfway between a node in contact and one that is not, less rounding.
   double contact_share = 0.5 - 1e-9;
+  /// Nodes that are expected to open in a step begin it open where together they carry less than this part of the
+  /// contact's load: what opens ahead must hold nothing up. The size is a choice: scenes do not tell 0.02 from 0.1.
+  double most_opening_load = 0.02;
   /// Loads that differ by less than this part of the largest one are the same: rounding, as the averages around nodes
   /// sum it up. A larger difference has the residual evaluated again.
   double same_load = 1e-9;
@@ -70,6 +73,10 @@ class ActiveSet {
 
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;
+  /// Status where a step of `ahead` [s] begins: what the true gaps say, but that nodes which will have closed or opened
+  /// by its end, should they move as in the last step, have that status from its first iteration on (see can_expect()).
+  /// One that closes too early is pulled there, and opens in the next iteration as any that is pulled.
+  NodeFlags expected(const NodalGaps& now, double ahead) const;
   /// Status that the loads which an iteration predicts ask for, given the true gaps.
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
@@ -118,6 +125,14 @@ class ActiveSet {
   /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
   /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
   bool turns_round(const NodalLoads& predicted, Index node) const;
+  /// Whether the last step tells what nodes will do. Not with fields, whose exchange may push a node open that would
+  /// close, or the other way round: either may be an equilibrium. Not where the other side has conditions, too: those
+  /// of both together would hold more than there is to hold. And nodes that may pull do not open.
+  bool can_expect() const;
+  /// Whether an opening is more than what counts as touching.
+  bool opens(const NodalGaps& now, double opening) const;
+  /// Whether the nodes in contact that are expected to open carry next to nothing.
+  bool may_open_ahead(const NodeFlags& status, const NodalGaps& now, const VectorXd& openings) const;
   /// Whether a node that is not in contact comes into it.
   bool closes(const NodalGaps& now, Index node, double negligible) const;
 

@@ -118,6 +118,10 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
   return point_ ? active_set_.updated(now, gaps) : active_set_.initial(gaps);
 }
 
+NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps, double ahead) const {
+  return point_ || augmented_ ? updated_status(now, gaps) : active_set_.expected(gaps, ahead);
+}
+
 bool MovingGeometry::find_points(const FacingPositions& x) {
   const bool finds_more = space_.facing().begin_iteration(x);
   if (finds_more && !point_) space_.boundary_weights().reconsider();
@@ -125,7 +129,7 @@ bool MovingGeometry::find_points(const FacingPositions& x) {
   return finds_more;
 }
 
-bool MovingGeometry::begin_iteration(const FacingFields& fields) {
+bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
   const bool predicted = point_.has_value();
   const bool finds_more = find_points(positions(fields));
   const NodalLoads before = loads(fields);
@@ -135,7 +139,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
     return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
   NodalGaps gaps = space_.gaps();
-  ContactStatus status = active_set_.next(before.in_contact, updated_status(before, gaps), predicted);
+  ContactStatus status = active_set_.next(before.in_contact, beginning_status(before, gaps, ahead), predicted);
   LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          predicted ? &before : nullptr);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
@@ -145,7 +149,8 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   if (!predicted && !augmented && method_.predicts()) {
     laws_.drop_new_fluxes(next.geometric_flux);
-    next.geometric_traction = laws_.within_accepted(next.geometric_traction, space_.facing().surface_size());
+    const VectorXd traction = laws_.admissible(next.geometric_traction);  // a node that closes ahead is pulled
+    next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
   }
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||

@@ -15,6 +15,8 @@ struct Multipliers {
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
   VectorXd accepted_traction;         ///< t_a of the step that was accepted last [MPa]; 0 before any
+  VectorXd opening;                   ///< openings() then; infinite before any [mm]
+  VectorXd opening_rate;              ///< how it changed in that step [mm/s]; 0 where either is infinite
   NodeFlags flux_coupled;             ///< which nodes were so then, none before any; empty without fluxes
   Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty
                                       ///< without friction
@@ -71,6 +73,8 @@ class NodalLaws {
   }
   double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
 
+  /// Whether the surface that these nodes face has conditions of its own.
+  bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
   /// Whether nodes in contact may pull.
   bool bear_tension() const { return settings_.gap.tension; }
   /// Tractions as the laws admit them.
@@ -117,8 +121,6 @@ class NodalLaws {
  private:
   /// Sets the trials, and bound and status where they have not been decided.
   void find_friction_limits(NodalLoads& loads) const;
-  /// Whether the surface that these nodes face has conditions of its own.
-  bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;

@@ -1,8 +1,12 @@
+#include "contact/interface/residual_ahead.h"
+#include "contact/law/openings.h"
+
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <limits>
 
 using namespace test;
 
@@ -13,18 +17,32 @@ struct Approach {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
 
-  explicit Approach(double overlap)
-      : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap), effects_of(true, 1),
-              explicit_settings(4, 2, 8)),
+  explicit Approach(double overlap, const Effects& effects = effects_of(true, 1))
+      : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap), effects, explicit_settings(4, 2, 8)),
         contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
   }
 
-  /// Ends the iteration at another distance and begins the next one there.
-  void move_to(double overlap) {
-    scene.fields[Side::secondary].position.row(2).setConstant(-overlap);
+  /// Ends the iteration at another distance and begins the next one there. `slope`: by which the overlap grows with x.
+  void move_to(double overlap, double slope = 0) {
+    SurfaceFields& secondary = scene.fields[Side::secondary];
+    secondary.position.row(2) = -(overlap + slope * secondary.position.row(0).array());
     contact->project(scene.position());
     contact->begin_iteration(scene.fields);
+  }
+
+  /// Ends a step of `dt` at another distance.
+  void step_to(double overlap, double dt, double slope = 0) {
+    move_to(overlap, slope);
+    contact->accept_step(scene.fields, dt);
+    contact->end_iterations();
+  }
+
+  /// In contact where a step of `ahead` begins.
+  std::ptrdiff_t closed_where_a_step_begins(double ahead) {
+    contact->end_iterations();
+    contact->begin_iteration(scene.fields, ahead);
+    return closed();
   }
 
   /// In contact, flux-coupled or not.
@@ -91,4 +109,119 @@ BOOST_AUTO_TEST_CASE(nodes_that_change_together_too_often_change_one_at_a_time) 
     approach.move_to(0.125);
     BOOST_TEST(approach.closed() == change);
   }
+}
+
+// ------------------------------------------------------------ nodes that are expected to close or open in a step
+
+/// Around the nodes of x = 0, 1/2, 1 it adds a sixth, a half, five sixths of itself to the overlap.
+constexpr double slope = 0.6;
+const Effects elastic = effects_of(false, 0);
+
+BOOST_AUTO_TEST_CASE(a_step_begins_with_the_nodes_closed_that_their_motion_closes_within_it) {
+  Approach approach(-1, elastic);
+  approach.step_to(-0.45, 1, slope);
+  approach.step_to(-0.4, 0.5, slope);  // at 1/10 a second; gaps of 0.3 and 0.1, and an overlap of 0.1
+  BOOST_TEST(approach.closed_where_a_step_begins(0) == 3);
+  BOOST_TEST(approach.closed_where_a_step_begins(0.9) == 3);
+  BOOST_TEST(approach.closed_where_a_step_begins(1.1) == 6);
+  BOOST_TEST(approach.closed_where_a_step_begins(2.9) == 6);
+  BOOST_TEST(approach.closed_where_a_step_begins(3.1) == all);
+  approach.move_to(-0.4, slope);  // they have not come that far: pulled, they open
+  BOOST_TEST(approach.closed() == 3);
+}
+
+BOOST_AUTO_TEST_CASE(where_fields_are_exchanged_none_closes_ahead) {
+  Approach approach(-1);
+  approach.step_to(-0.45, 1, slope);
+  approach.step_to(-0.4, 0.5, slope);
+  BOOST_TEST(approach.closed_where_a_step_begins(10) == 3);
+}
+
+BOOST_AUTO_TEST_CASE(where_both_sides_have_conditions_none_closes_ahead) {
+  Approach approach(-1, elastic);
+  approach.scene.settings.two_pass = true;
+  approach.contact = approach.scene.contact();
+  approach.step_to(-0.45, 1, slope);
+  approach.step_to(-0.4, 0.5, slope);
+  BOOST_TEST(approach.closed_where_a_step_begins(10) == 3);
+}
+
+BOOST_AUTO_TEST_CASE(where_no_motion_is_known_a_step_begins_with_what_is_closed) {
+  Approach approach(-1, elastic);
+  approach.step_to(-0.45, 1, slope);
+  approach.step_to(-0.4, 1, slope);
+  approach.contact->forget_steps();
+  BOOST_TEST(approach.closed_where_a_step_begins(100) == 3);
+}
+
+BOOST_AUTO_TEST_CASE(
+    a_step_begins_with_the_nodes_open_that_their_motion_opens_within_it_where_they_carry_next_to_nothing) {
+  Approach approach(0.25, elastic);
+  approach.step_to(-0.1 + 0.006, 1, slope);  // the nodes of x = 0: three of nine, with a hundredth of the load
+  approach.step_to(-0.1 + 0.004, 1, slope);
+  BOOST_TEST(approach.closed_where_a_step_begins(1.9) == all);
+  BOOST_TEST(approach.closed_where_a_step_begins(2.1) == all - 3);
+  Approach whole(0.125, elastic);
+  whole.step_to(0.0625, 1);
+  BOOST_TEST(whole.closed_where_a_step_begins(10) == all);  // they carry all
+}
+
+BOOST_AUTO_TEST_CASE(after_an_augmentation_no_node_closes_or_opens_ahead) {
+  Approach approach(-1, elastic);
+  approach.step_to(-0.45, 1, slope);
+  approach.step_to(-0.4, 0.5, slope);
+  approach.contact->augment(approach.scene.fields);
+  BOOST_TEST(approach.closed_where_a_step_begins(10) == 3);
+  BOOST_TEST(approach.closed_where_a_step_begins(10) == all);
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_that_may_pull_are_in_contact_whatever_their_motion) {
+  Approach approach(-0.25, elastic);
+  approach.scene.settings.gap.tension = true;
+  approach.contact = approach.scene.contact();
+  const std::ptrdiff_t at_rest = approach.closed_where_a_step_begins(0);
+  approach.step_to(-0.125, 0.5);
+  BOOST_TEST(approach.closed_where_a_step_begins(10) == at_rest);
+}
+
+BOOST_AUTO_TEST_CASE(a_penalty_that_grows_looks_like_no_motion) {
+  Approach approach(0.25, elastic);
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  NodalGaps gaps = approach.contact->pass(0).space().gaps();
+  take_openings(laws, gaps, 1);
+  laws.multipliers.traction_penalty_scale *= 2;
+  gaps.gap /= 2;
+  take_openings(laws, gaps, 1);
+  BOOST_TEST(laws.multipliers.opening_rate.cwiseAbs().maxCoeff() == 0);
+  gaps.gap.setConstant(0.125);  // open: the opening is the gap
+  take_openings(laws, gaps, 0.5);
+  BOOST_TEST(laws.multipliers.opening_rate.minCoeff() == (0.125 + 4 * 0.25) / 0.5);
+  gaps.area.setZero();  // and facing nothing
+  take_openings(laws, gaps, 0.5);
+  BOOST_TEST(laws.multipliers.opening[0] == std::numeric_limits<double>::infinity());
+  BOOST_TEST(laws.multipliers.opening_rate.cwiseAbs().maxCoeff() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_closed_ahead_adds_to_the_residual_can_be_taken_out_of_it) {
+  Approach approach(-0.5, elastic);
+  const ContactInterface& contact = *approach.contact;
+  const PerSide<SurfaceFields>& fields = approach.scene.fields;
+  const GlobalLayout layout(approach.scene);
+  const auto ahead = [&] {
+    VectorXd sum = VectorXd::Zero(layout.size() + 1);
+    residual_ahead(contact, fields, 0.25, [&](const ContactInterface::Location& at, const VectorXd& part) {
+      sum(layout.entries(at)) += part;
+    });
+    return VectorXd(sum.head(layout.size()));
+  };
+  approach.step_to(-0.5, 1, slope);
+  approach.step_to(-0.4, 1, slope);
+  BOOST_TEST(approach.closed_where_a_step_begins(0) == 3);
+  const VectorXd without = assembled_residual(contact, layout, fields, 0.25);
+  BOOST_TEST(ahead().isZero(0));
+  BOOST_TEST(approach.closed_where_a_step_begins(10) == all);
+  const VectorXd added = ahead();
+  BOOST_TEST(added.norm() > without.norm());
+  const VectorXd with = assembled_residual(contact, layout, fields, 0.25);
+  BOOST_TEST((with - added - without).norm() <= 1e-14 * added.norm());
 }

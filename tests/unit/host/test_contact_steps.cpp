@@ -21,11 +21,13 @@ using Notes = std::vector<std::string>;
 class FakeContact : public SteppedContact {
  public:
   FakeContact(std::string name, Notes& notes) : name_(std::move(name)), notes_(notes) {}
+  std::vector<int> nodes() const override { return own_nodes; }
   void project() override {}
   void prepare_step() override { note("prepare"); }
   void end_iterations() override { note("end"); }
-  bool begin_iteration() override {
+  bool begin_iteration(bool looks_ahead) override {
     note("begin");
+    looked_ahead = looks_ahead;
     return loads_change;
   }
   void hold_loads() override { note("hold"); }
@@ -33,6 +35,8 @@ class FakeContact : public SteppedContact {
   bool is_solution() override { return solution; }
   bool finds_overlap() override { return overlap; }
 
+  std::vector<int> own_nodes;
+  bool looked_ahead = false;
   bool loads_change = false;
   bool solution = true;
   bool overlap = false;
@@ -56,6 +60,7 @@ class FakeHelper : public newton::Helper {
     return false;
   }
   bool rejects() override { return std::exchange(too_short, false); }
+  bool will_predict() const override { return predicted; }
   bool predict(const std::function<void()>& arrived) override {
     if (on_prediction) on_prediction();
     if (predicted) arrived();
@@ -173,13 +178,13 @@ BOOST_AUTO_TEST_CASE(a_step_starts_with_one_iteration_of_all_contacts) {
                       "A prepare", "B prepare", "helper residual"});
 }
 
-BOOST_AUTO_TEST_CASE(bodies_are_evaluated_after_contacts_where_the_start_changes_something) {
+BOOST_AUTO_TEST_CASE(bodies_are_evaluated_after_contacts_where_the_start_changes_values_that_they_depend_on) {
   for (const bool ambient : {false, true}) {
     FakeHost host(1);
     host.ambient_changes = ambient;
-    host.contacts[0]->loads_change = !ambient;
+    host.contacts[0]->loads_change = true;
     host.update_model();
-    BOOST_TEST(host.said().back() == "bodies");
+    BOOST_TEST((host.said().back() == "bodies") == ambient);
   }
 }
 
@@ -369,4 +374,39 @@ BOOST_AUTO_TEST_CASE(after_a_dropped_prediction_the_step_starts_plainly) {
         {"model", "A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper residual"});
   host.update(1.0);
   BOOST_TEST(host.augment());
+}
+
+BOOST_AUTO_TEST_CASE(contacts_look_ahead_where_iterations_begin_anew_and_nowhere_else) {
+  FakeHost host(2);
+  host.contacts[0]->own_nodes = {1, 2, 2};
+  host.contacts[1]->own_nodes = {3};
+  host.start_step();
+  for (const auto& contact : host.contacts) BOOST_TEST(contact->looked_ahead);
+  host.update(1.0);
+  host.form_matrix();
+  for (const auto& contact : host.contacts) BOOST_TEST(!contact->looked_ahead);
+}
+
+BOOST_AUTO_TEST_CASE(contacts_that_hold_the_same_nodes_do_not_look_ahead) {
+  FakeHost host(3);
+  host.contacts[0]->own_nodes = {1, 2};
+  host.contacts[1]->own_nodes = {3};
+  host.contacts[2]->own_nodes = {4, 2};
+  host.start_step();
+  BOOST_TEST(!host.contacts[0]->looked_ahead);
+  BOOST_TEST(host.contacts[1]->looked_ahead);
+  BOOST_TEST(!host.contacts[2]->looked_ahead);
+  host.update(1.0);
+  BOOST_TEST(host.augment());
+  host.is_active[2] = false;
+  host.steps.reset_rounds();
+  host.start_step();
+  BOOST_TEST(host.contacts[0]->looked_ahead);
+}
+
+BOOST_AUTO_TEST_CASE(contacts_do_not_look_ahead_where_a_predictor_does) {
+  FakeHost host(1);
+  host.helper->predicted = true;
+  host.update_model();
+  BOOST_TEST(!host.contacts[0]->looked_ahead);
 }

@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(the_geometric_part_of_a_steps_first_tangent_is_that_of_acce
       return assembled_tangent(contact, layout, scene.fields, dt);
     };
     const MatrixXd overlap_of_no_step = first_tangent();
-    contact.accept_step(scene.fields);
+    contact.accept_step(scene.fields, 1.0);
     const MatrixXd of_accepted_step = first_tangent();
     contact.end_iterations();
     const MatrixXd exact = assembled_tangent(contact, layout, scene.fields, dt);

@@ -1,0 +1,33 @@
+/// The norms that a step begins with, as tolerances of residual and energy are to see them.
+#pragma once
+
+#include "contact_in_model.h"
+#include "newton/febio/febio_solver.h"
+#include "newton/helper.h"
+
+#include <functional>
+#include <vector>
+
+/// FEBio takes both from its first residual. Nodes that begin the step in contact though they are open pull there by
+/// their penalty, a thousand times what the step's loads are, and a tolerance beside that would be met by any state. So
+/// the solver goes on until its norms meet their tolerances beside the first ones without that pull, too.
+class FirstNorms : public newton::Helper {
+ public:
+  static constexpr const char* name = "first norms";
+  using ActiveContacts = std::function<std::vector<ContactInModel*>()>;
+
+  FirstNorms(FEModel& fem, newton::FEBioSolver& solver, ActiveContacts contacts);
+
+  void begin_step() override;
+  void complete_residual() override;
+  void try_increment(const std::vector<double>& increment) override;
+  bool is_settled() const override;
+
+ private:
+  FEModel& fem_;
+  newton::FEBioSolver& solver_;
+  ActiveContacts contacts_;
+  bool awaits_residual_ = false;  ///< of a step that has begun
+  std::vector<double> residual_;  ///< the first one without the nodes that are open; empty where there are none
+  double energy_ = 0;             ///< of it and the first increment
+};
