@@ -8,8 +8,9 @@ namespace {
 
 /// Those that have a node in common with another one.
 std::set<const SteppedContact*> with_common_nodes(const std::vector<SteppedContact*>& contacts) {
-  std::map<int, const SteppedContact*> owners;
   std::set<const SteppedContact*> sharing;
+  if (contacts.size() < 2) return sharing;
+  std::map<int, const SteppedContact*> owners;
   for (const SteppedContact* contact : contacts) {
     for (const int node : contact->nodes()) {
       const SteppedContact* const owner = owners.insert({node, contact}).first->second;

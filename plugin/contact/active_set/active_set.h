@@ -77,6 +77,10 @@ class ActiveSet {
   /// by its end, should they move as in the last step, have that status from its first iteration on (see can_expect()).
   /// One that closes too early is pulled there, and opens in the next iteration as any that is pulled.
   NodeFlags expected(const NodalGaps& now, double ahead) const;
+  /// Whether the last step tells what nodes will do. Not with fields, whose exchange may push a node open that would
+  /// close, or the other way round: either may be an equilibrium. Not where the other side has conditions, too: those
+  /// of both together would hold more than there is to hold. And nodes that may pull do not open.
+  bool can_expect() const;
   /// Status that the loads which an iteration predicts ask for, given the true gaps.
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
@@ -125,10 +129,6 @@ class ActiveSet {
   /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
   /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
   bool turns_round(const NodalLoads& predicted, Index node) const;
-  /// Whether the last step tells what nodes will do. Not with fields, whose exchange may push a node open that would
-  /// close, or the other way round: either may be an equilibrium. Not where the other side has conditions, too: those
-  /// of both together would hold more than there is to hold. And nodes that may pull do not open.
-  bool can_expect() const;
   /// Whether an opening is more than what counts as touching.
   bool opens(const NodalGaps& now, double opening) const;
   /// Whether the nodes in contact that are expected to open carry next to nothing.

@@ -25,6 +25,7 @@ void residual_ahead(const ContactInterface& contact, const PerSide<SurfaceFields
   if (!contact.effects().traction) return;
   for (std::size_t index = 0; index < contact.passes(); ++index) {
     const ContactPass& pass = contact.pass(index);
+    if (!pass.active_set().can_expect()) continue;
     const Side side = index == 0 ? Side::primary : Side::secondary;
     NodalLoads now = pass.nodal_loads(seen_from(side, fields));
     const NodeFlags closed = pass.active_set().initial(now);
