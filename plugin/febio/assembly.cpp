@@ -2,6 +2,7 @@
 
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/residual_ahead.h"
+#include "matrix_profile.h"
 #include "matrix_rows.h"
 #include "rigid_shell_bottoms.h"
 
@@ -77,10 +78,13 @@ Fingerprint Assembly::couplings() const {
 void Assembly::add_to_profile(FEGlobalMatrix& matrix) {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
   couplings_of_matrix_ = Fingerprint();
-  dofs_.for_each_coupling(contact_.core(), [&](std::vector<int>& ids) {
+  SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
+  CoupledBlocks blocks(profile.Columns());
+  dofs_.for_each_coupling(contact_.core(), [&](const std::vector<int>& ids) {
     couplings_of_matrix_.add(ids);
-    matrix.build_add(ids);
+    blocks.add(ids);
   });
+  blocks.insert_into(profile);
 }
 
 ContactInterface::AddResidual Assembly::adder(FEGlobalVector& residual) const {

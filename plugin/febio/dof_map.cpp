@@ -120,7 +120,8 @@ void DofMap::add_rotations(const std::vector<int>& nodes, std::vector<int>& ids)
   }
 }
 
-void DofMap::for_each_coupling(const ContactInterface& core, const std::function<void(std::vector<int>&)>& use) const {
+void DofMap::for_each_coupling(const ContactInterface& core,
+                               const std::function<void(const std::vector<int>&)>& use) const {
   core.for_each_coupling([&](const Location& place) {
     const std::vector<int> mesh_nodes = nodes(place);
     std::vector<int> ids = equations(core, place, mesh_nodes);

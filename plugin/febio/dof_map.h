@@ -43,7 +43,7 @@ class DofMap {
                              const std::vector<int>& nodes) const;
   /// Equations that stand in one block of the matrix, for each of its blocks.
   void for_each_coupling(const mixture_contact::ContactInterface& core,
-                         const std::function<void(std::vector<int>&)>& use) const;
+                         const std::function<void(const std::vector<int>&)>& use) const;
   /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
   bool are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const;
 

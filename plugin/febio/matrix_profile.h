@@ -1,0 +1,33 @@
+/// Couplings of a contact into the profile of FEBio's matrix.
+///
+/// FEBio inserts the rows of a block one by one, for every block that a column stands in. The blocks of a contact
+/// overlap, a node standing in those of all nodes around it: here each column takes the union of its blocks at once.
+#pragma once
+
+#include "contact/base/indexed_vector.h"
+
+#include <FECore/MatrixProfile.h>
+
+#include <vector>
+
+/// Rows of a column as FEBio's profile has them: intervals, ascending, none touching the next.
+using RowIntervals = std::vector<SparseMatrixProfile::RowEntry>;
+
+/// The intervals that cover the same rows as those given in any order, overlapping or not.
+RowIntervals united(RowIntervals intervals);
+
+/// Blocks of equations that couple with each other.
+class CoupledBlocks {
+ public:
+  /// For a matrix of that many columns.
+  explicit CoupledBlocks(int columns) : blocks_of_(columns) {}
+
+  /// Takes a block. Entries below zero are left out; throws std::out_of_range for others beyond the matrix.
+  void add(const std::vector<int>& equations);
+  /// Inserts all blocks.
+  void insert_into(SparseMatrixProfile& profile) const;
+
+ private:
+  mixture_contact::IndexedVector<RowIntervals> blocks_;
+  mixture_contact::IndexedVector<std::vector<mixture_contact::Index>> blocks_of_;  ///< per column, ascending
+};

@@ -1,0 +1,85 @@
+/// Blocks come into the profile of FEBio's matrix as they do by FEBio's own insertion.
+#include "febio/matrix_profile.h"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr int equations = 60;
+
+SparseMatrixProfile diagonal() {
+  SparseMatrixProfile profile(equations, equations);
+  profile.CreateDiagonal();
+  return profile;
+}
+
+/// The equations of some nodes, three each, in random order; every fourth is left out.
+std::vector<int> random_block(std::mt19937& random) {
+  std::uniform_int_distribution<int> node(0, equations / 3 - 1);
+  std::vector<int> block;
+  for (int n = 0; n < 5; ++n) {
+    const int first = 3 * node(random);
+    for (const int equation : {first, first + 1, first + 2}) block.push_back(block.size() % 4 == 3 ? -1 : equation);
+  }
+  std::shuffle(block.begin(), block.end(), random);
+  return block;
+}
+
+void check_equal(SparseMatrixProfile& ours, SparseMatrixProfile& theirs) {
+  for (int column = 0; column < equations; ++column) {
+    BOOST_TEST_REQUIRE(ours.Column(column).size() == theirs.Column(column).size());
+    for (int i = 0; i < ours.Column(column).size(); ++i) {
+      BOOST_TEST(ours.Column(column)[i].start == theirs.Column(column)[i].start);
+      BOOST_TEST(ours.Column(column)[i].end == theirs.Column(column)[i].end);
+    }
+  }
+}
+
+void check_as_febio(std::vector<std::vector<int>> present, std::vector<std::vector<int>> blocks) {
+  SparseMatrixProfile ours = diagonal();
+  ours.UpdateProfile(present, static_cast<int>(present.size()));
+  SparseMatrixProfile theirs = ours;
+  CoupledBlocks coupled(equations);
+  for (const std::vector<int>& block : blocks) coupled.add(block);
+  coupled.insert_into(ours);
+  theirs.UpdateProfile(blocks, static_cast<int>(blocks.size()));
+  check_equal(ours, theirs);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(intervals_are_united) {
+  const RowIntervals result = united({{7, 8}, {0, 1}, {2, 2}, {10, 14}, {11, 12}});
+  const std::vector<std::pair<int, int>> expected{{0, 2}, {7, 8}, {10, 14}};
+  BOOST_TEST_REQUIRE(result.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    BOOST_TEST(result[i].start == expected[i].first);
+    BOOST_TEST(result[i].end == expected[i].second);
+  }
+  BOOST_TEST(united({}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_profile_is_the_one_that_febio_makes) {
+  std::mt19937 random(1);
+  for (int run = 0; run < 20; ++run) {
+    std::vector<std::vector<int>> present;
+    std::vector<std::vector<int>> blocks;
+    for (int i = 0; i < 4; ++i) present.push_back(random_block(random));
+    for (int i = 0; i < run; ++i) blocks.push_back(random_block(random));
+    check_as_febio(present, blocks);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(equations_that_are_left_out_and_blocks_without_any) {
+  check_as_febio({}, {{}, {-1, -1}, {0, -1, equations - 1}});
+}
+
+BOOST_AUTO_TEST_CASE(an_equation_beyond_the_matrix_is_an_error) {
+  CoupledBlocks blocks(equations);
+  BOOST_CHECK_THROW(blocks.add({0, equations}), std::out_of_range);
+}
