@@ -19,20 +19,10 @@ RowIntervals intervals_of(SparseMatrixProfile::ColumnProfile& column) {
   return intervals;
 }
 
-/// The union of two ascending lists.
-RowIntervals united(const RowIntervals& one, const RowIntervals& two) {
-  RowIntervals both(one.size() + two.size());
-  std::merge(one.begin(), one.end(), two.begin(), two.end(), both.begin(), is_before);
-  return united(std::move(both));
-}
-
-}  // namespace
-
-RowIntervals united(RowIntervals intervals) {
-  if (!std::is_sorted(intervals.begin(), intervals.end(), is_before))
-    std::sort(intervals.begin(), intervals.end(), is_before);
+/// The same rows, those that follow each other in one interval, given intervals in the order of their starts.
+RowIntervals joined(const RowIntervals& ascending) {
   RowIntervals result;
-  for (const Interval& next : intervals) {
+  for (const Interval& next : ascending) {
     if (result.empty() || next.start > result.back().end + 1) {
       result.push_back(next);
     } else {
@@ -40,6 +30,20 @@ RowIntervals united(RowIntervals intervals) {
     }
   }
   return result;
+}
+
+/// The union of two ascending lists.
+RowIntervals merged(const RowIntervals& one, const RowIntervals& two) {
+  RowIntervals both(one.size() + two.size());
+  std::merge(one.begin(), one.end(), two.begin(), two.end(), both.begin(), is_before);
+  return joined(both);
+}
+
+}  // namespace
+
+RowIntervals united(RowIntervals intervals) {
+  std::sort(intervals.begin(), intervals.end(), is_before);
+  return joined(intervals);
 }
 
 void CoupledBlocks::add(const std::vector<int>& equations) {
@@ -68,7 +72,7 @@ void CoupledBlocks::insert_into(SparseMatrixProfile& profile) const {
       rows = united(std::move(rows));
     }
     SparseMatrixProfile::ColumnProfile& present = profile.Column(static_cast<int>(column));
-    const RowIntervals all = united(intervals_of(present), rows);
+    const RowIntervals all = merged(intervals_of(present), rows);
     present.clear();
     for (const Interval& interval : all) present.push_back(interval.start, interval.end);
   }
