@@ -67,6 +67,16 @@ int DofMap::deformable_node() const {
   return -1;
 }
 
+bool DofMap::has_free_node(Side side) const {
+  FEMixtureSurface& surface = surfaces_[side];
+  for (int i = 0; i < surface.Nodes(); ++i) {
+    const std::vector<int>& own = node_equations(surface.NodeIndex(i));
+    if (surface.Node(i).m_rid < 0 && std::any_of(own.begin(), own.end(), [](int equation) { return equation >= 0; }))
+      return true;
+  }
+  return false;
+}
+
 std::vector<int> DofMap::nodes(const Location& at) const {
   std::vector<int> nodes;
   nodes.reserve(at.patch.primary.size() + at.patch.secondary.size() + 1);
@@ -120,19 +130,19 @@ void DofMap::add_rotations(const std::vector<int>& nodes, std::vector<int>& ids)
   }
 }
 
-void DofMap::for_each_coupling(const ContactInterface& core,
-                               const std::function<void(const std::vector<int>&)>& use) const {
-  core.for_each_coupling([&](const Location& place) {
-    const std::vector<int> mesh_nodes = nodes(place);
-    std::vector<int> ids = equations(core, place, mesh_nodes);
-    // Rigid nodes bring the equations of their body's rotations in as well.
-    if (place.patch.displacements) add_rotations(mesh_nodes, ids);
-    for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
-    use(ids);
-  });
+std::vector<int> DofMap::coupled(const ContactInterface& core, const Location& at) const {
+  const std::vector<int> mesh_nodes = nodes(at);
+  std::vector<int> ids = equations(core, at, mesh_nodes);
+  // Rigid nodes bring the equations of their body's rotations in as well.
+  if (at.patch.displacements) add_rotations(mesh_nodes, ids);
+  for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
+  return ids;
 }
 
-bool DofMap::are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const {
-  return std::none_of(equations.begin(), equations.end(), [](int equation) { return equation < -1; }) &&
-         std::none_of(nodes.begin(), nodes.end(), [&](int node) { return fem_.GetMesh().Node(node).m_rid >= 0; });
+bool DofMap::are_rigid(const std::vector<int>& nodes) const {
+  return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return fem_.GetMesh().Node(node).m_rid >= 0; });
+}
+
+bool DofMap::are_prescribed(const std::vector<int>& equations) {
+  return std::any_of(equations.begin(), equations.end(), [](int equation) { return newton::is_prescribed(equation); });
 }

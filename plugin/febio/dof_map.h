@@ -6,7 +6,6 @@
 #include <FECore/DumpStream.h>
 
 #include <array>
-#include <functional>
 #include <vector>
 
 class DofMap {
@@ -34,6 +33,8 @@ class DofMap {
   int first_multiplier() const { return first_multiplier_; }
   /// A node that belongs to no rigid body; -1 where there is none.
   int deformable_node() const;
+  /// Whether a surface has a node with an equation of its own.
+  bool has_free_node(Side side) const;
 
   using Location = mixture_contact::ContactInterface::Location;
   /// The nodes of the mesh whose blocks make up a local vector.
@@ -41,11 +42,16 @@ class DofMap {
   /// The equation of each entry of a local vector, given its nodes.
   std::vector<int> equations(const mixture_contact::ContactInterface& core, const Location& at,
                              const std::vector<int>& nodes) const;
-  /// Equations that stand in one block of the matrix, for each of its blocks.
-  void for_each_coupling(const mixture_contact::ContactInterface& core,
-                         const std::function<void(const std::vector<int>&)>& use) const;
+  /// Equations that stand in one block of the matrix.
+  std::vector<int> coupled(const mixture_contact::ContactInterface& core, const Location& at) const;
+  /// Whether some nodes belong to rigid bodies, from which they have their equations.
+  bool are_rigid(const std::vector<int>& nodes) const;
   /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
-  bool are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const;
+  bool are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const {
+    return !are_prescribed(equations) && !are_rigid(nodes);
+  }
+  /// Whether some equations stand for prescribed values.
+  static bool are_prescribed(const std::vector<int>& equations);
 
  private:
   /// Degrees of freedom of a node: those of its position, or those of the back face of a shell.

@@ -11,6 +11,11 @@ class Fingerprint {
     add(static_cast<int>(list.size()));
     for (const int number : list) add(number);
   }
+  /// A number that comes with a list.
+  void add(int number, const std::vector<int>& list) {
+    add(number);
+    add(list);
+  }
   bool operator==(const Fingerprint& other) const { return value_ == other.value_; }
 
  private:

@@ -46,7 +46,7 @@ RowIntervals united(RowIntervals intervals) {
   return joined(intervals);
 }
 
-void CoupledBlocks::add(const std::vector<int>& equations) {
+RowIntervals CoupledBlocks::in_matrix(const std::vector<int>& equations) const {
   RowIntervals rows;
   for (const int equation : equations) {
     if (equation < 0) continue;
@@ -54,11 +54,27 @@ void CoupledBlocks::add(const std::vector<int>& equations) {
       throw std::out_of_range("equation " + std::to_string(equation) + " of " + std::to_string(blocks_of_.count()));
     rows.push_back({equation, equation});
   }
-  rows = united(std::move(rows));
-  for (const Interval& interval : rows) {
+  return united(std::move(rows));
+}
+
+void CoupledBlocks::add(const RowIntervals& columns, RowIntervals rows) {
+  for (const Interval& interval : columns) {
     for (int column = interval.start; column <= interval.end; ++column) blocks_of_[column].push_back(blocks_.count());
   }
   blocks_.push_back(std::move(rows));
+}
+
+void CoupledBlocks::add(const std::vector<int>& equations) {
+  const RowIntervals all = in_matrix(equations);
+  add(all, all);
+}
+
+void CoupledBlocks::add_star(int centre, const std::vector<int>& equations) {
+  const RowIntervals own = in_matrix({centre});
+  RowIntervals others = in_matrix(equations);
+  add(others, own);
+  others.insert(others.end(), own.begin(), own.end());
+  add(own, united(std::move(others)));
 }
 
 void CoupledBlocks::insert_into(SparseMatrixProfile& profile) const {

@@ -16,18 +16,26 @@ using RowIntervals = std::vector<SparseMatrixProfile::RowEntry>;
 /// The intervals that cover the same rows as those given in any order, overlapping or not.
 RowIntervals united(RowIntervals intervals);
 
-/// Blocks of equations that couple with each other.
+/// Blocks of equations that are coupled.
 class CoupledBlocks {
  public:
   /// For a matrix of that many columns.
   explicit CoupledBlocks(int columns) : blocks_of_(columns) {}
 
-  /// Takes a block. Entries below zero are left out; throws std::out_of_range for others beyond the matrix.
+  /// Takes a block of equations that all couple with each other. Entries below zero are left out; throws
+  /// std::out_of_range for others beyond the matrix.
   void add(const std::vector<int>& equations);
+  /// Takes one equation that couples with others, and with itself, but those not with each other.
+  void add_star(int centre, const std::vector<int>& equations);
   /// Inserts all blocks.
   void insert_into(SparseMatrixProfile& profile) const;
 
  private:
+  /// Adds rows to columns.
+  void add(const RowIntervals& columns, RowIntervals rows);
+  /// Those equations that are in the matrix.
+  RowIntervals in_matrix(const std::vector<int>& equations) const;
+
   mixture_contact::IndexedVector<RowIntervals> blocks_;
   mixture_contact::IndexedVector<std::vector<mixture_contact::Index>> blocks_of_;  ///< per column, ascending
 };

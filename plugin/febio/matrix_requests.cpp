@@ -5,6 +5,7 @@
 #include <FECore/FEAnalysis.h>
 #include <FECore/FECoreKernel.h>
 #include <FECore/FENewtonSolver.h>
+#include <FECore/JFNKStrategy.h>
 #include <FECore/LinearSolver.h>
 
 #include <string>
@@ -14,6 +15,12 @@ namespace {
 /// That of a step of the analysis; null where it is none of Newton's kind.
 FENewtonSolver* newton_solver(FEModel& model, int step) {
   return dynamic_cast<FENewtonSolver*>(model.GetStep(step)->GetFESolver());
+}
+
+/// The type of a solver's linear solver.
+std::string linear_solver_type(FENewtonSolver& solver) {
+  LinearSolver* const chosen = solver.GetLinearSolver();
+  return chosen == nullptr ? FECoreKernel::GetInstance().GetLinearSolverType() : chosen->GetTypeStr();
 }
 
 }  // namespace
@@ -29,15 +36,18 @@ void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log) {
   }
 }
 
+bool takes_mixed_form(FEModel& model) {
+  FENewtonSolver* const solver = newton_solver(model, model.GetCurrentStepIndex());
+  if (solver == nullptr || dynamic_cast<JFNKStrategy*>(solver->m_qnstrategy) != nullptr) return false;
+  return takes_mixed_form(linear_solver_type(*solver));
+}
+
 void judge_linear_solver(FEModel& model, bool has_unknown_multipliers, const ContactLog& log) {
   for (int i = model.GetCurrentStepIndex(); i < model.Steps(); ++i) {
     FENewtonSolver* const solver = newton_solver(model, i);
     if (solver == nullptr) continue;
-    LinearSolver* const chosen = solver->GetLinearSolver();
-    const std::string type = chosen == nullptr ? FECoreKernel::GetInstance().GetLinearSolverType()
-                                               : chosen->GetTypeStr();
     const MatrixKind matrix{solver->m_msymm == REAL_SYMMETRIC, has_unknown_multipliers};
-    const std::string complaint = linear_solver_complaint(type, matrix);
+    const std::string complaint = linear_solver_complaint(linear_solver_type(*solver), matrix);
     if (!complaint.empty()) return log.say(complaint);
   }
 }

@@ -8,5 +8,8 @@
 /// Makes the matrices non-symmetric from the present step on, and says so.
 void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log);
 
+/// Whether the present step takes loads at nodes as further unknowns of its matrices (host/mixed_form.h).
+bool takes_mixed_form(FEModel& model);
+
 /// Says in the log where a linear solver cannot solve the matrix with this contact.
 void judge_linear_solver(FEModel& model, bool has_unknown_multipliers, const ContactLog& log);

@@ -45,6 +45,8 @@ FEParam* add_to_group(FEParamContainer& owner, const ParameterTag& tag, Value& v
   return parameter;
 }
 
+bool has_linear_constraints(FEModel& model) { return model.GetLinearConstraintManager().LinearConstraints() > 0; }
+
 }  // namespace
 
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
@@ -70,9 +72,10 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       log_(*this),
       surfaces_(*fem, *this),
       dofs_(*fem, surfaces_),
+      loads_(dofs_),
       bound_(surfaces_, dofs_, parameters_, log_),
       setup_(*fem, surfaces_, dofs_, parameters_, ambient_concentrations_, log_),
-      assembly_(bound_, surfaces_, dofs_),
+      assembly_(bound_, surfaces_, dofs_, loads_),
       output_(bound_, surfaces_, log_) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
@@ -127,7 +130,15 @@ void FEMixtureContact::find_load_curves() {
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction(bound_);
   dofs_.number_multipliers(first);
-  return indexing::as_int(multiplier_layout(core()).size());
+  const int multipliers = indexing::as_int(multiplier_layout(core()).size());
+  return multipliers + loads_.number(first + multipliers, core(), surfaces_with_load_equations());
+}
+
+PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
+  const bool any = core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) &&
+                   model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
+                   dofs_.has_free_node(Side::secondary);
+  return {{any, any && core().settings().two_pass}};
 }
 
 void FEMixtureContact::Activate() {
@@ -197,7 +208,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   model_->steps().before_matrix();
-  assembly_.add_to_profile(matrix);
+  assembly_.add_to_profile(matrix, has_linear_constraints(*GetFEModel()));
 }
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
@@ -209,8 +220,8 @@ void FEMixtureContact::add_residual_ahead(FEGlobalVector& residual) const {
 }
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
-  const bool is_constrained = GetFEModel()->GetLinearConstraintManager().LinearConstraints() > 0;
-  assembly_.tangent(system, *model_->solver().febio()->GetStiffnessMatrix(), is_constrained, time.timeIncrement);
+  assembly_.tangent(system, *model_->solver().febio()->GetStiffnessMatrix(), has_linear_constraints(*GetFEModel()),
+                    time.timeIncrement);
 }
 
 // ------------------------------------------------------------ ambient values and restarts
@@ -230,6 +241,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   if (!ar.IsShallow()) {
     ar & relocated_;
     dofs_.serialize(ar);
+    loads_.serialize(ar);
     for_each_parameter(parameters_, [&ar](const ParameterTag& tag, auto& /*value*/) {
       if (tag.given == nullptr) return;
       bool& given = *tag.given;

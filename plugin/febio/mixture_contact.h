@@ -54,6 +54,8 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   void find_load_curves();
   void find_self_contact();
   bool take_shell_bottoms();
+  /// Those whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
+  mixture_contact::PerSide<bool> surfaces_with_load_equations() const;
 
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;
@@ -61,6 +63,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   ContactLog log_;
   ContactSurfaces surfaces_;
   DofMap dofs_;
+  LoadEquations loads_;
   BoundContact bound_;
   ContactSetup setup_;
   Assembly assembly_;

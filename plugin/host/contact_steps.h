@@ -97,6 +97,8 @@ class ContactSteps {
   /// A run is continued.
   void restart();
 
+  /// Whether matrices may have further unknowns that follow nodal values.
+  bool allow_further_unknowns() const { return !helpers_.multiply_by_matrix(); }
   /// Whether an iteration has begun at the present state, so that nothing but the matrix is left to do.
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 

@@ -36,3 +36,5 @@ std::string linear_solver_complaint(const std::string& type, MatrixKind matrix) 
   }
   return "";
 }
+
+bool takes_mixed_form(const std::string& type) { return type == "pardiso"; }

@@ -72,6 +72,10 @@ void Helpers::complete_residual() {
   for_each([](Helper& helper) { helper.complete_residual(); });
 }
 
+bool Helpers::multiply_by_matrix() const {
+  return any([](const Helper& helper) { return helper.multiplies_by_matrix(); });
+}
+
 void Helpers::end_step() {
   for_each([](Helper& helper) { helper.end_step(); });
 }

@@ -49,6 +49,8 @@ class Helper {
   virtual bool predict(const std::function<void()>& /*arrived*/) { return false; }
   /// With that matrix.
   virtual void complete_residual() {}
+  /// Whether it multiplies changes of nodal values by the matrix, so that this may have no unknowns that follow them.
+  virtual bool multiplies_by_matrix() const { return false; }
 
   /// A time step has been solved.
   virtual void end_step() {}
@@ -87,6 +89,7 @@ class Helpers {
   bool will_predict();
   bool predict(const std::function<void()>& arrived);
   void complete_residual();
+  bool multiply_by_matrix() const;
   void end_step();
   void rewind();
   /// Has the helper that holds a nodal value, if there is one, keep it or yield it. Returns whether it is kept.

@@ -38,6 +38,7 @@ class Predictor : public Helper {
   bool predict(const std::function<void()>& arrived) override;
   /// The right-hand side R(x + P) + theta K P.
   void complete_residual() override;
+  bool multiplies_by_matrix() const override { return true; }
   /// Keeps the change of the step, and judges by it which curves predict best.
   void end_step() override;
   void rewind() override;

@@ -31,8 +31,10 @@ struct Place {
 /// The map is its own inverse.
 inline int prescribed(int equation) { return -equation - 2; }
 
+inline bool is_prescribed(int code) { return code < -1; }
+
 /// The equation behind a code, free or prescribed; -1 where there is none.
-inline int equation_of(int code) { return code < -1 ? prescribed(code) : code; }
+inline int equation_of(int code) { return is_prescribed(code) ? prescribed(code) : code; }
 
 /// The vectors of the solver, an entry per equation.
 struct Vectors {

@@ -75,6 +75,27 @@ BOOST_AUTO_TEST_CASE(the_profile_is_the_one_that_febio_makes) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_star_couples_its_centre_with_each_of_the_others) {
+  std::mt19937 random(2);
+  std::uniform_int_distribution<int> any(0, equations - 1);
+  for (int run = 0; run < 20; ++run) {
+    SparseMatrixProfile ours = diagonal();
+    SparseMatrixProfile theirs = ours;
+    CoupledBlocks coupled(equations);
+    for (int star = 0; star < run; ++star) {
+      const int centre = any(random);
+      const std::vector<int> others = random_block(random);
+      coupled.add_star(centre, others);
+      for (const int other : others) {
+        std::vector<std::vector<int>> pair{{centre, other}};
+        theirs.UpdateProfile(pair, 1);
+      }
+    }
+    coupled.insert_into(ours);
+    check_equal(ours, theirs);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(equations_that_are_left_out_and_blocks_without_any) {
   check_as_febio({}, {{}, {-1, -1}, {0, -1, equations - 1}});
 }

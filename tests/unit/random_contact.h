@@ -103,6 +103,11 @@ inline Vector3d random_vector(double size, std::mt19937& random) {
   return size * Vector3d(unit(random), unit(random), unit(random));
 }
 
+inline VectorXd random_values(Index size, double low, double high, std::mt19937& random) {
+  std::uniform_real_distribution<double> value(low, high);
+  return VectorXd::NullaryExpr(size, [&] { return value(random); });
+}
+
 /// A facet in the plane z = 0 that faces up, of size 1 to 2, with every node displaced at random by up to `noise`.
 inline FacetCoordinates random_facet(FacetType type, double noise, std::mt19937& random) {
   FacetCoordinates x(3, node_count(type));

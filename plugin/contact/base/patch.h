@@ -56,4 +56,22 @@ struct TangentBlock {
   MatrixXd values;  ///< shape (rows.layout().size(), columns.layout().size())
 };
 
+/// A load at a node, its traction or the flux of a field, as one scalar between what it acts on and depends on.
+struct LoadPlace {
+  int node = 0;              ///< of the surface integrated over
+  std::optional<int> field;  ///< whose flux it is; none: the traction
+  Patch columns;             ///< what the load depends on; what it acts on is part of that
+};
+
+/// The part of a tangent that a load makes as it follows the unknowns, a product of vectors: work factor variation^T.
+struct LoadBlock {
+  LoadPlace place;
+  Patch rows;          ///< as those of a TangentBlock
+  VectorXd work;       ///< virtual work of a unit of the load, size rows.layout().size()
+  VectorXd variation;  ///< of what the load depends on, size place.columns.layout().size()
+  double factor = 0;   ///< load per unit of it
+
+  TangentBlock product() const { return {rows, place.columns, (factor * work) * variation.transpose()}; }
+};
+
 }  // namespace mixture_contact

@@ -5,16 +5,55 @@
 #include <algorithm>
 
 namespace mixture_contact {
+namespace {
 
-void node_tangents(const EnforcementMethod& method, const IndexedVector<NodeLinearisation>& nodes,
-                   const NodalLoads& loads, const VectorXd& weights, double dt, const AddBlock& add) {
+/// Has the products of load blocks among the other blocks.
+void multiply_out(const MortarSpace& space, NodeTangent& tangent) {
+  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
+  for (const LoadBlock& load : tangent.loads) {
+    tangent.blocks.push_back(load.product());
+    if (load.place.field) {
+      laps.field(*load.place.field);
+    } else {
+      laps.traction();
+    }
+  }
+  tangent.loads.clear();
+}
+
+/// Calls `use` with the loads at a node, given the patch around it.
+void use_loads(const MortarSpace& space, Index node, const Patch& patch, const UseLoad& use) {
+  const int own = static_cast<int>(node);
+  if (space.effects().traction) use({own, std::nullopt, patch.of_displacements()});
+  for (const int field : patch.fields) use({own, field, space.columns_of(patch, field)});
+}
+
+}  // namespace
+
+void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
+                   const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const VectorXd& weights,
+                   double dt, const TangentParts& add) {
+  const bool multiplies = !add.load || !method.has_load_blocks();
   const auto of_node = [&](Index node) {
-    if (nodes[node].empty()) return std::vector<TangentBlock>();
-    return method.node_tangent(node, nodes[node], loads, weights, dt);
+    NodeTangent tangent;
+    if (nodes[node].empty()) return tangent;
+    tangent = method.node_tangent(node, nodes[node], loads, weights, dt);
+    if (multiplies) multiply_out(space, tangent);
+    return tangent;
   };
-  in_order(nodes.count(), of_node, [&](Index /*node*/, const std::vector<TangentBlock>& blocks) {
-    for (const TangentBlock& block : blocks) add(block);
+  in_order(nodes.count(), of_node, [&](Index /*node*/, const NodeTangent& tangent) {
+    for (const TangentBlock& block : tangent.blocks) add.block(block);
+    for (const LoadBlock& load : tangent.loads) add.load(load);
   });
+}
+
+void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
+              const Couplings& use) {
+  if (takes_loads(method, use)) {
+    use_loads(space, node, patch, use.load);
+  } else {
+    method.for_each_coupling(patch, [&](const Patch& part) { use_effects(space, part, use.patch); });
+  }
 }
 
 void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& use) {

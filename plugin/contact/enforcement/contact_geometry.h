@@ -6,6 +6,18 @@
 
 namespace mixture_contact {
 
+/// Who takes the parts of a tangent.
+struct TangentParts {
+  AddBlock block;
+  AddLoadBlock load;  ///< load blocks, where tangents consist of them; empty: all come as their products
+};
+
+/// Who takes what couples with each other.
+struct Couplings {
+  UsePatch patch;
+  UseLoad load;  ///< what couples through a load alone, where tangents consist of load blocks; empty: all are patches
+};
+
 /// Surfaces that move, or that are fixed. Independent of how conditions are enforced: either goes with any
 /// EnforcementMethod.
 class ContactGeometry {
@@ -32,15 +44,24 @@ class ContactGeometry {
   virtual NodalLoads loads(const FacingFields& fields) const = 0;
   virtual NodeFlags flux_coupled() const = 0;
   virtual void residual(const FacingFields& fields, double dt, const AddVector& add) const = 0;
-  virtual void tangent(const FacingFields& fields, double dt, const AddBlock& add) const = 0;
-  virtual void for_each_coupling(const UsePatch& use) const = 0;
+  virtual void tangent(const FacingFields& fields, double dt, const TangentParts& add) const = 0;
+  virtual void for_each_coupling(const Couplings& use) const = 0;
   /// Bytes that it keeps between calls.
   virtual std::size_t memory() const = 0;
 };
 
 /// Calls `add` with the tangents of all nodes, in their order.
-void node_tangents(const EnforcementMethod& method, const IndexedVector<NodeLinearisation>& nodes,
-                   const NodalLoads& loads, const VectorXd& weights, double dt, const AddBlock& add);
+void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
+                   const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const VectorXd& weights,
+                   double dt, const TangentParts& add);
+
+/// Whether the loads at nodes come apart from the rest.
+inline bool takes_loads(const EnforcementMethod& method, const Couplings& use) {
+  return use.load && method.has_load_blocks();
+}
+/// Calls `use` with what the loads at a node couple, given the patch around it.
+void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
+              const Couplings& use);
 
 /// Calls `use` with what each effect of a patch couples.
 void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& use);

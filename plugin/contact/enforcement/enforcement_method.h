@@ -12,6 +12,14 @@ namespace mixture_contact {
 using AddVector = std::function<void(const Patch&, const VectorXd&)>;
 using AddBlock = std::function<void(const TangentBlock&)>;
 using UsePatch = std::function<void(const Patch&)>;
+using AddLoadBlock = std::function<void(const LoadBlock&)>;
+using UseLoad = std::function<void(const LoadPlace&)>;
+
+/// Of the loads at a node, and of its equations: the sum of all its parts.
+struct NodeTangent {
+  std::vector<TangentBlock> blocks;
+  std::vector<LoadBlock> loads;
+};
 
 /// A way to enforce the conditions. Evaluations are const.
 class EnforcementMethod {
@@ -34,12 +42,14 @@ class EnforcementMethod {
   virtual VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const = 0;
   /// Calls `use` with what couples with each other where loads act at the nodes of a patch, as their averages vary.
   virtual void for_each_coupling(const Patch& patch, const UsePatch& use) const = 0;
+  /// Whether tangents consist of load blocks alone.
+  virtual bool has_load_blocks() const = 0;
   /// Residual of these equations.
   virtual void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const = 0;
   /// Tangent of the loads at a node, and of its equations. The residual holds t_a traction_work + dt phi_a A_a weights;
   /// the variation of the works is the geometric part.
-  virtual std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                                 const VectorXd& weights, double dt) const = 0;
+  virtual NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                   const VectorXd& weights, double dt) const = 0;
 
  protected:
   const MortarSpace& space() const { return space_; }

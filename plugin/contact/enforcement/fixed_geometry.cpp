@@ -71,15 +71,15 @@ void FixedGeometry::residual(const FacingFields& fields, double dt, const AddVec
   method_.equations(now, method_.equation_weights(now, fields.primary.position), dt, add);
 }
 
-void FixedGeometry::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
+void FixedGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
   const NodalLoads now = loads(fields);
   const VectorXd weights = method_.equation_weights(now, fields.primary.position);
-  node_tangents(method_, nodes_, now, weights, dt, add);
+  node_tangents(method_, space_, nodes_, now, weights, dt, add);
 }
 
-void FixedGeometry::for_each_coupling(const UsePatch& use) const {
-  for (const NodeLinearisation& node : nodes_) {
-    method_.for_each_coupling(node.patch, [&](const Patch& patch) { use_effects(space_, patch, use); });
+void FixedGeometry::for_each_coupling(const Couplings& use) const {
+  for (Index node = 0; node < nodes_.count(); ++node) {
+    if (!nodes_[node].empty()) use_node(method_, space_, node, nodes_[node].patch, use);
   }
 }
 

@@ -23,8 +23,8 @@ class FixedGeometry : public ContactGeometry {
   NodalLoads loads(const FacingFields& fields) const override;
   NodeFlags flux_coupled() const override { return fixed_.flux_coupled; }
   void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
-  void tangent(const FacingFields& fields, double dt, const AddBlock& add) const override;
-  void for_each_coupling(const UsePatch& use) const override;
+  void tangent(const FacingFields& fields, double dt, const TangentParts& add) const override;
+  void for_each_coupling(const Couplings& use) const override;
   std::size_t memory() const override { return 0; }
 
  private:

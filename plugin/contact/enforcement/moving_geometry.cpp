@@ -38,12 +38,13 @@ void add_geometric(const GeometricTangent& unit, double dt, const AddBlock& add)
 }
 
 /// Has the patches of nodes used: those of the facet pairs of all points that the loads of a node act at.
-void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact, const UsePatch& use) {
+void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact,
+                         const std::function<void(Index node, const Patch&)>& use) {
   const auto around = space.facing().around(in_contact);
   const auto absent = [&](Index node) { return around[node].empty() && !space.has_unknown_multipliers(); };
   const auto patch_of = [&](Index node) { return absent(node) ? Patch() : space.node_patch(node, around[node]); };
   in_order(around.count(), patch_of, [&](Index node, const Patch& patch) {
-    if (!absent(node)) use(patch);
+    if (!absent(node)) use(node, patch);
   });
 }
 
@@ -262,38 +263,38 @@ void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVe
   method_.equations(now, equation_weights(now, fields.primary.position), dt, add);
 }
 
-void MovingGeometry::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
+void MovingGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
   const NodalLoads now = loads(fields);
   IndexedVector<NodeLinearisation> present;
   const bool is_linearised = point_ && point_->is_linearised();
   if (!is_linearised) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
-  node_tangents(method_, is_linearised ? point_->nodes : present, now, weights, dt, add);
+  node_tangents(method_, space_, is_linearised ? point_->nodes : present, now, weights, dt, add);
   if (const GeometricPart* held = geometric_at(positions(fields))) {
     for (const std::optional<GeometricTangent>& unit : *held) {
-      if (unit) add_geometric(*unit, dt, add);
+      if (unit) add_geometric(*unit, dt, add.block);
     }
   } else {
-    geometric_tangents(space_, is_linearised ? geometric_loads(*point_) : now, fields, dt, add);
+    geometric_tangents(space_, is_linearised ? geometric_loads(*point_) : now, fields, dt, add.block);
   }
 }
 
-void MovingGeometry::for_each_coupling(const UsePatch& use) const {
-  const auto use_part = [&](const Patch& patch) { use_effects(space_, patch, use); };
-  const auto use_node = [&](const Patch& patch) { method_.for_each_coupling(patch, use_part); };
+void MovingGeometry::for_each_coupling(const Couplings& use) const {
+  const auto use_around = [&](Index node, const Patch& patch) { use_node(method_, space_, node, patch, use); };
   const NodeFlags in_contact = point_ ? point_->loads.in_contact : initial_status();
   if (geometric_ && point_) {  // the pairs are still those that the nodes were linearised with
-    for (const NodeLinearisation& node : point_->nodes) {
-      if (!node.empty()) use_node(node.patch);
+    for (Index node = 0; node < point_->nodes.count(); ++node) {
+      if (!point_->nodes[node].empty()) use_around(node, point_->nodes[node].patch);
     }
   } else {
-    for_each_node_patch(space_, in_contact, use_node);
+    for_each_node_patch(space_, in_contact, use_around);
   }
-  // The change of the geometry couples the nodes of a pair also where the method does not.
+  // The change of the geometry couples the nodes of a pair also where no load at a node does.
+  const bool all_pairs = space_.has_unknown_multipliers() || takes_loads(method_, use);
   for (const FacetPair& pair : space_.facing().pairs()) {
     if (!space_.facing().has_node_among(pair, in_contact)) continue;
-    if (space_.has_unknown_multipliers() || !space_.is_averaged_over(pair, in_contact))
-      use_part(space_.facing().patch(pair));
+    if (all_pairs || !space_.is_averaged_over(pair, in_contact))
+      use_effects(space_, space_.facing().patch(pair), use.patch);
   }
 }
 

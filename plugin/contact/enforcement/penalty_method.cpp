@@ -65,36 +65,48 @@ void PenaltyMethod::add_pressure_block(Index node, const NodeLinearisation& line
   blocks.push_back({linear.patch.of_displacements(), columns, std::move(by_pressure)});
 }
 
-std::vector<TangentBlock> PenaltyMethod::node_tangent(Index node, const NodeLinearisation& linear,
-                                                      const NodalLoads& loads, const VectorXd& /*weights*/,
-                                                      double dt) const {
-  std::vector<TangentBlock> blocks;
-  ScopedTimer laps(space().effect_times(), effects().scalar_fields());
-  if (effects().traction) {
-    const VectorXd work = laws().traction_penalty(node) * linear.traction_work;
-    if (linear.friction.empty() || !loads.in_contact[node]) {
-      blocks.push_back(traction_block(space(), linear.patch, work * linear.gap_variation.transpose()));
-    } else {
-      const bool slips = loads.slips[node];
-      const Matrix3Xd sliding = slips ? slip_variation(node, linear, loads) : Matrix3Xd();
-      if (slips) add_pressure_block(node, linear, loads, blocks);
-      laps.friction();
-      MatrixXd tangent = work_of_both(work, linear.gap_variation, linear.friction.work,
-                                      slips ? sliding : linear.friction.trial_variation);
-      blocks.push_back(traction_block(space(), linear.patch, std::move(tangent)));
-    }
-    laps.traction();
+void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                         NodeTangent& tangent) const {
+  const double penalty = laws().traction_penalty(node);
+  if (has_load_blocks()) {
+    const Patch rows = linear.patch.of_displacements();
+    tangent.loads.push_back(
+        {{static_cast<int>(node), std::nullopt, rows}, rows, linear.traction_work, linear.gap_variation, penalty});
+    return;
   }
+  const VectorXd work = penalty * linear.traction_work;
+  if (linear.friction.empty() || !loads.in_contact[node]) {
+    tangent.blocks.push_back(traction_block(space(), linear.patch, work * linear.gap_variation.transpose()));
+    return;
+  }
+  ScopedTimer laps(space().effect_times(), effects().scalar_fields());
+  const bool slips = loads.slips[node];
+  const Matrix3Xd sliding = slips ? slip_variation(node, linear, loads) : Matrix3Xd();
+  if (slips) add_pressure_block(node, linear, loads, tangent.blocks);
+  laps.friction();
+  MatrixXd both = work_of_both(work, linear.gap_variation, linear.friction.work,
+                               slips ? sliding : linear.friction.trial_variation);
+  tangent.blocks.push_back(traction_block(space(), linear.patch, std::move(both)));
+  laps.traction();
+}
+
+NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                        const VectorXd& /*weights*/, double dt) const {
+  NodeTangent tangent;
+  if (effects().traction) add_traction_tangent(node, linear, loads, tangent);
   for (Index k = 0; k < linear.patch.fields.count(); ++k) {
     const int field = linear.patch.fields[k];
     if (!loads.exchanges(field, node)) continue;
-    const double factor = dt * laws().flux_penalty(field, node) * loads.flux_area(field, node);
+    const NodeLinearisation::Jump& jump = linear.jumps[k];
     const Patch columns = space().columns_of(linear.patch, field);
-    blocks.push_back({linear.patch.of_field(field, false), columns,
-                      factor * linear.jumps[k].weights * jump_row(linear.jumps[k], columns).transpose()});
-    laps.field(field);
+    VectorXd row = jump_row(jump, columns);
+    tangent.loads.push_back({{static_cast<int>(node), field, columns},
+                             linear.patch.of_field(field, false),
+                             jump.weights,
+                             std::move(row),
+                             dt * laws().flux_penalty(field, node) * loads.flux_area(field, node)});
   }
-  return blocks;
+  return tangent;
 }
 
 }  // namespace mixture_contact

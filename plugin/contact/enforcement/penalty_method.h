@@ -19,10 +19,14 @@ class PenaltyMethod : public EnforcementMethod {
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override { use(patch); }
   void equations(const NodalLoads& /*loads*/, const VectorXd& /*weights*/, double /*dt*/,
                  const AddVector& /*add*/) const override {}
-  std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                         const VectorXd& weights, double dt) const override;
+  /// Friction is no scalar, and the symmetric part of a product is none.
+  bool has_load_blocks() const override { return !effects().may_rub() && !space().symmetric(); }
+  NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                           const VectorXd& weights, double dt) const override;
 
  private:
+  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                            NodeTangent& tangent) const;
   /// dt_T/du of a node that slides, at fixed pressures.
   Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
   /// Adds the variation of its friction with the pressures of the fluid.

@@ -159,15 +159,14 @@ void UnknownMultipliers::add_flux_tangent(int field, Index node, const NodeLinea
   }
 }
 
-std::vector<TangentBlock> UnknownMultipliers::node_tangent(Index node, const NodeLinearisation& linear,
-                                                           const NodalLoads& loads, const VectorXd& weights,
-                                                           double dt) const {
-  std::vector<TangentBlock> blocks;
-  if (effects().traction) add_traction_tangent(node, linear, loads, weights, blocks);
+NodeTangent UnknownMultipliers::node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                             const VectorXd& weights, double dt) const {
+  NodeTangent tangent;
+  if (effects().traction) add_traction_tangent(node, linear, loads, weights, tangent.blocks);
   for (int field = 0; field < effects().scalar_fields(); ++field) {
-    add_flux_tangent(field, node, linear, loads, weights, dt, blocks);
+    add_flux_tangent(field, node, linear, loads, weights, dt, tangent.blocks);
   }
-  return blocks;
+  return tangent;
 }
 
 }  // namespace mixture_contact

@@ -19,8 +19,9 @@ class UnknownMultipliers : public EnforcementMethod {
   /// Each node with the multipliers alone: loads are unknowns, which no displacement or field changes.
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override;
   void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const override;
-  std::vector<TangentBlock> node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                         const VectorXd& weights, double dt) const override;
+  bool has_load_blocks() const override { return false; }
+  NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                           const VectorXd& weights, double dt) const override;
 
  private:
   ConditionValue traction_condition(Index node, const NodalLoads& loads) const;

@@ -198,21 +198,29 @@ void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt,
   }
 }
 
-void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
+void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
+                               const AddLoadTangent& add_load) const {
   TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
-    pass.integral->tangent(seen_from(pass.side, fields), dt, [&](const TangentBlock& block) {
+    TangentParts parts;
+    parts.block = [&](const TangentBlock& block) {
       timed.in_host(block.rows, [&] { add({pass.side, block.rows}, {pass.side, block.columns}, block.values); });
-    });
+    };
+    if (add_load)
+      parts.load = [&](const LoadBlock& load) { timed.in_host(load.rows, [&] { add_load(pass.side, load); }); };
+    pass.integral->tangent(seen_from(pass.side, fields), dt, parts);
     timed.take(pass.integral->space().effect_times(), thread_count());
   }
 }
 
-void ContactInterface::for_each_coupling(const std::function<void(const Location&)>& use) const {
+void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load) const {
   TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
-    pass.integral->for_each_coupling(
-        [&](const Patch& patch) { timed.in_host(patch, [&] { use({pass.side, patch}); }); });
+    Couplings couplings;
+    couplings.patch = [&](const Patch& patch) { timed.in_host(patch, [&] { use({pass.side, patch}); }); };
+    if (use_load)
+      couplings.load = [&](const LoadPlace& load) { timed.in_host(load.columns, [&] { use_load(pass.side, load); }); };
+    pass.integral->for_each_coupling(couplings);
   }
 }
 
@@ -221,7 +229,7 @@ GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields())};
   for (const SidedPass& pass : passes_) {
     // Beside unknown multipliers penalties leave gaps of their own, which no augmentation closes.
-    if (settings_.enforcement != pass.integral->enforcement()) continue;
+    if (pass.integral->space().has_unknown_multipliers() != this->pass(0).space().has_unknown_multipliers()) continue;
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     keep_worst(worst.traction, report.traction);
     keep_worst(worst.slip, report.slip);

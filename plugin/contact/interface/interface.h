@@ -20,6 +20,9 @@ class ContactInterface {
   };
   using AddResidual = std::function<void(const Location&, const VectorXd&)>;
   using AddTangent = std::function<void(const Location& rows, const Location& columns, const MatrixXd&)>;
+  using AddLoadTangent = std::function<void(Side first, const LoadBlock&)>;
+  using UseLocation = std::function<void(const Location&)>;
+  using UseLoadPlace = std::function<void(Side first, const LoadPlace&)>;
 
   /// Throws std::invalid_argument for two passes with unknown multipliers: twice as many conditions as can be met.
   ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings);
@@ -51,9 +54,11 @@ class ContactInterface {
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const;
-  /// The patches that tangent() would fill with the present status.
-  void for_each_coupling(const std::function<void(const Location&)>& use) const;
+  /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
+  void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
+               const AddLoadTangent& add_load = {}) const;
+  /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`.
+  void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}) const;
 
   /// Takes a state over as that which the next step begins with: its tractions, which nodes are flux-coupled, and with
   /// friction the positions that slips are measured from; then iterations end with it, too. The step took dt [s].

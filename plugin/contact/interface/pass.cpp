@@ -11,7 +11,6 @@ namespace mixture_contact {
 ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                          const Settings& settings)
     : effects_(effects),
-      settings_(settings),
       space_(primary, secondary, effects, settings),
       laws_(primary, secondary, effects, settings),
       active_set_(laws_),
@@ -76,7 +75,7 @@ void ContactPass::residual(const FacingFields& fields, double dt, const AddVecto
   geometry_->residual(fields, dt, add);
 }
 
-void ContactPass::tangent(const FacingFields& fields, double dt, const AddBlock& add) const {
+void ContactPass::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
   geometry_->tangent(fields, dt, add);
 }
 

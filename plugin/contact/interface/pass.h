@@ -89,16 +89,16 @@ class ContactPass {
 
   /// Tangent (2.6), effect by effect: the geometric part per pair of facets that carries load, and per node in contact
   /// the part of its laws, which couples all nodes that its averages are taken over.
-  void tangent(const FacingFields& fields, double dt, const AddBlock& add) const;
+  void tangent(const FacingFields& fields, double dt, const TangentParts& add) const;
 
   /// The patches that tangent() would fill: what a matrix profile has to hold.
-  void for_each_coupling(const UsePatch& use) const { geometry_->for_each_coupling(use); }
+  void for_each_coupling(const Couplings& use) const { geometry_->for_each_coupling(use); }
+
+  /// Whether the tangents of nodes come as load blocks to those who take them.
+  bool has_load_blocks() const { return method_->has_load_blocks(); }
 
   /// Which primary nodes are in contact and flux-coupled by it; the others have the ambient values.
   NodeFlags flux_coupled() const { return geometry_->flux_coupled(); }
-
-  /// How the conditions are enforced. Unknown multipliers have an equation each in residual() and tangent().
-  Enforcement enforcement() const { return settings_.enforcement; }
 
   const MortarSpace& space() const { return space_; }
   /// The pairs of facets that face each other, with their integration points.
@@ -114,7 +114,6 @@ class ContactPass {
   std::unique_ptr<ContactGeometry> geometry();
 
   const Effects& effects_;
-  const Settings& settings_;
   MortarSpace space_;
   NodalLaws laws_;
   ActiveSet active_set_;

@@ -46,11 +46,6 @@ struct AtFixedStatus {
   }
 };
 
-VectorXd random_values(Index size, double low, double high, std::mt19937& random) {
-  std::uniform_real_distribution<double> value(low, high);
-  return VectorXd::NullaryExpr(size, [&] { return value(random); });
-}
-
 /// Relative error of the tangent of a facet's contact with what it faces, fields and multipliers at random.
 double tangent_error(Scene scene, std::mt19937& random) {
   scene.disturb(0.02, random);

@@ -60,6 +60,7 @@ class FakeHelper : public newton::Helper {
     return false;
   }
   bool rejects() override { return std::exchange(too_short, false); }
+  bool multiplies_by_matrix() const override { return multiplies; }
   bool will_predict() const override { return predicted; }
   bool predict(const std::function<void()>& arrived) override {
     if (on_prediction) on_prediction();
@@ -71,6 +72,7 @@ class FakeHelper : public newton::Helper {
 
   bool too_short = false;
   bool predicted = false;
+  bool multiplies = false;
   std::function<void()> on_prediction;
 
  private:
@@ -402,6 +404,13 @@ BOOST_AUTO_TEST_CASE(contacts_that_hold_the_same_nodes_do_not_look_ahead) {
   host.steps.reset_rounds();
   host.start_step();
   BOOST_TEST(host.contacts[0]->looked_ahead);
+}
+
+BOOST_AUTO_TEST_CASE(matrices_have_no_further_unknowns_where_a_helper_multiplies_by_them) {
+  FakeHost host(1);
+  BOOST_TEST(host.steps.allow_further_unknowns());
+  host.helper->multiplies = true;
+  BOOST_TEST(!host.steps.allow_further_unknowns());
 }
 
 BOOST_AUTO_TEST_CASE(contacts_do_not_look_ahead_where_a_predictor_does) {

@@ -33,3 +33,9 @@ BOOST_AUTO_TEST_CASE(iterative_solvers_are_told_from_multipliers) {
     BOOST_TEST(linear_solver_complaint(type, multipliers).find("LAGMULT") != std::string::npos);
   }
 }
+
+BOOST_AUTO_TEST_CASE(mixed_forms_are_for_solvers_that_scale_the_matrix) {
+  BOOST_TEST(takes_mixed_form("pardiso"));
+  for (const char* type : {"mkl_dss", "superlu_mt", "skyline", "cg", "fgmres", "hypre_gmres"})
+    BOOST_TEST(!takes_mixed_form(type));
+}

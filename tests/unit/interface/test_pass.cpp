@@ -29,7 +29,7 @@ void residual_of(const ContactPass& pass, const Scene& scene,
 }
 
 void tangent_of(const ContactPass& pass, const Scene& scene, const std::function<void(const TangentBlock&)>& use) {
-  pass.tangent(seen_from(Side::primary, scene.fields), dt, use);
+  pass.tangent(seen_from(Side::primary, scene.fields), dt, {use, {}});
 }
 
 /// Number of integration points that see the other surface.
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(residuals_come_once_per_pair_of_facets_and_tangents_within_
   BOOST_TEST(loaded.size() > 9U);
   std::set<std::pair<Unknown, Unknown>> profile;
   std::set<std::pair<Unknown, Unknown>> filled;
-  pass.for_each_coupling([&](const Patch& patch) { add_couplings(profile, patch, patch); });
+  pass.for_each_coupling({[&](const Patch& patch) { add_couplings(profile, patch, patch); }, {}});
   tangent_of(pass, scene, [&](const TangentBlock& block) {
     BOOST_TEST(block.values.rows() == block.rows.layout().size());
     BOOST_TEST(block.values.cols() == block.columns.layout().size());

@@ -1,0 +1,31 @@
+/// Loads at nodes as unknowns of the linear system alone.
+///
+/// A load that follows what it depends on couples all nodes around its own with each other: its part of the tangent is
+/// a product of two vectors, work factor variation^T. With the change of the load as one more unknown z the same
+/// equations read, in mixed form,
+///
+///     | T       column   | | du |   | r |
+///     | row^T   diagonal | | z  | = | 0 |
+///
+/// and hold two vectors in place of their product. Eliminating z gives T + work factor variation^T, so that du is the
+/// same.
+#pragma once
+
+#include "contact/base/patch.h"
+
+/// What a load adds to the tangent in mixed form.
+struct MixedForm {
+  mixture_contact::VectorXd column;  ///< by z, of the size of LoadBlock::work
+  mixture_contact::VectorXd row;     ///< of the equation of z, of the size of LoadBlock::variation; of length 1
+  double diagonal = 0;
+};
+
+/// z is in units of du, and so small beside it that the norms of increments which a solver tests for convergence are
+/// those without z: its square is lost in the rounding of theirs.
+inline constexpr double load_unknown_scale = 1e-9;
+
+/// Whether a load has a mixed form: none does that depends on nothing.
+inline bool has_mixed_form(const mixture_contact::LoadBlock& load) { return load.variation.squaredNorm() != 0; }
+
+/// The mixed form of a load that has one.
+MixedForm mixed_form(const mixture_contact::LoadBlock& load);
