@@ -40,9 +40,9 @@ MODELS: Mapping[str, Callable[[str], Model]] = {"diffusion": _diffusion, "creep"
 """Models by enforcement: two cubes through which a solute diffuses (3.1), a biphasic layer under a load."""
 
 
-def write(model: Model, solver: Solver, folder: Path) -> Path:
-    """Write the model with this solver."""
-    root = etree.fromstring(model.text().encode("iso-8859-1"))
+def write(model: str, solver: Solver, folder: Path) -> Path:
+    """Write the text of a model with this solver."""
+    root = etree.fromstring(model.encode("iso-8859-1"))
     for tag in root.iter("solver"):
         chosen = etree.SubElement(tag, "linear_solver", type=solver.type)
         if solver.preconditioner:
@@ -79,7 +79,7 @@ def trials(
 
 def _run(model: Model, solver: Solver, folder: Path) -> tuple[engine.Run, np.ndarray | None]:
     """A run, and its last state where it ended normally."""
-    path = write(model, solver, folder)
+    path = write(model.text(), solver, folder)
     command = engine.command(path, engine.required_plugin())
     run = engine.execute(command, folder, check=False, timeout=TIMEOUT)
     if not run.report.normal:
