@@ -20,6 +20,7 @@ using mixture_contact::Side;
 void DofMap::init() {
   front_ = face_dofs({"x", "y", "z"}, "p", "concentration");
   back_ = face_dofs({"sx", "sy", "sz"}, "q", "shell concentration");
+  rotations_ = {fem_.GetDOFIndex("Ru"), fem_.GetDOFIndex("Rv"), fem_.GetDOFIndex("Rw")};
   concentrations_ = std::max(0, fem_.GetDOFS().GetVariableSize("concentration"));
 }
 
@@ -40,6 +41,7 @@ void DofMap::number_multipliers(int first) {
 
 void DofMap::serialize(DumpStream& ar) {
   ar & concentrations_ & first_multiplier_ & multiplier_node_;
+  for (int& dof : rotations_) ar & dof;
   for (FaceDofs* face : {&front_, &back_}) {
     ar & face->pressure & face->concentration;
     for (int& dof : face->displacements) ar & dof;
@@ -122,9 +124,8 @@ std::vector<int> DofMap::equations(const ContactInterface& core, const Location&
 }
 
 void DofMap::add_rotations(const std::vector<int>& nodes, std::vector<int>& ids) const {
-  const std::array<int, 3> rotation{fem_.GetDOFIndex("Ru"), fem_.GetDOFIndex("Rv"), fem_.GetDOFIndex("Rw")};
   for (const int node : nodes) {
-    for (const int dof : rotation) {
+    for (const int dof : rotations_) {
       if (dof >= 0) ids.push_back(mixture_contact::at(node_equations(node), dof));
     }
   }

@@ -72,6 +72,7 @@ class DofMap {
   ContactSurfaces& surfaces_;
   FaceDofs front_;
   FaceDofs back_;
+  std::array<int, 3> rotations_{-1, -1, -1};
   int concentrations_ = 0;     ///< number of solutes in the model
   int first_multiplier_ = -1;  ///< equation; the others follow
   /// Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out

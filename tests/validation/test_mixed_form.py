@@ -76,9 +76,7 @@ def test_iterations_are_those_with_products_in_the_matrix(runner, tmp_path, name
 
 def test_prescribed_increments_of_nodes_in_contact_count_as_they_do_with_products(runner, tmp_path):
     text = (MODELS / "two-blocks.feb").read_text()
-    pushed = (
-        '<bc node_set="edge" type="prescribed displacement"><dof>z</dof><value lc="1">-0.06</value></bc></Boundary>'
-    )
+    pushed = '<bc node_set="edge" type="prescribed displacement"><dof>z</dof><value lc="1">-0.06</value></bc>'
     for old, new in (
         ('<solver type="CG-solid">', '<solver type="solid">'),
         ('<NodeSet name="bot_bot">', '<NodeSet name="edge">28,31,34</NodeSet><NodeSet name="bot_bot">'),
@@ -87,6 +85,16 @@ def test_prescribed_increments_of_nodes_in_contact_count_as_they_do_with_product
         assert old in text
         text = text.replace(old, new)
     _assert_same_iterations(text, tmp_path)
+
+
+def test_a_matrix_of_symmetric_structure_holds_products(runner, tmp_path):
+    text = BallInSocket(elements=4, steps=2, slides=False).model().text()
+    tag = "<symmetric_stiffness>{}</symmetric_stiffness>"
+    structure = text.replace(tag.format("non-symmetric"), tag.format("symmetric structure"))
+    assert structure != text
+    (mixed, one), (products, two) = (_run(each, MIXED, tmp_path / str(n)) for n, each in enumerate((text, structure)))
+    assert mixed == products
+    assert min(_equations(one)) > max(_equations(two))
 
 
 @pytest.mark.parametrize(
