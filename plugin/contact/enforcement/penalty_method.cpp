@@ -66,7 +66,7 @@ void PenaltyMethod::add_pressure_block(Index node, const NodeLinearisation& line
 }
 
 void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                         NodeTangent& tangent) const {
+                                         ScopedTimer& laps, NodeTangent& tangent) const {
   const double penalty = laws().traction_penalty(node);
   if (has_load_blocks()) {
     const Patch rows = linear.patch.of_displacements();
@@ -79,7 +79,6 @@ void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& li
     tangent.blocks.push_back(traction_block(space(), linear.patch, work * linear.gap_variation.transpose()));
     return;
   }
-  ScopedTimer laps(space().effect_times(), effects().scalar_fields());
   const bool slips = loads.slips[node];
   const Matrix3Xd sliding = slips ? slip_variation(node, linear, loads) : Matrix3Xd();
   if (slips) add_pressure_block(node, linear, loads, tangent.blocks);
@@ -87,13 +86,16 @@ void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& li
   MatrixXd both = work_of_both(work, linear.gap_variation, linear.friction.work,
                                slips ? sliding : linear.friction.trial_variation);
   tangent.blocks.push_back(traction_block(space(), linear.patch, std::move(both)));
-  laps.traction();
 }
 
 NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                         const VectorXd& /*weights*/, double dt) const {
   NodeTangent tangent;
-  if (effects().traction) add_traction_tangent(node, linear, loads, tangent);
+  ScopedTimer laps(space().effect_times(), effects().scalar_fields());
+  if (effects().traction) {
+    add_traction_tangent(node, linear, loads, laps, tangent);
+    laps.traction();
+  }
   for (Index k = 0; k < linear.patch.fields.count(); ++k) {
     const int field = linear.patch.fields[k];
     if (!loads.exchanges(field, node)) continue;
@@ -105,6 +107,7 @@ NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& lin
                              jump.weights,
                              std::move(row),
                              dt * laws().flux_penalty(field, node) * loads.flux_area(field, node)});
+    laps.field(field);
   }
   return tangent;
 }

@@ -25,7 +25,7 @@ class PenaltyMethod : public EnforcementMethod {
                            const VectorXd& weights, double dt) const override;
 
  private:
-  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, ScopedTimer& laps,
                             NodeTangent& tangent) const;
   /// dt_T/du of a node that slides, at fixed pressures.
   Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
