@@ -12,11 +12,11 @@ using namespace mixture_contact;
 
 void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_load) const {
   const ContactInterface& core = contact_.core();
-  core.for_each_coupling([&](const Location& place) { use_block(dofs_.coupled(core, place)); },
+  const NodeEquations equations(dofs_, surfaces_, core);
+  core.for_each_coupling([&](const Location& place) { use_block(equations.coupled(place)); },
                          [&](Side first, const LoadPlace& load) {
-                           const Location columns{first, load.columns};
-                           const int own = loads_.of(core, first, load);
-                           const std::vector<int> others = dofs_.coupled(core, columns);
+                           const int own = loads_.of(equations, core, first, load);
+                           const std::vector<int> others = equations.coupled({first, load.columns});
                            if (own >= 0) {
                              use_load(own, others);
                            } else {
@@ -53,10 +53,10 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained) {
   blocks.insert_into(profile);
 }
 
-ContactInterface::AddResidual Assembly::adder(FEGlobalVector& residual) const {
-  return [this, &residual](const ContactInterface::Location& place, const VectorXd& values) {
-    std::vector<int> nodes = dofs_.nodes(place);
-    std::vector<int> ids = dofs_.equations(contact_.core(), place, nodes);
+ContactInterface::AddResidual Assembly::adder(const NodeEquations& equations, FEGlobalVector& residual) {
+  return [&](const Location& place, const VectorXd& values) {
+    std::vector<int> nodes = equations.nodes(place);
+    std::vector<int> ids = equations.equations(place);
     std::vector<double> entries(values.data(), values.data() + values.size());
     residual.Assemble(nodes, ids, entries);
   };
@@ -67,24 +67,26 @@ void Assembly::residual(FEGlobalVector& residual, double dt) const {
   const TaskClock timed = core.measurements().clock(Task::residual);
   const PerSide<SurfaceFields> fields = contact_.fields();
   const RigidShellBottoms arms(surfaces_);
-  core.residual(fields, dt, adder(residual));
+  core.residual(fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
 void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {
   const PerSide<SurfaceFields> fields = contact_.fields();
   const RigidShellBottoms arms(surfaces_);
-  mixture_contact::residual_ahead(contact_.core(), fields, dt, adder(residual));
+  const ContactInterface& core = contact_.core();
+  mixture_contact::residual_ahead(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
 void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) const {
   const ContactInterface& core = contact_.core();
-  const TaskClock timed = core.measurements().clock(Task::stiffness);
+  TaskClock timed = core.measurements().clock(Task::stiffness);
   const PerSide<SurfaceFields> fields = contact_.fields();
   const RigidShellBottoms arms(surfaces_);
-  TangentAssembly parts(core, dofs_, loads_, system, matrix, is_constrained);
+  const NodeEquations equations(dofs_, surfaces_, core);
+  TangentAssembly parts(core, equations, loads_, system, matrix, is_constrained);
   core.tangent(
       fields, dt,
       [&](const Location& rows, const Location& columns, const MatrixXd& values) { parts.add(rows, columns, values); },
       [&](Side first, const LoadBlock& load) { parts.add_load(first, load); });
-  parts.close_unused_equations();
+  parts.finish(timed);
 }

@@ -35,8 +35,8 @@ class Assembly {
   using UseLoad = std::function<void(int own, const std::vector<int>& others)>;
   void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load) const;
   Fingerprint couplings() const;
-  /// Adds parts of residuals to a vector.
-  mixture_contact::ContactInterface::AddResidual adder(FEGlobalVector& residual) const;
+  /// Adds parts of residuals to a vector. Keeps references.
+  static mixture_contact::ContactInterface::AddResidual adder(const NodeEquations& equations, FEGlobalVector& residual);
 
   const BoundContact& contact_;
   ContactSurfaces& surfaces_;

@@ -1,4 +1,4 @@
-/// Which of FEBio's degrees of freedom and equations the unknowns of a contact are.
+/// Which of FEBio's degrees of freedom the unknowns of a contact are.
 #pragma once
 
 #include "contact_surfaces.h"
@@ -36,22 +36,14 @@ class DofMap {
   /// Whether a surface has a node with an equation of its own.
   bool has_free_node(Side side) const;
 
-  using Location = mixture_contact::ContactInterface::Location;
-  /// The nodes of the mesh whose blocks make up a local vector.
-  std::vector<int> nodes(const Location& at) const;
-  /// The equation of each entry of a local vector, given its nodes.
-  std::vector<int> equations(const mixture_contact::ContactInterface& core, const Location& at,
-                             const std::vector<int>& nodes) const;
-  /// Equations that stand in one block of the matrix.
-  std::vector<int> coupled(const mixture_contact::ContactInterface& core, const Location& at) const;
-  /// Whether some nodes belong to rigid bodies, from which they have their equations.
-  bool are_rigid(const std::vector<int>& nodes) const;
-  /// Whether equations that nodes have are their own: none is prescribed, none comes from a rigid body.
-  bool are_free(const std::vector<int>& nodes, const std::vector<int>& equations) const {
-    return !are_prescribed(equations) && !are_rigid(nodes);
-  }
-  /// Whether some equations stand for prescribed values.
-  static bool are_prescribed(const std::vector<int>& equations);
+  /// Those that forces on a node act on.
+  const std::array<int, 3>& displacements(Side side, const FENode& node) const;
+  /// Of rigid bodies, as their nodes have them.
+  const std::array<int, 3>& rotations() const { return rotations_; }
+  /// A node of the mesh that stands for the block of multipliers.
+  int multiplier_node() const { return multiplier_node_; }
+  /// Equations of some degrees of freedom at a node; -1 for those that the model does not have.
+  static std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& dofs);
 
  private:
   /// Degrees of freedom of a node: those of its position, or those of the back face of a shell.
@@ -63,10 +55,6 @@ class DofMap {
   const FaceDofs& of_face(Side side) const { return surfaces_[side].has_shell_bottoms() ? back_ : front_; }
   FaceDofs face_dofs(const std::array<const char*, 3>& displacements, const char* pressure,
                      const char* concentration) const;
-  const std::array<int, 3>& displacements_of(Side side, int node) const;
-  void add_multipliers(const mixture_contact::ContactInterface& core, const Location& at, std::vector<int>& ids) const;
-  void add_rotations(const std::vector<int>& nodes, std::vector<int>& ids) const;
-  const std::vector<int>& node_equations(int node) const;
 
   FEModel& fem_;
   ContactSurfaces& surfaces_;

@@ -27,9 +27,10 @@ int LoadEquations::number(int first, const ContactInterface& core, PerSide<bool>
   return count_;
 }
 
-int LoadEquations::of(const ContactInterface& core, Side surface, const LoadPlace& load) const {
+int LoadEquations::of(const NodeEquations& equations, const ContactInterface& core, Side surface,
+                      const LoadPlace& load) const {
   const int start = start_[surface];
-  if (start < 0 || dofs_.are_rigid(dofs_.nodes({surface, load.columns}))) return -1;
+  if (start < 0 || equations.are_rigid({surface, load.columns})) return -1;
   const MultiplierLayout order = layout(core, surface);
   return start + indexing::as_int(load.field ? order.flux(load.node, *load.field) : order.traction(load.node));
 }

@@ -3,26 +3,24 @@
 /// Their unknowns serve the linear solver alone: the loads themselves follow from displacements and fields.
 #pragma once
 
-#include "dof_map.h"
+#include "node_equations.h"
 
 class LoadEquations {
  public:
   using Side = mixture_contact::Side;
 
-  explicit LoadEquations(const DofMap& dofs) : dofs_(dofs) {}
-
   /// Takes equations for the loads of these surfaces' nodes from this number on. Returns how many.
   int number(int first, const mixture_contact::ContactInterface& core, mixture_contact::PerSide<bool> surfaces);
   /// The equation of a load; -1 where it has none, and is no part of a mixed form: on a surface that took no equations,
   /// and where the load depends on a rigid body, whose equations FEBio brings in by blocks of nodes.
-  int of(const mixture_contact::ContactInterface& core, Side surface, const mixture_contact::LoadPlace& load) const;
+  int of(const NodeEquations& equations, const mixture_contact::ContactInterface& core, Side surface,
+         const mixture_contact::LoadPlace& load) const;
   /// The first of all.
   int first() const { return first_; }
   int count() const { return count_; }
   void serialize(DumpStream& ar);
 
  private:
-  const DofMap& dofs_;
   int first_ = 0;
   int count_ = 0;
   mixture_contact::PerSide<int> start_{{-1, -1}};  ///< the first of a surface; -1 where it has none

@@ -1,5 +1,7 @@
 #include "matrix_profile.h"
 
+#include "contact/base/parallel.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -39,6 +41,17 @@ RowIntervals merged(const RowIntervals& one, const RowIntervals& two) {
   return joined(both);
 }
 
+/// The rows of equations in any order.
+RowIntervals intervals_of(std::vector<int> equations) {
+  std::sort(equations.begin(), equations.end());
+  RowIntervals rows;
+  for (const int equation : equations) {
+    if (rows.empty() || equation > rows.back().end + 1) rows.push_back({equation, equation});
+    rows.back().end = equation;
+  }
+  return rows;
+}
+
 }  // namespace
 
 RowIntervals united(RowIntervals intervals) {
@@ -46,50 +59,76 @@ RowIntervals united(RowIntervals intervals) {
   return joined(intervals);
 }
 
-RowIntervals CoupledBlocks::in_matrix(const std::vector<int>& equations) const {
-  RowIntervals rows;
+std::vector<int> CoupledBlocks::in_matrix(const std::vector<int>& equations) const {
+  std::vector<int> found;
+  found.reserve(equations.size());
   for (const int equation : equations) {
     if (equation < 0) continue;
     if (equation >= blocks_of_.count())
       throw std::out_of_range("equation " + std::to_string(equation) + " of " + std::to_string(blocks_of_.count()));
-    rows.push_back({equation, equation});
+    found.push_back(equation);
   }
-  return united(std::move(rows));
+  return found;
 }
 
-void CoupledBlocks::add(const RowIntervals& columns, RowIntervals rows) {
-  for (const Interval& interval : columns) {
-    for (int column = interval.start; column <= interval.end; ++column) blocks_of_[column].push_back(blocks_.count());
+void CoupledBlocks::add(const std::vector<int>& columns, std::vector<int> rows) {
+  const Index block = blocks_.count();
+  for (const int column : columns) {
+    std::vector<Index>& present = blocks_of_[column];
+    if (present.empty() || present.back() != block) present.push_back(block);  // nodes of one body share equations
   }
   blocks_.push_back(std::move(rows));
 }
 
 void CoupledBlocks::add(const std::vector<int>& equations) {
-  const RowIntervals all = in_matrix(equations);
+  const std::vector<int> all = in_matrix(equations);
   add(all, all);
 }
 
 void CoupledBlocks::add_star(int centre, const std::vector<int>& equations) {
-  const RowIntervals own = in_matrix({centre});
-  RowIntervals others = in_matrix(equations);
+  const std::vector<int> own = in_matrix({centre});
+  std::vector<int> others = in_matrix(equations);
   add(others, own);
-  others.insert(others.end(), own.begin(), own.end());
-  add(own, united(std::move(others)));
+  others.push_back(centre);
+  add(own, std::move(others));
+}
+
+IndexedVector<CoupledBlocks::Columns> CoupledBlocks::alike() const {
+  IndexedVector<Columns> found;
+  for (Index column = 0; column < blocks_of_.count(); ++column) {
+    if (blocks_of_[column].empty()) continue;
+    const bool goes_on = !found.empty() && found.back().end == column && blocks_of_[column] == blocks_of_[column - 1];
+    if (!goes_on) found.push_back({column, column});
+    ++found.back().end;
+  }
+  return found;
 }
 
 void CoupledBlocks::insert_into(SparseMatrixProfile& profile) const {
-  RowIntervals rows;
-  for (Index column = 0; column < blocks_of_.count(); ++column) {
-    const std::vector<Index>& blocks = blocks_of_[column];
-    if (blocks.empty()) continue;
-    if (column == 0 || blocks != blocks_of_[column - 1]) {  // columns of one node mostly stand in the same blocks
-      rows.clear();
-      for (const Index block : blocks) rows.insert(rows.end(), blocks_[block].begin(), blocks_[block].end());
-      rows = united(std::move(rows));
+  const IndexedVector<Columns> columns = alike();
+  IndexedVector<RowIntervals> rows_of_block(blocks_.count());
+  in_parallel(blocks_.count(), [&](Index block) { rows_of_block[block] = intervals_of(blocks_[block]); });
+  const auto rows_of = [&](Index column) {
+    RowIntervals rows;
+    for (const Index block : blocks_of_[column])
+      rows.insert(rows.end(), rows_of_block[block].begin(), rows_of_block[block].end());
+    return united(std::move(rows));
+  };
+  const auto column_of_profile = [&](Index column) -> SparseMatrixProfile::ColumnProfile& {
+    return profile.Column(indexing::as_int(column));
+  };
+  const auto united_with_present = [&](Index n) {
+    const RowIntervals rows = rows_of(columns[n].first);
+    IndexedVector<RowIntervals> all;
+    for (Index column = columns[n].first; column < columns[n].end; ++column)
+      all.push_back(merged(intervals_of(column_of_profile(column)), rows));
+    return all;
+  };
+  in_order(columns.count(), united_with_present, [&](Index n, const IndexedVector<RowIntervals>& all) {
+    for (Index i = 0; i < all.count(); ++i) {
+      SparseMatrixProfile::ColumnProfile& present = column_of_profile(columns[n].first + i);
+      present.clear();
+      for (const Interval& interval : all[i]) present.push_back(interval.start, interval.end);
     }
-    SparseMatrixProfile::ColumnProfile& present = profile.Column(static_cast<int>(column));
-    const RowIntervals all = merged(intervals_of(present), rows);
-    present.clear();
-    for (const Interval& interval : all) present.push_back(interval.start, interval.end);
-  }
+  });
 }

@@ -31,11 +31,17 @@ class CoupledBlocks {
   void insert_into(SparseMatrixProfile& profile) const;
 
  private:
-  /// Adds rows to columns.
-  void add(const RowIntervals& columns, RowIntervals rows);
+  /// Columns that follow each other and stand in the same blocks, as those of one node mostly do.
+  struct Columns {
+    mixture_contact::Index first;
+    mixture_contact::Index end;
+  };
+  mixture_contact::IndexedVector<Columns> alike() const;
+  /// Adds rows to columns; either may hold an equation more than once.
+  void add(const std::vector<int>& columns, std::vector<int> rows);
   /// Those equations that are in the matrix.
-  RowIntervals in_matrix(const std::vector<int>& equations) const;
+  std::vector<int> in_matrix(const std::vector<int>& equations) const;
 
-  mixture_contact::IndexedVector<RowIntervals> blocks_;
+  mixture_contact::IndexedVector<std::vector<int>> blocks_;                        ///< rows, in any order
   mixture_contact::IndexedVector<std::vector<mixture_contact::Index>> blocks_of_;  ///< per column, ascending
 };

@@ -1,5 +1,7 @@
 #include "matrix_rows.h"
 
+#include "contact/base/parallel.h"
+
 #include <FECore/CompactUnSymmMatrix.h>
 #include <FECore/FEGlobalMatrix.h>
 
@@ -53,21 +55,37 @@ void find_places(const Row& row, const std::vector<Column>& order, int offset, s
   }
 }
 
+/// Takes over the rows of a block that `is_own` tells.
+template <class IsOwn>
+void subtract_rows(CRSSparseMatrix& matrix, const MatrixBlock& block, const std::vector<Column>& order,
+                   const IsOwn& is_own) {
+  std::vector<int> places(order.size(), 0);
+  Row last;  // the next one mostly has the same columns: it is of the same node
+  for (std::size_t i = 0; i < block.rows.size(); ++i) {
+    if (block.rows[i] < 0 || !is_own(block.rows[i])) continue;
+    const Row row = row_of(matrix, block.rows[i]);
+    if (!row.has_columns_of(last)) find_places(row, order, matrix.Offset(), places);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      row.values[places[k]] -= block.values(static_cast<Index>(i), order[k].second);
+    }
+    last = row;
+  }
+}
+
+/// Rows that follow each other and are one thread's: those of several nodes, which mostly lie together in memory.
+constexpr int rows_together = 64;
+
 }  // namespace
 
 MatrixRows::MatrixRows(FEGlobalMatrix& matrix) : rows_(dynamic_cast<CRSSparseMatrix*>(matrix.GetSparseMatrixPtr())) {}
 
-void MatrixRows::subtract(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& block) const {
-  const std::vector<Column> order = ascending(columns);
-  std::vector<int> places(order.size(), 0);
-  Row last;  // the next one mostly has the same columns: it is of the same node
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i] < 0) continue;
-    const Row row = row_of(*rows_, rows[i]);
-    if (!row.has_columns_of(last)) find_places(row, order, rows_->Offset(), places);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      row.values[places[k]] -= block(static_cast<Index>(i), order[k].second);
-    }
-    last = row;
-  }
+void MatrixRows::subtract(const IndexedVector<MatrixBlock>& blocks) const {
+  if (blocks.empty()) return;
+  IndexedVector<std::vector<Column>> orders(blocks.count());
+  in_parallel(blocks.count(), [&](Index n) { orders[n] = ascending(blocks[n].columns); });
+  const int threads = thread_count();
+  in_parallel<1>(threads, [&](Index thread) {
+    const auto is_own = [&](int row) { return row / rows_together % threads == thread; };
+    for (Index n = 0; n < blocks.count(); ++n) subtract_rows(*rows_, blocks[n], orders[n], is_own);
+  });
 }

@@ -4,12 +4,20 @@
 /// ascending: with those of the block in the same order one walk along the row meets all of them.
 #pragma once
 
-#include "contact/base/types.h"
+#include "contact/base/indexed_vector.h"
 
+#include <utility>
 #include <vector>
 
 class CRSSparseMatrix;
 class FEGlobalMatrix;
+
+/// A dense block and its place in the matrix. Rows and columns with the equation -1 are left out.
+struct MatrixBlock {
+  std::vector<int> rows;     ///< equations
+  std::vector<int> columns;  ///< equations
+  mixture_contact::MatrixXd values;
+};
 
 class MatrixRows {
  public:
@@ -18,10 +26,9 @@ class MatrixRows {
 
   explicit operator bool() const { return rows_ != nullptr; }
 
-  /// Subtracts a block of (rows, columns) from the matrix, whose profile holds these places. Rows and columns with the
-  /// equation -1 are left out.
-  void subtract(const std::vector<int>& rows, const std::vector<int>& columns,
-                const mixture_contact::MatrixXd& block) const;
+  /// Subtracts blocks from the matrix, whose profile holds their places. Threads share the rows of the matrix: each row
+  /// takes what is its own in the order of the blocks, so that sums do not depend on how many threads there are.
+  void subtract(const mixture_contact::IndexedVector<MatrixBlock>& blocks) const;
 
  private:
   CRSSparseMatrix* rows_;

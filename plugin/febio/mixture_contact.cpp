@@ -72,7 +72,6 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       log_(*this),
       surfaces_(*fem, *this),
       dofs_(*fem, surfaces_),
-      loads_(dofs_),
       bound_(surfaces_, dofs_, parameters_, log_),
       setup_(*fem, surfaces_, dofs_, parameters_, ambient_concentrations_, log_),
       assembly_(bound_, surfaces_, dofs_, loads_),

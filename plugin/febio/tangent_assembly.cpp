@@ -1,6 +1,6 @@
 #include "tangent_assembly.h"
 
-#include "contact/base/indexed_vector.h"
+#include "contact/base/parallel.h"
 #include "host/mixed_form.h"
 #include "newton/solver.h"
 
@@ -8,6 +8,7 @@
 #include <FECore/FELinearSystem.h>
 
 #include <algorithm>
+#include <utility>
 
 using namespace mixture_contact;
 
@@ -64,6 +65,11 @@ FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const st
   return stiffness;
 }
 
+/// Whether some equations stand for prescribed values.
+bool are_prescribed(const std::vector<int>& equations) {
+  return std::any_of(equations.begin(), equations.end(), [](int equation) { return newton::is_prescribed(equation); });
+}
+
 /// Equations that stand for prescribed values, and none in place of the others.
 std::vector<int> prescribed_alone(std::vector<int> equations) {
   std::replace_if(
@@ -75,10 +81,11 @@ std::vector<int> prescribed_alone(std::vector<int> equations) {
 
 bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained) { return MatrixRows(matrix) && !is_constrained; }
 
-TangentAssembly::TangentAssembly(const ContactInterface& core, const DofMap& dofs, const LoadEquations& loads,
-                                 FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained)
+TangentAssembly::TangentAssembly(const ContactInterface& core, const NodeEquations& equations,
+                                 const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix,
+                                 bool is_constrained)
     : core_(core),
-      dofs_(dofs),
+      equations_(equations),
       loads_(loads),
       system_(system),
       matrix_(matrix),
@@ -88,44 +95,67 @@ TangentAssembly::TangentAssembly(const ContactInterface& core, const DofMap& dof
 
 TangentAssembly::Ids TangentAssembly::ids_of(const Location& rows, const Location& columns) const {
   Ids ids;
-  ids.nodes = dofs_.nodes(columns);
-  ids.columns = dofs_.equations(core_, columns, ids.nodes);
-  ids.rows = have_same_unknowns(rows.patch, columns.patch) ? ids.columns : dofs_.equations(core_, rows, ids.nodes);
+  ids.columns = equations_.equations(columns);
+  ids.rows = have_same_unknowns(rows.patch, columns.patch) ? ids.columns : equations_.equations(rows);
   return ids;
 }
 
-void TangentAssembly::add(const Location& rows, const Location& columns, const MatrixXd& values) const {
-  const Ids ids = ids_of(rows, columns);
+TangentAssembly::Kept& TangentAssembly::kept_of(const Patch& rows) {
+  return kept_[rows.fields.empty() ? std::optional<int>() : rows.fields.front()];
+}
+
+void TangentAssembly::keep(const Patch& rows, MatrixBlock block) {
+  Kept& kept = kept_of(rows);
+  if (kept.blocks.empty()) kept.rows = rows;
+  kept.blocks.push_back(std::move(block));
+  if (kept.blocks.count() == batch_size) take_over(kept);
+}
+
+void TangentAssembly::take_over(Kept& kept) const {
+  rows_.subtract(kept.blocks);
+  kept.blocks.clear();
+}
+
+void TangentAssembly::assemble(const Patch& rows, const FEElementMatrix& block) {
+  take_over(kept_of(rows));
+  system_.Assemble(block);
+}
+
+void TangentAssembly::add(const Location& rows, const Location& columns, const MatrixXd& values) {
+  Ids ids = ids_of(rows, columns);
   // FEBio solves K du = R with K = -dR/du.
-  if (takes_blocks_ && dofs_.are_free(ids.nodes, ids.columns)) {
-    rows_.subtract(ids.rows, ids.columns, values);
+  if (takes_blocks_ && !are_prescribed(ids.columns) && !equations_.are_rigid(columns)) {
+    keep(rows.patch, {std::move(ids.rows), std::move(ids.columns), values});
   } else {
-    system_.Assemble(element_matrix(rows.patch, columns.patch, ids.nodes, ids.rows, ids.columns, values));
+    assemble(rows.patch,
+             element_matrix(rows.patch, columns.patch, equations_.nodes(columns), ids.rows, ids.columns, values));
   }
 }
 
 void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   const Location rows{first, load.rows};
   const Location columns{first, load.place.columns};
-  const int own = loads_.of(core_, first, load.place);
+  const int own = loads_.of(equations_, core_, first, load.place);
   if (!takes_blocks_ || own < 0) return add(rows, columns, load.product().values);
   if (!has_mixed_form(load)) return;  // its product is zero
-  add_mixed(own, ids_of(rows, columns), load);
+  add_mixed(own, load, rows, columns);
   used_[own - loads_.first()] = true;
 }
 
-void TangentAssembly::add_mixed(int own, const Ids& ids, const LoadBlock& load) const {
+void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& rows, const Location& columns) {
+  const Ids ids = ids_of(rows, columns);
   const MixedForm mixed = mixed_form(load);
-  rows_.subtract(ids.rows, {own}, mixed.column);
-  rows_.subtract({own}, ids.columns, mixed.row.transpose());
-  rows_.subtract({own}, {own}, MatrixXd::Constant(1, 1, mixed.diagonal));
-  if (!DofMap::are_prescribed(ids.columns)) return;
+  keep(load.rows, {ids.rows, {own}, mixed.column});
+  keep(load.rows, {{own}, ids.columns, mixed.row.transpose()});
+  keep(load.rows, {{own}, {own}, MatrixXd::Constant(1, 1, mixed.diagonal)});
+  if (!are_prescribed(ids.columns)) return;
   // Their increments stand on the right-hand side as they do without mixed form: norms of residuals begin with it.
-  system_.Assemble(element_matrix(load.rows, load.place.columns, ids.nodes, ids.rows, prescribed_alone(ids.columns),
-                                  load.product().values));
+  assemble(load.rows, element_matrix(load.rows, load.place.columns, equations_.nodes(columns), ids.rows,
+                                     prescribed_alone(ids.columns), load.product().values));
 }
 
-void TangentAssembly::close_unused_equations() const {
+void TangentAssembly::finish(TaskClock& timed) {
+  for (auto& effect : kept_) timed.in_host(effect.second.rows, [&] { take_over(effect.second); });
   for (Index n = 0; n < used_.count(); ++n) {
     const int own = loads_.first() + indexing::as_int(n);
     if (!used_[n]) matrix_.GetSparseMatrixPtr()->set(own, own, 1);

@@ -5,8 +5,11 @@
 #include "load_equations.h"
 #include "matrix_rows.h"
 
+#include <map>
+#include <optional>
 #include <vector>
 
+class FEElementMatrix;
 class FEGlobalMatrix;
 class FELinearSystem;
 
@@ -17,30 +20,42 @@ class TangentAssembly {
   using Location = mixture_contact::ContactInterface::Location;
 
   /// Keeps references. `is_constrained`: whether linear constraints tie degrees of freedom of the model to each other.
-  TangentAssembly(const mixture_contact::ContactInterface& core, const DofMap& dofs, const LoadEquations& loads,
-                  FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained);
+  TangentAssembly(const mixture_contact::ContactInterface& core, const NodeEquations& equations,
+                  const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained);
 
-  void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values) const;
+  void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
-  /// Sets the diagonal of loads that there have been none of: their unknowns are zero.
-  void close_unused_equations() const;
+  /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
+  /// are zero. Charges each effect with its own.
+  void finish(mixture_contact::TaskClock& timed);
 
  private:
   struct Ids {
-    std::vector<int> nodes;
     std::vector<int> rows;
     std::vector<int> columns;
   };
   Ids ids_of(const Location& rows, const Location& columns) const;
-  void add_mixed(int own, const Ids& ids, const mixture_contact::LoadBlock& load) const;
+  void add_mixed(int own, const mixture_contact::LoadBlock& load, const Location& rows, const Location& columns);
+  /// Blocks of one effect on their way into the matrix.
+  struct Kept {
+    mixture_contact::Patch rows;  ///< of the first one
+    mixture_contact::IndexedVector<MatrixBlock> blocks;
+  };
+  Kept& kept_of(const mixture_contact::Patch& rows);
+  /// Keeps a block until there are enough of them for threads to share.
+  void keep(const mixture_contact::Patch& rows, MatrixBlock block);
+  void take_over(Kept& kept) const;
+  /// Adds a block by FEBio's own assembly, after all that came before it in the same rows.
+  void assemble(const mixture_contact::Patch& rows, const FEElementMatrix& block);
 
   const mixture_contact::ContactInterface& core_;
-  const DofMap& dofs_;
+  const NodeEquations& equations_;
   const LoadEquations& loads_;
   FELinearSystem& system_;
   FEGlobalMatrix& matrix_;
   MatrixRows rows_;
   bool takes_blocks_;
+  std::map<std::optional<int>, Kept> kept_;    ///< by the field of an effect; none: the traction
   mixture_contact::IndexedVector<bool> used_;  ///< per equation of a load
 };
 

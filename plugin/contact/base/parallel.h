@@ -23,12 +23,12 @@ inline int thread_count() {
 }
 
 /// Calls body(i) for each i below `count`, in any order and on several threads; it may write only to what belongs to i.
-/// Rethrows one of the exceptions that bodies throw.
-template <class Body>
+/// Rethrows one of the exceptions that bodies throw. `together`: how many that follow each other are one thread's.
+template <Index together = 8, class Body>
 void in_parallel(Index count, const Body& body) {
   std::exception_ptr thrown;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static, 8) default(none) shared(count, body, thrown) if (count > 1)
+#pragma omp parallel for schedule(static, together) default(none) shared(count, body, thrown) if (count > 1)
 #endif
   for (Index i = 0; i < count; ++i) {
     try {

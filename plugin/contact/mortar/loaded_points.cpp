@@ -1,5 +1,7 @@
 #include "mortar/loaded_points.h"
 
+#include "base/parallel.h"
+
 namespace mixture_contact {
 
 PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,
@@ -52,10 +54,19 @@ std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPa
 
 void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                            const std::function<void(const PointContact&)>& use) {
-  for (const FacetPair& pair : space.facing().pairs()) {
-    if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
-    for (std::size_t q = 0; q < pair.points.size(); ++q) use(loaded_point(space, pair, q, loads, fields, dt));
-  }
+  const IndexedVector<FacetPair>& pairs = space.facing().pairs();
+  const auto points_of = [&](Index index) {
+    const FacetPair& pair = pairs[index];
+    std::vector<PointContact> points;
+    if (!space.facing().has_node_among(pair, loads.in_contact)) return points;
+    points.reserve(pair.points.size());
+    for (std::size_t q = 0; q < pair.points.size(); ++q)
+      points.push_back(loaded_point(space, pair, q, loads, fields, dt));
+    return points;
+  };
+  in_order(pairs.count(), points_of, [&](Index /*pair*/, const std::vector<PointContact>& points) {
+    for (const PointContact& point : points) use(point);
+  });
 }
 
 }  // namespace mixture_contact

@@ -1,0 +1,90 @@
+#include "node_equations.h"
+
+#include "contact/interface/multipliers.h"
+#include "newton/solver.h"
+
+#include <algorithm>
+
+using namespace mixture_contact;
+
+NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
+    : dofs_(dofs), core_(core) {
+  for (const Side side : both_sides) of_[side] = of_surface(surfaces[side], side);
+}
+
+NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side side) const {
+  Surface found;
+  const int count = surface.Nodes();
+  found.fields.resize(core_.effects().nodal_fields(), count);
+  for (int i = 0; i < count; ++i) {
+    const FENode& node = surface.Node(i);
+    found.mesh_nodes.push_back(surface.NodeIndex(i));
+    found.is_rigid.push_back(node.m_rid >= 0);
+    found.displacements.push_back(dofs_.equations_at(node, dofs_.displacements(side, node)));
+    found.rotations.push_back(dofs_.equations_at(node, dofs_.rotations()));
+    for (int k = 0; k < core_.effects().nodal_fields(); ++k) {
+      const int dof = dofs_.field(side, core_.effects(), k);
+      found.fields(k, i) = mixture_contact::at(node.m_ID, dof);
+    }
+  }
+  return found;
+}
+
+template <class Use>
+void NodeEquations::for_each_node(const Location& at, const Use& use) const {
+  for (const int node : at.patch.primary) use(of_[at.first], node);
+  for (const int node : at.patch.secondary) use(of_[other(at.first)], node);
+}
+
+std::vector<int> NodeEquations::nodes(const Location& at) const {
+  std::vector<int> nodes;
+  nodes.reserve(at.patch.primary.size() + at.patch.secondary.size() + 1);
+  for_each_node(
+      at, [&](const Surface& surface, int node) { nodes.push_back(mixture_contact::at(surface.mesh_nodes, node)); });
+  if (at.patch.multiplier_node) nodes.push_back(dofs_.multiplier_node());
+  return nodes;
+}
+
+void NodeEquations::add_multipliers(const Location& at, std::vector<int>& ids) const {
+  if (!at.patch.multiplier_node) return;
+  const LocalLayout layout = at.patch.layout();
+  const MultiplierLayout own = multiplier_layout(core_);
+  const int node = *at.patch.multiplier_node;
+  const int first = dofs_.first_multiplier();
+  if (layout.has_displacements())
+    mixture_contact::at(ids, layout.traction_multiplier()) = first + indexing::as_int(own.traction(node));
+  for (Index k = 0; k < layout.scalar_fields(); ++k)
+    mixture_contact::at(ids, layout.flux_multiplier(k)) = first + indexing::as_int(own.flux(node, at.patch.fields[k]));
+}
+
+std::vector<int> NodeEquations::equations(const Location& at) const {
+  const LocalLayout layout = at.patch.layout();
+  std::vector<int> ids(indexing::entries(layout.size()), -1);
+  Index n = 0;
+  for_each_node(at, [&](const Surface& surface, int node) {
+    for (Index i = 0; layout.has_displacements() && i < 3; ++i)
+      mixture_contact::at(ids, layout.displacement(n, i)) = mixture_contact::at(surface.displacements[node], i);
+    for (Index k = 0; k < layout.scalar_fields(); ++k)
+      mixture_contact::at(ids, layout.scalar(n, k)) = surface.fields(at.patch.fields[k], node);
+    ++n;
+  });
+  add_multipliers(at, ids);
+  return ids;
+}
+
+std::vector<int> NodeEquations::coupled(const Location& at) const {
+  std::vector<int> ids = equations(at);
+  if (at.patch.displacements) {
+    for_each_node(at, [&](const Surface& surface, int node) {
+      if (surface.is_rigid[node]) ids.insert(ids.end(), surface.rotations[node].begin(), surface.rotations[node].end());
+    });
+  }
+  for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
+  return ids;
+}
+
+bool NodeEquations::are_rigid(const Location& at) const {
+  bool found = false;
+  for_each_node(at, [&](const Surface& surface, int node) { found = found || surface.is_rigid[node]; });
+  return found;
+}

@@ -1,0 +1,45 @@
+/// The equations that the unknowns of a contact's nodes have, as they stand when this is made: FEBio numbers them anew
+/// between steps.
+#pragma once
+
+#include "dof_map.h"
+
+#include <array>
+#include <vector>
+
+class NodeEquations {
+ public:
+  using Side = mixture_contact::Side;
+  using Location = mixture_contact::ContactInterface::Location;
+
+  /// Keeps references.
+  NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::ContactInterface& core);
+
+  /// The nodes of the mesh whose blocks make up a local vector.
+  std::vector<int> nodes(const Location& at) const;
+  /// The equation of each entry of a local vector; -1 where it has none.
+  std::vector<int> equations(const Location& at) const;
+  /// Equations that stand in one block of the matrix, those of prescribed values and of rigid bodies' rotations, too.
+  std::vector<int> coupled(const Location& at) const;
+  /// Whether some nodes belong to rigid bodies, from which they have their equations.
+  bool are_rigid(const Location& at) const;
+
+ private:
+  /// Of one surface.
+  struct Surface {
+    std::vector<int> mesh_nodes;
+    mixture_contact::NodeFlags is_rigid;
+    mixture_contact::IndexedVector<std::array<int, 3>> displacements;
+    mixture_contact::IndexedVector<std::array<int, 3>> rotations;
+    Eigen::MatrixXi fields;  ///< shape (fields, nodes)
+  };
+  Surface of_surface(FEMixtureSurface& surface, Side side) const;
+  /// Calls use(surface, node) for the nodes of a local vector in their order.
+  template <class Use>
+  void for_each_node(const Location& at, const Use& use) const;
+  void add_multipliers(const Location& at, std::vector<int>& ids) const;
+
+  const DofMap& dofs_;
+  const mixture_contact::ContactInterface& core_;
+  mixture_contact::PerSide<Surface> of_;
+};
