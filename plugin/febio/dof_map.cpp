@@ -53,15 +53,6 @@ const std::array<int, 3>& DofMap::displacements(Side side, const FENode& node) c
   return node.m_rid >= 0 ? front_.displacements : displacements(side);
 }
 
-std::array<int, 3> DofMap::equations_at(const FENode& node, const std::array<int, 3>& dofs) {
-  std::array<int, 3> equations{-1, -1, -1};
-  for (std::size_t i = 0; i < dofs.size(); ++i) {
-    if (mixture_contact::at(dofs, i) >= 0)
-      mixture_contact::at(equations, i) = mixture_contact::at(node.m_ID, mixture_contact::at(dofs, i));
-  }
-  return equations;
-}
-
 int DofMap::deformable_node() const {
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];

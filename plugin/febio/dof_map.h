@@ -42,8 +42,6 @@ class DofMap {
   const std::array<int, 3>& rotations() const { return rotations_; }
   /// A node of the mesh that stands for the block of multipliers.
   int multiplier_node() const { return multiplier_node_; }
-  /// Equations of some degrees of freedom at a node; -1 for those that the model does not have.
-  static std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& dofs);
 
  private:
   /// Degrees of freedom of a node: those of its position, or those of the back face of a shell.

@@ -7,6 +7,20 @@
 
 using namespace mixture_contact;
 
+namespace {
+
+/// Equations of some degrees of freedom at a node; -1 for those that the model does not have.
+std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& dofs) {
+  std::array<int, 3> equations{-1, -1, -1};
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    if (mixture_contact::at(dofs, i) >= 0)
+      mixture_contact::at(equations, i) = mixture_contact::at(node.m_ID, mixture_contact::at(dofs, i));
+  }
+  return equations;
+}
+
+}  // namespace
+
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
     : dofs_(dofs), core_(core) {
   for (const Side side : both_sides) of_[side] = of_surface(surfaces[side], side);
@@ -20,8 +34,8 @@ NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side
     const FENode& node = surface.Node(i);
     found.mesh_nodes.push_back(surface.NodeIndex(i));
     found.is_rigid.push_back(node.m_rid >= 0);
-    found.displacements.push_back(dofs_.equations_at(node, dofs_.displacements(side, node)));
-    found.rotations.push_back(dofs_.equations_at(node, dofs_.rotations()));
+    found.displacements.push_back(equations_at(node, dofs_.displacements(side, node)));
+    found.rotations.push_back(equations_at(node, dofs_.rotations()));
     for (int k = 0; k < core_.effects().nodal_fields(); ++k) {
       const int dof = dofs_.field(side, core_.effects(), k);
       found.fields(k, i) = mixture_contact::at(node.m_ID, dof);

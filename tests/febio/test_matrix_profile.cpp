@@ -100,6 +100,10 @@ BOOST_AUTO_TEST_CASE(equations_that_are_left_out_and_blocks_without_any) {
   check_as_febio({}, {{}, {-1, -1}, {0, -1, equations - 1}});
 }
 
+BOOST_AUTO_TEST_CASE(equations_that_stand_in_a_block_more_than_once) {
+  check_as_febio({}, {{7, 3, 7, 4, 3}, {3, 9, 3}});
+}
+
 BOOST_AUTO_TEST_CASE(an_equation_beyond_the_matrix_is_an_error) {
   CoupledBlocks blocks(equations);
   BOOST_CHECK_THROW(blocks.add({0, equations}), std::out_of_range);
