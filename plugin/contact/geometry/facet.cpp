@@ -312,6 +312,21 @@ const std::vector<SubFacet>& sub_facets(FacetType type) {
   return type == Type::tri6 ? four_triangles : six_triangles;
 }
 
+const std::vector<int>& outline(FacetType type) {
+  static const std::vector<int> triangle{0, 1, 2};
+  static const std::vector<int> triangle_with_middles{0, 3, 1, 4, 2, 5};
+  static const std::vector<int> quadrilateral{0, 1, 2, 3};
+  static const std::vector<int> quadrilateral_with_middles{0, 4, 1, 5, 2, 6, 3, 7};
+  switch (type) {
+    case FacetType::tri3:
+      return triangle;
+    case FacetType::quad4:
+      return quadrilateral;
+    default:
+      return is_triangle(type) ? triangle_with_middles : quadrilateral_with_middles;
+  }
+}
+
 int sub_facet_at(FacetType type, const Vector2d& xi) {
   const std::vector<SubFacet>& pieces = sub_facets(type);
   const auto outside = [&](const SubFacet& piece) {

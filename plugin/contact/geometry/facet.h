@@ -57,6 +57,9 @@ struct SubFacet {
 /// four triangles, or six around the middle node. In parametric coordinates they are parallelograms or triangles.
 const std::vector<SubFacet>& sub_facets(FacetType type);
 
+/// The nodes around a facet, those amid its edges between its corners, in the order of its corners.
+const std::vector<int>& outline(FacetType type);
+
 /// The sub-facet that a place lies on, or lies nearest to, as its number in sub_facets().
 int sub_facet_at(FacetType type, const Vector2d& xi);
 

@@ -5,21 +5,28 @@
 
 #include <unsupported/Eigen/AutoDiff>
 
+#include <type_traits>
 #include <vector>
 
 namespace mixture_contact {
 
-/// Corners of the two polygons that an overlap is made of, each of three or four.
-inline constexpr int max_polygon_corners = 4;
-inline constexpr int max_overlap_corners = 2 * max_polygon_corners;
+/// A number with its variation with the places of up to so many corners, two columns for each.
+template <int Corners>
+using VaryingNumber = Eigen::AutoDiffScalar<Eigen::Matrix<double, 2 * Corners, 1>>;
 
-/// A number with its variation with the places of these corners, two columns for each.
-using VaryingNumber = Eigen::AutoDiffScalar<Eigen::Matrix<double, 2 * max_overlap_corners, 1>>;
+/// Corners of two polygons that overlap: of two triangles; of what has four each; of a piece and a facet with nodes
+/// amid its edges.
+inline constexpr int corners_of_triangles = 6;
+inline constexpr int corners_of_quadrilaterals = 8;
+inline constexpr int most_corners = 12;
 
 inline double value_of(double number) { return number; }
-inline double value_of(const VaryingNumber& number) { return number.value(); }
+template <class Variation>
+double value_of(const Eigen::AutoDiffScalar<Variation>& number) {
+  return number.value();
+}
 
-/// A place or a direction; Number: double or VaryingNumber.
+/// A place or a direction; Number: double or a VaryingNumber.
 template <class Number>
 struct Place {
   Number x{0};
@@ -51,19 +58,19 @@ Number cross(const Place<Number>& one, const Place<Number>& two) {
 
 /// The place of a corner, given by its number, where it varies.
 template <class Number>
-Place<Number> corner_place(const Vector2d& value, int corner);
-template <>
-inline Place<double> corner_place(const Vector2d& value, int /*corner*/) {
-  return {value[0], value[1]};
-}
-template <>
-inline Place<VaryingNumber> corner_place(const Vector2d& value, int corner) {
-  return {{value[0], 2 * max_overlap_corners, 2 * corner}, {value[1], 2 * max_overlap_corners, 2 * corner + 1}};
+Place<Number> corner_place(const Vector2d& value, int corner) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return {value[0], value[1]};
+  } else {
+    constexpr int columns = Number::DerType::SizeAtCompileTime;
+    return {{value[0], columns, 2 * corner}, {value[1], columns, 2 * corner + 1}};
+  }
 }
 
 /// Variation of a number with the place of a corner.
-inline Eigen::RowVector2d by_corner(const VaryingNumber& number, Index corner) {
-  return number.derivatives().segment<2>(2 * corner).transpose();
+template <class Variation>
+Eigen::RowVector2d by_corner(const Eigen::AutoDiffScalar<Variation>& number, Index corner) {
+  return number.derivatives().template segment<2>(2 * corner).transpose();
 }
 
 /// Corners in counter-clockwise order.

@@ -177,10 +177,18 @@ std::vector<PolygonPoint<Number>> polygon_quadrature(const Polygon<Number>& poly
   return {{only.centroid, 0.5 * only.twice_area}};
 }
 
-template Alignment<double> alignment(const Polygon<double>&);
-template Alignment<VaryingNumber> alignment(const Polygon<VaryingNumber>&);
-template std::vector<PolygonPoint<double>> polygon_quadrature(const Polygon<double>&, const Alignment<double>&, int);
-template std::vector<PolygonPoint<VaryingNumber>> polygon_quadrature(const Polygon<VaryingNumber>&,
-                                                                     const Alignment<VaryingNumber>&, int);
+template <class Number>
+using Align = Alignment<Number>(const Polygon<Number>&);
+template Align<double> alignment;
+template Align<VaryingNumber<corners_of_triangles>> alignment;
+template Align<VaryingNumber<corners_of_quadrilaterals>> alignment;
+template Align<VaryingNumber<most_corners>> alignment;
+
+template <class Number>
+using Quadrature = std::vector<PolygonPoint<Number>>(const Polygon<Number>&, const Alignment<Number>&, int);
+template Quadrature<double> polygon_quadrature;
+template Quadrature<VaryingNumber<corners_of_triangles>> polygon_quadrature;
+template Quadrature<VaryingNumber<corners_of_quadrilaterals>> polygon_quadrature;
+template Quadrature<VaryingNumber<most_corners>> polygon_quadrature;
 
 }  // namespace mixture_contact

@@ -35,18 +35,40 @@ FacetVector node_weights(FacetType type, int corner) {
   return shape_functions(type, parametric_node(type, corner)).value;
 }
 
-Vector3d corner(const PlacedFacet& facet, const SubFacet& piece, int a) {
-  const int node = at(piece.nodes, a);
+/// Nodes of a facet that are the corners of a polygon.
+using Corners = std::vector<int>;
+
+Corners corners_of(const SubFacet& piece) {
+  return {piece.nodes.begin(), piece.nodes.begin() + node_count(piece.type)};
+}
+
+/// The polygons that a primary facet's pieces are cut with: the outline of a facet for rules that are made of moments,
+/// which take polygons of any shape; else its linear pieces, which are convex as other rules want them.
+std::vector<Corners> windows(FacetType type, int order) {
+  if (order <= 2) return {outline(type)};
+  std::vector<Corners> found;
+  for (const SubFacet& piece : sub_facets(type)) found.push_back(corners_of(piece));
+  return found;
+}
+
+int most_corners_of(const std::vector<Corners>& polygons) {
+  std::size_t most = 0;
+  for (const Corners& corners : polygons) most = std::max(most, corners.size());
+  return static_cast<int>(most);
+}
+
+Vector3d corner(const PlacedFacet& facet, const Corners& piece, int a) {
+  const int node = at(piece, a);
   if (node < facet.x.cols()) return facet.x.col(node);
   return facet.x * node_weights(facet.type, node);
 }
 
-/// A linear piece of a facet as it is seen; its corners are numbered on from the first.
+/// A part of a facet as it is seen; its corners are numbered on from the first.
 template <class Number>
-Polygon<Number> seen(const View& view, const PlacedFacet& facet, const SubFacet& piece, int first_corner) {
+Polygon<Number> seen(const View& view, const PlacedFacet& facet, const Corners& piece, int first_corner) {
   Polygon<Number> polygon;
-  polygon.reserve(piece.nodes.size());
-  for (int a = 0; a < node_count(piece.type); ++a) {
+  polygon.reserve(piece.size());
+  for (int a = 0; a < number_of(piece); ++a) {
     polygon.push_back(corner_place<Number>(view.seen(corner(facet, piece, a)), first_corner + a));
   }
   return polygon;
@@ -60,13 +82,13 @@ Vector2d middle(FacetType type, const SubFacet& piece) {
   return sum / corners;
 }
 
-/// A point on the overlap of two linear pieces, before it is carried to the primary facet.
+/// A point on the overlap of a linear piece with another facet, before it is carried to the primary facet.
 template <class Number>
 struct Sample {
   const PolygonPoint<Number>& point;
   const View& view;
-  const SubFacet& primary;
-  const SubFacet& secondary;
+  const Corners& primary;
+  const Corners& secondary;
   int sub_facet;  ///< number of the primary piece
 };
 
@@ -85,13 +107,13 @@ double carried_weight(const PlacedFacet& facet, const Sample<double>& sample, co
 
 /// Adds how numbers vary with the corners of a piece, whose nodes come after `first_node` of the pair.
 template <int R, class ByCorner>
-void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& facet, const SubFacet& piece,
+void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& facet, const Corners& piece,
                  Index first_node, const ByCorner& by_corner) {
   const auto add = [&](Index node, const auto& by_node) {
     sum.add(first_node + node, view.height(facet.x.col(node)), by_node);
   };
-  for (int a = 0; a < node_count(piece.type); ++a) {
-    const int corner = at(piece.nodes, a);
+  for (int a = 0; a < number_of(piece); ++a) {
+    const int corner = at(piece, a);
     if (corner < facet.x.cols()) {
       add(corner, by_corner(a));
       continue;
@@ -107,8 +129,9 @@ void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& fac
 ///
 /// As it is seen along n the sample is at y, and the primary facet at q(xi) = SUM N_a q_a: q(xi) = y gives xi, and the
 /// weight is area/(q,1 x q,2).
-PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& secondary,
-                              const Sample<VaryingNumber>& sample, const ViewTilt& tilt, const Vector2d& xi) {
+template <class Number>
+PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& secondary, const Sample<Number>& sample,
+                              const ViewTilt& tilt, const Vector2d& xi) {
   const View& view = sample.view;
   const auto& [y, area] = sample.point;
   const ShapeFunctions shape = shape_functions(primary.type, xi);
@@ -127,7 +150,7 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
   const auto add_sides = [&](auto& sum, const auto& by) {
     add_corners(sum, view, primary, sample.primary, 0, by);
     add_corners(sum, view, secondary, sample.secondary, primary.x.cols(),
-                [&](int a) { return by(max_polygon_corners + a); });
+                [&](int a) { return by(number_of(sample.primary) + a); });
   };
   add_sides(shift, [&](int corner) -> Eigen::Matrix2d {
     return (Eigen::Matrix2d() << by_corner(y.x, corner), by_corner(y.y, corner)).finished();
@@ -145,14 +168,14 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
   return motion;
 }
 
-/// A circle around a linear piece of a facet: what does not meet it does not meet the piece.
+/// A circle around a part of a facet: what does not meet it does not meet the part.
 struct Circle {
   Vector3d centre;
   double radius;
 };
 
-Circle circle_around(const PlacedFacet& facet, const SubFacet& piece) {
-  const int corners = node_count(piece.type);
+Circle circle_around(const PlacedFacet& facet, const Corners& piece) {
+  const int corners = number_of(piece);
   Circle circle{Vector3d::Zero(), 0};
   for (int a = 0; a < corners; ++a) circle.centre += corner(facet, piece, a) / corners;
   for (int a = 0; a < corners; ++a) {
@@ -171,6 +194,7 @@ bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
 template <class Number>
 struct Piece {
   SubFacet part{};
+  Corners corners;
   View view;
   Circle circle;
   Polygon<Number> polygon;
@@ -184,22 +208,26 @@ std::vector<Piece<Number>> pieces_of(const PlacedFacet& facet) {
   pieces.reserve(sub_facets(facet.type).size());
   for (const SubFacet& part : sub_facets(facet.type)) {
     const View view = view_at(facet.type, facet.x, middle(facet.type, part));
-    Polygon<Number> polygon = seen<Number>(view, facet, part, 0);
+    const Corners corners = corners_of(part);
+    Polygon<Number> polygon = seen<Number>(view, facet, corners, 0);
     const double area = twice_area(polygon);
     const Alignment<Number> aligned = alignment(polygon);
-    pieces.push_back({part, view, circle_around(facet, part), std::move(polygon), area, aligned});
+    pieces.push_back({part, corners, view, circle_around(facet, corners), std::move(polygon), area, aligned});
   }
   return pieces;
 }
 
-/// The overlap of a piece with one of another facet; fewer than three corners where there is none.
+/// The overlap of a piece with a part of another facet; fewer than three corners where there is none.
 template <class Number>
-Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const SubFacet& part) {
+Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const Corners& part) {
   if (are_apart(piece.circle, circle_around(facet, part), piece.view.normal)) return {};
-  Polygon<Number> window = seen<Number>(piece.view, facet, part, max_polygon_corners);
+  Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.corners));
   if (twice_area(window) >= 0) return {};  // it faces away
   std::reverse(window.begin(), window.end());
-  Polygon<Number> both = clip(piece.polygon, window, coincident_fraction * std::sqrt(piece.area));
+  const double coincident = coincident_fraction * std::sqrt(piece.area);
+  // What clips is convex; an outline whose edges bend inwards is not.
+  Polygon<Number> both = number_of(part) > 4 ? clip(window, piece.polygon, coincident)
+                                             : clip(piece.polygon, window, coincident);
   if (both.size() >= 3 && twice_area(both) <= negligible_fraction * piece.area) return {};
   return both;
 }
@@ -207,13 +235,14 @@ Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, co
 /// Calls use(sample) for the points on the overlap of a facet, in pieces, and another one, in a fixed order.
 template <class Number, class Use>
 void sample_overlap(const std::vector<Piece<Number>>& pieces, const PlacedFacet& secondary, int order, const Use& use) {
+  const std::vector<Corners> parts = windows(secondary.type, order);
   int sub_facet = 0;
   for (const Piece<Number>& piece : pieces) {
-    for (const SubFacet& part : sub_facets(secondary.type)) {
+    for (const Corners& part : parts) {
       const Polygon<Number> both = overlap(piece, secondary, part);
       if (both.size() < 3) continue;
       for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece.aligned, order))
-        use(Sample<Number>{point, piece.view, piece.part, part, sub_facet});
+        use(Sample<Number>{point, piece.view, piece.corners, part, sub_facet});
     }
     ++sub_facet;
   }
@@ -235,7 +264,7 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
                                              const Matrix3Xd& x1, const Matrix3Xd& x2) {
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   std::vector<IntegrationPoint> points;
-  points.reserve(max_polygon_corners);  // of most overlaps
+  points.reserve(4);  // of most overlaps
   bool complete = true;
   sample_overlap(primary.pieces, secondary, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
@@ -247,6 +276,24 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
   });
   if (!complete) points.clear();
   return points;
+}
+
+/// How the points of a pair move with its nodes.
+template <class Number>
+std::vector<PointMotion> motions_of(const FacetPair& pair, const PlacedFacet& primary, const PlacedFacet& secondary,
+                                    int order) {
+  const std::vector<Piece<Number>> pieces = pieces_of<Number>(primary);
+  std::vector<ViewTilt> tilts;
+  tilts.reserve(pieces.size());
+  for (const Piece<Number>& piece : pieces)
+    tilts.push_back(view_tilt(piece.view, primary.type, primary.x, middle(primary.type, piece.part)));
+  std::vector<PointMotion> motions;
+  motions.reserve(pair.points.size());
+  sample_overlap(pieces, secondary, order, [&](const Sample<Number>& sample) {
+    const ViewTilt& tilt = at(tilts, sample.sub_facet);
+    motions.push_back(projection_motion(primary, secondary, sample, tilt, pair.points[motions.size()].xi));
+  });
+  return motions;
 }
 
 /// Whether the shape functions of a facet are polynomials of the second degree at most, in total.
@@ -373,19 +420,13 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const Facet& two = secondary_[pair.secondary];
   const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
-  const std::vector<Piece<VaryingNumber>> pieces = pieces_of<VaryingNumber>(primary);
-  std::vector<ViewTilt> tilts;
-  tilts.reserve(pieces.size());
-  for (const Piece<VaryingNumber>& piece : pieces)
-    tilts.push_back(view_tilt(piece.view, primary.type, primary.x, middle(primary.type, piece.part)));
-  std::vector<PointMotion> motions;
-  motions.reserve(pair.points.size());
-  const auto add = [&](const Sample<VaryingNumber>& sample) {
-    const ViewTilt& tilt = at(tilts, sample.sub_facet);
-    motions.push_back(projection_motion(primary, secondary, sample, tilt, pair.points[motions.size()].xi));
-  };
-  sample_overlap(pieces, secondary, order({pair.primary, pair.secondary}), add);
-  return motions;
+  const int rule = order({pair.primary, pair.secondary});
+  const int corners = node_count(sub_facets(one.type).front().type) + most_corners_of(windows(two.type, rule));
+  if (corners <= corners_of_triangles)
+    return motions_of<VaryingNumber<corners_of_triangles>>(pair, primary, secondary, rule);
+  if (corners <= corners_of_quadrilaterals)
+    return motions_of<VaryingNumber<corners_of_quadrilaterals>>(pair, primary, secondary, rule);
+  return motions_of<VaryingNumber<most_corners>>(pair, primary, secondary, rule);
 }
 
 }  // namespace mixture_contact

@@ -60,6 +60,21 @@ BOOST_AUTO_TEST_CASE(nodes_are_numbered_as_in_febio) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_outline_goes_around_by_corners_and_the_middles_between_them) {
+  for (const FacetType type : all_facets) {
+    const std::vector<int>& nodes = outline(type);
+    const std::size_t corners = is_triangle(type) ? 3 : 4;
+    const std::size_t per_edge = nodes.size() / corners;
+    BOOST_TEST(nodes.size() == corners * static_cast<std::size_t>(edge_degree(type)));
+    for (std::size_t i = 0; i < corners; ++i) {
+      BOOST_TEST(nodes[per_edge * i] == static_cast<int>(i));
+      if (per_edge == 1) continue;
+      const Vector2d ends = parametric_node(type, nodes[2 * i]) + parametric_node(type, nodes[(2 * i + 2) % nodes.size()]);
+      BOOST_TEST((parametric_node(type, nodes[2 * i + 1]) - 0.5 * ends).norm() <= rounding);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(gradients_are_the_differences_of_the_values) {
   std::mt19937 random(2);
   for (const FacetType type : all_facets) {

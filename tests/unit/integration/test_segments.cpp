@@ -176,6 +176,18 @@ BOOST_AUTO_TEST_CASE(pieces_cover_facing_squares_exactly_whatever_their_division
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_facet_that_is_faced_has_as_many_pieces_as_its_corners_make) {
+  const auto points = [](FacetType one, FacetType two) {
+    std::size_t count = 0;
+    for (const FacetPair& pair : pairs_of(squares(one, two, 3, 2), 2)) count += pair.points.size();
+    return count;
+  };
+  for (const FacetType one : all_facets) {
+    BOOST_TEST(points(one, FacetType::tri6) == points(one, FacetType::tri3));
+    BOOST_TEST(points(one, FacetType::quad8) == points(one, FacetType::quad4));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(weighted_integrals_of_an_affine_gap_are_exact) {
   const auto gap = [](const Vector3d& x) { return 0.3 * x[0] - 0.2 * x[1] - 0.1; };
   for (const auto& [one, two] : facet_pairs()) {
