@@ -69,7 +69,8 @@ BOOST_AUTO_TEST_CASE(an_outline_goes_around_by_corners_and_the_middles_between_t
     for (std::size_t i = 0; i < corners; ++i) {
       BOOST_TEST(nodes[per_edge * i] == static_cast<int>(i));
       if (per_edge == 1) continue;
-      const Vector2d ends = parametric_node(type, nodes[2 * i]) + parametric_node(type, nodes[(2 * i + 2) % nodes.size()]);
+      const Vector2d ends = parametric_node(type, nodes[2 * i]) +
+                            parametric_node(type, nodes[(2 * i + 2) % nodes.size()]);
       BOOST_TEST((parametric_node(type, nodes[2 * i + 1]) - 0.5 * ends).norm() <= rounding);
     }
   }
