@@ -2,6 +2,8 @@
 /// of threads.
 #include "febio/matrix_rows.h"
 
+#include "contact/base/parallel.h"
+
 #include <FECore/CompactSymmMatrix.h>
 #include <FECore/CompactUnSymmMatrix.h>
 #include <FECore/FEGlobalMatrix.h>
@@ -11,6 +13,11 @@
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 #include <random>
+#include <utility>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 using namespace mixture_contact;
 
@@ -18,6 +25,13 @@ namespace {
 
 constexpr int equations = 200;  // several threads have rows
 constexpr int left_out = -1;
+
+void use_threads([[maybe_unused]] int threads) {
+#ifdef _OPENMP
+  omp_set_num_threads(threads);
+  BOOST_TEST_REQUIRE(thread_count() == threads);
+#endif
+}
 
 /// Some of the equations in random order, and some that are left out.
 std::vector<int> random_equations(std::mt19937& random) {
@@ -47,7 +61,8 @@ BOOST_AUTO_TEST_CASE(blocks_are_where_febio_puts_them) {
   std::uniform_real_distribution<double> number(-1, 1);
   std::vector<std::vector<int>> lists;
   for (int i = 0; i < 12; ++i) lists.push_back(random_equations(random));
-  for (const int offset : {0, 1}) {
+  for (const auto& [offset, threads] : {std::pair(0, 1), std::pair(1, 2), std::pair(1, 3)}) {
+    use_threads(threads);
     auto* ours = new CRSSparseMatrix(offset);  // the global matrix deletes it
     CRSSparseMatrix theirs(offset);
     form(*ours, lists);

@@ -273,7 +273,7 @@ SubPlace place_on(const SubFacet& piece, FacetType type, const Vector2d& xi) {
 /// Whether two nodes end a common edge of a linear piece of a facet.
 bool adjacent(FacetType type, int one, int two) {
   const auto ends_with_both = [&](const SubFacet& piece) {
-    const auto last = piece.nodes.begin() + node_count(piece.type);
+    const auto last = piece.nodes.end();
     const auto a = std::find(piece.nodes.begin(), last, one);
     const auto b = std::find(piece.nodes.begin(), last, two);
     if (a == last || b == last) return false;

@@ -50,7 +50,7 @@ FacetHessian shape_hessian(FacetType type, const Vector2d& xi);
 /// the middle of an 8-node quadrilateral counts as node 8.
 struct SubFacet {
   FacetType type;  ///< tri3 or quad4
-  std::array<int, 4> nodes;
+  std::vector<int> nodes;
 };
 
 /// The linear pieces between neighbouring nodes that a facet is made of: a linear facet itself; four quadrilaterals;

@@ -61,14 +61,14 @@ Polygon<Number> clip(Polygon<Number> polygon, const Polygon<Number>& window, dou
 
 template double twice_area(const Polygon<double>&);
 template double twice_area(const Polygon<VaryingNumber<corners_of_triangles>>&);
-template double twice_area(const Polygon<VaryingNumber<corners_of_quadrilaterals>>&);
+template double twice_area(const Polygon<VaryingNumber<corners_of_pieces>>&);
 template double twice_area(const Polygon<VaryingNumber<most_corners>>&);
 
 template <class Number>
 using Clip = Polygon<Number>(Polygon<Number>, const Polygon<Number>&, double);
 template Clip<double> clip;
 template Clip<VaryingNumber<corners_of_triangles>> clip;
-template Clip<VaryingNumber<corners_of_quadrilaterals>> clip;
+template Clip<VaryingNumber<corners_of_pieces>> clip;
 template Clip<VaryingNumber<most_corners>> clip;
 
 }  // namespace mixture_contact

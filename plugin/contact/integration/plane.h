@@ -14,11 +14,14 @@ namespace mixture_contact {
 template <int Corners>
 using VaryingNumber = Eigen::AutoDiffScalar<Eigen::Matrix<double, 2 * Corners, 1>>;
 
-/// Corners of two polygons that overlap: of two triangles; of what has four each; of a piece and a facet with nodes
-/// amid its edges.
-inline constexpr int corners_of_triangles = 6;
-inline constexpr int corners_of_quadrilaterals = 8;
-inline constexpr int most_corners = 12;
+/// Corners of a linear piece of a facet and of the outline of a whole one, at most.
+inline constexpr int max_piece_corners = 4;
+inline constexpr int max_outline_corners = 8;
+
+/// Corners of two polygons that overlap: of two triangles; of two linear pieces; of a piece and an outline.
+inline constexpr int corners_of_triangles = 2 * 3;
+inline constexpr int corners_of_pieces = 2 * max_piece_corners;
+inline constexpr int most_corners = max_piece_corners + max_outline_corners;
 
 inline double value_of(double number) { return number; }
 template <class Variation>

@@ -181,14 +181,14 @@ template <class Number>
 using Align = Alignment<Number>(const Polygon<Number>&);
 template Align<double> alignment;
 template Align<VaryingNumber<corners_of_triangles>> alignment;
-template Align<VaryingNumber<corners_of_quadrilaterals>> alignment;
+template Align<VaryingNumber<corners_of_pieces>> alignment;
 template Align<VaryingNumber<most_corners>> alignment;
 
 template <class Number>
 using Quadrature = std::vector<PolygonPoint<Number>>(const Polygon<Number>&, const Alignment<Number>&, int);
 template Quadrature<double> polygon_quadrature;
 template Quadrature<VaryingNumber<corners_of_triangles>> polygon_quadrature;
-template Quadrature<VaryingNumber<corners_of_quadrilaterals>> polygon_quadrature;
+template Quadrature<VaryingNumber<corners_of_pieces>> polygon_quadrature;
 template Quadrature<VaryingNumber<most_corners>> polygon_quadrature;
 
 }  // namespace mixture_contact

@@ -38,23 +38,20 @@ FacetVector node_weights(FacetType type, int corner) {
 /// Nodes of a facet that are the corners of a polygon.
 using Corners = std::vector<int>;
 
-Corners corners_of(const SubFacet& piece) {
-  return {piece.nodes.begin(), piece.nodes.begin() + node_count(piece.type)};
+/// Whether a secondary facet is cut with as a whole: rules of these orders are made of moments and take polygons of any
+/// shape, others want them convex.
+bool takes_outlines(int order) { return order <= 2; }
+
+/// How many corners the polygons have that for_each_window() uses.
+int window_corners(FacetType type, int order) {
+  return number_of(takes_outlines(order) ? outline(type) : sub_facets(type).front().nodes);
 }
 
-/// The polygons that a primary facet's pieces are cut with: the outline of a facet for rules that are made of moments,
-/// which take polygons of any shape; else its linear pieces, which are convex as other rules want them.
-std::vector<Corners> windows(FacetType type, int order) {
-  if (order <= 2) return {outline(type)};
-  std::vector<Corners> found;
-  for (const SubFacet& piece : sub_facets(type)) found.push_back(corners_of(piece));
-  return found;
-}
-
-int most_corners_of(const std::vector<Corners>& polygons) {
-  std::size_t most = 0;
-  for (const Corners& corners : polygons) most = std::max(most, corners.size());
-  return static_cast<int>(most);
+/// Calls use(corners) for the polygons of a secondary facet that a primary one's pieces are cut with.
+template <class Use>
+void for_each_window(FacetType type, int order, const Use& use) {
+  if (takes_outlines(order)) return use(outline(type));
+  for (const SubFacet& piece : sub_facets(type)) use(piece.nodes);
 }
 
 Vector3d corner(const PlacedFacet& facet, const Corners& piece, int a) {
@@ -193,8 +190,7 @@ bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
 /// A linear piece of the primary facet as it is seen, which others are clipped against.
 template <class Number>
 struct Piece {
-  SubFacet part{};
-  Corners corners;
+  const SubFacet& part;
   View view;
   Circle circle;
   Polygon<Number> polygon;
@@ -208,11 +204,10 @@ std::vector<Piece<Number>> pieces_of(const PlacedFacet& facet) {
   pieces.reserve(sub_facets(facet.type).size());
   for (const SubFacet& part : sub_facets(facet.type)) {
     const View view = view_at(facet.type, facet.x, middle(facet.type, part));
-    const Corners corners = corners_of(part);
-    Polygon<Number> polygon = seen<Number>(view, facet, corners, 0);
+    Polygon<Number> polygon = seen<Number>(view, facet, part.nodes, 0);
     const double area = twice_area(polygon);
     const Alignment<Number> aligned = alignment(polygon);
-    pieces.push_back({part, corners, view, circle_around(facet, corners), std::move(polygon), area, aligned});
+    pieces.push_back({part, view, circle_around(facet, part.nodes), std::move(polygon), area, aligned});
   }
   return pieces;
 }
@@ -221,13 +216,13 @@ std::vector<Piece<Number>> pieces_of(const PlacedFacet& facet) {
 template <class Number>
 Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const Corners& part) {
   if (are_apart(piece.circle, circle_around(facet, part), piece.view.normal)) return {};
-  Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.corners));
+  Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.part.nodes));
   if (twice_area(window) >= 0) return {};  // it faces away
   std::reverse(window.begin(), window.end());
   const double coincident = coincident_fraction * std::sqrt(piece.area);
-  // What clips is convex; an outline whose edges bend inwards is not.
-  Polygon<Number> both = number_of(part) > 4 ? clip(window, piece.polygon, coincident)
-                                             : clip(piece.polygon, window, coincident);
+  // What clips is convex: an outline with nodes amid its edges may bend inwards.
+  const bool may_bend = number_of(part) > max_piece_corners;
+  Polygon<Number> both = may_bend ? clip(window, piece.polygon, coincident) : clip(piece.polygon, window, coincident);
   if (both.size() >= 3 && twice_area(both) <= negligible_fraction * piece.area) return {};
   return both;
 }
@@ -235,15 +230,14 @@ Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, co
 /// Calls use(sample) for the points on the overlap of a facet, in pieces, and another one, in a fixed order.
 template <class Number, class Use>
 void sample_overlap(const std::vector<Piece<Number>>& pieces, const PlacedFacet& secondary, int order, const Use& use) {
-  const std::vector<Corners> parts = windows(secondary.type, order);
   int sub_facet = 0;
   for (const Piece<Number>& piece : pieces) {
-    for (const Corners& part : parts) {
-      const Polygon<Number> both = overlap(piece, secondary, part);
-      if (both.size() < 3) continue;
+    for_each_window(secondary.type, order, [&](const Corners& window) {
+      const Polygon<Number> both = overlap(piece, secondary, window);
+      if (both.size() < 3) return;
       for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece.aligned, order))
-        use(Sample<Number>{point, piece.view, piece.corners, part, sub_facet});
-    }
+        use(Sample<Number>{point, piece.view, piece.part.nodes, window, sub_facet});
+    });
     ++sub_facet;
   }
 }
@@ -264,7 +258,7 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
                                              const Matrix3Xd& x1, const Matrix3Xd& x2) {
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   std::vector<IntegrationPoint> points;
-  points.reserve(4);  // of most overlaps
+  points.reserve(max_piece_corners);  // of most overlaps
   bool complete = true;
   sample_overlap(primary.pieces, secondary, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
@@ -421,11 +415,10 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   const int rule = order({pair.primary, pair.secondary});
-  const int corners = node_count(sub_facets(one.type).front().type) + most_corners_of(windows(two.type, rule));
+  const int corners = number_of(sub_facets(one.type).front().nodes) + window_corners(two.type, rule);
   if (corners <= corners_of_triangles)
     return motions_of<VaryingNumber<corners_of_triangles>>(pair, primary, secondary, rule);
-  if (corners <= corners_of_quadrilaterals)
-    return motions_of<VaryingNumber<corners_of_quadrilaterals>>(pair, primary, secondary, rule);
+  if (corners <= corners_of_pieces) return motions_of<VaryingNumber<corners_of_pieces>>(pair, primary, secondary, rule);
   return motions_of<VaryingNumber<most_corners>>(pair, primary, secondary, rule);
 }
 
