@@ -6,7 +6,6 @@
 #include <FECore/DumpStream.h>
 
 #include <array>
-#include <vector>
 
 class DofMap {
  public:

@@ -1,4 +1,5 @@
-/// Quadrature on convex polygons in a plane, with the exact variations of its points where the polygons vary.
+/// Quadrature on polygons in a plane, with the exact variations of its points where the polygons vary: convex ones; of
+/// orders 1 and 2 any whose edges do not cross.
 ///
 /// Whatever corners a polygon gains or loses, its integrals change smoothly with orders 1 and 2, and by what is beyond
 /// the degree of the rule with higher ones. Those of a mirrored polygon are mirrored.
