@@ -17,34 +17,38 @@ bool is_before(const Interval& one, const Interval& two) { return one.start < tw
 
 RowIntervals intervals_of(SparseMatrixProfile::ColumnProfile& column) {
   RowIntervals intervals;
+  intervals.reserve(indexing::entries(column.size()));
   for (int i = 0; i < column.size(); ++i) intervals.push_back(column[i]);
   return intervals;
 }
 
 /// The same rows, those that follow each other in one interval, given intervals in the order of their starts.
-RowIntervals joined(const RowIntervals& ascending) {
-  RowIntervals result;
-  for (const Interval& next : ascending) {
-    if (result.empty() || next.start > result.back().end + 1) {
-      result.push_back(next);
+RowIntervals joined(RowIntervals ascending) {
+  if (ascending.empty()) return ascending;
+  auto last = ascending.begin();
+  for (auto next = last + 1; next != ascending.end(); ++next) {
+    if (next->start > last->end + 1) {
+      *++last = *next;
     } else {
-      result.back().end = std::max(result.back().end, next.end);
+      last->end = std::max(last->end, next->end);
     }
   }
-  return result;
+  ascending.erase(last + 1, ascending.end());
+  return ascending;
 }
 
 /// The union of two ascending lists.
 RowIntervals merged(const RowIntervals& one, const RowIntervals& two) {
   RowIntervals both(one.size() + two.size());
   std::merge(one.begin(), one.end(), two.begin(), two.end(), both.begin(), is_before);
-  return joined(both);
+  return joined(std::move(both));
 }
 
 /// The rows of equations in any order.
 RowIntervals intervals_of(std::vector<int> equations) {
   std::sort(equations.begin(), equations.end());
   RowIntervals rows;
+  rows.reserve(equations.size());
   for (const int equation : equations) {
     if (rows.empty() || equation > rows.back().end + 1) rows.push_back({equation, equation});
     rows.back().end = equation;
@@ -56,7 +60,7 @@ RowIntervals intervals_of(std::vector<int> equations) {
 
 RowIntervals united(RowIntervals intervals) {
   std::sort(intervals.begin(), intervals.end(), is_before);
-  return joined(intervals);
+  return joined(std::move(intervals));
 }
 
 std::vector<int> CoupledBlocks::in_matrix(const std::vector<int>& equations) const {

@@ -17,6 +17,7 @@ using Column = std::pair<int, Index>;
 
 std::vector<Column> ascending(const std::vector<int>& equations) {
   std::vector<Column> columns;
+  columns.reserve(equations.size());
   for (std::size_t j = 0; j < equations.size(); ++j) {
     if (equations[j] >= 0) columns.emplace_back(equations[j], static_cast<Index>(j));
   }

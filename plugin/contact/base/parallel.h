@@ -48,7 +48,15 @@ void in_parallel(Index count, const Body& body) {
 /// threads.
 template <class Make, class Use>
 void in_order(Index count, const Make& make, const Use& use) {
-  IndexedVector<std::decay_t<std::invoke_result_t<const Make&, Index>>> results(std::min(count, batch_size));
+  using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;
+  if (thread_count() == 1) {  // nothing is held: the memory of a result serves the next one
+    for (Index i = 0; i < count; ++i) {
+      Result result = make(i);
+      use(i, result);
+    }
+    return;
+  }
+  IndexedVector<Result> results(std::min(count, batch_size));
   for (Index first = 0; first < count; first += batch_size) {
     const Index size = std::min(batch_size, count - first);
     in_parallel(size, [&](Index i) { results[i] = make(first + i); });

@@ -258,7 +258,6 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
                                              const Matrix3Xd& x1, const Matrix3Xd& x2) {
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   std::vector<IntegrationPoint> points;
-  points.reserve(max_piece_corners);  // of most overlaps
   bool complete = true;
   sample_overlap(primary.pieces, secondary, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
@@ -266,6 +265,7 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
     const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
     const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
     if (!hit) return void(complete = false);
+    if (points.empty()) points.reserve(max_piece_corners);  // enough for most overlaps
     points.push_back({*xi, hit->eta, carried_weight(primary.placed, sample, *xi), sample.sub_facet});
   });
   if (!complete) points.clear();
