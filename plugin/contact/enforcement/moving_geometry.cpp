@@ -259,7 +259,7 @@ VectorXd MovingGeometry::equation_weights(const NodalLoads& loads, const Matrix3
 
 void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVector& add) const {
   const NodalLoads now = loads(fields);
-  pair_residuals(space_, now, fields, dt, add);
+  nodal_residual(space_, now, fields, dt, add);
   method_.equations(now, equation_weights(now, fields.primary.position), dt, add);
 }
 

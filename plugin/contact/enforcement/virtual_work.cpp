@@ -2,15 +2,69 @@
 
 #include "base/parallel.h"
 
+#include <map>
 #include <optional>
 #include <utility>
 
 namespace mixture_contact {
 namespace {
 
-struct PairResidual {
-  Patch patch;
-  VectorXd values;
+/// The residual at the nodes of those pairs of facets that exchange the same fields, summed over the pairs: a host
+/// takes a node once, not once for every pair around it.
+class NodalResidual {
+ public:
+  NodalResidual(IndexedVector<int> fields, const FacingFields& surfaces)
+      : fields_(std::move(fields)),
+        primary_(zero_sums(surfaces.primary.position.cols())),
+        secondary_(zero_sums(surfaces.secondary.position.cols())) {}
+
+  /// Adds that of a pair, in the order of its patch.
+  void add(const Facing<Facet>& facets, const VectorXd& local) {
+    Index entry = 0;
+    const auto add_nodes = [&](const Facet& facet, Sums& sums) {
+      for (const int node : facet) {
+        sums.values.col(node) += local.segment(entry, sums.values.rows());
+        sums.has_part[node] = true;
+        entry += sums.values.rows();
+      }
+    };
+    add_nodes(facets.primary, primary_);
+    add_nodes(facets.secondary, secondary_);
+  }
+
+  /// Hands over one vector over all nodes that have a part.
+  void hand_over(const AddVector& add) const {
+    const Patch patch{nodes_of(primary_), nodes_of(secondary_), fields_};
+    VectorXd values(patch.layout().size());
+    values << parts_of(primary_, patch.primary), parts_of(secondary_, patch.secondary);
+    add(patch, values);
+  }
+
+ private:
+  /// Of one surface: per node its block of a local vector, and whether it has a part.
+  struct Sums {
+    MatrixXd values;
+    NodeFlags has_part;
+  };
+  Sums zero_sums(Index nodes) const {
+    return {MatrixXd::Zero(LocalLayout(1, 0, fields_.count()).size(), nodes), NodeFlags(nodes, false)};
+  }
+  static IndexedVector<int> nodes_of(const Sums& sums) {
+    IndexedVector<int> nodes;
+    for (int node = 0; node < sums.has_part.count(); ++node) {
+      if (sums.has_part[node]) nodes.push_back(node);
+    }
+    return nodes;
+  }
+  static VectorXd parts_of(const Sums& sums, const IndexedVector<int>& nodes) {
+    MatrixXd parts(sums.values.rows(), nodes.count());
+    for (Index n = 0; n < nodes.count(); ++n) parts.col(n) = sums.values.col(nodes[n]);
+    return parts.reshaped();
+  }
+
+  IndexedVector<int> fields_;
+  Sums primary_;
+  Sums secondary_;
 };
 
 /// Blocks of zeros for the fluxes of a patch; none in a symmetric tangent, where what is left of their part depends on
@@ -48,24 +102,30 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
   return {std::move(fluxes), traction_block(space, patch, std::move(traction))};
 }
 
-void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add) {
   const FacingPairs& facing = space.facing();
-  const auto residual_of = [&](Index index) -> std::optional<PairResidual> {
+  const auto residual_of = [&](Index index) -> VectorXd {
     const FacetPair& pair = facing.pairs()[index];
-    if (!facing.has_node_among(pair, loads.in_contact)) return std::nullopt;
-    PairResidual residual{facing.patch(pair), {}};
-    const LocalLayout layout = residual.patch.layout();
-    residual.values.setZero(layout.size());
+    if (!facing.has_node_among(pair, loads.in_contact)) return {};
+    const LocalLayout layout(facing.primary_facet(pair).count(), facing.secondary_facet(pair).count(),
+                             facing.exchanged_fields(pair).count());
+    VectorXd residual = VectorXd::Zero(layout.size());
     for (std::size_t q = 0; q < pair.points.size(); ++q) {
       const PointContact point = loaded_point(space, pair, q, loads, fields, dt);
-      add_residual(point.kinematics, point.loads, layout, residual.values);
+      add_residual(point.kinematics, point.loads, layout, residual);
     }
     return residual;
   };
-  in_order(facing.pairs().count(), residual_of, [&](Index /*index*/, const std::optional<PairResidual>& residual) {
-    if (residual) add(residual->patch, residual->values);
+  std::map<std::vector<int>, NodalResidual> sums;  // by the fields that pairs exchange
+  in_order(facing.pairs().count(), residual_of, [&](Index index, const VectorXd& residual) {
+    if (residual.size() == 0) return;
+    const FacetPair& pair = facing.pairs()[index];
+    const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
+    NodalResidual& sum = sums.try_emplace(exchanged, exchanged, fields).first->second;
+    sum.add({facing.primary_facet(pair), facing.secondary_facet(pair)}, residual);
   });
+  for (const auto& sum : sums) sum.second.hand_over(add);
 }
 
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,

@@ -6,8 +6,8 @@
 
 namespace mixture_contact {
 
-/// Residual, in one part per pair of facets that carries load.
-void pair_residuals(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
+/// Residual at the nodes of pairs of facets that carry load, in one part for all pairs that exchange the same fields.
+void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add);
 
 /// The part of the tangent in which loads stay and the geometry changes, of a pair.

@@ -31,7 +31,7 @@ void residual_ahead(const ContactInterface& contact, const PerSide<SurfaceFields
     const NodeFlags closed = pass.active_set().initial(now);
     NodeFlags ahead;
     for (Index node = 0; node < closed.count(); ++node) ahead.push_back(now.in_contact[node] && !closed[node]);
-    pair_residuals(pass.space(), of_nodes(ahead, std::move(now)), seen_from(side, fields), dt,
+    nodal_residual(pass.space(), of_nodes(ahead, std::move(now)), seen_from(side, fields), dt,
                    [&](const Patch& patch, const VectorXd& values) { add({side, patch}, values); });
   }
 }
