@@ -9,14 +9,14 @@ using namespace mixture_contact;
 void ContactOutput::store() {
   const ContactInterface& core = contact_.core();
   const TaskClock timed = core.measurements().clock(Task::output);
-  const PerSide<SurfaceFields> current = contact_.fields();
   const std::vector<int> exchanged = exchanged_solutes(core.effects());
-  Balance total = balance(core, current);
-  surfaces_[Side::primary].store_output(nodal_output(core, Side::primary, current), total, exchanged);
+  const InterfaceOutput out = output(core, contact_.fields());
+  Balance total = out.balance;
+  surfaces_[Side::primary].store_output(out.nodes[Side::primary], total, exchanged);
   total.force = -total.force;
   total.friction = -total.friction;
   total.flow = -total.flow;
-  surfaces_[Side::secondary].store_output(nodal_output(core, Side::secondary, current), total, exchanged);
+  surfaces_[Side::secondary].store_output(out.nodes[Side::secondary], total, exchanged);
   warn_of_overlap();
 }
 

@@ -1,6 +1,8 @@
 #include "interface/output.h"
 
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -89,34 +91,6 @@ void take_status(const SlidingNodes& nodes, FrictionOutput& out) {
   }
 }
 
-/// Calls use(pass, point, facet of the side, shares of its nodes, sign) for each point of a pass, and returns the area
-/// of each node of the side.
-template <class Use>
-VectorXd for_each_point_of(const ContactInterface& contact, std::size_t pass, Side side,
-                           const PerSide<SurfaceFields>& fields, const Use& use) {
-  const Side integrated = both_sides.at(pass);
-  const SurfaceMesh& mesh = contact.mesh(side);
-  VectorXd area = VectorXd::Zero(mesh.nodes);
-  contact.pass(pass).for_each_contact(seen_from(integrated, fields), 1.0, [&](const PointContact& point) {
-    const Facet& facet = facet_at(point, mesh, integrated == side);
-    const FacetVector shares = area_of_nodes(point, integrated == side);
-    for (Index a = 0; a < shares.size(); ++a) area[facet.node(a)] += shares[a];
-    use(pass, point, facet, shares, integrated == side ? 1.0 : -1.0);
-  });
-  return area;
-}
-
-/// The same for all passes: the areas of each.
-template <class Use>
-std::vector<VectorXd> for_each_point(const ContactInterface& contact, Side side, const PerSide<SurfaceFields>& fields,
-                                     const Use& use) {
-  std::vector<VectorXd> areas;
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
-    areas.push_back(for_each_point_of(contact, pass, side, fields, use));
-  }
-  return areas;
-}
-
 /// Divides what has been summed up by the areas that it has been weighted with. Gaps are those of the surfaces,
 /// whatever the offset at which they touch.
 void divide_by_areas(NodalOutput& out, const VectorXd& of_all_passes, double offset) {
@@ -129,6 +103,15 @@ void divide_by_areas(NodalOutput& out, const VectorXd& of_all_passes, double off
   out.flux = out.flux * per_area.asDiagonal();
 }
 
+NodalOutput zero_output(const ContactInterface& contact, Side side) {
+  const Index nodes = contact.mesh(side).nodes;
+  const VectorXd none = VectorXd::Zero(nodes);
+  const MatrixXd no_fields = MatrixXd::Zero(contact.effects().scalar_fields(), nodes);
+  NodalOutput out{none, none, no_fields, no_fields, none, {}};
+  if (contact.effects().has_friction()) set_zero(out.friction, nodes);
+  return out;
+}
+
 /// Of each pass; none without friction.
 std::vector<SlidingNodes> sliding_nodes(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   std::vector<SlidingNodes> nodes;
@@ -136,6 +119,71 @@ std::vector<SlidingNodes> sliding_nodes(const ContactInterface& contact, const P
     nodes.push_back(sliding_nodes(contact.pass(pass), seen_from(both_sides.at(pass), fields)));
   return nodes;
 }
+
+/// What all points of all passes say, each of them asked once.
+class OutputSums {
+ public:
+  OutputSums(const ContactInterface& contact, const PerSide<SurfaceFields>& fields)
+      : contact_(contact), sliding_(sliding_nodes(contact, fields)) {
+    out_.balance.flow = VectorXd::Zero(contact.effects().scalar_fields());
+    for (const Side side : both_sides) {
+      out_.nodes[side] = zero_output(contact, side);
+      areas_[side].assign(contact.passes(), VectorXd::Zero(contact.mesh(side).nodes));
+    }
+  }
+
+  void add(std::size_t pass, const PointContact& point) {
+    const Side integrated = both_sides.at(pass);
+    add_balance(point, integrated == Side::primary ? 1.0 : -1.0);
+    for (const Side side : both_sides) add_nodes(side, pass, point, integrated == side);
+  }
+
+  InterfaceOutput divided() {
+    const bool two_pass = contact_.settings().two_pass;
+    for (const Side side : both_sides) {
+      NodalOutput& out = out_.nodes[side];
+      const std::vector<VectorXd>& areas = areas_[side];
+      out.tributary_area = tributary_area_of(areas, two_pass);
+      const VectorXd of_all_passes = std::accumulate(std::next(areas.begin()), areas.end(), areas.front());
+      divide_by_areas(out, of_all_passes, contact_.pass(0).space().offset());
+      if (sliding_.empty()) continue;
+      divide_by_areas(out.friction, of_all_passes, inverse_or_zero(out.tributary_area));
+      if (static_cast<int>(side) < number_of(sliding_)) take_status(at(sliding_, side), out.friction);
+    }
+    out_.balance.area = out_.nodes[Side::primary].tributary_area.sum();
+    out_.balance.force += out_.balance.friction;
+    for (const SlidingNodes& nodes : sliding_) out_.balance.dissipation += nodes.dissipation;
+    return std::move(out_);
+  }
+
+ private:
+  /// `sign`: 1 where the pass integrates over the primary surface, else -1.
+  void add_balance(const PointContact& point, double sign) {
+    Balance& balance = out_.balance;
+    const double weight = point.loads.weight;
+    balance.force += sign * weight * point.loads.traction.value * point.kinematics.area_vector;
+    for (Index k = 0; k < point.fields.count(); ++k)
+      balance.flow[point.fields[k]] += sign * weight * point.kinematics.area * point.loads.flux[k].value;
+    if (!sliding_.empty()) balance.friction += sign * weight * point.kinematics.area * point.loads.friction;
+  }
+
+  void add_nodes(Side side, std::size_t pass, const PointContact& point, bool integrated) {
+    const Facet& facet = facet_at(point, contact_.mesh(side), integrated);
+    const FacetVector shares = area_of_nodes(point, integrated);
+    VectorXd& area = at(areas_[side], pass);
+    for (Index a = 0; a < shares.size(); ++a) area[facet.node(a)] += shares[a];
+    const double sign = integrated ? 1.0 : -1.0;
+    add_point(point, facet, shares, sign, out_.nodes[side]);
+    if (sliding_.empty()) return;
+    const Facet& primary = contact_.pass(pass).space().facing().primary_facet(*point.pair);
+    add_sliding(point, primary, at(sliding_, pass), facet, shares, sign, out_.nodes[side].friction);
+  }
+
+  const ContactInterface& contact_;
+  std::vector<SlidingNodes> sliding_;  ///< of each pass; none without friction
+  InterfaceOutput out_;
+  PerSide<std::vector<VectorXd>> areas_;  ///< of each pass, per node
+};
 
 }  // namespace
 
@@ -163,51 +211,14 @@ SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields) 
   return nodes;
 }
 
-Balance balance(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+InterfaceOutput output(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::output);
-  Balance balance;
-  balance.flow = VectorXd::Zero(contact.effects().scalar_fields());
-  const bool has_friction = contact.effects().has_friction();
-  const auto add = [&](std::size_t /*pass*/, const PointContact& point, const Facet& /*facet*/,
-                       const FacetVector& /*shares*/, double sign) {
-    const double weight = point.loads.weight;
-    balance.force += sign * weight * point.loads.traction.value * point.kinematics.area_vector;
-    for (Index k = 0; k < point.fields.count(); ++k) {
-      balance.flow[point.fields[k]] += sign * weight * point.kinematics.area * point.loads.flux[k].value;
-    }
-    if (has_friction) balance.friction += sign * weight * point.kinematics.area * point.loads.friction;
-  };
-  const std::vector<VectorXd> areas = for_each_point(contact, Side::primary, fields, add);
-  balance.area = tributary_area_of(areas, contact.settings().two_pass).sum();
-  if (!has_friction) return balance;
-  balance.force += balance.friction;
-  for (const SlidingNodes& nodes : sliding_nodes(contact, fields)) balance.dissipation += nodes.dissipation;
-  return balance;
-}
-
-NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSide<SurfaceFields>& fields) {
-  const TaskClock timed = contact.measurements().clock(Task::output);
-  const Index nodes = contact.mesh(side).nodes;
-  const Index scalars = contact.effects().scalar_fields();
-  NodalOutput out{VectorXd::Zero(nodes),          VectorXd::Zero(nodes), MatrixXd::Zero(scalars, nodes),
-                  MatrixXd::Zero(scalars, nodes), VectorXd::Zero(nodes), {}};
-  const std::vector<SlidingNodes> sliding = sliding_nodes(contact, fields);
-  if (!sliding.empty()) set_zero(out.friction, nodes);
-  const auto add = [&](std::size_t pass, const PointContact& point, const Facet& facet, const FacetVector& shares,
-                       double sign) {
-    add_point(point, facet, shares, sign, out);
-    if (sliding.empty()) return;
-    const Facet& primary = contact.pass(pass).space().facing().primary_facet(*point.pair);
-    add_sliding(point, primary, sliding[pass], facet, shares, sign, out.friction);
-  };
-  const std::vector<VectorXd> areas = for_each_point(contact, side, fields, add);
-  out.tributary_area = tributary_area_of(areas, contact.settings().two_pass);
-  const VectorXd of_all_passes = std::accumulate(areas.begin(), areas.end(), VectorXd::Zero(nodes).eval());
-  divide_by_areas(out, of_all_passes, contact.pass(0).space().offset());
-  if (sliding.empty()) return out;
-  divide_by_areas(out.friction, of_all_passes, inverse_or_zero(out.tributary_area));
-  if (static_cast<int>(side) < number_of(sliding)) take_status(at(sliding, side), out.friction);
-  return out;
+  OutputSums sums(contact, fields);
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
+    contact.pass(pass).for_each_contact(seen_from(both_sides.at(pass), fields), 1.0,
+                                        [&](const PointContact& point) { sums.add(pass, point); });
+  }
+  return sums.divided();
 }
 
 }  // namespace mixture_contact

@@ -62,7 +62,10 @@ struct SlidingNodes {
 };
 SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields);
 
-Balance balance(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
-NodalOutput nodal_output(const ContactInterface& contact, Side side, const PerSide<SurfaceFields>& fields);
+struct InterfaceOutput {
+  Balance balance;
+  PerSide<NodalOutput> nodes;
+};
+InterfaceOutput output(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 }  // namespace mixture_contact

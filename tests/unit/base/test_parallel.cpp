@@ -29,8 +29,8 @@ VectorXd answers(const Scene& scene, int threads) {
   contact->begin_iteration(scene.fields);
   PerSide<SurfaceFields> trial = scene.fields;
   trial[Side::primary].position.row(2).array() += 1e-3;
-  const NodalOutput output = nodal_output(*contact, Side::primary, trial);
-  std::vector<VectorXd> parts{assembled_residual(*contact, layout, trial, 0.5), output.gap, output.pressure,
+  const NodalOutput out = output(*contact, trial).nodes[Side::primary];
+  std::vector<VectorXd> parts{assembled_residual(*contact, layout, trial, 0.5), out.gap, out.pressure,
                               assembled_tangent(*contact, layout, scene.fields, 0.5).reshaped()};
   for (const std::vector<bool>& nodes : contact->nodes_in_contact()) {
     for (const bool in_contact : nodes) parts.push_back(VectorXd::Constant(1, in_contact ? 1.0 : 0.0));

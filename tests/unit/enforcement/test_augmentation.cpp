@@ -52,7 +52,7 @@ struct Conductors {
   /// Flow through the contact with the given values on its two sides.
   double flow(double one, double two) {
     scene.set_field(0, one, two);
-    return balance(*contact, scene.fields).flow[0];
+    return output(*contact, scene.fields).balance.flow[0];
   }
 
   /// Finds the values at which the contact passes on what each conductor brings: linear, from the flow at two states.
@@ -168,7 +168,8 @@ BOOST_AUTO_TEST_CASE(a_small_penalty_closes_a_jump_in_ten_augmentations) {
   BOOST_TEST_MESSAGE(augmentations << " augmentations to a jump of " << conductors.jump());
   BOOST_TEST(augmentations <= 10);
   BOOST_TEST(conductors.jump() <= 1e-10);
-  check_close(balance(*conductors.contact, conductors.scene.fields).flow[0], Conductors::in_series_of_both, 1e-9);
+  check_close(output(*conductors.contact, conductors.scene.fields).balance.flow[0], Conductors::in_series_of_both,
+              1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(without_growth_the_same_penalty_would_need_a_hundred_thousand) {

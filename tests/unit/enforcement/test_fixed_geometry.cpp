@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(nothing_of_displacements_is_handed_out) {
   });
   contact->for_each_coupling([&](const auto& at) { calls += is_free_of_them(at) ? 1 : -999; });
   BOOST_TEST(calls > 0);
-  BOOST_TEST(balance(*contact, scene.fields).force.norm() == 0.0);
+  BOOST_TEST(output(*contact, scene.fields).balance.force.norm() == 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_that_just_touch_exchange_and_those_apart_do_not) {
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_just_touch_exchange_and_those_apart_do_not) {
     scene.fields[Side::secondary].position.row(2).setConstant(distance);
     const auto contact = scene.contact();
     BOOST_TEST(!contact->begin_iteration(scene.fields));
-    return balance(*contact, scene.fields).flow[0];
+    return output(*contact, scene.fields).balance.flow[0];
   };
   BOOST_TEST(std::abs(flow_at(0) - 2) <= rounding);
   BOOST_TEST(std::abs(flow_at(-1e-3) - 2) <= rounding);

@@ -71,11 +71,11 @@ VectorXd answers(const ContactInterface& contact, const Scene& scene) {
   const GapReport report = contact.gaps(scene.fields);
   all.insert(all.end(), {report.traction.relative, report.traction.largest});
   for (const FieldGap& gap : report.flux) all.insert(all.end(), {gap.relative, gap.largest});
-  append(balance(contact, scene.fields).force);
-  append(balance(contact, scene.fields).flow);
+  append(output(contact, scene.fields).balance.force);
+  append(output(contact, scene.fields).balance.flow);
   const PerSide<NodeFlags> touched_nodes = contact.nodes_in_contact();
   for (const Side side : both_sides) {
-    const NodalOutput out = nodal_output(contact, side, scene.fields);
+    const NodalOutput out = output(contact, scene.fields).nodes[side];
     append(out.gap);
     append(out.pressure);
     append(out.flux);
@@ -153,21 +153,21 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_where_surfaces_apart_pull_a
 
 BOOST_AUTO_TEST_CASE(an_offset_is_the_distance_that_gaps_are_measured_from) {
   Scene scene = uniform_scene(FacetType::quad4, FacetType::tri3, false);
-  const Balance touching = balance(*scene.contact(), scene.fields);
+  const Balance touching = output(*scene.contact(), scene.fields).balance;
   scene.settings.gap.offset = 0.25;
   scene.fields[Side::secondary].position.row(2).array() += 0.25;
-  const Balance apart = balance(*scene.contact(), scene.fields);
+  const Balance apart = output(*scene.contact(), scene.fields).balance;
   BOOST_TEST((touching.force - apart.force).norm() <= rounding);
 }
 
 BOOST_AUTO_TEST_CASE(under_tension_surfaces_apart_pull_and_others_do_not) {
   Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, false);
   scene.fields[Side::secondary].position.row(2).array() += 0.125;
-  BOOST_TEST(balance(*scene.contact(), scene.fields).force.norm() == 0.0);
+  BOOST_TEST(output(*scene.contact(), scene.fields).balance.force.norm() == 0.0);
   Scene overlapping = uniform_scene(FacetType::quad4, FacetType::quad4, false);
-  const double pressed = balance(*overlapping.contact(), overlapping.fields).force[2];
+  const double pressed = output(*overlapping.contact(), overlapping.fields).balance.force[2];
   scene.settings.gap.tension = true;
-  BOOST_TEST(std::abs(balance(*scene.contact(), scene.fields).force[2] + pressed) <= rounding);
+  BOOST_TEST(std::abs(output(*scene.contact(), scene.fields).balance.force[2] + pressed) <= rounding);
 }
 
 BOOST_AUTO_TEST_CASE(forces_and_flows_of_the_two_surfaces_cancel) {
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(the_balance_is_the_sum_of_the_residual) {
   for_random_contacts(4, [](const Scene& scene, const ContactInterface& contact) {
     const GlobalLayout layout(scene);
     const VectorXd sum = side_sum(layout, assembled_residual(contact, layout, scene.fields, dt), Side::primary);
-    const Balance total = balance(contact, scene.fields);
+    const Balance total = output(contact, scene.fields).balance;
     BOOST_TEST((sum.head<3>() - total.force).norm() <= balance_tolerance * total.force.norm());
     BOOST_TEST((sum.tail(2) - dt * total.flow).norm() <= balance_tolerance * total.flow.norm());
   });
@@ -331,7 +331,7 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_balance) {
   for (const auto& [one, two] : mixed_pairs) {
     for (const bool two_pass : {false, true}) {
       const Scene scene = uniform_scene(one, two, two_pass);
-      const Balance total = balance(*scene.contact(), scene.fields);
+      const Balance total = output(*scene.contact(), scene.fields).balance;
       const double passes = two_pass ? 2 : 1;
       BOOST_TEST(std::abs(total.area - 1) <= rounding);
       BOOST_TEST((total.force - Vector3d(0, 0, -0.25 * passes)).norm() <= rounding);
@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_nodal_values) {
       const auto contact = scene.contact();
       const double passes = two_pass ? 2 : 1;
       for (const Side side : both_sides) {
-        const NodalOutput out = nodal_output(*contact, side, scene.fields);
+        const NodalOutput out = output(*contact, scene.fields).nodes[side];
         const double sign = side == Side::primary ? 1 : -1;
         BOOST_TEST((out.gap.array() + 0.0625).abs().maxCoeff() <= rounding);
         BOOST_TEST((out.pressure.array() - 0.25 * passes).abs().maxCoeff() <= rounding);
@@ -377,7 +377,7 @@ BOOST_AUTO_TEST_CASE(two_passes_share_the_load) {
   const VectorXd one = side_sum(layout, force[Side::primary], Side::primary);
   const VectorXd two = side_sum(layout, force[Side::secondary], Side::primary);
   BOOST_TEST((one - two).norm() <= rounding * one.norm());
-  BOOST_TEST((one.head<3>() + two.head<3>() - balance(*contact, scene.fields).force).norm() <= rounding);
+  BOOST_TEST((one.head<3>() + two.head<3>() - output(*contact, scene.fields).balance.force).norm() <= rounding);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_in_contact_gives_nothing) {
@@ -390,7 +390,7 @@ BOOST_AUTO_TEST_CASE(nothing_in_contact_gives_nothing) {
       BOOST_TEST(all.norm() == 0.0);  // not a number would fail, too
       contact->residual(scene.fields, dt, [](const auto&, const VectorXd&) { BOOST_TEST(false); });
       contact->tangent(scene.fields, dt, [](const auto&, const auto&, const MatrixXd&) { BOOST_TEST(false); });
-      BOOST_TEST(balance(*contact, scene.fields).area == 0.0);
+      BOOST_TEST(output(*contact, scene.fields).balance.area == 0.0);
       contact->augment(scene.fields);
       BOOST_TEST(contact->pass(0).laws().multipliers.traction.norm() == 0.0);
       BOOST_TEST(is_converged(*contact, contact->gaps(scene.fields)));

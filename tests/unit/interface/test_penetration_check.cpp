@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(forces_flows_and_output_add_up_where_one_pass_alone_bears) 
   Spike spike(deep);
   spike.check();
   spike.go_on();
-  const Balance total = balance(*spike.contact, spike.scene.fields);
+  const Balance total = output(*spike.contact, spike.scene.fields).balance;
   const GlobalLayout layout(spike.scene);
   const VectorXd residual = assembled_residual(*spike.contact, layout, spike.scene.fields, dt);
   PerSide<VectorXd> sum{{VectorXd::Zero(5), VectorXd::Zero(5)}};
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(forces_flows_and_output_add_up_where_one_pass_alone_bears) 
   BOOST_TEST((sum[Side::primary].head<3>() - total.force).norm() <= rounding);
   BOOST_TEST(total.force[2] < 0.0);
   for (const Side side : both_sides) {
-    const NodalOutput out = nodal_output(*spike.contact, side, spike.scene.fields);
+    const NodalOutput out = output(*spike.contact, spike.scene.fields).nodes[side];
     const double sign = side == Side::primary ? 1 : -1;
     BOOST_TEST(std::abs(out.tributary_area.sum() - total.area) <= rounding);
     for (Index k = 0; k < 2; ++k) {
@@ -224,6 +224,6 @@ BOOST_AUTO_TEST_CASE(beside_unknown_multipliers_penetration_check_nodes_have_pen
   spike.go_on();
   BOOST_TEST(spike.contact->pass(0).space().has_unknown_multipliers());
   BOOST_TEST(!spike.contact->pass(1).space().has_unknown_multipliers());
-  BOOST_TEST(balance(*spike.contact, spike.scene.fields).force[2] < 0.0);
+  BOOST_TEST(output(*spike.contact, spike.scene.fields).balance.force[2] < 0.0);
   BOOST_TEST(spike.contact->is_solution(spike.scene.fields));
 }

@@ -66,11 +66,11 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   moved->linearise_at(scene.fields);
   const PerSide<NodeFlags> status = moved->nodes_in_contact();
   BOOST_TEST(std::count(status[Side::primary].begin(), status[Side::primary].end(), false) == 0);
-  const double force = balance(*moved, scene.fields).force[2];
+  const double force = output(*moved, scene.fields).balance.force[2];
   BOOST_TEST(std::abs(force) > 0.1);
   started->project(scene.position());
   started->end_iterations();
-  BOOST_TEST(std::abs(balance(*started, scene.fields).force[2]) == 0.0);
+  BOOST_TEST(std::abs(output(*started, scene.fields).balance.force[2]) == 0.0);
 }
 
 /// Nodes that come to overlap on the way to the other state are in contact there, with the loads that they have then.
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_overlap_where_an_iteration_is_moved_to_close) {
               explicit_settings(2.5, 1.5, 0.8));
   const auto moved = scene.contact();
   moved->begin_iteration(scene.fields);
-  BOOST_TEST(balance(*moved, scene.fields).force[2] == 0.0);
+  BOOST_TEST(output(*moved, scene.fields).balance.force[2] == 0.0);
   scene.fields[Side::secondary].position.row(2).array() -= 0.1;
   moved->project(scene.position());
   moved->linearise_at(scene.fields);
