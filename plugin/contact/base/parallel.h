@@ -51,7 +51,7 @@ void in_order(Index count, const Make& make, const Use& use) {
   using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;
   if (thread_count() == 1) {  // nothing is held: the memory of a result serves the next one
     for (Index i = 0; i < count; ++i) {
-      Result result = make(i);
+      Result&& result = make(i);
       use(i, result);
     }
     return;

@@ -9,6 +9,9 @@
 namespace mixture_contact {
 namespace {
 
+constexpr std::array all_types{FacetType::tri3,  FacetType::tri6,  FacetType::tri7,
+                               FacetType::quad4, FacetType::quad8, FacetType::quad9};
+
 /// A function of one coordinate with its derivatives.
 struct Value {
   double value;
@@ -193,8 +196,7 @@ bool is_triangle(FacetType type) {
 int edge_degree(FacetType type) { return type == FacetType::tri3 || type == FacetType::quad4 ? 1 : 2; }
 
 std::optional<FacetType> facet_type(bool triangle, int nodes) {
-  for (FacetType type :
-       {FacetType::tri3, FacetType::tri6, FacetType::tri7, FacetType::quad4, FacetType::quad8, FacetType::quad9}) {
+  for (const FacetType type : all_types) {
     if (is_triangle(type) == triangle && node_count(type) == nodes) return type;
   }
   return std::nullopt;
@@ -209,6 +211,19 @@ Vector2d parametric_node(FacetType type, int node) {
       {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}, {1.0 / 3.0, 1.0 / 3.0}}};
   if (is_triangle(type)) return {at(triangle, node)[0], at(triangle, node)[1]};
   return {static_cast<double>(at(quad9_grid, node)[0]), static_cast<double>(at(quad9_grid, node)[1])};
+}
+
+const FacetGradient& gradient_at_node(FacetType type, int node) {
+  static const std::vector<std::vector<FacetGradient>> of_types = [] {
+    std::vector<std::vector<FacetGradient>> gradients;
+    for (const FacetType each : all_types) {
+      std::vector<FacetGradient>& own = gradients.emplace_back();
+      for (int a = 0; a < node_count(each); ++a)
+        own.push_back(shape_functions(each, parametric_node(each, a)).gradient);
+    }
+    return gradients;
+  }();
+  return at(at(of_types, static_cast<int>(type)), node);
 }
 
 double distance_outside(FacetType type, const Vector2d& xi) {

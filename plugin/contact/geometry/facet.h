@@ -43,6 +43,9 @@ struct ShapeFunctions {
 /// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
 ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 
+/// dN_a/dxi_alpha at a node of the facet, shape (n, 2).
+const FacetGradient& gradient_at_node(FacetType type, int node);
+
 /// Second derivatives of the shape functions with xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).
 FacetHessian shape_hessian(FacetType type, const Vector2d& xi);
 

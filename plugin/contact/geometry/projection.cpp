@@ -33,6 +33,37 @@ std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Ve
   return std::nullopt;
 }
 
+/// Control points of a facet as a Bezier surface, x = SUM B_i(eta) b_i with SUM B_i = 1, and what SUM |B_i| is at most
+/// where a place is no more than `tolerance` outside: the facet lies within their convex hull, and no further beyond.
+struct ControlNet {
+  FacetCoordinates points;
+  double most;
+};
+
+/// Of facets whose Newton steps are worth it; empty for others.
+std::optional<ControlNet> control_net(FacetType type, const FacetCoordinates& x, double tolerance) {
+  if (type == FacetType::quad4) {
+    // B = (1 +- eta_1)(1 +- eta_2)/4, and |1 + eta| + |1 - eta| <= 2 (1 + tolerance)
+    return ControlNet{x, (1 + tolerance) * (1 + tolerance)};
+  }
+  if (type != FacetType::tri6) return std::nullopt;
+  // B = l_a l_a and 2 l_a l_b with l_0 + l_1 + l_2 = 1, l_a >= -tolerance, of which at most two are negative: SUM |B|
+  // is the square of SUM |l_a| <= 1 + 4 tolerance. A node amid an edge is (b_a + 2 b_ab + b_b)/4.
+  ControlNet net{x, (1 + 4 * tolerance) * (1 + 4 * tolerance)};
+  for (Index a = 0; a < 3; ++a) net.points.col(3 + a) = 2 * x.col(3 + a) - 0.5 * (x.col(a) + x.col((a + 1) % 3));
+  return net;
+}
+
+/// Whether a line stays so far from a facet that it cannot meet it.
+bool passes_by(FacetType type, const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction,
+               double tolerance) {
+  const std::optional<ControlNet> net = control_net(type, x, tolerance);
+  if (!net) return false;
+  const Vector3d centre = net->points.rowwise().mean();
+  const double reach = (1 + 1e-6) * net->most * (net->points.colwise() - centre).colwise().norm().maxCoeff();
+  return (centre - origin).cross(direction).norm() > reach;
+}
+
 /// Whether the facet's normals at all nodes are on one side of a direction. A line along it then meets the facet at
 /// most once: to meet it twice it has to enter and to leave. (Exact for quad4, whose normal is linear between its
 /// corners.)
@@ -40,7 +71,7 @@ bool faces_one_way(FacetType type, const FacetCoordinates& x, const Vector3d& di
   bool towards = false;
   bool away = false;
   for (int a = 0; a < node_count(type); ++a) {
-    const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(type, parametric_node(type, a)).gradient;
+    const Eigen::Matrix<double, 3, 2> tangents = x * gradient_at_node(type, a);
     const double side = tangents.col(0).cross(tangents.col(1)).dot(direction);
     towards = towards || side > 0;
     away = away || side < 0;
@@ -52,6 +83,7 @@ bool faces_one_way(FacetType type, const FacetCoordinates& x, const Vector3d& di
 
 std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
                                 const Vector3d& direction, double tolerance) {
+  if (passes_by(type, x, origin, direction, tolerance)) return std::nullopt;
   std::optional<RayHit> best;
   const auto converges_from = [&](const Vector2d& start) {
     const std::optional<RayHit> hit = newton(type, x, origin, direction, start);

@@ -6,10 +6,6 @@
 namespace mixture_contact {
 namespace {
 
-FacetGradient gradient_at_node(const Facet& facet, Index corner) {
-  return shape_functions(facet.type, parametric_node(facet.type, static_cast<int>(corner))).gradient;
-}
-
 Vector3d interpolated(const FacetCoordinates& x, const FacetVector& shape) {
   Vector3d sum = Vector3d::Zero();
   for (Index node = 0; node < shape.size(); ++node) sum += shape[node] * x.col(node);
@@ -63,7 +59,7 @@ Eigen::Matrix<double, 3, 2> slip_slope_with_xi(const PastPoint& past, const Eige
 }
 
 Convection convection(const Facet& facet, Index corner, const FacetCoordinates& past) {
-  const FacetGradient gradient = gradient_at_node(facet, corner);
+  const FacetGradient& gradient = gradient_at_node(facet.type, indexing::as_int(corner));
   const Eigen::Matrix<double, 3, 2> t = tangents(past, gradient);
   const double area = area_vector(t).norm();
   const Eigen::Matrix2d metric = t.transpose() * t;

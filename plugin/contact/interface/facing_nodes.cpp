@@ -21,8 +21,7 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   for (const Facet& facet : mesh.facets) {
     const FacetCoordinates x = facet_coordinates(facet, position);
     for (int a = 0; a < facet.count(); ++a) {
-      const Eigen::Matrix<double, 3, 2> tangents = x *
-                                                   shape_functions(facet.type, parametric_node(facet.type, a)).gradient;
+      const Eigen::Matrix<double, 3, 2> tangents = x * gradient_at_node(facet.type, a);
       normals.col(facet.node(a)) += tangents.col(0).cross(tangents.col(1));
     }
   }

@@ -121,6 +121,24 @@ BOOST_AUTO_TEST_CASE(a_hit_outside_counts_only_within_the_tolerance) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_curved_facet_is_hit_as_far_outside_as_the_tolerance_says) {
+  std::mt19937 random(6);
+  constexpr double tolerance = 0.1;
+  for (const FacetType type : all_facets) {
+    const Vector2d centre = parametric_centre(type);
+    for (int node = 0; node < node_count(type); ++node) {
+      const Vector2d away = parametric_node(type, node) - centre;
+      for (int sample = 0; sample < 50; ++sample) {
+        Shot shot = random_shot(type, 0.04, centre + 1.04 * away, random);
+        BOOST_TEST(distance_outside(type, shot.eta) <= tolerance);
+        shot.gap *= 100;  // however far away it begins
+        check_finite(shot.hit(tolerance));
+        BOOST_TEST(shot.hit(tolerance).has_value());
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_gap_has_the_sign_of_the_direction) {
   std::mt19937 random(5);
   const FacetCoordinates x = random_facet(FacetType::quad4, 0, random);
