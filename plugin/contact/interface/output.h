@@ -62,6 +62,7 @@ struct SlidingNodes {
 };
 SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields);
 
+/// All of it, at a state that is projected.
 struct InterfaceOutput {
   Balance balance;
   PerSide<NodalOutput> nodes;
