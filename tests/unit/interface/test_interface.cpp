@@ -71,11 +71,12 @@ VectorXd answers(const ContactInterface& contact, const Scene& scene) {
   const GapReport report = contact.gaps(scene.fields);
   all.insert(all.end(), {report.traction.relative, report.traction.largest});
   for (const FieldGap& gap : report.flux) all.insert(all.end(), {gap.relative, gap.largest});
-  append(output(contact, scene.fields).balance.force);
-  append(output(contact, scene.fields).balance.flow);
+  const InterfaceOutput said = output(contact, scene.fields);
+  append(said.balance.force);
+  append(said.balance.flow);
   const PerSide<NodeFlags> touched_nodes = contact.nodes_in_contact();
   for (const Side side : both_sides) {
-    const NodalOutput out = output(contact, scene.fields).nodes[side];
+    const NodalOutput& out = said.nodes[side];
     append(out.gap);
     append(out.pressure);
     append(out.flux);
