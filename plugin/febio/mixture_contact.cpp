@@ -214,6 +214,14 @@ void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& ti
   assembly_.residual(residual, time.timeIncrement);
 }
 
+bool FEMixtureContact::add_residual_change(FEGlobalVector& residual) const {
+  return assembly_.residual_change(residual, GetFEModel()->GetTime().timeIncrement);
+}
+
+void FEMixtureContact::add_residual_correction(FEGlobalVector& residual) const {
+  assembly_.residual_correction(residual, GetFEModel()->GetTime().timeIncrement);
+}
+
 void FEMixtureContact::add_residual_ahead(FEGlobalVector& residual) const {
   assembly_.residual_ahead(residual, GetFEModel()->GetTime().timeIncrement);
 }

@@ -2,10 +2,13 @@
 
 #include "archive.h"
 #include "first_norms.h"
+#include "newton/febio/solver_totals.h"
 #include "newton/line_search_guard.h"
 #include "newton/non_negative_concentrations.h"
 #include "newton/predictor.h"
 
+#include <FEBioMech/FEResidualVector.h>
+#include <FEBioMech/FESolidSolver2.h>
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
@@ -16,12 +19,14 @@
 #include <FECore/FETimeStepController.h>
 #include <FECore/JFNKStrategy.h>
 #include <FECore/log.h>
+#include <FECore/vector.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
 
+using mixture_contact::GoesOn;
 using mixture_contact::MatrixUse;
 using mixture_contact::SteppedContact;
 
@@ -36,6 +41,14 @@ std::map<const FEModel*, std::weak_ptr<ModelContacts>>& registry() {
 /// Writes a line into the log, where there is one.
 void say(FEModel& fem, const std::string& line) {
   if (!line.empty()) feLogEx(&fem, "\n%s\n", line.c_str());
+}
+
+/// Whether a solver's residual is the sum of what stands in the model, each by way of a FEResidualVector.
+bool adds_up_residuals(const FENewtonSolver& solver) {
+  // The arc-length method scales what is external, and the logarithmic one transforms the sum.
+  if (const auto* solids = dynamic_cast<const FESolidSolver2*>(&solver))
+    return solids->m_arcLength == 0 && !solids->m_logSolve;
+  return has_known_totals(solver);
 }
 
 class FEBioArchive : public newton::Archive {
@@ -70,7 +83,8 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer<newton::Predictor>(predictor);
   helpers_.add(FirstNorms::name, std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }),
                [this] { return !active().empty(); });
-  fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_SOLVED, this);
+  fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_MINOR_ITERS | CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_SOLVED,
+                  this);
 }
 
 // ------------------------------------------------------------ contacts and switches
@@ -192,8 +206,12 @@ void ModelContacts::on_callback(unsigned int when) {
   if (contacts.empty()) return;
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
+    zero_loads_.forget();
+    corrections_ = 0;
+    may_correct_ = true;
     steps_.matrix_formed();
   }
+  if (when == CB_MINOR_ITERS && solver_.is_newton()) steps_.end_iteration();
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
     note_overlap();
@@ -232,12 +250,58 @@ void ModelContacts::note_overlap() {
 bool ModelContacts::apply_ambient() { return ambient_.apply(active()); }
 void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
-void ModelContacts::request_matrix() { solver_.febio()->QNForceReform(true); }
+void ModelContacts::request_matrix(bool is_needed) { solver_.febio()->QNForceReform(is_needed); }
 
 void ModelContacts::evaluate_residual() {
   FENewtonSolver& solver = *solver_.febio();
   solver.Residual(solver.m_R0);
-  solver.m_R0 += solver.m_Fd;  // what prescribed increments add, at the start of a step
+}
+
+void ModelContacts::change_residual() {
+  FENewtonSolver& solver = *solver_.febio();
+  std::vector<double> change(solver.m_R0.size());
+  std::vector<double> reactions(solver.m_R0.size());
+  FEResidualVector vector(fem_, change, reactions);
+  const std::vector<ContactInModel*> contacts = active();
+  const bool is_known = adds_up_residuals(solver) && std::all_of(contacts.begin(), contacts.end(), [&](auto* contact) {
+                          return contact->add_residual_change(vector);
+                        });
+  if (is_known) {
+    solver.m_R0 += change;
+  } else {
+    evaluate_residual();
+  }
+}
+
+void ModelContacts::correct_residual() {
+  FENewtonSolver& solver = *solver_.febio();
+  // FEBio's update of its matrix is for symmetric ones: it would spoil the stiffness that corrected gaps are closed
+  // with.
+  FENewtonStrategy& strategy = *solver.m_qnstrategy;
+  strategy.m_nups = std::max(strategy.m_nups - 1, 0);
+  ++corrections_;
+  if (adds_up_residuals(solver)) {
+    std::vector<double> reactions(solver.m_R0.size());
+    FEResidualVector vector(fem_, solver.m_R0, reactions);
+    for (const ContactInModel* contact : active()) contact->add_residual_correction(vector);
+  } else {
+    evaluate_residual();
+  }
+  may_correct_ = zero_loads_.hold(*solver.GetLinearSolver(), solver.m_R0, released_loads());
+}
+
+std::vector<int> ModelContacts::released_loads() const {
+  std::vector<int> all;
+  for (const ContactInModel* contact : active()) {
+    const std::vector<int> own = contact->released_loads();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+bool ModelContacts::is_matrix_due() {
+  const int most = solver_.febio()->m_qnstrategy->m_maxups;  // 0 where the method has no limit
+  return !may_correct_ || (most > 0 && corrections_ >= most - 1);
 }
 
 MatrixUse ModelContacts::matrix_use() {
@@ -250,16 +314,19 @@ MatrixUse ModelContacts::matrix_use() {
   return kept ? MatrixUse::kept : MatrixUse::each_iteration;
 }
 
-void ModelContacts::rejected(int n) {
+void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
   FENewtonSolver& solver = *solver_.febio();
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
   if (n > solver.m_maxref) throw MaxStiffnessReformations();
+  if (with == GoesOn::correction) return restore_reforms();
   // Other nodes are in contact now: quasi-Newton methods would go on with the matrix of those that were.
   if (!reform_augment_) reform_augment_ = std::exchange(solver.m_breformAugment, true);
 }
 
-void ModelContacts::accepted() {
+void ModelContacts::accepted() { restore_reforms(); }
+
+void ModelContacts::restore_reforms() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
   if (own) solver_.febio()->m_breformAugment = *own;
 }

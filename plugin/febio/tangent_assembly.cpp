@@ -136,7 +136,9 @@ void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   const Location rows{first, load.rows};
   const Location columns{first, load.place.columns};
   const int own = loads_.of(equations_, core_, first, load.place);
-  if (!takes_blocks_ || own < 0) return add(rows, columns, load.product().values);
+  const bool is_unknown = takes_blocks_ && own >= 0;
+  has_all_loads_ = has_all_loads_ && is_unknown;
+  if (!is_unknown) return add(rows, columns, load.product().values);
   if (!has_mixed_form(load)) return;  // its product is zero
   add_mixed(own, load, rows, columns);
   used_[own - loads_.first()] = true;

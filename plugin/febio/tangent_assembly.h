@@ -28,6 +28,8 @@ class TangentAssembly {
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
   /// are zero. Charges each effect with its own.
   void finish(mixture_contact::TaskClock& timed);
+  /// Whether all loads that were added are unknowns.
+  bool has_all_loads() const { return has_all_loads_; }
 
  private:
   struct Ids {
@@ -55,6 +57,7 @@ class TangentAssembly {
   FEGlobalMatrix& matrix_;
   MatrixRows rows_;
   bool takes_blocks_;
+  bool has_all_loads_ = true;
   std::map<std::optional<int>, Kept> kept_;    ///< by the field of an effect; none: the traction
   mixture_contact::IndexedVector<bool> used_;  ///< per equation of a load
 };

@@ -50,6 +50,11 @@ bool ContactSteps::looks_ahead(const SteppedContact& contact) {
   return sharing_->count(&contact) == 0;
 }
 
+Changed ContactSteps::Changes::kind() const {
+  if (values) return Changed::all;
+  return loads ? Changed::loads : Changed::nothing;
+}
+
 /// Decides what is in contact at this state, and what is at ambient values.
 ContactSteps::Changes ContactSteps::begin_iteration(Begins begins) {
   bool loads = false;
@@ -72,7 +77,7 @@ void ContactSteps::evaluate(const void* told) {
   switch (stepper_.evaluate()) {
     case Stepper::Evaluation::keep_active_set:
       // The active set changes where a matrix is formed: where it must change, quasi-Newton methods have to form one.
-      if (model_.matrix_use() == MatrixUse::kept && !is_solution()) model_.request_matrix();
+      if (model_.matrix_use() == MatrixUse::kept) model_.request_matrix(!keeps_matrix());
       return;
     case Stepper::Evaluation::begin_anew:
       for (SteppedContact* contact : contacts) contact->end_iterations();
@@ -83,6 +88,8 @@ void ContactSteps::evaluate(const void* told) {
       changed = begin_iteration(Begins::from_the_last).values;
       changed = helpers_.adapt() || changed;
       break;
+    case Stepper::Evaluation::keep_linearisation:
+      return;
   }
   if (changed) model_.evaluate_bodies_after_contacts();
 }
@@ -99,6 +106,19 @@ void ContactSteps::try_increment(const void* told, const std::vector<double>& in
 void ContactSteps::evaluate_again() {
   stepper_.try_state();
   model_.evaluate();
+}
+
+void ContactSteps::evaluate_residual(Changed what) {
+  switch (what) {
+    case Changed::nothing:
+      break;
+    case Changed::loads:
+      model_.change_residual();
+      break;
+    case Changed::all:
+      model_.evaluate_residual();
+      break;
+  }
 }
 
 void ContactSteps::start_at_prediction() {
@@ -132,12 +152,25 @@ void ContactSteps::before_matrix() {
     case Stepper::Matrix::is_formed:
       return;
   }
-  stepper_.form_matrix(changes.any());
+  stepper_.form_matrix(changes.kind());
 }
 
 void ContactSteps::matrix_formed() {
   helpers_.complete_residual();
-  if (stepper_.matrix_formed()) model_.evaluate_residual();
+  evaluate_residual(stepper_.matrix_formed());
+}
+
+void ContactSteps::end_iteration() {
+  if (model_.matrix_use() != MatrixUse::kept || !stepper_.keep_matrix()) return;
+  bool changed = false;
+  for (SteppedContact* contact : model_.active_contacts()) changed = contact->correct() || changed;
+  if (changed) model_.correct_residual();
+}
+
+bool ContactSteps::keeps_matrix() {
+  const std::vector<SteppedContact*> contacts = model_.active_contacts();
+  return !model_.is_matrix_due() &&
+         std::all_of(contacts.begin(), contacts.end(), [](SteppedContact* contact) { return contact->keeps_matrix(); });
 }
 
 bool ContactSteps::is_solution() {
@@ -149,7 +182,8 @@ bool ContactSteps::accepts(const void* told) {
   if (!convergences_.opens(told)) return stepper_.phase() != Phase::rejected;
   // The host has converged with the active set and the gaps that were held: it is a solution only if the true laws
   // agree.
-  bool accepted = is_solution() && helpers_.are_settled();
+  const bool solved = is_solution();
+  bool accepted = solved && helpers_.are_settled();
   if (accepted) {
     for (SteppedContact* contact : model_.active_contacts()) accepted = !contact->finds_overlap() && accepted;
   }
@@ -158,7 +192,9 @@ bool ContactSteps::accepts(const void* told) {
     model_.accepted();
     return true;
   }
-  model_.rejected(stepper_.reject());
+  const bool corrects = !solved && model_.matrix_use() == MatrixUse::kept && keeps_matrix();
+  const GoesOn with = corrects ? GoesOn::correction : GoesOn::matrix;
+  model_.rejected(stepper_.reject(with), with);
   return false;
 }
 

@@ -34,6 +34,11 @@ class SteppedContact {
   /// Where no matrix follows: loads of the true laws at this state, without their linearisation.
   virtual void hold_loads() = 0;
   virtual void linearise_at() = 0;
+  /// Whether the matrix of this iteration serves the next one, too, with what correct() makes of its linearisation.
+  virtual bool keeps_matrix() = 0;
+  /// Begins an iteration with the linearisation that is held: its gaps and jumps take their true values.
+  /// Returns whether loads change.
+  virtual bool correct() = 0;
   virtual bool is_solution() = 0;
   /// Whether what a converged state tells of overlaps changes the loads.
   virtual bool finds_overlap() = 0;
@@ -64,10 +69,17 @@ class SteppedModel {
   /// Within an evaluation: has the bodies evaluated after the contacts.
   virtual void evaluate_bodies_after_contacts() = 0;
   virtual void evaluate_residual() = 0;
+  /// The same where nothing but loads of contacts has changed since it was evaluated.
+  virtual void change_residual() = 0;
+  /// Adds to it what the correction of the contacts' linearisations makes.
+  virtual void correct_residual() = 0;
   virtual MatrixUse matrix_use() = 0;
-  virtual void request_matrix() = 0;
-  /// A converged state has been rejected for the n-th time in a step: the next iteration needs a matrix of its own.
-  virtual void rejected(int n) = 0;
+  /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.
+  virtual bool is_matrix_due() = 0;
+  /// Says whether the next iteration needs a matrix of its own.
+  virtual void request_matrix(bool is_needed) = 0;
+  /// A converged state has been rejected for the n-th time in a step.
+  virtual void rejected(int n, GoesOn with) = 0;
   virtual void accepted() = 0;
 };
 
@@ -91,6 +103,8 @@ class ContactSteps {
 
   // Calls for the model
   void matrix_formed();
+  /// An iteration of a host has ended that is to go on.
+  void end_iteration();
   void end_step() { helpers_.end_step(); }
   /// The state at the start of a failed attempt has been restored.
   void rewind();
@@ -107,7 +121,7 @@ class ContactSteps {
   struct Changes {
     bool loads;   ///< of contacts
     bool values;  ///< at nodes, which the bodies depend on
-    bool any() const { return loads || values; }
+    Changed kind() const;
   };
   enum class Begins {
     anew,          ///< a step, or the iterations after an augmentation
@@ -117,7 +131,9 @@ class ContactSteps {
   /// Whether a contact may look ahead where a step begins.
   bool looks_ahead(const SteppedContact& contact);
   void evaluate_again();
+  void evaluate_residual(Changed what);
   void start_at_prediction();
+  bool keeps_matrix();
   bool is_solution();
 
   SteppedModel& model_;

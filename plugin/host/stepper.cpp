@@ -10,6 +10,8 @@ Stepper::Evaluation Stepper::evaluate() {
     case Phase::rejected:
       phase_ = Phase::begun;
       return Evaluation::go_on;
+    case Phase::uncorrected:
+      return Evaluation::keep_linearisation;
     default:
       phase_ = Phase::begun;
       return Evaluation::begin_anew;
@@ -28,6 +30,7 @@ Stepper::Matrix Stepper::before_matrix() const {
     case Phase::begun:
       return Matrix::nothing;
     case Phase::forming:
+    case Phase::forming_loads:
     case Phase::forming_anew:
       return Matrix::is_formed;
     default:
@@ -35,14 +38,41 @@ Stepper::Matrix Stepper::before_matrix() const {
   }
 }
 
-bool Stepper::matrix_formed() {
-  if (phase_ != Phase::forming_anew) return false;
-  phase_ = Phase::forming;
+void Stepper::form_matrix(Changed changed) {
+  switch (changed) {
+    case Changed::nothing:
+      phase_ = Phase::forming;
+      break;
+    case Changed::loads:
+      phase_ = Phase::forming_loads;
+      break;
+    case Changed::all:
+      phase_ = Phase::forming_anew;
+      break;
+  }
+}
+
+Changed Stepper::matrix_formed() {
+  switch (phase_) {
+    case Phase::forming_loads:
+      phase_ = Phase::forming;
+      return Changed::loads;
+    case Phase::forming_anew:
+      phase_ = Phase::forming;
+      return Changed::all;
+    default:
+      return Changed::nothing;
+  }
+}
+
+bool Stepper::keep_matrix() {
+  if (phase_ != Phase::evaluated && phase_ != Phase::uncorrected) return false;
+  phase_ = Phase::corrected;
   return true;
 }
 
-int Stepper::reject() {
-  phase_ = Phase::rejected;
+int Stepper::reject(GoesOn with) {
+  phase_ = with == GoesOn::correction ? Phase::uncorrected : Phase::rejected;
   return ++rejections_;
 }
 

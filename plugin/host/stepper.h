@@ -5,9 +5,11 @@
 /// what is to be done.
 ///
 ///     converged ---evaluate---> begun ---prepare_step---> step_prepared
-///     begun, step_prepared, evaluated ---form_matrix---> forming, forming_anew
+///     begun, step_prepared, evaluated ---form_matrix---> forming, forming_loads, forming_anew
 ///     any ---try_state---> trial ---evaluate---> evaluated
+///     evaluated, uncorrected ---keep_matrix---> corrected
 ///     evaluated ---reject---> rejected ---evaluate---> begun
+///     evaluated ---reject---> uncorrected
 ///     evaluated ---accept---> converged
 ///     any ---rewind---> converged
 #pragma once
@@ -21,19 +23,32 @@ enum class Phase {
   begun,          ///< an iteration has begun at this state
   step_prepared,  ///< the same, the first one of a time step
   forming,        ///< a matrix is formed; the host's residual is that of this state
-  forming_anew,   ///< a matrix is formed; loads have changed since the host evaluated its residual
+  forming_loads,  ///< a matrix is formed; loads of contacts have changed since the host evaluated its residual
+  forming_anew,   ///< a matrix is formed; values have changed since, that the bodies depend on, too
   trial,          ///< a trial state is set, but not evaluated yet; the active set is held
   evaluated,      ///< a trial state has been evaluated
-  rejected        ///< the host has converged at a state that is no solution
+  rejected,       ///< the host has converged at a state that is no solution
+  uncorrected,    ///< the same, where what is held serves on once it is corrected
+  corrected       ///< an iteration has begun with the matrix and the linearisation of the last one
 };
+
+/// What the iteration has that follows a convergence that is rejected.
+enum class GoesOn {
+  matrix,     ///< one of its own
+  correction  ///< that of before, and its linearisation, corrected
+};
+
+/// What of the model has changed since the host evaluated its residual.
+enum class Changed { nothing, loads, all };
 
 class Stepper {
  public:
   /// What an evaluation of the model asks for.
   enum class Evaluation {
-    keep_active_set,  ///< of a trial: nothing changes
-    begin_anew,       ///< a step or an augmentation: forget what was held, and begin an iteration
-    go_on             ///< convergence was rejected: begin an iteration from what the last one predicts
+    keep_active_set,    ///< of a trial: nothing changes
+    begin_anew,         ///< a step or an augmentation: forget what was held, and begin an iteration
+    go_on,              ///< convergence was rejected: begin an iteration from what the last one predicts
+    keep_linearisation  ///< convergence was rejected: the iteration goes on with what is held
   };
   Evaluation evaluate();
 
@@ -51,15 +66,18 @@ class Stepper {
     is_formed  ///< the host has been told already
   };
   Matrix before_matrix() const;
-  /// The matrix is formed now. `loads_changed`: since the host evaluated its residual.
-  void form_matrix(bool loads_changed) { phase_ = loads_changed ? Phase::forming_anew : Phase::forming; }
-  /// The matrix has been formed. Returns whether the host's residual is to be evaluated again.
-  bool matrix_formed();
+  /// The matrix is formed now.
+  void form_matrix(Changed changed);
+  /// The matrix has been formed. Returns what of the host's residual is to be evaluated again.
+  Changed matrix_formed();
+
+  /// The host goes on from the state of the last trial. Returns whether it does so with the matrix that it has.
+  bool keep_matrix();
 
   /// The host has converged at a state that is a solution, or that is augmented.
   void accept() { phase_ = Phase::converged; }
   /// The host has converged at a state that is no solution. Returns how often it has in this step.
-  int reject();
+  int reject(GoesOn with);
 
   /// The state of an earlier time has been restored.
   void rewind() { phase_ = Phase::converged; }

@@ -38,6 +38,8 @@ class ContactAtState : public mixture_contact::SteppedContact {
   }
   void hold_loads() override { mixture_contact::hold_loads(contact_.core(), fields()); }
   void linearise_at() override { contact_.core().linearise_at(fields()); }
+  bool keeps_matrix() override { return contact_.core().keeps_linearisation(fields()); }
+  bool correct() override { return contact_.core().correct(fields()); }
   bool is_solution() override { return contact_.core().is_solution(fields()); }
   bool finds_overlap() override {
     const mixture_contact::UndetectedPenetration undetected = contact_.core().check_penetration(fields());

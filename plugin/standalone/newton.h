@@ -58,9 +58,12 @@ class Newton : private mixture_contact::SteppedModel {
   void evaluate() override { steps_.evaluate(this); }
   void evaluate_bodies_after_contacts() override {}  // they are evaluated with the residual
   void evaluate_residual() override;
+  void change_residual() override { evaluate_residual(); }
+  void correct_residual() override { evaluate_residual(); }
   mixture_contact::MatrixUse matrix_use() override { return mixture_contact::MatrixUse::each_iteration; }
-  void request_matrix() override {}
-  void rejected(int /*n*/) override {}  // the limit on reformations holds
+  bool is_matrix_due() override { return false; }
+  void request_matrix(bool /*is_needed*/) override {}
+  void rejected(int /*n*/, mixture_contact::GoesOn /*with*/) override {}  // the limit on reformations holds
   void accepted() override {}
 
   Problem& problem_;

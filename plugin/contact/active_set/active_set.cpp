@@ -73,8 +73,8 @@ bool ActiveSet::may_open_ahead(const NodeFlags& status, const NodalGaps& now, co
   return opening < options_.most_opening_load * all;
 }
 
-NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now) const {
-  const double least = negligible(predicted, now);
+NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, double doubt) const {
+  const double least = std::max(doubt, negligible(predicted, now));
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
     const bool sticks = !predicted.slips.empty() && !predicted.slips[node];

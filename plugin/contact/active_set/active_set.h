@@ -40,6 +40,12 @@ struct ActiveSetOptions {
   /// Loads of the linearised laws are those of a solution where they come this near to those of the true ones, as a
   /// part of the largest one. The size is a choice: no derivation stands behind it.
   double solution_load = 1e-2;
+  /// A linearisation that is held serves another iteration where its correction has left less than this part of what
+  /// the loads were off by. The size is a choice: corrections that end leave a tenth each.
+  double most_left = 0.5;
+  /// Nodes that are released from a linearisation at most: each costs the host a back substitution of its matrix. The
+  /// size is a choice: these take about the time of a matrix of a few thousand equations.
+  Index most_released = 60;
 };
 
 /// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays so while its load, as the last
@@ -81,8 +87,9 @@ class ActiveSet {
   /// close, or the other way round: either may be an equilibrium. Not where the other side has conditions, too: those
   /// of both together would hold more than there is to hold. And nodes that may pull do not open.
   bool can_expect() const;
-  /// Status that the loads which an iteration predicts ask for, given the true gaps.
-  NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now) const;
+  /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
+  /// may be off by, so that none below it decides.
+  NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
   /// those that overlap close.
   ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;

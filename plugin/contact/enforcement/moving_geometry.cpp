@@ -68,6 +68,8 @@ std::size_t bytes_of(const IndexedVector<std::optional<GeometricTangent>>& pairs
 
 void MovingGeometry::update(const FacingPositions& x) {
   geometric_.reset();
+  load_change_.reset();
+  correction_.reset();
   if (!point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
 }
@@ -101,6 +103,10 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   vary_trials(laws_, point.loads, point.nodes);
   geometric_ = std::move(geometric);
   point_ = std::move(point);
+  may_release_ = false;
+  last_doubt_ = 0;
+  load_change_.reset();
+  correction_.reset();
 }
 
 const MovingGeometry::GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) const {
@@ -158,7 +164,9 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
                        before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||
                        (predicted && before.rubs != next.loads.rubs) ||
                        differ(before, next.loads, active_set_.options().same_load, fields);
+  const bool same_points = predicted && !finds_more && method_.predicts();
   hold(std::move(next), fields);
+  if (same_points) load_change_ = change(before, point_->loads);
   return changed;
 }
 
@@ -200,8 +208,75 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
 void MovingGeometry::end_iterations() {
   point_.reset();
   geometric_.reset();
+  load_change_.reset();
+  correction_.reset();
   space_.boundary_weights().settle();
   space_.facing().end_iterations();
+}
+
+bool MovingGeometry::is_correctable() const {
+  return point_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
+}
+
+NodalLoads MovingGeometry::true_loads(NodalGaps gaps, const FacingFields& fields) const {
+  NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
+  method_.load(now);
+  return now;
+}
+
+bool MovingGeometry::may_take(const NodeFlags& status) const {
+  if (!may_release_) return false;
+  Index released = 0;
+  for (Index node = 0; node < status.count(); ++node) {
+    const bool is_linearised = !point_->nodes[node].empty();
+    if (status[node] && !is_linearised) return false;
+    if (!status[node] && is_linearised) ++released;
+  }
+  return released <= active_set_.options().most_released;
+}
+
+IndexedVector<int> MovingGeometry::released() const {
+  IndexedVector<int> nodes;
+  if (!may_release_) return nodes;
+  for (Index node = 0; node < point_->nodes.count(); ++node) {
+    if (!point_->loads.in_contact[node] && !point_->nodes[node].empty()) nodes.push_back(static_cast<int>(node));
+  }
+  return nodes;
+}
+
+double MovingGeometry::doubt(const NodalLoads& predicted, const NodalLoads& now) {
+  return (predicted.traction - now.traction).cwiseAbs().maxCoeff();
+}
+
+bool MovingGeometry::keeps_linearisation(const FacingFields& fields) const {
+  if (!is_correctable()) return is_solution(fields);
+  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
+  const NodalLoads now = true_loads(space_.gaps(), fields);
+  const double off = doubt(predicted, now);
+  const ActiveSetOptions& options = active_set_.options();
+  const bool contracts = last_doubt_ == 0 || off <= options.most_left * last_doubt_ ||
+                         !differ(predicted, now, options.solution_load, fields);
+  const NodeFlags status = active_set_.updated(predicted, now, off);
+  return contracts && (status == predicted.in_contact || may_take(status));
+}
+
+bool MovingGeometry::correct(const FacingFields& fields) {
+  if (!is_correctable()) return false;
+  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
+  const NodalLoads now = true_loads(space_.gaps(), fields);
+  point_->loads.gap += now.gap - predicted.gap;
+  point_->loads.jump += now.jump - predicted.jump;
+  last_doubt_ = doubt(predicted, now);
+  if (may_release_) {
+    const NodeFlags status = active_set_.updated(predicted, now, last_doubt_);
+    const ContactStatus next = active_set_.next(predicted.in_contact, status, true);
+    if (next.in_contact != predicted.in_contact) last_doubt_ = 0;
+    point_->loads.in_contact = next.in_contact;
+    point_->loads.flux_coupled = next.flux_coupled;
+  }
+  method_.load(point_->loads);
+  correction_ = change(predicted, method_.predicted_loads(*point_, fields));
+  return !correction_->traction.isZero(0) || !correction_->flux.isZero(0);
 }
 
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
@@ -212,9 +287,7 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
   if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
-  NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
-  method_.load(now);
-  return !differ(predicted, now, active_set_.options().solution_load, fields);
+  return !differ(predicted, true_loads(std::move(gaps), fields), active_set_.options().solution_load, fields);
 }
 
 bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, double part,
@@ -261,6 +334,16 @@ void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVe
   const NodalLoads now = loads(fields);
   nodal_residual(space_, now, fields, dt, add);
   method_.equations(now, equation_weights(now, fields.primary.position), dt, add);
+}
+
+bool MovingGeometry::residual_change(const FacingFields& fields, double dt, const AddVector& add) const {
+  if (!load_change_) return false;
+  nodal_residual(space_, *load_change_, fields, dt, add);
+  return true;
+}
+
+void MovingGeometry::residual_correction(double dt, const AddVector& add) const {
+  if (correction_) linear_residual(point_->nodes, *correction_, dt, add);
 }
 
 void MovingGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {

@@ -128,6 +128,21 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
   for (const auto& sum : sums) sum.second.hand_over(add);
 }
 
+void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, double dt,
+                     const AddVector& add) {
+  for (Index node = 0; node < nodes.count(); ++node) {
+    const NodeLinearisation& linear = nodes[node];
+    if (linear.empty()) continue;
+    add(linear.patch.of_displacements(), loads.traction[node] * linear.traction_work);
+    for (Index k = 0; k < linear.jumps.count(); ++k) {
+      const int field = linear.patch.fields[k];
+      if (!loads.exchanges(field, node)) continue;
+      const double flow = dt * loads.flux_area(field, node) * loads.flux(field, node);
+      add(linear.patch.of_field(field, false), flow * linear.jumps[k].weights);
+    }
+  }
+}
+
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                         const AddBlock& add) {
   const IndexedVector<FacetPair>& pairs = space.facing().pairs();

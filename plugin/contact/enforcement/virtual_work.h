@@ -10,6 +10,10 @@ namespace mixture_contact {
 void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add);
 
+/// Residual of loads at the nodes of a linearisation, whose works are those of the state that it was made at.
+void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, double dt,
+                     const AddVector& add);
+
 /// The part of the tangent in which loads stay and the geometry changes, of a pair.
 struct GeometricTangent {
   std::vector<TangentBlock> fluxes;  ///< proportional to the time increment; none in a symmetric tangent

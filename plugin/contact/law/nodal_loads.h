@@ -75,4 +75,8 @@ struct NodalLoads : NodalGaps, ContactStatus {
   bool exchanges(Index field, Index node) const { return flux_coupled[node] && flux_area(field, node) > 0; }
 };
 
+/// What of tractions and fluxes acts in `to` and not in `from`, at all nodes that are in contact in one of them: what
+/// the virtual work (2.5), linear in both, has of the change.
+NodalLoads change(const NodalLoads& from, const NodalLoads& to);
+
 }  // namespace mixture_contact

@@ -10,6 +10,7 @@
 #include <string>
 
 using mixture_contact::ContactSteps;
+using mixture_contact::GoesOn;
 using mixture_contact::MatrixUse;
 using mixture_contact::SteppedContact;
 using mixture_contact::SteppedModel;
@@ -32,12 +33,18 @@ class FakeContact : public SteppedContact {
   }
   void hold_loads() override { note("hold"); }
   void linearise_at() override { note("move"); }
+  bool keeps_matrix() override { return serves; }
+  bool correct() override {
+    note("correct");
+    return loads_change;
+  }
   bool is_solution() override { return solution; }
   bool finds_overlap() override { return overlap; }
 
   std::vector<int> own_nodes;
   bool looked_ahead = false;
   bool loads_change = false;
+  bool serves = true;
   bool solution = true;
   bool overlap = false;
 
@@ -108,6 +115,11 @@ class FakeHost : public SteppedModel {
     for (std::size_t n = 0; n < active_contacts().size(); ++n) steps.before_matrix();
     steps.matrix_formed();
   }
+  /// An iteration with the matrix that there is.
+  void iterate() {
+    update(1.0);
+    steps.end_iteration();
+  }
   void update(double increment) {
     for (SteppedContact* contact : active_contacts()) steps.try_increment(contact, {increment});
     update_model();
@@ -120,6 +132,14 @@ class FakeHost : public SteppedModel {
       update_model();
       form_matrix_without_callback();
     }
+    return accepted;
+  }
+  /// The same where the host keeps its matrix.
+  bool augment_with_the_matrix_kept() {
+    bool accepted = true;
+    for (SteppedContact* contact : active_contacts()) accepted = steps.accepts(contact) && accepted;
+    if (!accepted) update_model();
+    steps.end_iteration();
     return accepted;
   }
   void form_matrix_without_callback() {
@@ -143,11 +163,17 @@ class FakeHost : public SteppedModel {
   }
   void evaluate_bodies_after_contacts() override { notes.emplace_back("bodies"); }
   void evaluate_residual() override { notes.emplace_back("residual"); }
+  void change_residual() override { notes.emplace_back("change of residual"); }
+  void correct_residual() override { notes.emplace_back("correction of residual"); }
   MatrixUse matrix_use() override { return matrices; }
-  void request_matrix() override { notes.emplace_back("matrix please"); }
+  bool is_matrix_due() override { return is_due; }
+  void request_matrix(bool is_needed) override {
+    if (is_needed) notes.emplace_back("matrix please");
+  }
   void accepted() override {}
-  void rejected(int n) override {
+  void rejected(int n, GoesOn with) override {
     if (n > 2) throw TooManyRejections("too many");
+    if (with == GoesOn::correction) notes.emplace_back("no matrix");
   }
 
   Notes said() { return std::exchange(notes, {}); }
@@ -158,6 +184,7 @@ class FakeHost : public SteppedModel {
   FakeHelper* helper = nullptr;
   bool ambient_changes = false;
   MatrixUse matrices = MatrixUse::each_iteration;
+  bool is_due = false;
 
  private:
   FakeSolver solver_;
@@ -215,7 +242,7 @@ BOOST_AUTO_TEST_CASE(loads_that_change_at_a_matrix_change_the_residual_and_no_bo
   host.contacts[1]->loads_change = true;
   host.said();
   host.form_matrix();
-  check(host.said(), {"A begin", "B begin", "ambient", "helper adapt", "helper residual", "residual"});
+  check(host.said(), {"A begin", "B begin", "ambient", "helper adapt", "helper residual", "change of residual"});
 }
 
 BOOST_AUTO_TEST_CASE(values_that_change_at_a_matrix_are_evaluated_with_what_is_held_and_then_the_residual) {
@@ -235,11 +262,60 @@ BOOST_AUTO_TEST_CASE(quasi_newton_methods_get_a_matrix_where_the_active_set_must
   host.said();
   host.update(1.0);
   check(host.said(), {"helper trial"});
-  host.contacts[1]->solution = false;
+  host.contacts[1]->serves = false;
   host.update(1.0);
   check(host.said(), {"helper trial", "matrix please"});
-  host.update(1.0);  // an update without a matrix: nothing begins
+  host.form_matrix();
+  host.said();
+  host.steps.end_iteration();  // the iteration has begun with the matrix
+  check(host.said(), {});
+}
+
+BOOST_AUTO_TEST_CASE(with_a_matrix_that_is_kept_linearisations_are_corrected_in_each_iteration) {
+  FakeHost host(2);
+  host.matrices = MatrixUse::kept;
+  host.start_step();
+  host.said();
+  host.iterate();
+  check(host.said(), {"helper trial", "A correct", "B correct"});
+  host.contacts[1]->loads_change = true;
+  host.iterate();
+  check(host.said(), {"helper trial", "A correct", "B correct", "correction of residual"});
+}
+
+BOOST_AUTO_TEST_CASE(the_hosts_limit_on_iterations_with_one_matrix_holds) {
+  FakeHost host(1);
+  host.matrices = MatrixUse::kept;
+  host.start_step();
+  host.is_due = true;
+  host.said();
+  host.update(1.0);
   check(host.said(), {"helper trial", "matrix please"});
+}
+
+BOOST_AUTO_TEST_CASE(a_state_whose_loads_are_off_alone_is_rejected_without_a_matrix) {
+  FakeHost host(2);
+  host.matrices = MatrixUse::kept;
+  host.start_step();
+  host.update(1.0);
+  host.contacts[1]->solution = false;
+  host.contacts[1]->loads_change = true;
+  host.said();
+  BOOST_TEST(!host.augment_with_the_matrix_kept());
+  check(host.said(), {"no matrix", "A correct", "B correct", "correction of residual"});
+  host.update(1.0);
+  host.contacts[1]->serves = false;
+  host.said();
+  BOOST_TEST(!host.augment());
+  check(host.said(), {"A begin", "B begin", "ambient", "helper adapt"});
+}
+
+BOOST_AUTO_TEST_CASE(full_newton_begins_iterations_with_matrices_alone) {
+  FakeHost host(1);
+  host.start_step();
+  host.said();
+  host.iterate();
+  check(host.said(), {"helper trial"});
 }
 
 BOOST_AUTO_TEST_CASE(without_any_matrix_each_trial_is_of_the_true_laws_and_nothing_is_linearised) {
@@ -254,7 +330,7 @@ BOOST_AUTO_TEST_CASE(without_any_matrix_each_trial_is_of_the_true_laws_and_nothi
 BOOST_AUTO_TEST_CASE(full_newton_asks_for_no_matrix) {
   FakeHost host(1);
   host.start_step();
-  host.contacts[0]->solution = false;
+  host.contacts[0]->serves = false;
   host.said();
   host.update(1.0);
   check(host.said(), {"helper trial"});

@@ -6,6 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <optional>
 
 using namespace test;
 
@@ -59,6 +60,15 @@ VectorXd side_sum(const GlobalLayout& layout, const VectorXd& residual, Side sid
   for (Index node = 0; node < layout.nodes[side]; ++node)
     sum += residual.segment(layout.entry(side, node, 0), layout.per_node());
   return sum;
+}
+
+/// What an iteration that has begun changes of the residual, where that is known.
+std::optional<VectorXd> changed_residual(const ContactInterface& contact, const GlobalLayout& layout,
+                                         const PerSide<SurfaceFields>& fields) {
+  VectorXd sum = VectorXd::Zero(layout.size() + 1);
+  const bool known = contact.residual_change(
+      fields, dt, [&](const ContactInterface::Location& at, const VectorXd& part) { sum(layout.entries(at)) += part; });
+  return known ? std::optional<VectorXd>(sum.head(layout.size())) : std::nullopt;
 }
 
 /// All answers of a contact in one vector.
@@ -233,6 +243,33 @@ BOOST_AUTO_TEST_CASE(loads_held_for_residuals_are_those_of_an_iteration_without_
     BOOST_TEST((assembled_residual(contact, layout, scene.fields, dt) == linearised));
     BOOST_TEST(2 * contact.pass(0).memory() < memory);
   });
+}
+
+BOOST_AUTO_TEST_CASE(what_an_iteration_changes_of_the_residual_is_the_difference_of_two) {
+  std::mt19937 random(67);
+  for (const auto& [one, two] : mixed_pairs) {
+    for (const FrictionKind friction : {FrictionKind::none, FrictionKind::on_traction}) {
+      Scene scene = random_scene(one, two, true, random);
+      scene.effects.friction_kind = friction;
+      scene.settings.friction.coefficient = 0.3;
+      const GlobalLayout layout(scene);
+      const auto contact = scene.contact();
+      contact->begin_iteration(scene.fields);
+      BOOST_TEST(!changed_residual(*contact, layout, scene.fields).has_value());  // there were no loads before
+      scene.disturb(0.02, random);
+      contact->project(scene.position());
+      const VectorXd before = assembled_residual(*contact, layout, scene.fields, dt);
+      BOOST_TEST(contact->begin_iteration(scene.fields));
+      const VectorXd after = assembled_residual(*contact, layout, scene.fields, dt);
+      const std::optional<VectorXd> change = changed_residual(*contact, layout, scene.fields);
+      BOOST_REQUIRE(change.has_value());
+      BOOST_TEST((before + *change - after).norm() <= rounding * before.norm());
+      BOOST_TEST(change->norm() > 1e-3 * before.norm());
+      scene.disturb(0.02, random);
+      contact->project(scene.position());
+      BOOST_TEST(!changed_residual(*contact, layout, scene.fields).has_value());  // the surfaces have moved
+    }
+  }
 }
 
 /// Meshes that overlap at the start, times a large penalty, would be a geometric stiffness of that size.
