@@ -1,6 +1,6 @@
 #include "matrix_profile.h"
 
-#include "contact/base/parallel.h"
+#include "contact/base/in_order.h"
 
 #include <algorithm>
 #include <stdexcept>

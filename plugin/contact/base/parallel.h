@@ -9,7 +9,7 @@
 
 namespace mixture_contact {
 
-/// Results of in_order() that are held at once: enough to keep threads busy, few enough for the cache.
+/// Results of in_batches() that are held at once: enough to keep threads busy, few enough for the cache.
 inline constexpr Index batch_size = 512;
 
 /// How many threads share a loop.
@@ -44,10 +44,10 @@ void in_parallel(Index count, const Body& body) {
 }
 
 /// Computes make(i) for each i below `count` on several threads, and hands the results on, use(i, make(i)), in
-/// ascending order on the calling thread: sums and calls of a host come in the same order whatever the number of
-/// threads.
+/// ascending order on the calling thread once many are made: `use` may share its own work among threads. Where it has
+/// little of its own, in_order() is faster.
 template <class Make, class Use>
-void in_order(Index count, const Make& make, const Use& use) {
+void in_batches(Index count, const Make& make, const Use& use) {
   using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;
   if (thread_count() == 1) {  // nothing is held: the memory of a result serves the next one
     for (Index i = 0; i < count; ++i) {

@@ -41,7 +41,7 @@ void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
     if (multiplies) multiply_out(space, tangent);
     return tangent;
   };
-  in_order(nodes.count(), of_node, [&](Index /*node*/, const NodeTangent& tangent) {
+  in_batches(nodes.count(), of_node, [&](Index /*node*/, const NodeTangent& tangent) {
     for (const TangentBlock& block : tangent.blocks) add.block(block);
     for (const LoadBlock& load : tangent.loads) add.load(load);
   });

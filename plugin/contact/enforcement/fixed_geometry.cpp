@@ -1,6 +1,6 @@
 #include "enforcement/fixed_geometry.h"
 
-#include "base/parallel.h"
+#include "base/in_order.h"
 
 namespace mixture_contact {
 namespace {

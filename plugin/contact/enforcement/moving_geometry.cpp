@@ -1,7 +1,7 @@
 #include "enforcement/moving_geometry.h"
 
 #include "base/bytes.h"
-#include "base/parallel.h"
+#include "base/in_order.h"
 #include "mortar/trial_variation.h"
 #include "mortar/varying_pairs.h"
 

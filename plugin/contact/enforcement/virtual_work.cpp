@@ -1,6 +1,6 @@
 #include "enforcement/virtual_work.h"
 
-#include "base/parallel.h"
+#include "base/in_order.h"
 
 #include <map>
 #include <optional>
@@ -150,7 +150,7 @@ void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const
     if (!space.facing().has_node_among(pairs[index], loads.in_contact)) return std::nullopt;
     return geometric_tangent(space, pairs[index], varying_points(space, pairs[index], loads, fields, dt));
   };
-  in_order(pairs.count(), of_pair, [&](Index /*index*/, const std::optional<GeometricTangent>& tangent) {
+  in_batches(pairs.count(), of_pair, [&](Index /*index*/, const std::optional<GeometricTangent>& tangent) {
     if (!tangent) return;
     for (const TangentBlock& flux : tangent->fluxes) add(flux);
     add(tangent->traction);

@@ -1,6 +1,6 @@
 #include "integration/points.h"
 
-#include "base/parallel.h"
+#include "base/in_order.h"
 #include "geometry/quadrature.h"
 #include "integration/segments.h"
 

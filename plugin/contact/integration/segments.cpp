@@ -1,6 +1,6 @@
 #include "integration/segments.h"
 
-#include "base/parallel.h"
+#include "base/in_order.h"
 #include "geometry/quadrature.h"
 #include "integration/polygon_quadrature.h"
 #include "integration/view.h"

@@ -1,7 +1,7 @@
 #include "mortar/linearisation.h"
 
 #include "base/bytes.h"
-#include "base/parallel.h"
+#include "base/in_order.h"
 #include "mortar/slips.h"
 #include "mortar/varying_pairs.h"
 

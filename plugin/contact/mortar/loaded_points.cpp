@@ -1,6 +1,6 @@
 #include "mortar/loaded_points.h"
 
-#include "base/parallel.h"
+#include "base/in_order.h"
 
 namespace mixture_contact {
 

@@ -1,7 +1,7 @@
 #include "mortar/mortar_space.h"
 
 #include "base/bytes.h"
-#include "base/parallel.h"
+#include "base/in_order.h"
 #include "mortar/slips.h"
 
 #include <algorithm>

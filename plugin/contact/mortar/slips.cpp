@@ -1,6 +1,6 @@
 #include "mortar/slips.h"
 
-#include "base/parallel.h"
+#include "base/in_order.h"
 
 #include <algorithm>
 

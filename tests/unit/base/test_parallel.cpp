@@ -1,5 +1,5 @@
 // Threads: the same bits for any number of them.
-#include "contact/base/parallel.h"
+#include "contact/base/in_order.h"
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -10,6 +10,7 @@
 
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 
 namespace {
 
@@ -49,24 +50,42 @@ VectorXd answers(const Scene& scene, int threads) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(results_come_in_order) {
-  use_threads(3);
-  const Index count = 2 * batch_size + 7;
-  Index next = 0;
-  in_order(
-      count, [](Index i) { return 2 * i; },
-      [&](Index i, Index twice) {
+  for (const int threads : {1, 2, 3}) {
+    use_threads(threads);
+    for (const Index count : {Index{0}, Index{1}, Index{8}, 2 * batch_size + 7}) {
+      Index next = 0;
+      const auto twice = [](Index i) { return 2 * i; };
+      const auto check = [&](Index i, Index made) {
         BOOST_TEST(i == next++);
-        BOOST_TEST(twice == 2 * i);
-      });
-  BOOST_TEST(next == count);
+        BOOST_TEST(made == 2 * i);
+      };
+      in_order(count, twice, check);
+      BOOST_TEST(next == count);
+      next = 0;
+      in_batches(count, twice, check);
+      BOOST_TEST(next == count);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(results_are_used_on_the_calling_thread) {
+  use_threads(3);
+  const std::thread::id caller = std::this_thread::get_id();
+  in_order(
+      1000, [](Index i) { return i; },
+      [&](Index /*i*/, Index /*made*/) { BOOST_TEST((std::this_thread::get_id() == caller)); });
 }
 
 BOOST_AUTO_TEST_CASE(an_exception_reaches_the_caller) {
   use_threads(2);
   const auto fail = [](Index i) {
     if (i == 5) throw std::runtime_error("five");
+    return i;
   };
+  const auto pass = [](Index i) { return i; };
   BOOST_CHECK_THROW(in_parallel(10, fail), std::runtime_error);
+  BOOST_CHECK_THROW(in_order(1000, fail, [](Index, Index) {}), std::runtime_error);
+  BOOST_CHECK_THROW(in_order(1000, pass, [&](Index i, Index) { fail(i); }), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {

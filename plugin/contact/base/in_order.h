@@ -1,0 +1,132 @@
+/// Results that threads compute side by side and one thread takes in order.
+#pragma once
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace mixture_contact {
+
+/// Results of a loop in groups that follow each other: any thread makes the next group, one thread uses the groups in
+/// ascending order. Few groups are held at once, so that what is used is still in the cache and its memory serves the
+/// groups to come.
+template <class Make, class Use>
+class OrderedResults {
+ public:
+  /// Keeps references.
+  OrderedResults(Index count, int threads, const Make& make, const Use& use)
+      : count_(count),
+        groups_((count + together - 1) / together),
+        held_(std::min<Index>(groups_, groups_per_thread * threads)),
+        results_(held_ * together),
+        made_(indexing::entries(held_)),
+        make_(make),
+        use_(use) {}
+
+  /// For the one thread that uses results: makes some, too, while there are none to use.
+  void use_all() {
+    run([&] { return used_ < groups_; }, [&] { return use_next() || make_next(); });
+  }
+  /// For any other thread.
+  void make_all() {
+    run([&] { return next_ < groups_; }, [&] { return make_next(); });
+  }
+  /// Rethrows one of the exceptions that threads met with.
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  /// Results of a group, which one thread makes: neighbours in memory.
+  static constexpr Index together = 8;
+  static constexpr Index groups_per_thread = 4;
+
+  using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;
+
+  /// Calls `step`, which tells whether it found something to do, until nothing remains or a thread has failed.
+  template <class Remains, class Step>
+  void run(const Remains& remains, const Step& step) {
+    try {
+      while (remains() && !failed_) {
+        if (!step()) std::this_thread::yield();
+      }
+    } catch (...) {
+      if (!failed_.exchange(true)) thrown_ = std::current_exception();
+    }
+  }
+
+  /// Makes a group unless all that may be held at once are.
+  bool make_next() {
+    Index group = next_;
+    do {
+      if (group >= groups_ || group >= used_ + held_) return false;
+    } while (!next_.compare_exchange_weak(group, group + 1));
+    for_each_of(group, [&](Index i, Result& result) { result = make_(i); });
+    made_of(group) = group + 1;
+    return true;
+  }
+
+  /// Uses the next group if it is made.
+  bool use_next() {
+    const Index group = used_;
+    if (made_of(group) != group + 1) return false;
+    for_each_of(group, use_);
+    used_ = group + 1;
+    return true;
+  }
+
+  template <class Call>
+  void for_each_of(Index group, const Call& call) {
+    const Index first = group * together;
+    const Index end = std::min(count_, first + together);
+    for (Index i = first; i < end; ++i) call(i, results_[i % results_.count()]);
+  }
+
+  std::atomic<Index>& made_of(Index group) { return at(made_, group % held_); }
+
+  Index count_;
+  Index groups_;
+  Index held_;  ///< at once
+  IndexedVector<Result> results_;
+  std::vector<std::atomic<Index>> made_;  ///< the last group made in the place of each, plus one
+  std::atomic<Index> next_{0};            ///< to be made
+  std::atomic<Index> used_{0};            ///< how many are
+  std::atomic<bool> failed_{false};
+  std::exception_ptr thrown_;
+  const Make& make_;
+  const Use& use_;
+};
+
+/// Computes make(i) for each i below `count` on several threads, and hands the results on, use(i, make(i)), in
+/// ascending order on the calling thread, while the others go on: sums and calls of a host come in the same order
+/// whatever the number of threads. `use` has no other threads to share its own work with.
+template <class Make, class Use>
+void in_order(Index count, const Make& make, const Use& use) {
+  const int threads = thread_count();
+  if (threads == 1) {  // nothing is held: the memory of a result serves the next one
+    for (Index i = 0; i < count; ++i) {
+      auto&& result = make(i);
+      use(i, result);
+    }
+    return;
+  }
+  OrderedResults<Make, Use> results(count, threads, make, use);
+#ifdef _OPENMP
+#pragma omp parallel default(none) shared(results)
+#endif
+  {
+#ifdef _OPENMP
+#pragma omp master
+#endif
+    results.use_all();
+    results.make_all();
+  }
+  results.rethrow();
+}
+
+}  // namespace mixture_contact
