@@ -110,10 +110,13 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
   const RigidShellBottoms arms(surfaces_);
   const NodeEquations equations(dofs_, surfaces_, core);
   TangentAssembly parts(core, equations, loads_, system, matrix, is_constrained);
+  ContactInterface::AddTangents add_many;
+  if (takes_blocks(matrix, is_constrained))
+    add_many = [&](Side first, const TangentBlocks& blocks) { parts.add_all(first, blocks); };
   core.tangent(
       fields, dt,
       [&](const Location& rows, const Location& columns, const MatrixXd& values) { parts.add(rows, columns, values); },
-      [&](Side first, const LoadBlock& load) { parts.add_load(first, load); });
+      [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_many);
   parts.finish(timed);
   for (std::size_t n = 0; n < core.passes(); ++n) {
     ContactPass& pass = contact_.core().pass(n);

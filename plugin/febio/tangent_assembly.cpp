@@ -8,6 +8,7 @@
 #include <FECore/FELinearSystem.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 using namespace mixture_contact;
@@ -100,6 +101,10 @@ TangentAssembly::Ids TangentAssembly::ids_of(const Location& rows, const Locatio
   return ids;
 }
 
+bool TangentAssembly::is_free(const Ids& ids, const Location& columns) const {
+  return takes_blocks_ && !are_prescribed(ids.columns) && !equations_.are_rigid(columns);
+}
+
 TangentAssembly::Kept& TangentAssembly::kept_of(const Patch& rows) {
   return kept_[rows.fields.empty() ? std::optional<int>() : rows.fields.front()];
 }
@@ -124,11 +129,36 @@ void TangentAssembly::assemble(const Patch& rows, const FEElementMatrix& block) 
 void TangentAssembly::add(const Location& rows, const Location& columns, const MatrixXd& values) {
   Ids ids = ids_of(rows, columns);
   // FEBio solves K du = R with K = -dR/du.
-  if (takes_blocks_ && !are_prescribed(ids.columns) && !equations_.are_rigid(columns)) {
+  if (is_free(ids, columns)) {
     keep(rows.patch, {std::move(ids.rows), std::move(ids.columns), values});
   } else {
     assemble(rows.patch,
              element_matrix(rows.patch, columns.patch, equations_.nodes(columns), ids.rows, ids.columns, values));
+  }
+}
+
+void TangentAssembly::add_batch(Side first, const TangentBlocks& blocks, IndexedVector<MatrixBlock>& made) {
+  made.resize(blocks.size());
+  std::atomic<bool> are_free{true};
+  in_parallel(blocks.count(), [&](Index n) {
+    const Location columns{first, blocks[n]->columns};
+    Ids ids = ids_of({first, blocks[n]->rows}, columns);
+    if (!is_free(ids, columns)) are_free = false;
+    made[n].rows = std::move(ids.rows);
+    made[n].columns = std::move(ids.columns);
+    made[n].values = blocks[n]->values;
+  });
+  if (are_free) return rows_.subtract(made);
+  for (const TangentBlock* block : blocks) add({first, block->rows}, {first, block->columns}, block->values);
+}
+
+void TangentAssembly::add_all(Side first, const TangentBlocks& blocks) {
+  if (!blocks.empty()) take_over(kept_of(blocks.front()->rows));  // what came before these
+  IndexedVector<MatrixBlock> made;
+  for (auto begin = blocks.begin(); begin != blocks.end();) {
+    const auto end = begin + std::min<std::ptrdiff_t>(batch_size, blocks.end() - begin);
+    add_batch(first, TangentBlocks(begin, end), made);
+    begin = end;
   }
 }
 

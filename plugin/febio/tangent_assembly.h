@@ -24,6 +24,8 @@ class TangentAssembly {
                   const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained);
 
   void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
+  /// The same for blocks of one effect.
+  void add_all(mixture_contact::Side first, const mixture_contact::TangentBlocks& blocks);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
   /// are zero. Charges each effect with its own.
@@ -37,6 +39,11 @@ class TangentAssembly {
     std::vector<int> columns;
   };
   Ids ids_of(const Location& rows, const Location& columns) const;
+  /// Whether a block with these equations goes straight into the rows of the matrix.
+  bool is_free(const Ids& ids, const Location& columns) const;
+  /// Adds as many blocks as threads share at a time.
+  void add_batch(mixture_contact::Side first, const mixture_contact::TangentBlocks& blocks,
+                 mixture_contact::IndexedVector<MatrixBlock>& made);
   void add_mixed(int own, const mixture_contact::LoadBlock& load, const Location& rows, const Location& columns);
   /// Blocks of one effect on their way into the matrix.
   struct Kept {

@@ -10,6 +10,7 @@ namespace mixture_contact {
 struct TangentParts {
   AddBlock block;
   AddLoadBlock load;  ///< load blocks, where tangents consist of them; empty: all come as their products
+  AddBlocks blocks;   ///< many blocks of one effect, which threads may share; empty: all come one by one
 };
 
 /// Who takes what couples with each other.

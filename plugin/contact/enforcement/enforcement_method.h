@@ -11,6 +11,7 @@ namespace mixture_contact {
 
 using AddVector = std::function<void(const Patch&, const VectorXd&)>;
 using AddBlock = std::function<void(const TangentBlock&)>;
+using AddBlocks = std::function<void(const TangentBlocks&)>;
 using UsePatch = std::function<void(const Patch&)>;
 using AddLoadBlock = std::function<void(const LoadBlock&)>;
 using UseLoad = std::function<void(const LoadPlace&)>;

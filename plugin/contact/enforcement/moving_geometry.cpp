@@ -31,10 +31,29 @@ NodalLoads geometric_loads(const LinearisationPoint& point) {
   return loads;
 }
 
-/// Hands on the geometric part of a pair that is given for a time increment of 1.
-void add_geometric(const GeometricTangent& unit, double dt, const AddBlock& add) {
-  for (const TangentBlock& flux : unit.fluxes) add({flux.rows, flux.columns, dt * flux.values});
-  add(unit.traction);
+using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;
+
+/// Hands on the fluxes of pairs, which are given for a time increment of 1.
+void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
+  const auto of_pair = [&](Index pair) {
+    std::vector<TangentBlock> fluxes;
+    if (!units[pair]) return fluxes;
+    for (const TangentBlock& flux : units[pair]->fluxes) fluxes.push_back({flux.rows, flux.columns, dt * flux.values});
+    return fluxes;
+  };
+  in_batches(units.count(), of_pair, [&](Index /*pair*/, const std::vector<TangentBlock>& fluxes) {
+    for (const TangentBlock& flux : fluxes) add(flux);
+  });
+}
+
+/// Hands on the tractions of pairs.
+void add_tractions(const GeometricParts& units, const TangentParts& add) {
+  TangentBlocks blocks;
+  for (const std::optional<GeometricTangent>& unit : units) {
+    if (unit) blocks.push_back(&unit->traction);
+  }
+  if (add.blocks) return add.blocks(blocks);
+  for (const TangentBlock* block : blocks) add.block(*block);
 }
 
 /// Has the patches of nodes used: those of the facet pairs of all points that the loads of a node act at.
@@ -58,7 +77,7 @@ std::size_t bytes_of(const GeometricTangent& tangent) {
   return sum;
 }
 
-std::size_t bytes_of(const IndexedVector<std::optional<GeometricTangent>>& pairs) {
+std::size_t bytes_of(const GeometricParts& pairs) {
   std::size_t sum = bytes(pairs);
   for (const std::optional<GeometricTangent>& tangent : pairs) sum += tangent ? bytes_of(*tangent) : 0;
   return sum;
@@ -354,9 +373,8 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, space_, is_linearised ? point_->nodes : present, now, weights, dt, add);
   if (const GeometricPart* held = geometric_at(positions(fields))) {
-    for (const std::optional<GeometricTangent>& unit : *held) {
-      if (unit) add_geometric(*unit, dt, add.block);
-    }
+    add_fluxes(*held, dt, add.block);
+    add_tractions(*held, add);
   } else {
     geometric_tangents(space_, is_linearised ? geometric_loads(*point_) : now, fields, dt, add.block);
   }

@@ -231,7 +231,7 @@ void ContactInterface::residual_correction(double dt, const AddResidual& add) co
 }
 
 void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
-                               const AddLoadTangent& add_load) const {
+                               const AddLoadTangent& add_load, const AddTangents& add_many) const {
   TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
     TangentParts parts;
@@ -240,6 +240,10 @@ void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, 
     };
     if (add_load)
       parts.load = [&](const LoadBlock& load) { timed.in_host(load.rows, [&] { add_load(pass.side, load); }); };
+    if (add_many)
+      parts.blocks = [&](const TangentBlocks& blocks) {
+        if (!blocks.empty()) timed.in_host(blocks.front()->rows, [&] { add_many(pass.side, blocks); });
+      };
     pass.integral->tangent(seen_from(pass.side, fields), dt, parts);
     timed.take(pass.integral->space().effect_times(), thread_count());
   }

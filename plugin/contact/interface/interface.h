@@ -20,6 +20,7 @@ class ContactInterface {
   };
   using AddResidual = std::function<void(const Location&, const VectorXd&)>;
   using AddTangent = std::function<void(const Location& rows, const Location& columns, const MatrixXd&)>;
+  using AddTangents = std::function<void(Side first, const TangentBlocks&)>;
   using AddLoadTangent = std::function<void(Side first, const LoadBlock&)>;
   using UseLocation = std::function<void(const Location&)>;
   using UseLoadPlace = std::function<void(Side first, const LoadPlace&)>;
@@ -65,8 +66,9 @@ class ContactInterface {
   /// Adds what the last correct() changes of the residual.
   void residual_correction(double dt, const AddResidual& add) const;
   /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
+  /// `add_many`, where given, takes blocks of one effect that there are many of.
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
-               const AddLoadTangent& add_load = {}) const;
+               const AddLoadTangent& add_load = {}, const AddTangents& add_many = {}) const;
   /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`.
   void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}) const;
 

@@ -136,6 +136,23 @@ BOOST_AUTO_TEST_CASE(blocks_and_products_add_up_to_the_tangent) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(blocks_that_come_together_are_those_that_come_one_by_one) {
+  for_each_state([](const Scene& scene, const ContactInterface& contact) {
+    const GlobalLayout layout(scene);
+    const Index size = layout.size() + 1;
+    MatrixXd sum = MatrixXd::Zero(size, size);
+    const auto add = [&](const Location& rows, const Location& columns, const MatrixXd& values) {
+      sum(layout.entries(rows), layout.entries(columns)) += values;
+    };
+    const auto add_many = [&](Side first, const TangentBlocks& blocks) {
+      for (const TangentBlock* block : blocks) add({first, block->rows}, {first, block->columns}, block->values);
+    };
+    contact.tangent(scene.fields, dt, add, {}, add_many);
+    const MatrixXd one_by_one = assembled_tangent(contact, layout, scene.fields, dt);
+    BOOST_TEST((sum.topLeftCorner(layout.size(), layout.size()) == one_by_one));
+  });
+}
+
 BOOST_AUTO_TEST_CASE(couplings_hold_what_the_parts_fill) {
   for_each_state([](const Scene& scene, const ContactInterface& contact) {
     const Parts parts = parts_of(scene, contact);

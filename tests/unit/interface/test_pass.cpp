@@ -30,7 +30,7 @@ void residual_of(const ContactPass& pass, const Scene& scene,
 }
 
 void tangent_of(const ContactPass& pass, const Scene& scene, const std::function<void(const TangentBlock&)>& use) {
-  pass.tangent(seen_from(Side::primary, scene.fields), dt, {use, {}});
+  pass.tangent(seen_from(Side::primary, scene.fields), dt, {use, {}, {}});
 }
 
 /// Number of integration points that see the other surface.
