@@ -18,6 +18,7 @@
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FETimeStepController.h>
 #include <FECore/JFNKStrategy.h>
+#include <FECore/LinearSolver.h>
 #include <FECore/log.h>
 #include <FECore/vector.h>
 
@@ -287,7 +288,12 @@ void ModelContacts::correct_residual() {
   } else {
     evaluate_residual();
   }
-  may_correct_ = zero_loads_.hold(*solver.GetLinearSolver(), solver.m_R0, released_loads());
+  const auto solve = [&](std::vector<double> right) {
+    std::vector<double> solution(right.size());
+    if (!solver.GetLinearSolver()->BackSolve(solution, right)) throw LinearSolverFailed();
+    return solution;
+  };
+  may_correct_ = zero_loads_.hold(solve, released_loads(), solver.m_R0);
 }
 
 std::vector<int> ModelContacts::released_loads() const {

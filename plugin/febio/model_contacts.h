@@ -5,7 +5,7 @@
 #include "host/contact_parameters.h"
 #include "host/contact_steps.h"
 #include "host/reducible_penalties.h"
-#include "newton/febio/zero_unknowns.h"
+#include "newton/zero_unknowns.h"
 
 #include <functional>
 #include <memory>

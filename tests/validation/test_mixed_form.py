@@ -34,7 +34,7 @@ SCENES: Mapping[str, BallInSocket] = {
     "elastic": BallInSocket(elements=4),
     "biphasic": BallInSocket(elements=4, porous=True, steps=5),
     "quadratic": BallInSocket(elements=4, quadratic=True, slides=False, steps=5),
-    "quasi-Newton": BallInSocket(elements=4, updates=10, steps=5),
+    "quasi-Newton, biphasic": BallInSocket(elements=4, porous=True, updates=10, steps=5),
     "two passes": BallInSocket(elements=4, porous=True, steps=5, params=(Param("two_pass", 1),)),
     "ambient that rises": BallInSocket(elements=4, porous=True, steps=5, params=(Param("ambient_pressure", 0.05, 1),)),
     "augmented": BallInSocket(elements=4, steps=5, params=(Param("laugon", "AUGLAG"),)),

@@ -272,6 +272,110 @@ BOOST_AUTO_TEST_CASE(what_an_iteration_changes_of_the_residual_is_the_difference
   }
 }
 
+/// A contact that is linearised where it begins, and has moved from there.
+struct MovedContact {
+  MovedContact(Scene at, std::mt19937& random) : scene(std::move(at)), layout(scene), contact(scene.contact()) {
+    contact->begin_iteration(scene.fields);
+    start = scene.fields;
+    scene.disturb(0.005, random);
+    contact->project(scene.position());
+  }
+  VectorXd residual_at(const PerSide<SurfaceFields>& fields) const {
+    return assembled_residual(*contact, layout, fields, dt);
+  }
+  VectorXd correction() const {
+    VectorXd sum = VectorXd::Zero(layout.size() + 1);
+    contact->residual_correction(
+        dt, [&](const ContactInterface::Location& at, const VectorXd& part) { sum(layout.entries(at)) += part; });
+    return sum.head(layout.size());
+  }
+
+  Scene scene;
+  GlobalLayout layout;
+  std::unique_ptr<ContactInterface> contact;
+  PerSide<SurfaceFields> start;
+};
+
+BOOST_AUTO_TEST_CASE(a_correction_gives_gaps_and_jumps_their_true_values_and_keeps_how_they_vary) {
+  std::mt19937 random(73);
+  for (const auto& [one, two] : mixed_pairs) {
+    MovedContact moved(random_scene(one, two, false, random), random);
+    const ContactPass& pass = moved.contact->pass(0);
+    const auto loads = [&](const PerSide<SurfaceFields>& fields) {
+      return pass.nodal_loads(seen_from(Side::primary, fields));
+    };
+    const NodalLoads before = loads(moved.scene.fields);
+    const NodalLoads at_start = loads(moved.start);
+    BOOST_TEST(moved.contact->correct(moved.scene.fields));
+    const NodalLoads after = loads(moved.scene.fields);
+    const NodalGaps true_gaps = pass.space().gaps();
+    double moved_by = 0;
+    for (Index node = 0; node < after.in_contact.count(); ++node) {
+      if (!after.in_contact[node]) continue;
+      BOOST_TEST(std::abs(after.gap[node] - true_gaps.gap[node]) < rounding);
+      moved_by = std::max(moved_by, std::abs(after.gap[node] - before.gap[node]));
+    }
+    BOOST_TEST(moved_by > 1e-5);
+    BOOST_TEST((after.traction - before.traction - (loads(moved.start).traction - at_start.traction)).norm() <
+               rounding * at_start.traction.norm());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_correction_changes_the_residual_by_the_works_of_the_linearisation) {
+  std::mt19937 random(79);
+  for (const auto& [one, two] : mixed_pairs) {
+    MovedContact moved(random_scene(one, two, true, random), random);
+    ContactInterface& contact = *moved.contact;
+    const PerSide<Matrix3Xd> there = moved.scene.position();
+    BOOST_TEST(moved.correction().isZero(0));
+    const auto at_start = [&] {
+      Scene start = moved.scene;
+      start.fields = moved.start;
+      contact.project(start.position());
+      const VectorXd residual = moved.residual_at(moved.start);
+      contact.project(there);
+      return residual;
+    };
+    const VectorXd before = at_start();
+    contact.correct(moved.scene.fields);
+    const VectorXd correction = moved.correction();
+    BOOST_TEST(correction.norm() > 1e-4 * before.norm());
+    BOOST_TEST((before + correction - at_start()).norm() < rounding * before.norm());
+  }
+}
+
+/// An elastic contact of flat surfaces of which one is tilted by more than they overlap, so that nodes on one side are
+/// pulled: gaps are linear in that, and loads known to rounding.
+BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_again) {
+  for (const bool may_release : {false, true}) {
+    Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects_of(false, 0),
+                explicit_settings(3, 2, 5));
+    const auto contact = scene.contact();
+    ContactPass& pass = contact->pass(0);
+    contact->begin_iteration(scene.fields);
+    pass.let_release(may_release);
+    const PerSide<SurfaceFields> closed = scene.fields;
+    const auto x = closed[Side::secondary].position.row(0);
+    scene.fields[Side::secondary].position.row(2).array() += 0.1 * (x.array() - x.minCoeff()) /
+                                                             (x.maxCoeff() - x.minCoeff());
+    contact->project(scene.position());
+    BOOST_TEST(contact->keeps_linearisation(scene.fields) == may_release);
+    if (!may_release) continue;
+    contact->correct(scene.fields);
+    const IndexedVector<int> released = pass.released();
+    BOOST_TEST(!released.empty());
+    const NodalLoads loads = pass.nodal_loads(seen_from(Side::primary, scene.fields));
+    for (const int node : released) BOOST_TEST(loads.traction[node] == 0);
+    BOOST_TEST(loads.traction.maxCoeff() <= 0);
+    BOOST_TEST(contact->is_solution(scene.fields));
+    scene.fields = closed;
+    contact->project(scene.position());
+    BOOST_TEST(contact->keeps_linearisation(scene.fields));
+    contact->correct(scene.fields);
+    BOOST_TEST(pass.released().empty());
+  }
+}
+
 /// Meshes that overlap at the start, times a large penalty, would be a geometric stiffness of that size.
 BOOST_AUTO_TEST_CASE(the_geometric_part_of_a_steps_first_tangent_is_that_of_accepted_loads) {
   for_random_contacts(59, [](const Scene& scene, ContactInterface& contact) {
