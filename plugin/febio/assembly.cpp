@@ -1,5 +1,6 @@
 #include "assembly.h"
 
+#include "contact/interface/kept_matrix.h"
 #include "contact/interface/residual_ahead.h"
 #include "matrix_profile.h"
 #include "rigid_shell_bottoms.h"
@@ -71,28 +72,18 @@ void Assembly::residual(FEGlobalVector& residual, double dt) const {
 }
 
 bool Assembly::residual_change(FEGlobalVector& residual, double dt) const {
-  const ContactInterface& core = contact_.core();
-  const TaskClock timed = core.measurements().clock(Task::residual);
   const PerSide<SurfaceFields> fields = contact_.fields();
   const RigidShellBottoms arms(surfaces_);
-  return core.residual_change(fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
-}
-
-void Assembly::residual_correction(FEGlobalVector& residual, double dt) const {
   const ContactInterface& core = contact_.core();
-  const TaskClock timed = core.measurements().clock(Task::residual);
-  const RigidShellBottoms arms(surfaces_);
-  core.residual_correction(dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
+  return mixture_contact::residual_change(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
 std::vector<int> Assembly::released_loads() const {
   const ContactInterface& core = contact_.core();
   const NodeEquations equations(dofs_, surfaces_, core);
   std::vector<int> found;
-  for (std::size_t n = 0; n < core.passes(); ++n) {
-    const Side side = n == 0 ? Side::primary : Side::secondary;
-    for (const int node : core.pass(n).released()) found.push_back(loads_.of(equations, core, side, {node, {}, {}}));
-  }
+  for (const auto& [side, node] : released_nodes(core))
+    found.push_back(loads_.of(equations, core, side, {node, std::nullopt, {}}));
   return found;
 }
 
@@ -118,8 +109,5 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
       [&](const Location& rows, const Location& columns, const MatrixXd& values) { parts.add(rows, columns, values); },
       [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_many);
   parts.finish(timed);
-  for (std::size_t n = 0; n < core.passes(); ++n) {
-    ContactPass& pass = contact_.core().pass(n);
-    pass.let_release(pass.has_load_blocks() && parts.has_all_loads());
-  }
+  let_release(contact_.core(), parts.has_all_loads());
 }

@@ -24,10 +24,8 @@ class Assembly {
   bool fits_matrix() const { return couplings() == couplings_of_matrix_; }
 
   void residual(FEGlobalVector& residual, double dt) const;
-  /// What the loads that have changed as the iteration began change of it (ContactInterface::residual_change()).
+  /// Adds what loads that have changed as the iteration began make of it. Returns whether that is known.
   bool residual_change(FEGlobalVector& residual, double dt) const;
-  /// What the correction of held linearisations changes of it.
-  void residual_correction(FEGlobalVector& residual, double dt) const;
   /// Equations of loads that the matrix has and the status has not.
   std::vector<int> released_loads() const;
   /// What of it is of nodes that begin the step in contact though they are open.

@@ -2,6 +2,7 @@
 
 #include "archive.h"
 #include "contact/interface/held_loads.h"
+#include "contact/interface/kept_matrix.h"
 #include "contact/interface/multipliers.h"
 #include "core_archive.h"
 #include "host/warnings.h"
@@ -52,6 +53,8 @@ bool BoundContact::begin_iteration(bool looks_ahead) {
   return core_->begin_iteration(fields(), looks_ahead ? dt : 0);
 }
 
+bool BoundContact::keeps_matrix() { return serves_again(*core_, fields()); }
+bool BoundContact::correct() { return mixture_contact::correct(*core_, fields()); }
 void BoundContact::hold_loads() { mixture_contact::hold_loads(*core_, fields()); }
 
 bool BoundContact::finds_overlap() {

@@ -32,8 +32,8 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool begin_iteration(bool looks_ahead) override;
   void hold_loads() override;
   void linearise_at() override { core_->linearise_at(fields()); }
-  bool keeps_matrix() override { return core_->keeps_linearisation(fields()); }
-  bool correct() override { return core_->correct(fields()); }
+  bool keeps_matrix() override;
+  bool correct() override;
   bool is_solution() override { return core_->is_solution(fields()); }
   bool finds_overlap() override;
 

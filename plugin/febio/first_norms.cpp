@@ -23,7 +23,8 @@ void FirstNorms::complete_residual() {
   std::vector<double> ahead(first.size());
   std::vector<double> reactions(first.size());
   FEResidualVector vector(fem_, ahead, reactions);
-  for (const ContactInModel* contact : contacts_()) contact->add_residual_ahead(vector);
+  for (const ContactInModel* contact : contacts_())
+    contact->assembly().residual_ahead(vector, solver_.time_increment());
   const auto is_zero = [](double entry) { return entry == 0; };
   if (!std::all_of(ahead.begin(), ahead.end(), is_zero)) residual_ = first - ahead;
 }

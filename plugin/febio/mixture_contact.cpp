@@ -156,7 +156,7 @@ void FEMixtureContact::Activate() {
 void FEMixtureContact::Deactivate() {
   FEContactInterface::Deactivate();
   if (bound_.is_built()) core().forget_steps();  // FEBio deactivates what belongs to a step as it reads it
-  model_->deactivate(*this);
+  model_->steps().reset_rounds();                // the set of active contacts has changed
 }
 
 // ------------------------------------------------------------ steps and iterations
@@ -212,18 +212,6 @@ void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
   assembly_.residual(residual, time.timeIncrement);
-}
-
-bool FEMixtureContact::add_residual_change(FEGlobalVector& residual) const {
-  return assembly_.residual_change(residual, GetFEModel()->GetTime().timeIncrement);
-}
-
-void FEMixtureContact::add_residual_correction(FEGlobalVector& residual) const {
-  assembly_.residual_correction(residual, GetFEModel()->GetTime().timeIncrement);
-}
-
-void FEMixtureContact::add_residual_ahead(FEGlobalVector& residual) const {
-  assembly_.residual_ahead(residual, GetFEModel()->GetTime().timeIncrement);
 }
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {

@@ -45,11 +45,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   BoundContact& bound() override { return bound_; }
   double ambient_value(int dof) const override;
   bool has_reducible_penalty() const override { return core().effects().traction && setup_.has_reducible_penalty(); }
-  bool fits_matrix() const override { return assembly_.fits_matrix(); }
-  bool add_residual_change(FEGlobalVector& residual) const override;
-  std::vector<int> released_loads() const override { return assembly_.released_loads(); }
-  void add_residual_correction(FEGlobalVector& residual) const override;
-  void add_residual_ahead(FEGlobalVector& residual) const override;
+  const Assembly& assembly() const override { return assembly_; }
   void on_callback(unsigned int when) override;
 
  private:

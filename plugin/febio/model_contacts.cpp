@@ -18,7 +18,6 @@
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FETimeStepController.h>
 #include <FECore/JFNKStrategy.h>
-#include <FECore/LinearSolver.h>
 #include <FECore/log.h>
 #include <FECore/vector.h>
 
@@ -27,6 +26,7 @@
 #include <map>
 #include <utility>
 
+using mixture_contact::Changed;
 using mixture_contact::GoesOn;
 using mixture_contact::MatrixUse;
 using mixture_contact::SteppedContact;
@@ -50,6 +50,21 @@ bool adds_up_residuals(const FENewtonSolver& solver) {
   if (const auto* solids = dynamic_cast<const FESolidSolver2*>(&solver))
     return solids->m_arcLength == 0 && !solids->m_logSolve;
   return has_known_totals(solver);
+}
+
+/// Adds up what the changed loads of contacts make of a residual. Returns whether all of it is known.
+bool change_residual(FEModel& fem, const std::vector<ContactInModel*>& contacts, std::vector<double>& change) {
+  std::vector<double> reactions(change.size());
+  FEResidualVector vector(fem, change, reactions);
+  const double dt = fem.GetTime().timeIncrement;
+  return std::all_of(contacts.begin(), contacts.end(),
+                     [&](const ContactInModel* contact) { return contact->assembly().residual_change(vector, dt); });
+}
+
+/// Whether a step that has failed is tried again.
+bool will_retry(FEModel& fem) {
+  const FETimeStepController* const controller = fem.GetCurrentStep()->m_timeController;
+  return controller != nullptr && controller->m_nretries < controller->m_maxretries;
 }
 
 class FEBioArchive : public newton::Archive {
@@ -78,7 +93,12 @@ std::shared_ptr<ModelContacts> ModelContacts::of(FEModel& fem) {
 }
 
 ModelContacts::ModelContacts(FEModel& fem)
-    : fem_(fem), solver_(fem), helpers_(solver_), steps_(*this, helpers_), ambient_(fem, solver_, helpers_) {
+    : fem_(fem),
+      solver_(fem),
+      helpers_(solver_),
+      steps_(*this, helpers_),
+      ambient_(fem, solver_, helpers_),
+      matrix_(solver_) {
   offer<newton::NonNegativeConcentrations>(non_negative_concentrations);
   offer<newton::LineSearchGuard>(line_search_guard);
   offer<newton::Predictor>(predictor);
@@ -156,8 +176,6 @@ void ModelContacts::activate(ContactInModel& contact) {
   if (all_known) apply_ambient();
 }
 
-void ModelContacts::deactivate(ContactInModel& /*contact*/) { steps_.reset_rounds(); }
-
 void ModelContacts::prepare_step(ContactInModel& contact) {
   if (!steps_.prepare_step(&contact.bound())) return;
   ambient_.begin_step();
@@ -174,7 +192,7 @@ void ModelContacts::keep_matrix_if_it_fits() {
                      fem_.NonlinearConstraints() == 0;
   const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
                     std::all_of(contacts.begin(), contacts.end(),
-                                [](ContactInModel* contact) { return contact->fits_matrix(); });
+                                [](ContactInModel* contact) { return contact->assembly().fits_matrix(); });
   solver->m_breshape = !fits;
 }
 
@@ -207,9 +225,7 @@ void ModelContacts::on_callback(unsigned int when) {
   if (contacts.empty()) return;
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
-    zero_loads_.forget();
-    corrections_ = 0;
-    may_correct_ = true;
+    matrix_.formed();
     steps_.matrix_formed();
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) steps_.end_iteration();
@@ -224,15 +240,10 @@ void ModelContacts::on_callback(unsigned int when) {
 
 // ------------------------------------------------------------ penalties that are reduced where steps fail
 
-bool ModelContacts::will_retry() const {
-  const FETimeStepController* const controller = fem_.GetCurrentStep()->m_timeController;
-  return controller != nullptr && controller->m_nretries < controller->m_maxretries;
-}
-
 void ModelContacts::reduce_penalties() {
   const std::vector<ContactInModel*> contacts = active();
   const auto is_reducible = [](ContactInModel* contact) { return contact->has_reducible_penalty(); };
-  if (!will_retry() || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
+  if (!will_retry(fem_) || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
   say(fem_, reducible_.fail(fem_.GetCurrentTime()));
 }
 
@@ -253,61 +264,24 @@ void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
 void ModelContacts::request_matrix(bool is_needed) { solver_.febio()->QNForceReform(is_needed); }
 
-void ModelContacts::evaluate_residual() {
-  FENewtonSolver& solver = *solver_.febio();
-  solver.Residual(solver.m_R0);
-}
-
-void ModelContacts::change_residual() {
+void ModelContacts::evaluate_residual(Changed what) {
   FENewtonSolver& solver = *solver_.febio();
   std::vector<double> change(solver.m_R0.size());
-  std::vector<double> reactions(solver.m_R0.size());
-  FEResidualVector vector(fem_, change, reactions);
-  const std::vector<ContactInModel*> contacts = active();
-  const bool is_known = adds_up_residuals(solver) && std::all_of(contacts.begin(), contacts.end(), [&](auto* contact) {
-                          return contact->add_residual_change(vector);
-                        });
-  if (is_known) {
+  if (what == Changed::loads && adds_up_residuals(solver) && change_residual(fem_, active(), change)) {
     solver.m_R0 += change;
   } else {
-    evaluate_residual();
+    solver.Residual(solver.m_R0);
   }
 }
 
 void ModelContacts::correct_residual() {
-  FENewtonSolver& solver = *solver_.febio();
-  // FEBio's update of its matrix is for symmetric ones: it would spoil the stiffness that corrected gaps are closed
-  // with.
-  FENewtonStrategy& strategy = *solver.m_qnstrategy;
-  strategy.m_nups = std::max(strategy.m_nups - 1, 0);
-  ++corrections_;
-  if (adds_up_residuals(solver)) {
-    std::vector<double> reactions(solver.m_R0.size());
-    FEResidualVector vector(fem_, solver.m_R0, reactions);
-    for (const ContactInModel* contact : active()) contact->add_residual_correction(vector);
-  } else {
-    evaluate_residual();
-  }
-  const auto solve = [&](std::vector<double> right) {
-    std::vector<double> solution(right.size());
-    if (!solver.GetLinearSolver()->BackSolve(solution, right)) throw LinearSolverFailed();
-    return solution;
-  };
-  may_correct_ = zero_loads_.hold(solve, released_loads(), solver.m_R0);
-}
-
-std::vector<int> ModelContacts::released_loads() const {
-  std::vector<int> all;
+  evaluate_residual(Changed::loads);
+  std::vector<int> released;
   for (const ContactInModel* contact : active()) {
-    const std::vector<int> own = contact->released_loads();
-    all.insert(all.end(), own.begin(), own.end());
+    const std::vector<int> own = contact->assembly().released_loads();
+    released.insert(released.end(), own.begin(), own.end());
   }
-  return all;
-}
-
-bool ModelContacts::is_matrix_due() {
-  const int most = solver_.febio()->m_qnstrategy->m_maxups;  // 0 where the method has no limit
-  return !may_correct_ || (most > 0 && corrections_ >= most - 1);
+  matrix_.correct(released);
 }
 
 MatrixUse ModelContacts::matrix_use() {
@@ -322,17 +296,9 @@ MatrixUse ModelContacts::matrix_use() {
 
 void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
-  FENewtonSolver& solver = *solver_.febio();
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-  if (n > solver.m_maxref) throw MaxStiffnessReformations();
-  if (with == GoesOn::correction) return restore_reforms();
-  // Other nodes are in contact now: quasi-Newton methods would go on with the matrix of those that were.
-  if (!reform_augment_) reform_augment_ = std::exchange(solver.m_breformAugment, true);
+  if (n > solver_.febio()->m_maxref) throw MaxStiffnessReformations();
+  matrix_.reject(with);
 }
 
-void ModelContacts::accepted() { restore_reforms(); }
-
-void ModelContacts::restore_reforms() {
-  const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
-  if (own) solver_.febio()->m_breformAugment = *own;
-}
+void ModelContacts::accepted() { matrix_.accept(); }

@@ -5,11 +5,10 @@
 #include "host/contact_parameters.h"
 #include "host/contact_steps.h"
 #include "host/reducible_penalties.h"
-#include "newton/zero_unknowns.h"
+#include "kept_matrix.h"
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <set>
 #include <vector>
 
@@ -30,7 +29,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
 
   // FEBio's calls, as each contact passes them on
   void activate(ContactInModel& contact);
-  void deactivate(ContactInModel& contact);
   void prepare_step(ContactInModel& contact);
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// What the model keeps between steps is stored once, with the first contact that is.
@@ -44,11 +42,10 @@ class ModelContacts : public mixture_contact::SteppedModel {
   bool apply_ambient() override;
   void evaluate() override;
   void evaluate_bodies_after_contacts() override;
-  void evaluate_residual() override;
-  void change_residual() override;
+  void evaluate_residual(mixture_contact::Changed what) override;
   void correct_residual() override;
   mixture_contact::MatrixUse matrix_use() override;
-  bool is_matrix_due() override;
+  bool is_matrix_due() override { return matrix_.is_due(); }
   void request_matrix(bool is_needed) override;
   void rejected(int n, mixture_contact::GoesOn with) override;
   void accepted() override;
@@ -59,11 +56,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   bool is_on(const HelperSwitch& which) const;
   std::vector<ContactInModel*> active() const;
   void keep_matrix_if_it_fits();
-  /// Gives the solver its own setting back, whether augmentations form matrices.
-  void restore_reforms();
-  /// Equations of loads that the matrix has and the status of the contacts has not.
-  std::vector<int> released_loads() const;
-  bool will_retry() const;
   void reduce_penalties();
   void note_overlap();
   void on_callback(unsigned int when);
@@ -77,9 +69,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   ReduciblePenalties reducible_;
   std::vector<ContactInModel*> contacts_;        ///< in the order of the model
   std::set<const ContactInModel*> unactivated_;  ///< whose state is not known to the core yet
-  newton::ZeroUnknowns zero_loads_;              ///< of nodes that are released from the matrix
-  int corrections_ = 0;                          ///< of linearisations since it was formed
-  bool may_correct_ = true;                      ///< whether what is released can be held with it
+  KeptMatrix matrix_;
   mixture_contact::Round dumps_;
-  std::optional<bool> reform_augment_;  ///< the solver's own setting, while converged states are rejected
 };

@@ -108,19 +108,6 @@ void ContactSteps::evaluate_again() {
   model_.evaluate();
 }
 
-void ContactSteps::evaluate_residual(Changed what) {
-  switch (what) {
-    case Changed::nothing:
-      break;
-    case Changed::loads:
-      model_.change_residual();
-      break;
-    case Changed::all:
-      model_.evaluate_residual();
-      break;
-  }
-}
-
 void ContactSteps::start_at_prediction() {
   const auto arrived = [&] {
     if (helpers_.adapt_before_residual()) evaluate_again();
@@ -157,7 +144,8 @@ void ContactSteps::before_matrix() {
 
 void ContactSteps::matrix_formed() {
   helpers_.complete_residual();
-  evaluate_residual(stepper_.matrix_formed());
+  const Changed changed = stepper_.matrix_formed();
+  if (changed != Changed::nothing) model_.evaluate_residual(changed);
 }
 
 void ContactSteps::end_iteration() {

@@ -68,10 +68,9 @@ class SteppedModel {
   virtual void evaluate() = 0;
   /// Within an evaluation: has the bodies evaluated after the contacts.
   virtual void evaluate_bodies_after_contacts() = 0;
-  virtual void evaluate_residual() = 0;
-  /// The same where nothing but loads of contacts has changed since it was evaluated.
-  virtual void change_residual() = 0;
-  /// Adds to it what the correction of the contacts' linearisations makes.
+  /// Evaluates the residual again, or what of it has changed.
+  virtual void evaluate_residual(Changed what) = 0;
+  /// Contacts have corrected their linearisations: the same for their loads, and for what they have released.
   virtual void correct_residual() = 0;
   virtual MatrixUse matrix_use() = 0;
   /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.
@@ -131,7 +130,6 @@ class ContactSteps {
   /// Whether a contact may look ahead where a step begins.
   bool looks_ahead(const SteppedContact& contact);
   void evaluate_again();
-  void evaluate_residual(Changed what);
   void start_at_prediction();
   bool keeps_matrix();
   bool is_solution();

@@ -1,6 +1,7 @@
 #include "newton.h"
 
 #include "contact/interface/held_loads.h"
+#include "contact/interface/kept_matrix.h"
 #include "error.h"
 #include "host/augmentation.h"
 #include "host/warnings.h"
@@ -38,8 +39,8 @@ class ContactAtState : public mixture_contact::SteppedContact {
   }
   void hold_loads() override { mixture_contact::hold_loads(contact_.core(), fields()); }
   void linearise_at() override { contact_.core().linearise_at(fields()); }
-  bool keeps_matrix() override { return contact_.core().keeps_linearisation(fields()); }
-  bool correct() override { return contact_.core().correct(fields()); }
+  bool keeps_matrix() override { return mixture_contact::serves_again(contact_.core(), fields()); }
+  bool correct() override { return mixture_contact::correct(contact_.core(), fields()); }
   bool is_solution() override { return contact_.core().is_solution(fields()); }
   bool finds_overlap() override {
     const mixture_contact::UndetectedPenetration undetected = contact_.core().check_penetration(fields());
@@ -85,6 +86,8 @@ Newton::Norms Newton::norms(const VectorXd& residual, const VectorXd& change) co
   fields << squares.head<3>().sum(), squares.tail(dofs - 3);
   return {residual.squaredNorm(), std::abs(change.dot(residual)), fields};
 }
+
+void Newton::evaluate_residual(mixture_contact::Changed /*what*/) { evaluate_residual(); }
 
 void Newton::evaluate_residual() {
   end_ = problem_.residual();

@@ -57,8 +57,8 @@ class Newton : private mixture_contact::SteppedModel {
   bool apply_ambient() override { return problem_.switch_ambient(); }
   void evaluate() override { steps_.evaluate(this); }
   void evaluate_bodies_after_contacts() override {}  // they are evaluated with the residual
-  void evaluate_residual() override;
-  void change_residual() override { evaluate_residual(); }
+  void evaluate_residual();
+  void evaluate_residual(mixture_contact::Changed what) override;
   void correct_residual() override { evaluate_residual(); }
   mixture_contact::MatrixUse matrix_use() override { return mixture_contact::MatrixUse::each_iteration; }
   bool is_matrix_due() override { return false; }

@@ -19,6 +19,8 @@ struct Couplings {
   UseLoad load;  ///< what couples through a load alone, where tangents consist of load blocks; empty: all are patches
 };
 
+class HeldLinearisation;
+
 /// Surfaces that move, or that are fixed. Independent of how conditions are enforced: either goes with any
 /// EnforcementMethod.
 class ContactGeometry {
@@ -40,17 +42,13 @@ class ContactGeometry {
   virtual void start_inactive(const FacingFields& fields) = 0;
   virtual void take_multipliers() = 0;
   virtual void end_iterations() = 0;
-  virtual bool keeps_linearisation(const FacingFields& fields) const = 0;
-  virtual bool correct(const FacingFields& fields) = 0;
-  virtual void let_release(bool may_release) = 0;
-  virtual IndexedVector<int> released() const = 0;
   virtual bool is_solution(const FacingFields& fields) const = 0;
+  /// The linearisation of iterations; null where surfaces are fixed and gaps linear by themselves.
+  virtual HeldLinearisation* held() = 0;
 
   virtual NodalLoads loads(const FacingFields& fields) const = 0;
   virtual NodeFlags flux_coupled() const = 0;
   virtual void residual(const FacingFields& fields, double dt, const AddVector& add) const = 0;
-  virtual bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const = 0;
-  virtual void residual_correction(double dt, const AddVector& add) const = 0;
   virtual void tangent(const FacingFields& fields, double dt, const TangentParts& add) const = 0;
   virtual void for_each_coupling(const Couplings& use) const = 0;
   /// Bytes that it keeps between calls.

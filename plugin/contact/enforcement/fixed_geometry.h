@@ -18,19 +18,12 @@ class FixedGeometry : public ContactGeometry {
   void start_inactive(const FacingFields& /*fields*/) override {}
   void take_multipliers() override {}
   void end_iterations() override;
-  bool keeps_linearisation(const FacingFields& /*fields*/) const override { return true; }
-  bool correct(const FacingFields& /*fields*/) override { return false; }
-  void let_release(bool /*may_release*/) override {}
-  IndexedVector<int> released() const override { return {}; }
   bool is_solution(const FacingFields& /*fields*/) const override { return true; }
+  HeldLinearisation* held() override { return nullptr; }
 
   NodalLoads loads(const FacingFields& fields) const override;
   NodeFlags flux_coupled() const override { return fixed_.flux_coupled; }
   void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
-  bool residual_change(const FacingFields& /*fields*/, double /*dt*/, const AddVector& /*add*/) const override {
-    return true;  // nothing is held, and nothing changes
-  }
-  void residual_correction(double /*dt*/, const AddVector& /*add*/) const override {}
   void tangent(const FacingFields& fields, double dt, const TangentParts& add) const override;
   void for_each_coupling(const Couplings& use) const override;
   std::size_t memory() const override { return 0; }

@@ -2,6 +2,7 @@
 
 #include "base/bytes.h"
 #include "base/in_order.h"
+#include "enforcement/load_difference.h"
 #include "mortar/trial_variation.h"
 #include "mortar/varying_pairs.h"
 
@@ -10,17 +11,6 @@
 
 namespace mixture_contact {
 namespace {
-
-/// Whether two arrays of loads (fields, nodes) differ by more than a part of a field's largest entry, and by more than
-/// `rounding` of the field.
-bool differs(const MatrixXd& one, const MatrixXd& other, double part, const VectorXd& rounding) {
-  if (one.cols() == 0) return false;
-  for (Index field = 0; field < one.rows(); ++field) {
-    const double size = std::max(one.row(field).cwiseAbs().maxCoeff(), other.row(field).cwiseAbs().maxCoeff());
-    if (!((one.row(field) - other.row(field)).cwiseAbs().maxCoeff() <= part * size + rounding[field])) return true;
-  }
-  return false;
-}
 
 /// The loads of the geometric part of the tangent.
 NodalLoads geometric_loads(const LinearisationPoint& point) {
@@ -87,8 +77,7 @@ std::size_t bytes_of(const GeometricParts& pairs) {
 
 void MovingGeometry::update(const FacingPositions& x) {
   geometric_.reset();
-  load_change_.reset();
-  correction_.reset();
+  held_.moved();
   if (!point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
 }
@@ -122,10 +111,7 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   vary_trials(laws_, point.loads, point.nodes);
   geometric_ = std::move(geometric);
   point_ = std::move(point);
-  may_release_ = false;
-  last_doubt_ = 0;
-  load_change_.reset();
-  correction_.reset();
+  held_.replaced();
 }
 
 const MovingGeometry::GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) const {
@@ -182,10 +168,10 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
   const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
                        before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||
                        (predicted && before.rubs != next.loads.rubs) ||
-                       differ(before, next.loads, active_set_.options().same_load, fields);
+                       differ(space_, laws_, before, next.loads, active_set_.options().same_load, fields);
   const bool same_points = predicted && !finds_more && method_.predicts();
   hold(std::move(next), fields);
-  if (same_points) load_change_ = change(before, point_->loads);
+  if (same_points) held_.follows(before);
   return changed;
 }
 
@@ -195,6 +181,7 @@ void MovingGeometry::hold_loads(const FacingFields& fields) {
   const auto decide = [&](const NodalLoads& now) { return initial_friction(now); };
   geometric_.reset();
   point_ = evaluated_at(fields, initial_averages(fields), decide, nullptr);
+  held_.replaced();
 }
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
@@ -227,75 +214,9 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
 void MovingGeometry::end_iterations() {
   point_.reset();
   geometric_.reset();
-  load_change_.reset();
-  correction_.reset();
+  held_.replaced();
   space_.boundary_weights().settle();
   space_.facing().end_iterations();
-}
-
-bool MovingGeometry::is_correctable() const {
-  return point_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
-}
-
-NodalLoads MovingGeometry::true_loads(NodalGaps gaps, const FacingFields& fields) const {
-  NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
-  method_.load(now);
-  return now;
-}
-
-bool MovingGeometry::may_take(const NodeFlags& status) const {
-  if (!may_release_) return false;
-  Index released = 0;
-  for (Index node = 0; node < status.count(); ++node) {
-    const bool is_linearised = !point_->nodes[node].empty();
-    if (status[node] && !is_linearised) return false;
-    if (!status[node] && is_linearised) ++released;
-  }
-  return released <= active_set_.options().most_released;
-}
-
-IndexedVector<int> MovingGeometry::released() const {
-  IndexedVector<int> nodes;
-  if (!may_release_) return nodes;
-  for (Index node = 0; node < point_->nodes.count(); ++node) {
-    if (!point_->loads.in_contact[node] && !point_->nodes[node].empty()) nodes.push_back(static_cast<int>(node));
-  }
-  return nodes;
-}
-
-double MovingGeometry::doubt(const NodalLoads& predicted, const NodalLoads& now) {
-  return (predicted.traction - now.traction).cwiseAbs().maxCoeff();
-}
-
-bool MovingGeometry::keeps_linearisation(const FacingFields& fields) const {
-  if (!is_correctable()) return is_solution(fields);
-  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  const NodalLoads now = true_loads(space_.gaps(), fields);
-  const double off = doubt(predicted, now);
-  const ActiveSetOptions& options = active_set_.options();
-  const bool contracts = last_doubt_ == 0 || off <= options.most_left * last_doubt_ ||
-                         !differ(predicted, now, options.solution_load, fields);
-  const NodeFlags status = active_set_.updated(predicted, now, off);
-  return contracts && (status == predicted.in_contact || may_take(status));
-}
-
-bool MovingGeometry::correct(const FacingFields& fields) {
-  if (!is_correctable()) return false;
-  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  const NodalLoads now = true_loads(space_.gaps(), fields);
-  point_->loads.gap += now.gap - predicted.gap;
-  point_->loads.jump += now.jump - predicted.jump;
-  last_doubt_ = doubt(predicted, now);
-  if (may_release_) {
-    const NodeFlags status = active_set_.updated(predicted, now, last_doubt_);
-    const ContactStatus next = active_set_.next(predicted.in_contact, status, true);
-    if (next.in_contact != predicted.in_contact) last_doubt_ = 0;
-    point_->loads.in_contact = next.in_contact;
-    point_->loads.flux_coupled = next.flux_coupled;
-  }
-  method_.load(point_->loads);
-  correction_ = change(predicted, method_.predicted_loads(*point_, fields));
-  return !correction_->traction.isZero(0) || !correction_->flux.isZero(0);
 }
 
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
@@ -306,21 +227,9 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
   if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
-  return !differ(predicted, true_loads(std::move(gaps), fields), active_set_.options().solution_load, fields);
-}
-
-bool MovingGeometry::differ(const NodalLoads& one, const NodalLoads& other, double part,
-                            const FacingFields& fields) const {
-  const double size = space_.facing().surface_size();
-  VectorXd flux_rounding = laws_.field_rounding(fields, size);
-  for (Index field = 0; field < flux_rounding.size(); ++field) {
-    flux_rounding[field] *= laws_.multipliers.flux_penalty_scale[field] * laws_.penalties().flux.row(field).maxCoeff();
-  }
-  return differs(one.traction.transpose(), other.traction.transpose(), part,
-                 VectorXd::Constant(1, laws_.traction_rounding(size))) ||
-         differs(one.flux, other.flux, part, flux_rounding) ||
-         differs(one.friction.traction.reshaped().transpose(), other.friction.traction.reshaped().transpose(), part,
-                 VectorXd::Constant(1, laws_.traction_rounding(size)));
+  NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
+  method_.load(now);
+  return !differ(space_, laws_, predicted, now, active_set_.options().solution_load, fields);
 }
 
 NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
@@ -353,16 +262,6 @@ void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVe
   const NodalLoads now = loads(fields);
   nodal_residual(space_, now, fields, dt, add);
   method_.equations(now, equation_weights(now, fields.primary.position), dt, add);
-}
-
-bool MovingGeometry::residual_change(const FacingFields& fields, double dt, const AddVector& add) const {
-  if (!load_change_) return false;
-  nodal_residual(space_, *load_change_, fields, dt, add);
-  return true;
-}
-
-void MovingGeometry::residual_correction(double dt, const AddVector& add) const {
-  if (correction_) linear_residual(point_->nodes, *correction_, dt, add);
 }
 
 void MovingGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "enforcement/contact_geometry.h"
-#include "enforcement/virtual_work.h"
+#include "enforcement/held_linearisation.h"
 
 #include <functional>
 #include <optional>
@@ -13,7 +13,11 @@ class MovingGeometry : public ContactGeometry {
  public:
   /// Keeps references.
   MovingGeometry(MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set, const EnforcementMethod& method)
-      : space_(space), laws_(laws), active_set_(active_set), method_(method) {}
+      : space_(space),
+        laws_(laws),
+        active_set_(active_set),
+        method_(method),
+        held_(space, laws, active_set, method, point_) {}
 
   void update(const FacingPositions& x) override;
   bool begin_iteration(const FacingFields& fields, double ahead) override;
@@ -22,17 +26,12 @@ class MovingGeometry : public ContactGeometry {
   void start_inactive(const FacingFields& fields) override;
   void take_multipliers() override { augmented_ = true; }
   void end_iterations() override;
-  bool keeps_linearisation(const FacingFields& fields) const override;
-  bool correct(const FacingFields& fields) override;
-  void let_release(bool may_release) override { may_release_ = may_release; }
-  IndexedVector<int> released() const override;
   bool is_solution(const FacingFields& fields) const override;
+  HeldLinearisation* held() override { return &held_; }
 
   NodalLoads loads(const FacingFields& fields) const override;
   NodeFlags flux_coupled() const override;
   void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
-  bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const override;
-  void residual_correction(double dt, const AddVector& add) const override;
   void tangent(const FacingFields& fields, double dt, const TangentParts& add) const override;
   void for_each_coupling(const Couplings& use) const override;
   std::size_t memory() const override;
@@ -62,18 +61,8 @@ class MovingGeometry : public ContactGeometry {
   /// Status that the present loads and gaps ask for.
   NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
-  /// Whether loads are linear in gaps and jumps, so that these alone can be corrected: not where friction turns.
-  bool is_correctable() const;
-  /// Whether this status differs from that of the linearisation by nodes that may be released.
-  bool may_take(const NodeFlags& status) const;
-  /// What tractions are off by that an iteration predicts.
-  static double doubt(const NodalLoads& predicted, const NodalLoads& now);
-  /// Loads of the true averages, with the status that is held.
-  NodalLoads true_loads(NodalGaps gaps, const FacingFields& fields) const;
   /// Multipliers of friction, carried along with the surface since the step began.
   Matrix3Xd present_multipliers(const NodalFriction& friction) const;
-  /// Whether loads differ by more than a part of the largest one of their kind, and by more than rounding.
-  bool differ(const NodalLoads& one, const NodalLoads& other, double part, const FacingFields& fields) const;
 
   MortarSpace& space_;
   const NodalLaws& laws_;
@@ -82,12 +71,8 @@ class MovingGeometry : public ContactGeometry {
   std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
   /// The geometric part of the tangent there, per pair of facets, in a time increment of 1; until the surfaces move.
   std::optional<GeometricPart> geometric_;
-  /// Of the loads as the iteration began; none where there were no others at the same points.
-  std::optional<NodalLoads> load_change_;
-  bool may_release_ = false;  ///< whether the host can take loads out of the matrix that it has of this linearisation
-  double last_doubt_ = 0;     ///< what predicted tractions were off by at the last correct(); 0 before any
-  std::optional<NodalLoads> correction_;  ///< of the loads with the linearisation that is held, by the last correct()
-  bool augmented_ = false;                ///< since the last iteration began
+  HeldLinearisation held_;  ///< at the point
+  bool augmented_ = false;  ///< since the last iteration began
 };
 
 }  // namespace mixture_contact

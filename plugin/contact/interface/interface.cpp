@@ -180,20 +180,6 @@ void ContactInterface::end_iterations() {
   }
 }
 
-bool ContactInterface::keeps_linearisation(const PerSide<SurfaceFields>& fields) const {
-  const TaskClock timed = measurements_.clock(Task::augmentation);
-  return std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
-    return pass.integral->keeps_linearisation(seen_from(pass.side, fields));
-  });
-}
-
-bool ContactInterface::correct(const PerSide<SurfaceFields>& fields) {
-  const TaskClock timed = measurements_.clock(Task::stiffness);
-  bool changed = false;
-  for (const SidedPass& pass : passes_) changed = pass.integral->correct(seen_from(pass.side, fields)) || changed;
-  return changed;
-}
-
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
@@ -207,24 +193,6 @@ void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt,
   TaskClock timed = measurements_.clock(Task::residual);
   for (const SidedPass& pass : passes_) {
     pass.integral->residual(seen_from(pass.side, fields), dt, [&](const Patch& patch, const VectorXd& values) {
-      timed.in_host([&] { add({pass.side, patch}, values); });
-    });
-  }
-}
-
-bool ContactInterface::residual_change(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
-  TaskClock timed = measurements_.clock(Task::residual);
-  return std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
-    return pass.integral->residual_change(
-        seen_from(pass.side, fields), dt,
-        [&](const Patch& patch, const VectorXd& values) { timed.in_host([&] { add({pass.side, patch}, values); }); });
-  });
-}
-
-void ContactInterface::residual_correction(double dt, const AddResidual& add) const {
-  TaskClock timed = measurements_.clock(Task::residual);
-  for (const SidedPass& pass : passes_) {
-    pass.integral->residual_correction(dt, [&](const Patch& patch, const VectorXd& values) {
       timed.in_host([&] { add({pass.side, patch}, values); });
     });
   }
@@ -310,7 +278,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
   restrict_second_pass();
   find_points(passes_.back(), position_, settings_);
-  if (joins) passes_.back().integral->start_inactive(seen_from(Side::secondary, fields));
+  if (joins) passes_.back().integral->geometry().start_inactive(seen_from(Side::secondary, fields));
   return found;
 }
 

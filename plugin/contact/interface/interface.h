@@ -51,20 +51,10 @@ class ContactInterface {
   void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations();
-  /// Whether the linearisation that is held serves the next iteration, too (see ContactPass::keeps_linearisation).
-  bool keeps_linearisation(const PerSide<SurfaceFields>& fields) const;
-  /// Begins an iteration with the linearisation of the last one (see ContactPass::correct). Returns whether loads
-  /// change.
-  bool correct(const PerSide<SurfaceFields>& fields);
   /// Whether a state found in iterations is a solution of the true laws.
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  /// Adds what the loads that the last begin_iteration() holds change of the residual. Returns false, and what has been
-  /// added is of no use, where they do not act at the points of those before it.
-  bool residual_change(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  /// Adds what the last correct() changes of the residual.
-  void residual_correction(double dt, const AddResidual& add) const;
   /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
   /// `add_many`, where given, takes blocks of one effect that there are many of.
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,

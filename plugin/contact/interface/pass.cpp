@@ -15,11 +15,11 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       laws_(primary, secondary, effects, settings),
       active_set_(laws_),
       method_(enforcement_method(settings.enforcement, space_, laws_)),
-      geometry_(geometry()) {
+      geometry_(make_geometry()) {
   if (!settings.gap.may_touch) restrict_active_set(NodeFlags(primary.nodes, false));
 }
 
-std::unique_ptr<ContactGeometry> ContactPass::geometry() {
+std::unique_ptr<ContactGeometry> ContactPass::make_geometry() {
   if (effects_.traction) return std::make_unique<MovingGeometry>(space_, laws_, active_set_, *method_);
   return std::make_unique<FixedGeometry>(space_, active_set_, *method_);
 }
@@ -63,7 +63,7 @@ void ContactPass::accept_step(const FacingFields& fields, double dt) {
 void ContactPass::forget() {
   end_iterations();
   space_.facing().clear();
-  geometry_ = geometry();
+  geometry_ = make_geometry();
 }
 
 void ContactPass::for_each_contact(const FacingFields& fields, double dt,

@@ -42,8 +42,9 @@ class ContactPass {
   /// effect with the next project().
   void restrict_active_set(const NodeFlags& nodes);
 
-  /// Begins an iteration with every node open: for a pass that joins others within a step.
-  void start_inactive(const FacingFields& fields) { geometry_->start_inactive(fields); }
+  /// How it evaluates the integral: for what a host that keeps its matrix asks (kept_matrix.h), and start_inactive(),
+  /// which begins an iteration with every node open, for a pass that joins others within a step.
+  ContactGeometry& geometry() const { return *geometry_; }
 
   /// Moves the linearisation point of an iteration to another state, at which project() has been called: gaps and jumps
   /// are measured and linearised there, while status and predicted loads remain. Nodes that face nothing there open,
@@ -73,20 +74,6 @@ class ContactPass {
   /// Forgets the configuration: to be called after the effects have changed, before the next project().
   void forget();
 
-  /// Whether the linearisation that is held serves the next iteration, too, once it is corrected: no node asks for
-  /// another status by more than predicted loads are off. With friction or unknown multipliers only that of a solution.
-  bool keeps_linearisation(const FacingFields& fields) const { return geometry_->keeps_linearisation(fields); }
-
-  /// Begins an iteration with the linearisation of the last one, for a host that keeps its matrix: gaps and jumps take
-  /// their true values, and vary as before. Returns whether that changes loads.
-  bool correct(const FacingFields& fields) { return geometry_->correct(fields); }
-
-  /// Says whether the host can release nodes from the matrix of the present linearisation, so that a correction may
-  /// have nodes of it out of contact.
-  void let_release(bool may_release) { geometry_->let_release(may_release && effects_.nodal_fields() == 0); }
-  /// Nodes that the linearisation has in contact and the status has not: the change of their loads is zero.
-  IndexedVector<int> released() const { return geometry_->released(); }
-
   /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps
   /// counts only then.
   bool is_solution(const FacingFields& fields) const { return geometry_->is_solution(fields); }
@@ -100,14 +87,6 @@ class ContactPass {
 
   /// Residual of (2.5), in one part per pair of facets that carries load.
   void residual(const FacingFields& fields, double dt, const AddVector& add) const;
-  /// Adds what the loads that the last begin_iteration() holds change of the residual. Returns false, and what has been
-  /// added is of no use, where they do not act at the points of those before it.
-  bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const {
-    return geometry_->residual_change(fields, dt, add);
-  }
-  /// Adds what the last correct() changes of the residual, by the works that the tangent has: those of the present
-  /// state would turn what a large penalty makes of a gap away from what the matrix answers with.
-  void residual_correction(double dt, const AddVector& add) const { geometry_->residual_correction(dt, add); }
 
   /// Tangent (2.6), effect by effect: the geometric part per pair of facets that carries load, and per node in contact
   /// the part of its laws, which couples all nodes that its averages are taken over.
@@ -133,7 +112,7 @@ class ContactPass {
   std::size_t memory() const;
 
  private:
-  std::unique_ptr<ContactGeometry> geometry();
+  std::unique_ptr<ContactGeometry> make_geometry();
 
   const Effects& effects_;
   MortarSpace space_;

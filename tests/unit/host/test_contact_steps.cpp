@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+using mixture_contact::Changed;
 using mixture_contact::ContactSteps;
 using mixture_contact::GoesOn;
 using mixture_contact::MatrixUse;
@@ -162,8 +163,9 @@ class FakeHost : public SteppedModel {
     update_model();
   }
   void evaluate_bodies_after_contacts() override { notes.emplace_back("bodies"); }
-  void evaluate_residual() override { notes.emplace_back("residual"); }
-  void change_residual() override { notes.emplace_back("change of residual"); }
+  void evaluate_residual(Changed what) override {
+    notes.emplace_back(what == Changed::loads ? "change of residual" : "residual");
+  }
   void correct_residual() override { notes.emplace_back("correction of residual"); }
   MatrixUse matrix_use() override { return matrices; }
   bool is_matrix_due() override { return is_due; }

@@ -1,0 +1,73 @@
+/// A linearisation that serves several iterations, for hosts that keep their matrix.
+#pragma once
+
+#include "active_set/active_set.h"
+#include "enforcement/virtual_work.h"
+
+#include <optional>
+#include <variant>
+
+namespace mixture_contact {
+
+/// What becomes of the loads with the linearisation that a geometry holds: as an iteration begins with it, and as it is
+/// corrected for another one.
+class HeldLinearisation {
+ public:
+  /// Keeps references. `point`: what the geometry holds, if it does.
+  HeldLinearisation(const MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set,
+                    const EnforcementMethod& method, std::optional<LinearisationPoint>& point)
+      : space_(space), laws_(laws), active_set_(active_set), method_(method), point_(point) {}
+
+  // What the geometry tells
+  /// There is another one.
+  void replaced();
+  /// It is that of an iteration which began where loads at the same points were these.
+  void follows(const NodalLoads& before);
+  /// The surfaces have moved.
+  void moved() { change_ = {}; }
+
+  /// Whether it can be corrected: where loads are linear in gaps and jumps, not where friction turns or multipliers are
+  /// unknowns.
+  bool is_correctable() const;
+  /// Whether it serves the next iteration, too, once it is corrected: no node asks for another status by more than
+  /// loads are off, but to be released, and the last correction has brought them nearer.
+  bool serves(const FacingFields& fields) const;
+  /// Begins an iteration with it: gaps and jumps take their true values, and vary as before. Returns whether that
+  /// changes loads.
+  bool correct(const FacingFields& fields);
+
+  /// Says whether the host can release nodes from its matrix, so that a correction may have nodes out of contact.
+  void let_release(bool may_release) { may_release_ = may_release && laws_.effects().nodal_fields() == 0; }
+  /// Nodes that it has in contact and the status has not: their loads do not follow their gaps.
+  IndexedVector<int> released() const;
+
+  /// Adds what the loads that have changed as the iteration began make of the residual. Returns false, and what has
+  /// been added is of no use, where they do not act at the points of those before it.
+  ///
+  /// Those of a correction act by the works that the tangent has: those of the present state would turn what a large
+  /// penalty makes of a gap away from what the matrix answers with.
+  bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const;
+
+ private:
+  struct AtPoints {
+    NodalLoads loads;
+  };
+  struct ByWorks {
+    NodalLoads loads;
+  };
+  /// Loads of the true averages, with the status that is held.
+  NodalLoads true_loads(const FacingFields& fields) const;
+  /// Whether this status is another one by nodes that may be released.
+  bool may_take(const NodeFlags& status) const;
+
+  const MortarSpace& space_;
+  const NodalLaws& laws_;
+  ActiveSet& active_set_;
+  const EnforcementMethod& method_;
+  std::optional<LinearisationPoint>& point_;
+  std::variant<std::monostate, AtPoints, ByWorks> change_;  ///< of the loads as the iteration began, where it is known
+  double last_doubt_ = 0;     ///< what tractions were off by at the last correction; 0 before any of this status
+  bool may_release_ = false;  ///< from the matrix that the host has of it
+};
+
+}  // namespace mixture_contact

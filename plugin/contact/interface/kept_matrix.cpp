@@ -1,0 +1,74 @@
+#include "interface/kept_matrix.h"
+
+#include "enforcement/held_linearisation.h"
+
+namespace mixture_contact {
+namespace {
+
+/// Calls use(side, geometry) for each pass.
+template <class Use>
+void for_each_geometry(const ContactInterface& contact, const Use& use) {
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) use(both_sides.at(pass), contact.pass(pass).geometry());
+}
+
+/// Calls use(side, held) for each pass that holds a linearisation which can be corrected.
+template <class Use>
+void for_each_correctable(const ContactInterface& contact, const Use& use) {
+  for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
+    HeldLinearisation* const held = geometry.held();
+    if (held != nullptr && held->is_correctable()) use(side, *held);
+  });
+}
+
+}  // namespace
+
+bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = contact.measurements().clock(Task::augmentation);
+  bool all = true;
+  for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
+    const FacingFields seen = seen_from(side, fields);
+    const HeldLinearisation* const held = geometry.held();
+    const bool is_correctable = held != nullptr && held->is_correctable();
+    all = all && (is_correctable ? held->serves(seen) : geometry.is_solution(seen));
+  });
+  return all;
+}
+
+bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = contact.measurements().clock(Task::stiffness);
+  bool changed = false;
+  for_each_correctable(
+      contact, [&](Side side, HeldLinearisation& held) { changed = held.correct(seen_from(side, fields)) || changed; });
+  return changed;
+}
+
+bool residual_change(const ContactInterface& contact, const PerSide<SurfaceFields>& fields, double dt,
+                     const ContactInterface::AddResidual& add) {
+  TaskClock timed = contact.measurements().clock(Task::residual);
+  bool is_known = true;
+  for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
+    const HeldLinearisation* const held = geometry.held();
+    if (held == nullptr || !is_known) return;  // surfaces that are fixed hold nothing, and nothing changes
+    is_known = held->residual_change(seen_from(side, fields), dt, [&](const Patch& patch, const VectorXd& values) {
+      timed.in_host([&] { add({side, patch}, values); });
+    });
+  });
+  return is_known;
+}
+
+void let_release(ContactInterface& contact, bool has_all_loads) {
+  for_each_correctable(contact, [&](Side side, HeldLinearisation& held) {
+    const std::size_t pass = side == Side::primary ? 0 : 1;
+    held.let_release(has_all_loads && contact.pass(pass).has_load_blocks());
+  });
+}
+
+std::vector<ReleasedNode> released_nodes(const ContactInterface& contact) {
+  std::vector<ReleasedNode> found;
+  for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
+    for (const int node : held.released()) found.push_back({side, node});
+  });
+  return found;
+}
+
+}  // namespace mixture_contact

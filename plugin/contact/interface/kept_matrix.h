@@ -1,0 +1,31 @@
+/// What a host asks of a contact that keeps its matrix for several iterations.
+#pragma once
+
+#include "interface/interface.h"
+
+namespace mixture_contact {
+
+/// Whether the linearisation of the last matrix serves the next iteration, too, once it is corrected (see
+/// HeldLinearisation::serves()); where none can be corrected, whether the state is a solution.
+bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+
+/// Begins an iteration with the linearisation of the last one (see HeldLinearisation::correct()). Returns whether loads
+/// change.
+bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+
+/// Adds what the loads that have changed as the iteration began make of the residual (see
+/// HeldLinearisation::residual_change()). Returns whether that is known.
+bool residual_change(const ContactInterface& contact, const PerSide<SurfaceFields>& fields, double dt,
+                     const ContactInterface::AddResidual& add);
+
+/// Says whether the matrix that has been formed has all loads of a pass as unknowns, so that nodes can be released.
+void let_release(ContactInterface& contact, bool has_all_loads);
+
+/// A node whose load the matrix has and the status has not.
+struct ReleasedNode {
+  Side side;
+  int node;
+};
+std::vector<ReleasedNode> released_nodes(const ContactInterface& contact);
+
+}  // namespace mixture_contact

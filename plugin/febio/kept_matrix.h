@@ -1,0 +1,34 @@
+/// The matrix that a quasi-Newton method of FEBio's keeps for several iterations, and what contacts change of its use.
+#pragma once
+
+#include "host/stepper.h"
+#include "newton/febio/febio_solver.h"
+#include "newton/zero_unknowns.h"
+
+#include <optional>
+#include <vector>
+
+class KeptMatrix {
+ public:
+  explicit KeptMatrix(newton::FEBioSolver& solver) : solver_(solver) {}
+
+  /// FEBio has formed another one.
+  void formed();
+  /// Whether as many iterations have been corrected with it as FEBio's limit allows.
+  bool is_due() const;
+  /// An iteration with it has been corrected: leaves it out of FEBio's updates, and has these unknowns of the next
+  /// increment zero.
+  void correct(const std::vector<int>& released);
+
+  /// A converged state has been rejected: the next iteration has a matrix of its own, or this one.
+  void reject(mixture_contact::GoesOn with);
+  /// A converged state has been accepted: FEBio has its own setting again, whether augmentations form matrices.
+  void accept();
+
+ private:
+  newton::FEBioSolver& solver_;
+  newton::ZeroUnknowns released_;
+  int corrections_ = 0;                 ///< since it was formed
+  bool may_correct_ = true;             ///< whether what is released can be held at zero with it
+  std::optional<bool> reform_augment_;  ///< FEBio's own setting, while converged states are rejected
+};
