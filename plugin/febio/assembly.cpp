@@ -1,6 +1,6 @@
 #include "assembly.h"
 
-#include "contact/interface/kept_matrix.h"
+#include "contact/interface/corrections.h"
 #include "contact/interface/residual_ahead.h"
 #include "matrix_profile.h"
 #include "rigid_shell_bottoms.h"

@@ -2,7 +2,7 @@
 
 #include "archive.h"
 #include "contact/interface/held_loads.h"
-#include "contact/interface/kept_matrix.h"
+#include "contact/interface/corrections.h"
 #include "contact/interface/multipliers.h"
 #include "core_archive.h"
 #include "host/warnings.h"

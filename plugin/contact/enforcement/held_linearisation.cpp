@@ -12,7 +12,13 @@ double doubt(const NodalLoads& predicted, const NodalLoads& now) {
 
 }  // namespace
 
-void HeldLinearisation::replaced() {
+void HeldLinearisation::replaced(LinearisationPoint& point) {
+  ended();
+  point_ = &point;
+}
+
+void HeldLinearisation::ended() {
+  point_ = nullptr;
   change_ = {};
   last_doubt_ = 0;
   may_release_ = false;
@@ -21,7 +27,7 @@ void HeldLinearisation::replaced() {
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
 bool HeldLinearisation::is_correctable() const {
-  return point_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
+  return point_ != nullptr && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
 }
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields) const {

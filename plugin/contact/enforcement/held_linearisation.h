@@ -4,7 +4,6 @@
 #include "active_set/active_set.h"
 #include "enforcement/virtual_work.h"
 
-#include <optional>
 #include <variant>
 
 namespace mixture_contact {
@@ -13,14 +12,16 @@ namespace mixture_contact {
 /// corrected for another one.
 class HeldLinearisation {
  public:
-  /// Keeps references. `point`: what the geometry holds, if it does.
+  /// Keeps references.
   HeldLinearisation(const MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set,
-                    const EnforcementMethod& method, std::optional<LinearisationPoint>& point)
-      : space_(space), laws_(laws), active_set_(active_set), method_(method), point_(point) {}
+                    const EnforcementMethod& method)
+      : space_(space), laws_(laws), active_set_(active_set), method_(method) {}
 
   // What the geometry tells
-  /// There is another one.
-  void replaced();
+  /// There is another one; keeps a reference.
+  void replaced(LinearisationPoint& point);
+  /// There is none any more.
+  void ended();
   /// It is that of an iteration which began where loads at the same points were these.
   void follows(const NodalLoads& before);
   /// The surfaces have moved.
@@ -64,7 +65,7 @@ class HeldLinearisation {
   const NodalLaws& laws_;
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
-  std::optional<LinearisationPoint>& point_;
+  LinearisationPoint* point_ = nullptr;                     ///< what the geometry holds
   std::variant<std::monostate, AtPoints, ByWorks> change_;  ///< of the loads as the iteration began, where it is known
   double last_doubt_ = 0;     ///< what tractions were off by at the last correction; 0 before any of this status
   bool may_release_ = false;  ///< from the matrix that the host has of it

@@ -110,8 +110,7 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   point.nodes = linearise(space_, point.loads, fields, geometric_loads(point), use);
   vary_trials(laws_, point.loads, point.nodes);
   geometric_ = std::move(geometric);
-  point_ = std::move(point);
-  held_.replaced();
+  held_.replaced(point_.emplace(std::move(point)));
 }
 
 const MovingGeometry::GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) const {
@@ -181,7 +180,7 @@ void MovingGeometry::hold_loads(const FacingFields& fields) {
   const auto decide = [&](const NodalLoads& now) { return initial_friction(now); };
   geometric_.reset();
   point_ = evaluated_at(fields, initial_averages(fields), decide, nullptr);
-  held_.replaced();
+  held_.ended();
 }
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
@@ -214,7 +213,7 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
 void MovingGeometry::end_iterations() {
   point_.reset();
   geometric_.reset();
-  held_.replaced();
+  held_.ended();
   space_.boundary_weights().settle();
   space_.facing().end_iterations();
 }

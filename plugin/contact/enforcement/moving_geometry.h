@@ -13,11 +13,7 @@ class MovingGeometry : public ContactGeometry {
  public:
   /// Keeps references.
   MovingGeometry(MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set, const EnforcementMethod& method)
-      : space_(space),
-        laws_(laws),
-        active_set_(active_set),
-        method_(method),
-        held_(space, laws, active_set, method, point_) {}
+      : space_(space), laws_(laws), active_set_(active_set), method_(method), held_(space, laws, active_set, method) {}
 
   void update(const FacingPositions& x) override;
   bool begin_iteration(const FacingFields& fields, double ahead) override;

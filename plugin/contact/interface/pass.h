@@ -42,7 +42,7 @@ class ContactPass {
   /// effect with the next project().
   void restrict_active_set(const NodeFlags& nodes);
 
-  /// How it evaluates the integral: for what a host that keeps its matrix asks (kept_matrix.h), and start_inactive(),
+  /// How it evaluates the integral: for what a host that keeps its matrix asks (corrections.h), and start_inactive(),
   /// which begins an iteration with every node open, for a pass that joins others within a step.
   ContactGeometry& geometry() const { return *geometry_; }
 

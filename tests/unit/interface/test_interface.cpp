@@ -1,5 +1,5 @@
 #include "contact/interface/held_loads.h"
-#include "contact/interface/kept_matrix.h"
+#include "contact/interface/corrections.h"
 #include "contact/interface/relocation.h"
 
 #include "surfaces.h"

@@ -1,4 +1,4 @@
-#include "interface/kept_matrix.h"
+#include "interface/corrections.h"
 
 #include "enforcement/held_linearisation.h"
 
@@ -6,17 +6,18 @@ namespace mixture_contact {
 namespace {
 
 /// Calls use(side, geometry) for each pass.
-template <class Use>
-void for_each_geometry(const ContactInterface& contact, const Use& use) {
+template <class Contact, class Use>
+void for_each_geometry(Contact& contact, const Use& use) {
   for (std::size_t pass = 0; pass < contact.passes(); ++pass) use(both_sides.at(pass), contact.pass(pass).geometry());
 }
 
+bool is_correctable(const HeldLinearisation* held) { return held != nullptr && held->is_correctable(); }
+
 /// Calls use(side, held) for each pass that holds a linearisation which can be corrected.
-template <class Use>
-void for_each_correctable(const ContactInterface& contact, const Use& use) {
+template <class Contact, class Use>
+void for_each_correctable(Contact& contact, const Use& use) {
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
-    HeldLinearisation* const held = geometry.held();
-    if (held != nullptr && held->is_correctable()) use(side, *held);
+    if (is_correctable(geometry.held())) use(side, *geometry.held());
   });
 }
 
@@ -28,8 +29,7 @@ bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>&
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
     const FacingFields seen = seen_from(side, fields);
     const HeldLinearisation* const held = geometry.held();
-    const bool is_correctable = held != nullptr && held->is_correctable();
-    all = all && (is_correctable ? held->serves(seen) : geometry.is_solution(seen));
+    all = all && (is_correctable(held) ? held->serves(seen) : geometry.is_solution(seen));
   });
   return all;
 }
