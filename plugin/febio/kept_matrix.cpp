@@ -1,6 +1,7 @@
 #include "kept_matrix.h"
 
 #include <FECore/FEException.h>
+#include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FENewtonStrategy.h>
 #include <FECore/LinearSolver.h>
@@ -9,22 +10,29 @@
 #include <utility>
 
 void KeptMatrix::formed() {
+  number_ = solver_.febio()->m_ntotref;
   released_.forget();
-  corrections_ = 0;
+  iterations_ = 0;
   may_correct_ = true;
 }
 
-bool KeptMatrix::is_due() const {
-  const int most = solver_.febio()->m_qnstrategy->m_maxups;  // 0 where the method has no limit
-  return !may_correct_ || (most > 0 && corrections_ >= most - 1);
+void KeptMatrix::follow() {
+  if (number_ != solver_.febio()->m_ntotref) formed();
+}
+
+bool KeptMatrix::is_due() {
+  follow();
+  const FENewtonStrategy& strategy = *solver_.febio()->m_qnstrategy;
+  const bool has_limit = strategy.m_maxups > 0 && dynamic_cast<const FEModifiedNewtonStrategy*>(&strategy) == nullptr;
+  return !may_correct_ || (has_limit && iterations_ >= strategy.m_maxups - 1);
 }
 
 void KeptMatrix::correct(const std::vector<int>& released) {
+  follow();
   FENewtonSolver& solver = *solver_.febio();
-  // Those of BFGS are for symmetric matrices: they would spoil the stiffness that corrected gaps are closed with.
-  FENewtonStrategy& strategy = *solver.m_qnstrategy;
-  strategy.m_nups = std::max(strategy.m_nups - 1, 0);
-  ++corrections_;
+  // Those of BFGS are for symmetric matrices, and would spoil the stiffness that corrected gaps are closed with; those
+  // of Broyden have solved for the residual before the correction.
+  iterations_ += std::max(1, std::exchange(solver.m_qnstrategy->m_nups, 0));
   const auto solve = [&](std::vector<double> right) {
     std::vector<double> solution(right.size());
     if (!solver.GetLinearSolver()->BackSolve(solution, right)) throw LinearSolverFailed();

@@ -14,10 +14,9 @@ class KeptMatrix {
 
   /// FEBio has formed another one.
   void formed();
-  /// Whether as many iterations have been corrected with it as FEBio's limit allows.
-  bool is_due() const;
-  /// An iteration with it has been corrected: leaves it out of FEBio's updates, and has these unknowns of the next
-  /// increment zero.
+  /// Whether another one is to be formed: where as many iterations have been corrected with it as FEBio's limit allows.
+  bool is_due();
+  /// An iteration with it has been corrected: the next one is without FEBio's updates, and has these unknowns zero.
   void correct(const std::vector<int>& released);
 
   /// A converged state has been rejected: the next iteration has a matrix of its own, or this one.
@@ -26,9 +25,13 @@ class KeptMatrix {
   void accept();
 
  private:
+  /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step.
+  void follow();
+
   newton::FEBioSolver& solver_;
   newton::ZeroUnknowns released_;
-  int corrections_ = 0;                 ///< since it was formed
+  int number_ = 0;                      ///< of the matrix, as FEBio counts them in a step
+  int iterations_ = 0;                  ///< with it, up to the last that was corrected
   bool may_correct_ = true;             ///< whether what is released can be held at zero with it
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while converged states are rejected
 };

@@ -144,11 +144,16 @@ void ContactSteps::before_matrix() {
 
 void ContactSteps::matrix_formed() {
   helpers_.complete_residual();
+  bring_residual_up_to_date();
+}
+
+void ContactSteps::bring_residual_up_to_date() {
   const Changed changed = stepper_.matrix_formed();
   if (changed != Changed::nothing) model_.evaluate_residual(changed);
 }
 
 void ContactSteps::end_iteration() {
+  bring_residual_up_to_date();  // hosts tell nobody of matrices that they form after augmentations
   if (model_.matrix_use() != MatrixUse::kept || !stepper_.keep_matrix()) return;
   bool changed = false;
   for (SteppedContact* contact : model_.active_contacts()) changed = contact->correct() || changed;

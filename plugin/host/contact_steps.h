@@ -130,6 +130,7 @@ class ContactSteps {
   /// Whether a contact may look ahead where a step begins.
   bool looks_ahead(const SteppedContact& contact);
   void evaluate_again();
+  void bring_residual_up_to_date();
   void start_at_prediction();
   bool keeps_matrix();
   bool is_solution();

@@ -312,6 +312,21 @@ BOOST_AUTO_TEST_CASE(a_state_whose_loads_are_off_alone_is_rejected_without_a_mat
   check(host.said(), {"A begin", "B begin", "ambient", "helper adapt"});
 }
 
+BOOST_AUTO_TEST_CASE(a_matrix_that_is_formed_all_the_same_has_a_residual_of_its_loads) {
+  FakeHost host(1);
+  host.matrices = MatrixUse::kept;
+  host.start_step();
+  host.update(1.0);
+  host.contacts[0]->solution = false;
+  host.contacts[0]->loads_change = true;
+  BOOST_TEST(!host.steps.accepts(host.contacts[0].get()));
+  host.update_model();
+  host.said();
+  host.form_matrix_without_callback();
+  host.steps.end_iteration();
+  check(host.said(), {"A begin", "ambient", "helper adapt", "change of residual"});
+}
+
 BOOST_AUTO_TEST_CASE(full_newton_begins_iterations_with_matrices_alone) {
   FakeHost host(1);
   host.start_step();
