@@ -109,5 +109,5 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
       [&](const Location& rows, const Location& columns, const MatrixXd& values) { parts.add(rows, columns, values); },
       [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_many);
   parts.finish(timed);
-  let_release(contact_.core(), parts.has_all_loads());
+  has_matrix(contact_.core(), parts.has_all_loads());
 }

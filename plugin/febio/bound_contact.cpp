@@ -1,8 +1,8 @@
 #include "bound_contact.h"
 
 #include "archive.h"
-#include "contact/interface/held_loads.h"
 #include "contact/interface/corrections.h"
+#include "contact/interface/held_loads.h"
 #include "contact/interface/multipliers.h"
 #include "core_archive.h"
 #include "host/warnings.h"

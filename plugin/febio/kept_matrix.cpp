@@ -1,15 +1,16 @@
 #include "kept_matrix.h"
 
-#include <FECore/FEException.h>
 #include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FENewtonStrategy.h>
+#include <FECore/JFNKStrategy.h>
 #include <FECore/LinearSolver.h>
 
 #include <algorithm>
 #include <utility>
 
 void KeptMatrix::formed() {
+  restore();
   number_ = solver_.febio()->m_ntotref;
   released_.forget();
   iterations_ = 0;
@@ -23,8 +24,10 @@ void KeptMatrix::follow() {
 bool KeptMatrix::is_due() {
   follow();
   const FENewtonStrategy& strategy = *solver_.febio()->m_qnstrategy;
+  // JFNK takes differences from a residual of its own.
+  if (!may_correct_ || dynamic_cast<const JFNKStrategy*>(&strategy) != nullptr) return true;
   const bool has_limit = strategy.m_maxups > 0 && dynamic_cast<const FEModifiedNewtonStrategy*>(&strategy) == nullptr;
-  return !may_correct_ || (has_limit && iterations_ >= strategy.m_maxups - 1);
+  return has_limit && iterations_ + strategy.m_nups >= strategy.m_maxups - 1;
 }
 
 void KeptMatrix::correct(const std::vector<int>& released) {
@@ -33,21 +36,33 @@ void KeptMatrix::correct(const std::vector<int>& released) {
   // Those of BFGS are for symmetric matrices, and would spoil the stiffness that corrected gaps are closed with; those
   // of Broyden have solved for the residual before the correction.
   iterations_ += std::max(1, std::exchange(solver.m_qnstrategy->m_nups, 0));
+  bool is_solved = true;
   const auto solve = [&](std::vector<double> right) {
     std::vector<double> solution(right.size());
-    if (!solver.GetLinearSolver()->BackSolve(solution, right)) throw LinearSolverFailed();
+    is_solved = solver.GetLinearSolver()->BackSolve(solution, right) && is_solved;
     return solution;
   };
-  may_correct_ = released_.hold(solve, released, solver.m_R0);
+  may_correct_ = released_.hold(solve, released, solver.m_R0) && is_solved;
 }
 
 void KeptMatrix::reject(mixture_contact::GoesOn with) {
-  if (with == mixture_contact::GoesOn::correction) return accept();
-  // Other nodes are in contact now: quasi-Newton methods would go on with the matrix of those that were.
-  if (!reform_augment_) reform_augment_ = std::exchange(solver_.febio()->m_breformAugment, true);
+  // With a matrix other nodes may be in contact: quasi-Newton methods would go on with that of those that were.
+  if (with == mixture_contact::GoesOn::matrix) return force_next();
+  restore();
 }
 
 void KeptMatrix::accept() {
+  if (released_.are_held()) return force_next();
+  restore();
+}
+
+void KeptMatrix::force_next() {
+  FENewtonSolver& solver = *solver_.febio();
+  if (!reform_augment_) reform_augment_ = std::exchange(solver.m_breformAugment, true);
+  solver.QNForceReform(true);  // where a step begins
+}
+
+void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
   if (own) solver_.febio()->m_breformAugment = *own;
 }

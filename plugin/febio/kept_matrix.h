@@ -14,24 +14,30 @@ class KeptMatrix {
 
   /// FEBio has formed another one.
   void formed();
-  /// Whether another one is to be formed: where as many iterations have been corrected with it as FEBio's limit allows.
+  /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
+  /// nothing is to be corrected with it.
   bool is_due();
   /// An iteration with it has been corrected: the next one is without FEBio's updates, and has these unknowns zero.
   void correct(const std::vector<int>& released);
 
   /// A converged state has been rejected: the next iteration has a matrix of its own, or this one.
   void reject(mixture_contact::GoesOn with);
-  /// A converged state has been accepted: FEBio has its own setting again, whether augmentations form matrices.
+  /// A converged state has been accepted. What follows, an augmentation or a step, has a matrix where FEBio's settings
+  /// say so, and where unknowns were zero with this one.
   void accept();
 
  private:
   /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step.
   void follow();
+  /// Has FEBio form a matrix before the next iteration.
+  void force_next();
+  /// FEBio has its own setting again, whether augmentations form matrices.
+  void restore();
 
   newton::FEBioSolver& solver_;
   newton::ZeroUnknowns released_;
   int number_ = 0;                      ///< of the matrix, as FEBio counts them in a step
   int iterations_ = 0;                  ///< with it, up to the last that was corrected
   bool may_correct_ = true;             ///< whether what is released can be held at zero with it
-  std::optional<bool> reform_augment_;  ///< FEBio's own setting, while converged states are rejected
+  std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };

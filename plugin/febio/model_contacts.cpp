@@ -297,7 +297,7 @@ MatrixUse ModelContacts::matrix_use() {
 void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-  if (n > solver_.febio()->m_maxref) throw MaxStiffnessReformations();
+  if (with == GoesOn::matrix && n > solver_.febio()->m_maxref) throw MaxStiffnessReformations();
   matrix_.reject(with);
 }
 

@@ -76,7 +76,8 @@ void ContactSteps::evaluate(const void* told) {
   bool changed = false;
   switch (stepper_.evaluate()) {
     case Stepper::Evaluation::keep_active_set:
-      // The active set changes where a matrix is formed: where it must change, quasi-Newton methods have to form one.
+      // The active set changes where a matrix is formed or a linearisation corrected: where neither of the matrix that
+      // quasi-Newton methods keep serves, they have to form one.
       if (model_.matrix_use() == MatrixUse::kept) model_.request_matrix(!keeps_matrix());
       return;
     case Stepper::Evaluation::begin_anew:
@@ -172,7 +173,7 @@ bool ContactSteps::is_solution() {
 }
 
 bool ContactSteps::accepts(const void* told) {
-  if (!convergences_.opens(told)) return stepper_.phase() != Phase::rejected;
+  if (!convergences_.opens(told)) return stepper_.phase() == Phase::converged;
   // The host has converged with the active set and the gaps that were held: it is a solution only if the true laws
   // agree.
   const bool solved = is_solution();

@@ -5,7 +5,7 @@
 /// what is to be done.
 ///
 ///     converged ---evaluate---> begun ---prepare_step---> step_prepared
-///     begun, step_prepared, evaluated ---form_matrix---> forming, forming_loads, forming_anew
+///     begun, step_prepared, evaluated, uncorrected ---form_matrix---> forming, forming_loads, forming_anew
 ///     any ---try_state---> trial ---evaluate---> evaluated
 ///     evaluated, uncorrected ---keep_matrix---> corrected
 ///     evaluated ---reject---> rejected ---evaluate---> begun

@@ -18,6 +18,8 @@ class ZeroUnknowns {
 
   /// Another matrix has been factorised.
   void forget() { columns_.clear(); }
+  /// Whether any are held at zero with it.
+  bool are_held() const { return !columns_.empty(); }
   /// Adds to a right-hand side what holds the unknowns of these equations at zero. Returns false, and adds nothing,
   /// where the matrix without them is singular.
   bool hold(const Solve& solve, const std::vector<int>& equations, std::vector<double>& right);

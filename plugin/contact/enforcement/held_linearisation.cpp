@@ -21,13 +21,19 @@ void HeldLinearisation::ended() {
   point_ = nullptr;
   change_ = {};
   last_doubt_ = 0;
+  has_matrix_ = false;
   may_release_ = false;
+}
+
+void HeldLinearisation::has_matrix(bool may_release) {
+  has_matrix_ = true;
+  may_release_ = may_release && laws_.effects().nodal_fields() == 0;
 }
 
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
 bool HeldLinearisation::is_correctable() const {
-  return point_ != nullptr && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
+  return has_matrix_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
 }
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields) const {
@@ -74,7 +80,7 @@ bool HeldLinearisation::correct(const FacingFields& fields) {
   method_.load(point_->loads);
   const ByWorks corrected{change(predicted, method_.predicted_loads(*point_, fields))};
   change_ = corrected;
-  return !corrected.loads.traction.isZero(0) || !corrected.loads.flux.isZero(0);
+  return !corrected.loads.traction.isZero(0) || !corrected.loads.flux.isZero(0) || !released().empty();
 }
 
 IndexedVector<int> HeldLinearisation::released() const {

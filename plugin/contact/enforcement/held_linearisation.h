@@ -27,18 +27,21 @@ class HeldLinearisation {
   /// The surfaces have moved.
   void moved() { change_ = {}; }
 
-  /// Whether it can be corrected: where loads are linear in gaps and jumps, not where friction turns or multipliers are
-  /// unknowns.
+  /// Whether it can be corrected: where the host's matrix is of it, and loads are linear in gaps and jumps, not where
+  /// friction turns or multipliers are unknowns.
   bool is_correctable() const;
   /// Whether it serves the next iteration, too, once it is corrected: no node asks for another status by more than
   /// loads are off, but to be released, and the last correction has brought them nearer.
   bool serves(const FacingFields& fields) const;
   /// Begins an iteration with it: gaps and jumps take their true values, and vary as before. Returns whether that
-  /// changes loads.
+  /// changes loads, or holds some that are released.
   bool correct(const FacingFields& fields);
+  /// Begins one without a correction: nothing changes.
+  void keep() { change_ = Nothing(); }
 
-  /// Says whether the host can release nodes from its matrix, so that a correction may have nodes out of contact.
-  void let_release(bool may_release) { may_release_ = may_release && laws_.effects().nodal_fields() == 0; }
+  /// The host has formed its matrix of this linearisation. `may_release`: it can release nodes from it, so that a
+  /// correction may have nodes out of contact.
+  void has_matrix(bool may_release);
   /// Nodes that it has in contact and the status has not: their loads do not follow their gaps.
   IndexedVector<int> released() const;
 
@@ -50,6 +53,7 @@ class HeldLinearisation {
   bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const;
 
  private:
+  struct Nothing {};
   struct AtPoints {
     NodalLoads loads;
   };
@@ -65,10 +69,12 @@ class HeldLinearisation {
   const NodalLaws& laws_;
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
-  LinearisationPoint* point_ = nullptr;                     ///< what the geometry holds
-  std::variant<std::monostate, AtPoints, ByWorks> change_;  ///< of the loads as the iteration began, where it is known
+  LinearisationPoint* point_ = nullptr;  ///< what the geometry holds
+  /// Of the loads as the iteration began, where it is known.
+  std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;
   double last_doubt_ = 0;     ///< what tractions were off by at the last correction; 0 before any of this status
-  bool may_release_ = false;  ///< from the matrix that the host has of it
+  bool has_matrix_ = false;   ///< whether the host has a matrix of it
+  bool may_release_ = false;  ///< from that
 };
 
 }  // namespace mixture_contact

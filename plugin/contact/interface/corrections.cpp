@@ -24,6 +24,9 @@ void for_each_correctable(Contact& contact, const Use& use) {
 }  // namespace
 
 bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  bool any_correctable = false;
+  for_each_correctable(contact, [&](Side, const HeldLinearisation&) { any_correctable = true; });
+  if (!any_correctable) return contact.is_solution(fields);
   const TaskClock timed = contact.measurements().clock(Task::augmentation);
   bool all = true;
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
@@ -37,8 +40,13 @@ bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>&
 bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::stiffness);
   bool changed = false;
-  for_each_correctable(
-      contact, [&](Side side, HeldLinearisation& held) { changed = held.correct(seen_from(side, fields)) || changed; });
+  for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
+    if (is_correctable(geometry.held())) {
+      changed = geometry.held()->correct(seen_from(side, fields)) || changed;
+    } else if (geometry.held() != nullptr) {
+      geometry.held()->keep();
+    }
+  });
   return changed;
 }
 
@@ -56,11 +64,12 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
   return is_known;
 }
 
-void let_release(ContactInterface& contact, bool has_all_loads) {
-  for_each_correctable(contact, [&](Side side, HeldLinearisation& held) {
-    const std::size_t pass = side == Side::primary ? 0 : 1;
-    held.let_release(has_all_loads && contact.pass(pass).has_load_blocks());
-  });
+void has_matrix(ContactInterface& contact, bool has_all_loads) {
+  for (std::size_t n = 0; n < contact.passes(); ++n) {
+    ContactPass& pass = contact.pass(n);
+    if (HeldLinearisation* const held = pass.geometry().held())
+      held->has_matrix(has_all_loads && pass.has_load_blocks());
+  }
 }
 
 std::vector<ReleasedNode> released_nodes(const ContactInterface& contact) {

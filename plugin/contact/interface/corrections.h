@@ -18,8 +18,9 @@ bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 bool residual_change(const ContactInterface& contact, const PerSide<SurfaceFields>& fields, double dt,
                      const ContactInterface::AddResidual& add);
 
-/// Says whether the matrix that has been formed has all loads of a pass as unknowns, so that nodes can be released.
-void let_release(ContactInterface& contact, bool has_all_loads);
+/// A matrix has been formed of the present linearisations. `has_all_loads`: those that come as load blocks are unknowns
+/// of it, so that nodes can be released.
+void has_matrix(ContactInterface& contact, bool has_all_loads);
 
 /// A node whose load the matrix has and the status has not.
 struct ReleasedNode {

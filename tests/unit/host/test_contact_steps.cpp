@@ -6,6 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -125,10 +126,16 @@ class FakeHost : public SteppedModel {
     for (SteppedContact* contact : active_contacts()) steps.try_increment(contact, {increment});
     update_model();
   }
+  /// What all contacts are told alike.
+  bool are_accepted() {
+    std::set<bool> answers;
+    for (SteppedContact* contact : active_contacts()) answers.insert(steps.accepts(contact));
+    BOOST_TEST(answers.size() == 1U);
+    return *answers.begin();
+  }
   /// Returns whether the step has been solved.
   bool augment() {
-    bool accepted = true;
-    for (SteppedContact* contact : active_contacts()) accepted = steps.accepts(contact) && accepted;
+    const bool accepted = are_accepted();
     if (!accepted) {
       update_model();
       form_matrix_without_callback();
@@ -137,8 +144,7 @@ class FakeHost : public SteppedModel {
   }
   /// The same where the host keeps its matrix.
   bool augment_with_the_matrix_kept() {
-    bool accepted = true;
-    for (SteppedContact* contact : active_contacts()) accepted = steps.accepts(contact) && accepted;
+    const bool accepted = are_accepted();
     if (!accepted) update_model();
     steps.end_iteration();
     return accepted;
