@@ -23,11 +23,12 @@ void KeptMatrix::follow() {
 
 bool KeptMatrix::is_due() {
   follow();
-  const FENewtonStrategy& strategy = *solver_.febio()->m_qnstrategy;
+  const FENewtonStrategy* const strategy = solver_.febio()->m_qnstrategy;
   // JFNK takes differences from a residual of its own.
-  if (!may_correct_ || dynamic_cast<const JFNKStrategy*>(&strategy) != nullptr) return true;
-  const bool has_limit = strategy.m_maxups > 0 && dynamic_cast<const FEModifiedNewtonStrategy*>(&strategy) == nullptr;
-  return has_limit && iterations_ + strategy.m_nups >= strategy.m_maxups - 1;
+  const bool is_kept = strategy != nullptr && dynamic_cast<const JFNKStrategy*>(strategy) == nullptr;
+  if (!may_correct_ || !is_kept) return true;
+  if (dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr) return false;  // it has no limit
+  return strategy->m_maxups > 0 && iterations_ + strategy->m_nups >= strategy->m_maxups - 1;
 }
 
 void KeptMatrix::correct(const std::vector<int>& released) {

@@ -66,7 +66,7 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
 
 void has_matrix(ContactInterface& contact, bool has_all_loads) {
   for (std::size_t n = 0; n < contact.passes(); ++n) {
-    ContactPass& pass = contact.pass(n);
+    const ContactPass& pass = contact.pass(n);
     if (HeldLinearisation* const held = pass.geometry().held())
       held->has_matrix(has_all_loads && pass.has_load_blocks());
   }
