@@ -34,8 +34,8 @@ bool KeptMatrix::is_due() {
 void KeptMatrix::correct(const std::vector<int>& released) {
   follow();
   FENewtonSolver& solver = *solver_.febio();
-  // Those of BFGS are for symmetric matrices, and would spoil the stiffness that corrected gaps are closed with; those
-  // of Broyden have solved for the residual before the correction.
+  // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
+  // residual before the correction.
   iterations_ += std::max(1, std::exchange(solver.m_qnstrategy->m_nups, 0));
   bool is_solved = true;
   const auto solve = [&](std::vector<double> right) {

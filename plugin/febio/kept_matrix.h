@@ -25,13 +25,14 @@ class KeptMatrix {
   /// A converged state has been accepted. What follows, an augmentation or a step, has a matrix where FEBio's settings
   /// say so, and where unknowns were zero with this one.
   void accept();
+  /// A time step has been solved: FEBio has its own setting again, whether augmentations form matrices.
+  void end_step() { restore(); }
 
  private:
   /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step.
   void follow();
   /// Has FEBio form a matrix before the next iteration.
   void force_next();
-  /// FEBio has its own setting again, whether augmentations form matrices.
   void restore();
 
   newton::FEBioSolver& solver_;

@@ -52,13 +52,18 @@ bool adds_up_residuals(const FENewtonSolver& solver) {
   return has_known_totals(solver);
 }
 
-/// Adds up what the changed loads of contacts make of a residual. Returns whether all of it is known.
-bool change_residual(FEModel& fem, const std::vector<ContactInModel*>& contacts, std::vector<double>& change) {
-  std::vector<double> reactions(change.size());
+/// Adds what the changed loads of contacts make of a residual. Returns false, and adds nothing, where part of it is not
+/// known.
+bool add_changes(FEModel& fem, const std::vector<ContactInModel*>& contacts, std::vector<double>& residual) {
+  std::vector<double> change(residual.size());
+  std::vector<double> reactions(residual.size());
   FEResidualVector vector(fem, change, reactions);
   const double dt = fem.GetTime().timeIncrement;
-  return std::all_of(contacts.begin(), contacts.end(),
-                     [&](const ContactInModel* contact) { return contact->assembly().residual_change(vector, dt); });
+  const bool is_known = std::all_of(contacts.begin(), contacts.end(), [&](const ContactInModel* contact) {
+    return contact->assembly().residual_change(vector, dt);
+  });
+  if (is_known) residual += change;
+  return is_known;
 }
 
 /// Whether a step that has failed is tried again.
@@ -233,6 +238,7 @@ void ModelContacts::on_callback(unsigned int when) {
   if (when == CB_TIMESTEP_SOLVED) {
     note_overlap();
     steps_.end_step();
+    matrix_.end_step();
   }
   if (when == CB_TIMESTEP_FAILED) reduce_penalties();
   if (when == CB_SOLVED) say(fem_, reducible_.summary());
@@ -266,12 +272,8 @@ void ModelContacts::request_matrix(bool is_needed) { solver_.febio()->QNForceRef
 
 void ModelContacts::evaluate_residual(Changed what) {
   FENewtonSolver& solver = *solver_.febio();
-  std::vector<double> change(solver.m_R0.size());
-  if (what == Changed::loads && adds_up_residuals(solver) && change_residual(fem_, active(), change)) {
-    solver.m_R0 += change;
-  } else {
-    solver.Residual(solver.m_R0);
-  }
+  const bool adds_up = what == Changed::loads && adds_up_residuals(solver);
+  if (!adds_up || !add_changes(fem_, active(), solver.m_R0)) solver.Residual(solver.m_R0);
 }
 
 void ModelContacts::correct_residual() {
