@@ -108,13 +108,7 @@ class OrderedResults {
 template <class Make, class Use>
 void in_order(Index count, const Make& make, const Use& use) {
   const int threads = thread_count();
-  if (threads == 1) {  // nothing is held: the memory of a result serves the next one
-    for (Index i = 0; i < count; ++i) {
-      auto&& result = make(i);
-      use(i, result);
-    }
-    return;
-  }
+  if (threads == 1) return one_by_one(count, make, use);
   OrderedResults<Make, Use> results(count, threads, make, use);
 #ifdef _OPENMP
 #pragma omp parallel default(none) shared(results)

@@ -43,19 +43,22 @@ void in_parallel(Index count, const Body& body) {
   if (thrown) std::rethrow_exception(thrown);
 }
 
+/// use(i, make(i)) for each i below `count`. Nothing is held: the memory of a result serves the next one.
+template <class Make, class Use>
+void one_by_one(Index count, const Make& make, const Use& use) {
+  for (Index i = 0; i < count; ++i) {
+    auto&& result = make(i);
+    use(i, result);
+  }
+}
+
 /// Computes make(i) for each i below `count` on several threads, and hands the results on, use(i, make(i)), in
 /// ascending order on the calling thread once many are made: `use` may share its own work among threads. Where it has
 /// little of its own, in_order() is faster.
 template <class Make, class Use>
 void in_batches(Index count, const Make& make, const Use& use) {
   using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;
-  if (thread_count() == 1) {  // nothing is held: the memory of a result serves the next one
-    for (Index i = 0; i < count; ++i) {
-      Result&& result = make(i);
-      use(i, result);
-    }
-    return;
-  }
+  if (thread_count() == 1) return one_by_one(count, make, use);
   IndexedVector<Result> results(std::min(count, batch_size));
   for (Index first = 0; first < count; first += batch_size) {
     const Index size = std::min(batch_size, count - first);
