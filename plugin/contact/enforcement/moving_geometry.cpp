@@ -21,8 +21,6 @@ NodalLoads geometric_loads(const LinearisationPoint& point) {
   return loads;
 }
 
-using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;
-
 /// Hands on the fluxes of pairs, which are given for a time increment of 1.
 void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
   const auto of_pair = [&](Index pair) {
@@ -103,7 +101,7 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
   // Both parts of the tangent are of the same points, whose variations cost more than what is made of them.
   const IndexedVector<FacetPair>& pairs = space_.facing().pairs();
-  GeometricPart geometric(pairs.count());
+  GeometricParts geometric(pairs.count());
   const auto use = [&](Index pair, const std::vector<VaryingPoint>& points) {
     geometric[pair] = geometric_tangent(space_, pairs[pair], points);
   };
@@ -113,7 +111,7 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   held_.replaced(point_.emplace(std::move(point)));
 }
 
-const MovingGeometry::GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) const {
+const GeometricParts* MovingGeometry::geometric_at(const FacingPositions& x) const {
   if (!geometric_ || !point_) return nullptr;
   const bool is_there = point_->primary.position == x.primary && point_->secondary.position == x.secondary;
   return is_there ? &*geometric_ : nullptr;
@@ -270,7 +268,7 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
   if (!is_linearised) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, space_, is_linearised ? point_->nodes : present, now, weights, dt, add);
-  if (const GeometricPart* held = geometric_at(positions(fields))) {
+  if (const GeometricParts* held = geometric_at(positions(fields))) {
     add_fluxes(*held, dt, add.block);
     add_tractions(*held, add);
   } else {

@@ -33,7 +33,6 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  using GeometricPart = IndexedVector<std::optional<GeometricTangent>>;
   /// Decides about friction from the loads at a state.
   using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
   /// What an iteration holds but for its linearisation and the loads of the geometric part.
@@ -44,7 +43,7 @@ class MovingGeometry : public ContactGeometry {
   /// Linearises, and holds what an iteration does.
   void hold(LinearisationPoint point, const FacingFields& fields);
   /// The geometric part of the tangent where it is held for these positions.
-  const GeometricPart* geometric_at(const FacingPositions& x) const;
+  const GeometricParts* geometric_at(const FacingPositions& x) const;
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   FrictionStatus initial_friction(const NodalLoads& now) const {
     return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
@@ -66,7 +65,7 @@ class MovingGeometry : public ContactGeometry {
   const EnforcementMethod& method_;
   std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
   /// The geometric part of the tangent there, per pair of facets, in a time increment of 1; until the surfaces move.
-  std::optional<GeometricPart> geometric_;
+  std::optional<GeometricParts> geometric_;
   HeldLinearisation held_;  ///< at the point
   bool augmented_ = false;  ///< since the last iteration began
 };

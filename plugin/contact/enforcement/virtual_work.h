@@ -4,6 +4,8 @@
 #include "enforcement/enforcement_method.h"
 #include "mortar/loaded_points.h"
 
+#include <optional>
+
 namespace mixture_contact {
 
 /// Residual at the nodes of pairs of facets that carry load, in one part for all pairs that exchange the same fields.
@@ -19,6 +21,9 @@ struct GeometricTangent {
   std::vector<TangentBlock> fluxes;  ///< proportional to the time increment; none in a symmetric tangent
   TangentBlock traction;             ///< friction included
 };
+
+/// Of pairs, in their order; none of those that carry no load.
+using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;
 
 GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
                                    const std::vector<VaryingPoint>& points);
