@@ -14,6 +14,7 @@ from harness.models.ball_in_socket import BallInSocket
 from harness.models.parts import Param
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
+from harness.studies.price.joints import rival
 
 pytestmark = pytest.mark.mixture_only
 
@@ -22,6 +23,8 @@ UPDATES = 10
 SOLUTION = 2e-3
 """Of the largest displacement: FEBio accepts a step whose last increment is 1e-3 of its displacements, and each of two
 runs may be off by that."""
+MATRICES = 1.2
+"""Over those that FEBio's interface takes."""
 JOINT = BallInSocket(elements=4, steps=5)
 FORMED = re.compile(r"Reforming stiffness matrix: reformation")
 UPDATED = re.compile(r"stiffness updates\s+= (\d+)")
@@ -59,10 +62,11 @@ def test_the_solution_is_that_of_full_newton_with_no_more_matrices(runner, tmp_p
     assert np.abs(found - reference).max() <= SOLUTION * np.abs(reference).max()
 
 
-@pytest.mark.parametrize("name", ["elastic", "finer"])
-def test_a_joint_takes_hardly_more_than_a_matrix_a_step(runner, tmp_path, name):
-    kept, *_ = _run(replace(SCENES[name], updates=UPDATES), tmp_path)
-    assert kept.reformations <= 1.5 * kept.steps
+def test_a_joint_takes_hardly_more_matrices_than_with_febios_interface(runner, tmp_path):
+    scene = replace(SCENES["finer"], updates=UPDATES)
+    ours, *_ = _run(scene, tmp_path / "ours")
+    theirs, *_ = _run(rival(scene), tmp_path / "theirs")
+    assert ours.reformations <= MATRICES * theirs.reformations
 
 
 def test_febios_limit_on_iterations_with_one_matrix_holds(runner, tmp_path):

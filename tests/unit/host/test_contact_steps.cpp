@@ -94,7 +94,8 @@ struct TooManyRejections : std::runtime_error {
 
 class FakeHost : public SteppedModel {
  public:
-  explicit FakeHost(int count) : helpers_(solver_), steps(*this, helpers_) {
+  explicit FakeHost(int count, MatrixUse use = MatrixUse::each_iteration)
+      : matrices(use), helpers_(solver_), steps(*this, helpers_) {
     auto made = std::make_unique<FakeHelper>(notes);
     helper = made.get();
     helpers_.add("fake", std::move(made), [] { return true; });
@@ -191,7 +192,7 @@ class FakeHost : public SteppedModel {
   std::vector<bool> is_active;
   FakeHelper* helper = nullptr;
   bool ambient_changes = false;
-  MatrixUse matrices = MatrixUse::each_iteration;
+  MatrixUse matrices;
   bool is_due = false;
 
  private:
@@ -201,6 +202,14 @@ class FakeHost : public SteppedModel {
  public:
   ContactSteps steps;
 };
+
+/// The first iteration of a step, after which loads of the last contact are not those of a solution.
+void converge_with_loads_off(FakeHost& host) {
+  host.start_step();
+  host.update(1.0);
+  host.contacts.back()->solution = false;
+  host.contacts.back()->loads_change = true;
+}
 
 void check(const Notes& actual, const Notes& expected) {
   BOOST_CHECK_EQUAL_COLLECTIONS(actual.begin(), actual.end(), expected.begin(), expected.end());
@@ -264,8 +273,7 @@ BOOST_AUTO_TEST_CASE(values_that_change_at_a_matrix_are_evaluated_with_what_is_h
 }
 
 BOOST_AUTO_TEST_CASE(quasi_newton_methods_get_a_matrix_where_the_active_set_must_change) {
-  FakeHost host(2);
-  host.matrices = MatrixUse::kept;
+  FakeHost host(2, MatrixUse::kept);
   host.start_step();
   host.said();
   host.update(1.0);
@@ -280,8 +288,7 @@ BOOST_AUTO_TEST_CASE(quasi_newton_methods_get_a_matrix_where_the_active_set_must
 }
 
 BOOST_AUTO_TEST_CASE(with_a_matrix_that_is_kept_linearisations_are_corrected_in_each_iteration) {
-  FakeHost host(2);
-  host.matrices = MatrixUse::kept;
+  FakeHost host(2, MatrixUse::kept);
   host.start_step();
   host.said();
   host.iterate();
@@ -292,8 +299,7 @@ BOOST_AUTO_TEST_CASE(with_a_matrix_that_is_kept_linearisations_are_corrected_in_
 }
 
 BOOST_AUTO_TEST_CASE(the_hosts_limit_on_iterations_with_one_matrix_holds) {
-  FakeHost host(1);
-  host.matrices = MatrixUse::kept;
+  FakeHost host(1, MatrixUse::kept);
   host.start_step();
   host.is_due = true;
   host.said();
@@ -302,12 +308,8 @@ BOOST_AUTO_TEST_CASE(the_hosts_limit_on_iterations_with_one_matrix_holds) {
 }
 
 BOOST_AUTO_TEST_CASE(a_state_whose_loads_are_off_alone_is_rejected_without_a_matrix) {
-  FakeHost host(2);
-  host.matrices = MatrixUse::kept;
-  host.start_step();
-  host.update(1.0);
-  host.contacts[1]->solution = false;
-  host.contacts[1]->loads_change = true;
+  FakeHost host(2, MatrixUse::kept);
+  converge_with_loads_off(host);
   host.said();
   BOOST_TEST(!host.augment_with_the_matrix_kept());
   check(host.said(), {"no matrix", "A correct", "B correct", "correction of residual"});
@@ -319,12 +321,8 @@ BOOST_AUTO_TEST_CASE(a_state_whose_loads_are_off_alone_is_rejected_without_a_mat
 }
 
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_formed_all_the_same_has_a_residual_of_its_loads) {
-  FakeHost host(1);
-  host.matrices = MatrixUse::kept;
-  host.start_step();
-  host.update(1.0);
-  host.contacts[0]->solution = false;
-  host.contacts[0]->loads_change = true;
+  FakeHost host(1, MatrixUse::kept);
+  converge_with_loads_off(host);
   BOOST_TEST(!host.steps.accepts(host.contacts[0].get()));
   host.update_model();
   host.said();
@@ -342,8 +340,7 @@ BOOST_AUTO_TEST_CASE(full_newton_begins_iterations_with_matrices_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(without_any_matrix_each_trial_is_of_the_true_laws_and_nothing_is_linearised) {
-  FakeHost host(1);
-  host.matrices = MatrixUse::none;
+  FakeHost host(1, MatrixUse::none);
   host.start_step();
   host.said();
   host.update(1.0);
