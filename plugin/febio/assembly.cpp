@@ -11,6 +11,20 @@
 
 using namespace mixture_contact;
 
+namespace {
+
+/// A local vector at its equations.
+Eigen::SparseVector<double> sparse(const std::vector<int>& equations, const VectorXd& values, int size) {
+  Eigen::SparseVector<double> found(size);
+  for (Index i = 0; i < values.size(); ++i) {
+    const int equation = mixture_contact::at(equations, i);
+    if (equation >= 0) found.coeffRef(equation) += values[i];
+  }
+  return found;
+}
+
+}  // namespace
+
 void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_load) const {
   const ContactInterface& core = contact_.core();
   const NodeEquations equations(dofs_, surfaces_, core);
@@ -78,12 +92,18 @@ bool Assembly::residual_change(FEGlobalVector& residual, double dt) const {
   return mixture_contact::residual_change(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
-std::vector<int> Assembly::released_loads() const {
+std::vector<newton::Condition> Assembly::conditions(int size, double dt) const {
   const ContactInterface& core = contact_.core();
   const NodeEquations equations(dofs_, surfaces_, core);
-  std::vector<int> found;
+  std::vector<newton::Condition> found;
   for (const auto& [side, node] : released_nodes(core))
-    found.push_back(loads_.of(equations, core, side, {node, std::nullopt, {}}));
+    found.push_back(newton::zero_unknown(loads_.of(equations, core, side, {node, std::nullopt, {}}), size));
+  added_loads(core, dt, [&](Side first, const LoadBlock& load) {
+    // As unknowns of their own: with K = -dR/du and z = factor variation.du, K du - work z = R.
+    const int own = loads_.of(equations, core, first, load.place);
+    found.push_back({own, sparse(equations.equations({first, load.rows}), -load.work, size),
+                     sparse(equations.equations({first, load.place.columns}), load.variation, size), -1 / load.factor});
+  });
   return found;
 }
 
@@ -109,5 +129,5 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
       [&](const Location& rows, const Location& columns, const MatrixXd& values) { parts.add(rows, columns, values); },
       [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_many);
   parts.finish(timed);
-  has_matrix(contact_.core(), parts.has_all_loads());
+  has_matrix(contact_.core(), parts.has_all_loads(), equations.rigid());
 }

@@ -4,6 +4,7 @@
 #include "bound_contact.h"
 #include "fingerprint.h"
 #include "load_equations.h"
+#include "newton/border.h"
 
 #include <functional>
 #include <vector>
@@ -26,8 +27,9 @@ class Assembly {
   void residual(FEGlobalVector& residual, double dt) const;
   /// Adds what loads that have changed as the iteration began make of it. Returns whether that is known.
   bool residual_change(FEGlobalVector& residual, double dt) const;
-  /// Equations of loads that the matrix has and the status has not.
-  std::vector<int> released_loads() const;
+  /// What a matrix with the loads of another status lacks: it has loads that are zero, and others are added. `size`:
+  /// that of the matrix.
+  std::vector<newton::Condition> conditions(int size, double dt) const;
   /// What of it is of nodes that begin the step in contact though they are open.
   void residual_ahead(FEGlobalVector& residual, double dt) const;
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) const;

@@ -12,7 +12,7 @@
 void KeptMatrix::formed() {
   restore();
   number_ = solver_.febio()->m_ntotref;
-  released_.forget();
+  border_.forget();
   iterations_ = 0;
   may_correct_ = true;
 }
@@ -31,7 +31,7 @@ bool KeptMatrix::is_due() {
   return strategy->m_maxups > 0 && iterations_ + strategy->m_nups >= strategy->m_maxups - 1;
 }
 
-void KeptMatrix::correct(const std::vector<int>& released) {
+void KeptMatrix::correct(const std::vector<newton::Condition>& conditions) {
   follow();
   FENewtonSolver& solver = *solver_.febio();
   // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
@@ -43,7 +43,7 @@ void KeptMatrix::correct(const std::vector<int>& released) {
     is_solved = solver.GetLinearSolver()->BackSolve(solution, right) && is_solved;
     return solution;
   };
-  may_correct_ = released_.hold(solve, released, solver.m_R0) && is_solved;
+  may_correct_ = border_.hold(solve, conditions, solver.m_R0) && is_solved;
 }
 
 void KeptMatrix::reject(mixture_contact::GoesOn with) {
@@ -53,7 +53,7 @@ void KeptMatrix::reject(mixture_contact::GoesOn with) {
 }
 
 void KeptMatrix::accept() {
-  if (released_.are_held()) return force_next();
+  if (border_.has_held()) return force_next();
   restore();
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "host/stepper.h"
+#include "newton/border.h"
 #include "newton/febio/febio_solver.h"
-#include "newton/zero_unknowns.h"
 
 #include <optional>
 #include <vector>
@@ -17,13 +17,13 @@ class KeptMatrix {
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
   /// nothing is to be corrected with it.
   bool is_due();
-  /// An iteration with it has been corrected: the next one is without FEBio's updates, and has these unknowns zero.
-  void correct(const std::vector<int>& released);
+  /// An iteration with it has been corrected: the next one is without FEBio's updates, and holds these conditions.
+  void correct(const std::vector<newton::Condition>& conditions);
 
   /// A converged state has been rejected: the next iteration has a matrix of its own, or this one.
   void reject(mixture_contact::GoesOn with);
   /// A converged state has been accepted. What follows, an augmentation or a step, has a matrix where FEBio's settings
-  /// say so, and where unknowns were zero with this one.
+  /// say so, and where conditions were held with this one.
   void accept();
   /// A time step has been solved: FEBio has its own setting again, whether augmentations form matrices.
   void end_step() { restore(); }
@@ -36,9 +36,9 @@ class KeptMatrix {
   void restore();
 
   newton::FEBioSolver& solver_;
-  newton::ZeroUnknowns released_;
+  newton::Border border_;
   int number_ = 0;                      ///< of the matrix, as FEBio counts them in a step
   int iterations_ = 0;                  ///< with it, up to the last that was corrected
-  bool may_correct_ = true;             ///< whether what is released can be held at zero with it
+  bool may_correct_ = true;             ///< whether conditions can be held with it
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };

@@ -15,6 +15,8 @@ class LoadEquations {
   /// and where the load depends on a rigid body, whose equations FEBio brings in by blocks of nodes.
   int of(const NodeEquations& equations, const mixture_contact::ContactInterface& core, Side surface,
          const mixture_contact::LoadPlace& load) const;
+  /// Whether the loads of a surface's nodes have any.
+  bool has(Side surface) const { return start_[surface] >= 0; }
   /// The first of all.
   int first() const { return first_; }
   int count() const { return count_; }

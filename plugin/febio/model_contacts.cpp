@@ -278,12 +278,13 @@ void ModelContacts::evaluate_residual(Changed what) {
 
 void ModelContacts::correct_residual() {
   evaluate_residual(Changed::loads);
-  std::vector<int> released;
+  const int size = indexing::number_of(solver_.febio()->m_R0);
+  std::vector<newton::Condition> conditions;
   for (const ContactInModel* contact : active()) {
-    const std::vector<int> own = contact->assembly().released_loads();
-    released.insert(released.end(), own.begin(), own.end());
+    const std::vector<newton::Condition> own = contact->assembly().conditions(size, fem_.GetTime().timeIncrement);
+    conditions.insert(conditions.end(), own.begin(), own.end());
   }
-  matrix_.correct(released);
+  matrix_.correct(conditions);
 }
 
 MatrixUse ModelContacts::matrix_use() {

@@ -97,6 +97,10 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
   return ids;
 }
 
+PerSide<NodeFlags> NodeEquations::rigid() const {
+  return {{of_[Side::primary].is_rigid, of_[Side::secondary].is_rigid}};
+}
+
 bool NodeEquations::are_rigid(const Location& at) const {
   bool found = false;
   for_each_node(at, [&](const Surface& surface, int node) { found = found || surface.is_rigid[node]; });

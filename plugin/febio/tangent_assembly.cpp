@@ -174,6 +174,13 @@ void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   used_[own - loads_.first()] = true;
 }
 
+bool TangentAssembly::has_all_loads() const {
+  bool have_equations = takes_blocks_;
+  for (std::size_t pass = 0; pass < core_.passes(); ++pass)
+    have_equations = have_equations && loads_.has(both_sides.at(pass));
+  return have_equations && has_all_loads_;
+}
+
 void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& rows, const Location& columns) {
   const Ids ids = ids_of(rows, columns);
   const MixedForm mixed = mixed_form(load);

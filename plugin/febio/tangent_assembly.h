@@ -30,8 +30,8 @@ class TangentAssembly {
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
   /// are zero. Charges each effect with its own.
   void finish(mixture_contact::TaskClock& timed);
-  /// Whether all loads that were added are unknowns.
-  bool has_all_loads() const { return has_all_loads_; }
+  /// Whether all loads that were added are unknowns, as further ones would have been.
+  bool has_all_loads() const;
 
  private:
   struct Ids {

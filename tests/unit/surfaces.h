@@ -111,6 +111,11 @@ struct Scene {
 
   PerSide<Matrix3Xd> position() const { return {{fields[Side::primary].position, fields[Side::secondary].position}}; }
 
+  /// Nodes of both surfaces, none of which is one of a rigid body.
+  PerSide<NodeFlags> nowhere() const {
+    return {{NodeFlags(mesh[Side::primary].nodes, false), NodeFlags(mesh[Side::secondary].nodes, false)}};
+  }
+
   /// Displaces every node at random by up to `size`, and gives every field random values between -1 and 1.
   void disturb(double size, std::mt19937& random) {
     for (SurfaceFields& field : fields) {

@@ -43,9 +43,10 @@ struct ActiveSetOptions {
   /// A linearisation that is held serves another iteration where its correction has left less than this part of what
   /// the loads were off by. The size is a choice: corrections that end leave a tenth each.
   double most_left = 0.5;
-  /// Nodes that are released from a linearisation at most: each costs the host a back substitution of its matrix. The
-  /// size is a choice, above the fifty that a joint of tetrahedra asks for as it is pressed together.
-  Index most_released = 60;
+  /// Nodes at most whose status may be another one than in the linearisation that a matrix is of: each costs the host a
+  /// back substitution. The size is a choice, above the fifty that a joint of tetrahedra asks for as it is pressed
+  /// together.
+  Index most_changed = 60;
 };
 
 /// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays so while its load, as the last

@@ -2,12 +2,19 @@
 
 #include "enforcement/load_difference.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace mixture_contact {
 namespace {
 
 /// What tractions are off by that an iteration predicts.
-double doubt(const NodalLoads& predicted, const NodalLoads& now) {
+double error_of(const NodalLoads& predicted, const NodalLoads& now) {
   return (predicted.traction - now.traction).cwiseAbs().maxCoeff();
+}
+
+bool has_any(const IndexedVector<int>& nodes, const NodeFlags& among) {
+  return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return among[node]; });
 }
 
 }  // namespace
@@ -20,20 +27,20 @@ void HeldLinearisation::replaced(LinearisationPoint& point) {
 void HeldLinearisation::ended() {
   point_ = nullptr;
   change_ = {};
-  last_doubt_ = 0;
-  has_matrix_ = false;
-  may_release_ = false;
+  last_error_ = 0;
+  matrix_.reset();
 }
 
-void HeldLinearisation::has_matrix(bool may_release) {
-  has_matrix_ = true;
-  may_release_ = may_release && laws_.effects().nodal_fields() == 0;
+void HeldLinearisation::has_matrix(HostMatrix matrix) {
+  matrix_ = std::move(matrix);
+  matrix_->has_loads = matrix_->has_loads && method_.has_load_blocks() && laws_.effects().nodal_fields() == 0;
+  added_.fill(laws_.nodes(), false);
 }
 
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
 bool HeldLinearisation::is_correctable() const {
-  return has_matrix_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
+  return matrix_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
 }
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields) const {
@@ -42,54 +49,103 @@ NodalLoads HeldLinearisation::true_loads(const FacingFields& fields) const {
   return now;
 }
 
-bool HeldLinearisation::may_take(const NodeFlags& status) const {
-  if (!may_release_) return false;
-  Index released = 0;
-  for (Index node = 0; node < status.count(); ++node) {
-    const bool is_linearised = !point_->nodes[node].empty();
-    if (status[node] && !is_linearised) return false;
-    if (!status[node] && is_linearised) ++released;
+double HeldLinearisation::doubt(const NodalLoads& predicted, const NodalLoads& now) const {
+  double largest = 0;
+  for (Index node = 0; node < laws_.nodes(); ++node) {
+    if (!predicted.in_contact[node]) continue;
+    const double stiffness = std::min(laws_.penalties().stiffness[node], laws_.traction_penalty(node));
+    largest = std::max(largest, stiffness * std::abs(predicted.gap[node] - now.gap[node]));
   }
-  return released <= active_set_.options().most_released;
+  return largest;
+}
+
+bool HeldLinearisation::may_take(const NodeFlags& status) const {
+  if (!matrix_->has_loads) return false;
+  const NodeFlags unknown = unknown_of(status);
+  Index changed = 0;
+  for (Index node = 0; node < status.count(); ++node) {
+    const bool is_of_matrix = !point_->nodes[node].empty() && !added_[node];
+    if (status[node] != is_of_matrix) ++changed;
+  }
+  return changed <= active_set_.options().most_changed && may_add(unknown);
+}
+
+NodeFlags HeldLinearisation::unknown_of(const NodeFlags& status) const {
+  NodeFlags unknown;
+  for (Index node = 0; node < status.count(); ++node) unknown.push_back(status[node] && point_->nodes[node].empty());
+  return unknown;
+}
+
+bool HeldLinearisation::may_add(const NodeFlags& nodes) const {
+  const auto around = space_.facing().around(nodes);
+  for (Index node = 0; node < nodes.count(); ++node) {
+    if (!nodes[node]) continue;
+    const Patch patch = space_.node_patch(node, around[node]);
+    if (has_any(patch.primary, matrix_->rigid) || has_any(patch.secondary, matrix_->rigid_opposite)) return false;
+  }
+  return true;
 }
 
 bool HeldLinearisation::serves(const FacingFields& fields) const {
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   const NodalLoads now = true_loads(fields);
-  const double off = doubt(predicted, now);
+  const double error = error_of(predicted, now);
   const ActiveSetOptions& options = active_set_.options();
-  const bool comes_nearer = last_doubt_ == 0 || off <= options.most_left * last_doubt_ ||
+  const bool comes_nearer = last_error_ == 0 || error <= options.most_left * last_error_ ||
                             !differ(space_, laws_, predicted, now, options.solution_load, fields);
-  const NodeFlags status = active_set_.updated(predicted, now, off);
+  const NodeFlags status = active_set_.updated(predicted, now, doubt(predicted, now));
   return comes_nearer && (status == predicted.in_contact || may_take(status));
 }
 
 bool HeldLinearisation::correct(const FacingFields& fields) {
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   const NodalLoads now = true_loads(fields);
-  point_->loads.gap += now.gap - predicted.gap;
+  last_error_ = error_of(predicted, now);
+  const bool adds = matrix_->has_loads && change_status(predicted, now, fields);
+  point_->loads.gap += now.gap - (adds ? method_.predicted_loads(*point_, fields) : predicted).gap;
   point_->loads.jump += now.jump - predicted.jump;
-  last_doubt_ = doubt(predicted, now);
-  if (may_release_) {
-    const NodeFlags status = active_set_.updated(predicted, now, last_doubt_);
-    const ContactStatus next = active_set_.next(predicted.in_contact, status, true);
-    if (next.in_contact != predicted.in_contact) last_doubt_ = 0;
-    point_->loads.in_contact = next.in_contact;
-    point_->loads.flux_coupled = next.flux_coupled;
-  }
   method_.load(point_->loads);
   const ByWorks corrected{change(predicted, method_.predicted_loads(*point_, fields))};
   change_ = corrected;
-  return !corrected.loads.traction.isZero(0) || !corrected.loads.flux.isZero(0) || !released().empty();
+  return !corrected.loads.traction.isZero(0) || !corrected.loads.flux.isZero(0) || !released().empty() ||
+         !added().empty();
 }
 
-IndexedVector<int> HeldLinearisation::released() const {
+bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLoads& now, const FacingFields& fields) {
+  const NodeFlags status = active_set_.updated(predicted, now, doubt(predicted, now));
+  const ContactStatus next = active_set_.next(predicted.in_contact, status, true);
+  if (next.in_contact != predicted.in_contact) last_error_ = 0;
+  point_->loads.in_contact = next.in_contact;
+  point_->loads.flux_coupled = next.flux_coupled;
+  NodalLoads unknown = point_->loads;
+  unknown.in_contact = unknown_of(next.in_contact);
+  const bool adds = std::any_of(unknown.in_contact.begin(), unknown.in_contact.end(), [](bool is) { return is; });
+  if (adds) {
+    IndexedVector<NodeLinearisation> nodes = linearise(space_, unknown, fields);
+    for (Index node = 0; node < nodes.count(); ++node) {
+      if (!unknown.in_contact[node]) continue;
+      point_->nodes[node] = std::move(nodes[node]);
+      added_[node] = true;
+    }
+  }
+  return adds;
+}
+
+IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added) const {
   IndexedVector<int> nodes;
-  if (!may_release_) return nodes;
+  if (!matrix_->has_loads) return nodes;
   for (Index node = 0; node < point_->nodes.count(); ++node) {
-    if (!point_->loads.in_contact[node] && !point_->nodes[node].empty()) nodes.push_back(static_cast<int>(node));
+    const bool is_one = !point_->nodes[node].empty() && point_->loads.in_contact[node] == in_contact;
+    if (is_one && added_[node] == is_added) nodes.push_back(static_cast<int>(node));
   }
   return nodes;
+}
+
+void HeldLinearisation::add_loads(double dt, const AddLoadBlock& add) const {
+  for (const int node : added()) {
+    const NodeTangent tangent = method_.node_tangent(node, point_->nodes[node], point_->loads, {}, dt);
+    for (const LoadBlock& load : tangent.loads) add(load);
+  }
 }
 
 bool HeldLinearisation::residual_change(const FacingFields& fields, double dt, const AddVector& add) const {

@@ -6,7 +6,16 @@
 
 #include <variant>
 
+#include <optional>
+
 namespace mixture_contact {
+
+/// What a host can do with its matrix beside solving with it.
+struct HostMatrix {
+  bool has_loads = false;    ///< loads at nodes are its unknowns: nodes can be released, and others added
+  NodeFlags rigid;           ///< nodes of rigid bodies, whose displacements have no equations of their own
+  NodeFlags rigid_opposite;  ///< the same on the surface that faces the one integrated over
+};
 
 /// What becomes of the loads with the linearisation that a geometry holds: as an iteration begins with it, and as it is
 /// corrected for another one.
@@ -31,19 +40,20 @@ class HeldLinearisation {
   /// friction turns or multipliers are unknowns.
   bool is_correctable() const;
   /// Whether it serves the next iteration, too, once it is corrected: no node asks for another status by more than
-  /// loads are off, but to be released, and the last correction has brought them nearer.
+  /// loads are off, but to be released or added, and the last correction has brought them nearer.
   bool serves(const FacingFields& fields) const;
-  /// Begins an iteration with it: gaps and jumps take their true values, and vary as before. Returns whether that
-  /// changes loads, or holds some that are released.
+  /// Begins an iteration with it: gaps and jumps take their true values, and vary as before; nodes that are added vary
+  /// as they do here. Returns whether that changes loads, or has some that are not as the matrix has them.
   bool correct(const FacingFields& fields);
   /// Begins one without a correction: nothing changes.
   void keep() { change_ = Nothing(); }
 
-  /// The host has formed its matrix of this linearisation. `may_release`: it can release nodes from it, so that a
-  /// correction may have nodes out of contact.
-  void has_matrix(bool may_release);
-  /// Nodes that it has in contact and the status has not: their loads do not follow their gaps.
-  IndexedVector<int> released() const;
+  /// The host has formed its matrix of this linearisation.
+  void has_matrix(HostMatrix matrix);
+  /// Nodes that the matrix has in contact and the status has not: their loads do not follow their gaps.
+  IndexedVector<int> released() const { return linearised(false, false); }
+  /// Adds the tangents of loads that the status has and the matrix has not.
+  void add_loads(double dt, const AddLoadBlock& add) const;
 
   /// Adds what the loads that have changed as the iteration began make of the residual. Returns false, and what has
   /// been added is of no use, where they do not act at the points of those before it.
@@ -62,8 +72,20 @@ class HeldLinearisation {
   };
   /// Loads of the true averages, with the status that is held.
   NodalLoads true_loads(const FacingFields& fields) const;
-  /// Whether this status is another one by nodes that may be released.
+  /// What the tractions of a correction may be off by: it closes what is left of a gap against the stiffness of the
+  /// adjoining elements, however large a load the penalty makes of that.
+  double doubt(const NodalLoads& predicted, const NodalLoads& now) const;
+  /// Whether this status is another one by nodes that may be released or added.
   bool may_take(const NodeFlags& status) const;
+  /// Those of a status that have no linearisation.
+  NodeFlags unknown_of(const NodeFlags& status) const;
+  /// Whether loads can be added at these nodes.
+  bool may_add(const NodeFlags& nodes) const;
+  /// Nodes that the status has and the matrix has not.
+  IndexedVector<int> added() const { return linearised(true, true); }
+  IndexedVector<int> linearised(bool in_contact, bool is_added) const;
+  /// Has the status that loads ask for. Returns whether nodes were added for it.
+  bool change_status(const NodalLoads& predicted, const NodalLoads& now, const FacingFields& fields);
 
   const MortarSpace& space_;
   const NodalLaws& laws_;
@@ -72,9 +94,9 @@ class HeldLinearisation {
   LinearisationPoint* point_ = nullptr;  ///< what the geometry holds
   /// Of the loads as the iteration began, where it is known.
   std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;
-  double last_doubt_ = 0;     ///< what tractions were off by at the last correction; 0 before any of this status
-  bool has_matrix_ = false;   ///< whether the host has a matrix of it
-  bool may_release_ = false;  ///< from that
+  double last_error_ = 0;  ///< what tractions were off by at the last correction; 0 before any of this status
+  std::optional<HostMatrix> matrix_;  ///< that of it, where the host has formed one
+  NodeFlags added_;                   ///< nodes that were linearised after it was formed
 };
 
 }  // namespace mixture_contact

@@ -64,12 +64,11 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
   return is_known;
 }
 
-void has_matrix(ContactInterface& contact, bool has_all_loads) {
-  for (std::size_t n = 0; n < contact.passes(); ++n) {
-    const ContactPass& pass = contact.pass(n);
-    if (HeldLinearisation* const held = pass.geometry().held())
-      held->has_matrix(has_all_loads && pass.has_load_blocks());
-  }
+void has_matrix(ContactInterface& contact, bool has_all_loads, const PerSide<NodeFlags>& rigid) {
+  for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
+    if (HeldLinearisation* const held = geometry.held())
+      held->has_matrix({has_all_loads, rigid[side], rigid[other(side)]});
+  });
 }
 
 std::vector<ReleasedNode> released_nodes(const ContactInterface& contact) {
@@ -78,6 +77,12 @@ std::vector<ReleasedNode> released_nodes(const ContactInterface& contact) {
     for (const int node : held.released()) found.push_back({side, node});
   });
   return found;
+}
+
+void added_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add) {
+  for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
+    held.add_loads(dt, [&](const LoadBlock& load) { add(side, load); });
+  });
 }
 
 }  // namespace mixture_contact

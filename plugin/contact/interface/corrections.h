@@ -19,8 +19,8 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
                      const ContactInterface::AddResidual& add);
 
 /// A matrix has been formed of the present linearisations. `has_all_loads`: those that come as load blocks are unknowns
-/// of it, so that nodes can be released.
-void has_matrix(ContactInterface& contact, bool has_all_loads);
+/// of it, so that nodes can be released, and others added; not at `rigid` nodes, which have no equations of their own.
+void has_matrix(ContactInterface& contact, bool has_all_loads, const PerSide<NodeFlags>& rigid);
 
 /// A node whose load the matrix has and the status has not.
 struct ReleasedNode {
@@ -28,5 +28,8 @@ struct ReleasedNode {
   int node;
 };
 std::vector<ReleasedNode> released_nodes(const ContactInterface& contact);
+
+/// Calls `add` with the tangents of loads that the status has and the matrix has not.
+void added_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);
 
 }  // namespace mixture_contact

@@ -278,7 +278,7 @@ BOOST_AUTO_TEST_CASE(what_an_iteration_changes_of_the_residual_is_the_difference
 struct MovedContact {
   MovedContact(Scene at, std::mt19937& random) : scene(std::move(at)), layout(scene), contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
-    has_matrix(*contact, false);
+    has_matrix(*contact, false, scene.nowhere());
     start = scene.fields;
     scene.disturb(0.005, random);
     contact->project(scene.position());
@@ -357,36 +357,121 @@ BOOST_AUTO_TEST_CASE(a_linearisation_that_the_matrix_is_not_of_is_not_corrected)
   BOOST_TEST((change.has_value() && change->isZero(0)));
 }
 
-/// An elastic contact of flat surfaces of which one is tilted by more than they overlap, so that nodes on one side are
-/// pulled: gaps are linear in that, and loads known to rounding.
-BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_again) {
-  for (const bool may_release : {false, true}) {
-    Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects_of(false, 0),
-                explicit_settings(3, 2, 5));
-    const auto contact = scene.contact();
-    const ContactPass& pass = contact->pass(0);
-    contact->begin_iteration(scene.fields);
-    has_matrix(*contact, may_release);
-    const PerSide<SurfaceFields> closed = scene.fields;
-    const auto x = closed[Side::secondary].position.row(0);
-    scene.fields[Side::secondary].position.row(2).array() += 0.1 * (x.array() - x.minCoeff()) /
+/// An elastic contact of flat surfaces of which one can be tilted by more than they overlap, so that nodes on one side
+/// are pulled: gaps are linear in that, and loads known to rounding.
+struct TiltedContact {
+  TiltedContact()
+      : scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects_of(false, 0),
+              explicit_settings(3, 2, 5)),
+        flat(scene.fields),
+        contact(scene.contact()) {}
+  void tilt(double by) {
+    scene.fields = flat;
+    const auto x = flat[Side::secondary].position.row(0);
+    scene.fields[Side::secondary].position.row(2).array() += by * (x.array() - x.minCoeff()) /
                                                              (x.maxCoeff() - x.minCoeff());
     contact->project(scene.position());
-    BOOST_TEST(serves_again(*contact, scene.fields) == may_release);
+  }
+  NodalLoads loads() const { return contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields)); }
+  /// Nodes whose loads are to be added to the matrix.
+  std::vector<int> added() const {
+    std::vector<int> nodes;
+    added_loads(*contact, dt, [&](Side /*first*/, const LoadBlock& load) { nodes.push_back(load.place.node); });
+    return nodes;
+  }
+
+  Scene scene;
+  PerSide<SurfaceFields> flat;
+  std::unique_ptr<ContactInterface> contact;
+};
+
+constexpr double much = 0.1;
+
+BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_again) {
+  for (const bool may_release : {false, true}) {
+    TiltedContact tilted;
+    ContactInterface& contact = *tilted.contact;
+    contact.begin_iteration(tilted.scene.fields);
+    has_matrix(contact, may_release, tilted.scene.nowhere());
+    tilted.tilt(much);
+    BOOST_TEST(serves_again(contact, tilted.scene.fields) == may_release);
     if (!may_release) continue;
-    correct(*contact, scene.fields);
-    const std::vector<ReleasedNode> released = released_nodes(*contact);
+    correct(contact, tilted.scene.fields);
+    const std::vector<ReleasedNode> released = released_nodes(contact);
     BOOST_TEST(!released.empty());
-    const NodalLoads loads = pass.nodal_loads(seen_from(Side::primary, scene.fields));
+    const NodalLoads loads = tilted.loads();
     for (const ReleasedNode& each : released) BOOST_TEST(loads.traction[each.node] == 0);
     BOOST_TEST(loads.traction.maxCoeff() <= 0);
-    BOOST_TEST(contact->is_solution(scene.fields));
-    BOOST_TEST(correct(*contact, scene.fields));  // loads stay, and are to be held at zero again
-    scene.fields = closed;
-    contact->project(scene.position());
-    BOOST_TEST(serves_again(*contact, scene.fields));
-    correct(*contact, scene.fields);
-    BOOST_TEST(released_nodes(*contact).empty());
+    BOOST_TEST(contact.is_solution(tilted.scene.fields));
+    BOOST_TEST(correct(contact, tilted.scene.fields));  // loads stay, and are to be held at zero again
+    tilted.tilt(0);
+    BOOST_TEST(serves_again(contact, tilted.scene.fields));
+    correct(contact, tilted.scene.fields);
+    BOOST_TEST(released_nodes(contact).empty());
+    BOOST_TEST(tilted.added().empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_that_close_are_added_where_the_host_can_and_open_again) {
+  for (const bool may_add : {false, true}) {
+    TiltedContact tilted;
+    ContactInterface& contact = *tilted.contact;
+    tilted.tilt(much);
+    contact.begin_iteration(tilted.scene.fields);
+    const NodeFlags before = tilted.loads().in_contact;
+    has_matrix(contact, may_add, tilted.scene.nowhere());
+    tilted.tilt(0);
+    BOOST_TEST(serves_again(contact, tilted.scene.fields) == may_add);
+    if (!may_add) continue;
+    BOOST_TEST(correct(contact, tilted.scene.fields));
+    const std::vector<int> added = tilted.added();
+    const NodalLoads loads = tilted.loads();
+    const NodalGaps gaps = contact.pass(0).space().gaps();
+    BOOST_TEST(!added.empty());
+    for (const int node : added) {
+      BOOST_TEST(!before[node]);
+      BOOST_TEST(loads.traction[node] < 0);
+      BOOST_TEST(std::abs(loads.gap[node] - gaps.gap[node]) < rounding);
+    }
+    BOOST_TEST(contact.is_solution(tilted.scene.fields));
+    BOOST_TEST(correct(contact, tilted.scene.fields));  // loads stay, and are to be added again
+    tilted.tilt(much);
+    BOOST_TEST(serves_again(contact, tilted.scene.fields));
+    correct(contact, tilted.scene.fields);
+    BOOST_TEST(tilted.added().empty());
+    BOOST_TEST(released_nodes(contact).empty());  // the matrix has none of them
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_an_added_node_makes_of_the_residual_is_its_work) {
+  TiltedContact tilted;
+  ContactInterface& contact = *tilted.contact;
+  tilted.tilt(much);
+  contact.begin_iteration(tilted.scene.fields);
+  has_matrix(contact, true, tilted.scene.nowhere());
+  tilted.tilt(0);
+  const GlobalLayout layout(tilted.scene);
+  const VectorXd before = assembled_residual(contact, layout, tilted.scene.fields, dt);
+  correct(contact, tilted.scene.fields);
+  const std::optional<VectorXd> change = changed_residual(contact, layout, tilted.scene.fields);
+  BOOST_REQUIRE(change.has_value());
+  // Both surfaces are flat, so that the works of the present state differ from those of the tilted one by its angle.
+  const VectorXd after = assembled_residual(contact, layout, tilted.scene.fields, dt);
+  BOOST_TEST((before + *change - after).norm() < much * after.norm());
+  BOOST_TEST(change->norm() > much * after.norm());
+}
+
+BOOST_AUTO_TEST_CASE(nodes_that_close_beside_those_of_a_rigid_body_take_a_matrix) {
+  for (const Side side : both_sides) {
+    TiltedContact tilted;
+    ContactInterface& contact = *tilted.contact;
+    tilted.tilt(much);
+    contact.begin_iteration(tilted.scene.fields);
+    PerSide<NodeFlags> rigid = tilted.scene.nowhere();
+    rigid[side].fill(rigid[side].count(), true);
+    has_matrix(contact, true, rigid);
+    tilted.tilt(0);
+    BOOST_TEST(!serves_again(contact, tilted.scene.fields));
   }
 }
 

@@ -1,0 +1,51 @@
+/// Conditions that a factorised matrix does not have.
+///
+/// Each borders the matrix K by a column of C, a column of R and an entry of the diagonal D:
+///
+///     | K    C | | x |   | b |
+///     | R^T  D | | z | = | 0 |
+///
+/// Its x solves K x = b - C z, with (R^T K^-1 C - D) z = R^T K^-1 b. It costs a back substitution for each condition
+/// once, and one for each right-hand side.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace newton {
+
+/// One row and column of a border.
+struct Condition {
+  int key = 0;  ///< the same key, the same column
+  Eigen::SparseVector<double> column;
+  Eigen::SparseVector<double> row;
+  double diagonal = 0;
+};
+
+/// An unknown of K that is zero, as if its row and column had been taken out: its key is its equation.
+Condition zero_unknown(int equation, int size);
+
+class Border {
+ public:
+  /// K^-1 times a right-hand side.
+  using Solve = std::function<std::vector<double>(const std::vector<double>& right)>;
+
+  /// Another matrix has been factorised.
+  void forget() { columns_.clear(); }
+  /// Whether any conditions have been held with it.
+  bool has_held() const { return !columns_.empty(); }
+  /// Adds to a right-hand side what holds these conditions, b - C z. Returns false, and adds nothing, where the matrix
+  /// with them is singular.
+  bool hold(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double>& right);
+
+ private:
+  /// K^-1 C of a condition.
+  const std::vector<double>& column(const Solve& solve, const Condition& condition);
+
+  std::map<int, std::vector<double>> columns_;
+};
+
+}  // namespace newton

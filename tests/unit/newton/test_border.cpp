@@ -1,0 +1,124 @@
+#include "newton/border.h"
+
+#include "random_contact.h"
+
+#include <Eigen/LU>
+#include <boost/test/unit_test.hpp>
+
+using newton::Border;
+using newton::Condition;
+
+namespace {
+
+constexpr int size = 7;
+
+/// A matrix that is far from singular, however its rows and columns are left out, and what is asked of its inverse.
+struct System {
+  explicit System(unsigned seed) {
+    std::mt19937 random(seed);
+    matrix = test::random_values(size * size, -1, 1, random).reshaped(size, size);
+    matrix += size * Eigen::MatrixXd::Identity(size, size);
+  }
+  std::vector<double> solve(const std::vector<double>& right) {
+    ++solutions;
+    const Eigen::VectorXd x = matrix.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(right.data(), size));
+    return {x.data(), x.data() + size};
+  }
+  Border::Solve solver() {
+    return [this](const std::vector<double>& right) { return solve(right); };
+  }
+
+  Eigen::MatrixXd matrix;
+  int solutions = 0;
+};
+
+const std::vector<double> load{1, -2, 3, 0.5, -1, 2, 4};
+
+std::vector<Condition> zeros(const std::vector<int>& equations) {
+  std::vector<Condition> conditions;
+  for (const int equation : equations) conditions.push_back(newton::zero_unknown(equation, size));
+  return conditions;
+}
+
+Eigen::VectorXd vector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), indexing::number_of(values));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(unknowns_are_held_at_zero_as_if_the_matrix_had_neither_their_rows_nor_their_columns) {
+  System system(3);
+  Border border;
+  const std::vector<int> held{1, 4, 5};
+  std::vector<double> right = load;
+  BOOST_TEST(border.hold(system.solver(), zeros(held), right));
+  const std::vector<double> x = system.solve(right);
+  Eigen::MatrixXd without = system.matrix;
+  Eigen::VectorXd values = vector(load);
+  for (const int i : held) {
+    without.row(i).setZero();
+    without.col(i).setZero();
+    without(i, i) = 1;
+    values[i] = 0;
+  }
+  const Eigen::VectorXd expected = without.partialPivLu().solve(values);
+  BOOST_TEST((vector(x) - expected).norm() < test::rounding * expected.norm());
+}
+
+BOOST_AUTO_TEST_CASE(conditions_are_held_as_if_the_matrix_had_their_rows_and_columns_whatever_their_units) {
+  System system(4);
+  std::mt19937 random(6);
+  std::vector<Condition> conditions = zeros({2});
+  for (const double unit : {1.0, 1e9}) {
+    Condition condition{size + indexing::number_of(conditions), Eigen::SparseVector<double>(size),
+                        Eigen::SparseVector<double>(size), -0.5 * unit};
+    for (int i = 0; i < size; i += 2) {
+      condition.column.insert(i) = unit * test::random_values(1, -1, 1, random)[0];
+      condition.row.insert(i) = test::random_values(1, -1, 1, random)[0];
+    }
+    conditions.push_back(condition);
+  }
+  Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(size + 3, size + 3);
+  bordered.topLeftCorner(size, size) = system.matrix;
+  for (int n = 0; n < 3; ++n) {
+    bordered.col(size + n).head(size) = indexing::at(conditions, n).column;
+    bordered.row(size + n).head(size) = indexing::at(conditions, n).row.transpose();
+    bordered(size + n, size + n) = indexing::at(conditions, n).diagonal;
+  }
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(size + 3);
+  values.head(size) = vector(load);
+  const Eigen::VectorXd expected = bordered.fullPivLu().solve(values).head(size);
+  std::vector<double> right = load;
+  BOOST_TEST(Border().hold(system.solver(), conditions, right));
+  BOOST_TEST((vector(system.solve(right)) - expected).norm() < test::rounding * expected.norm());
+}
+
+BOOST_AUTO_TEST_CASE(each_condition_costs_a_solution_once_until_there_is_another_matrix) {
+  System system(5);
+  Border border;
+  std::vector<double> right = load;
+  border.hold(system.solver(), zeros({0, 2}), right);
+  BOOST_TEST(system.solutions == 3);
+  border.hold(system.solver(), zeros({0, 2, 3}), right);
+  BOOST_TEST(system.solutions == 5);
+  border.forget();
+  border.hold(system.solver(), zeros({0}), right);
+  BOOST_TEST(system.solutions == 7);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_that_is_held_costs_nothing) {
+  System system(7);
+  std::vector<double> right = load;
+  BOOST_TEST(Border().hold(system.solver(), {}, right));
+  BOOST_TEST((right == load));
+  BOOST_TEST(system.solutions == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_matrix_that_is_singular_with_them_holds_none) {
+  System system(9);
+  system.matrix = Eigen::MatrixXd::Identity(size, size);
+  system.matrix.topLeftCorner(2, 2) << 0, 1, 1, 0;  // the first unknown stands in the second equation alone
+  std::vector<double> right = load;
+  BOOST_TEST(!Border().hold(system.solver(), zeros({0}), right));
+  BOOST_TEST((right == load));
+}
