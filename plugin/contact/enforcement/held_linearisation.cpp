@@ -152,7 +152,7 @@ bool HeldLinearisation::residual_change(const FacingFields& fields, double dt, c
   if (const auto* at_points = std::get_if<AtPoints>(&change_)) {
     nodal_residual(space_, at_points->loads, fields, dt, add);
   } else if (const auto* by_works = std::get_if<ByWorks>(&change_)) {
-    linear_residual(point_->nodes, by_works->loads, dt, add);
+    linear_residual(point_->nodes, by_works->loads, fields, dt, add);
   }
   return !std::holds_alternative<std::monostate>(change_);
 }

@@ -9,8 +9,8 @@
 namespace mixture_contact {
 namespace {
 
-/// The residual at the nodes of those pairs of facets that exchange the same fields, summed over the pairs: a host
-/// takes a node once, not once for every pair around it.
+/// A residual at nodes, summed over what is around them, pairs of facets that exchange the same fields or patches: a
+/// host takes a node once, not once for everything around it.
 class NodalResidual {
  public:
   NodalResidual(IndexedVector<int> fields, const FacingFields& surfaces)
@@ -18,18 +18,10 @@ class NodalResidual {
         primary_(zero_sums(surfaces.primary.position.cols())),
         secondary_(zero_sums(surfaces.secondary.position.cols())) {}
 
-  /// Adds that of a pair, in the order of its patch.
-  void add(const Facing<Facet>& facets, const VectorXd& local) {
-    Index entry = 0;
-    const auto add_nodes = [&](const Facet& facet, Sums& sums) {
-      for (const int node : facet) {
-        sums.values.col(node) += local.segment(entry, sums.values.rows());
-        sums.has_part[node] = true;
-        entry += sums.values.rows();
-      }
-    };
-    add_nodes(facets.primary, primary_);
-    add_nodes(facets.secondary, secondary_);
+  /// Adds that of a part: of these nodes, in their order.
+  template <class Nodes>
+  void add(const Nodes& primary, const Nodes& secondary, const VectorXd& local) {
+    add_nodes(secondary, local, add_nodes(primary, local, 0, primary_), secondary_);
   }
 
   /// Hands over one vector over all nodes that have a part.
@@ -46,6 +38,18 @@ class NodalResidual {
     MatrixXd values;
     NodeFlags has_part;
   };
+  /// Returns the entry after those of the nodes.
+  template <class Nodes>
+  static Index add_nodes(const Nodes& nodes, const VectorXd& local, Index entry, Sums& sums) {
+    const Index rows = sums.values.rows();
+    for (const int node : nodes) {
+      sums.values.col(node).head<3>() += local.segment<3>(entry);
+      for (Index row = 3; row < rows; ++row) sums.values(row, node) += local[entry + row];
+      sums.has_part[node] = true;
+      entry += rows;
+    }
+    return entry;
+  }
   Sums zero_sums(Index nodes) const {
     return {MatrixXd::Zero(LocalLayout(1, 0, fields_.count()).size(), nodes), NodeFlags(nodes, false)};
   }
@@ -108,32 +112,38 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
   const auto residual_of = [&](Index index) -> VectorXd {
     const FacetPair& pair = facing.pairs()[index];
     if (!facing.has_node_among(pair, loads.in_contact)) return {};
-    const LocalLayout layout(facing.primary_facet(pair).count(), facing.secondary_facet(pair).count(),
-                             facing.exchanged_fields(pair).count());
+    const Facet& facet = facing.primary_facet(pair);
+    const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
+    const LocalLayout layout(facet.count(), facing.secondary_facet(pair).count(), exchanged.count());
     VectorXd residual = VectorXd::Zero(layout.size());
     for (std::size_t q = 0; q < pair.points.size(); ++q) {
-      const PointContact point = loaded_point(space, pair, q, loads, fields, dt);
-      add_residual(point.kinematics, point.loads, layout, residual);
+      const IntegrationPoint& place = pair.points[q];
+      const FacetVector psi = space.shape(pair.primary, place.sub_facet, place.xi).value;
+      PointLoads here = loads_at(facet, psi, loads, exchanged);
+      here.weight = place.weight;
+      here.time_increment = dt;
+      add_residual(facing.kinematics(pair, q), here, layout, residual);
     }
     return residual;
   };
   std::map<std::vector<int>, NodalResidual> sums;  // by the fields that pairs exchange
-  in_order(facing.pairs().count(), residual_of, [&](Index index, const VectorXd& residual) {
+  in_batches(facing.pairs().count(), residual_of, [&](Index index, const VectorXd& residual) {
     if (residual.size() == 0) return;
     const FacetPair& pair = facing.pairs()[index];
     const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
     NodalResidual& sum = sums.try_emplace(exchanged, exchanged, fields).first->second;
-    sum.add({facing.primary_facet(pair), facing.secondary_facet(pair)}, residual);
+    sum.add(facing.primary_facet(pair), facing.secondary_facet(pair), residual);
   });
   for (const auto& sum : sums) sum.second.hand_over(add);
 }
 
-void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, double dt,
-                     const AddVector& add) {
+void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const FacingFields& fields,
+                     double dt, const AddVector& add) {
+  NodalResidual tractions({}, fields);
   for (Index node = 0; node < nodes.count(); ++node) {
     const NodeLinearisation& linear = nodes[node];
     if (linear.empty()) continue;
-    add(linear.patch.of_displacements(), loads.traction[node] * linear.traction_work);
+    tractions.add(linear.patch.primary, linear.patch.secondary, loads.traction[node] * linear.traction_work);
     for (Index k = 0; k < linear.jumps.count(); ++k) {
       const int field = linear.patch.fields[k];
       if (!loads.exchanges(field, node)) continue;
@@ -141,6 +151,7 @@ void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalL
       add(linear.patch.of_field(field, false), flow * linear.jumps[k].weights);
     }
   }
+  tractions.hand_over(add);
 }
 
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,

@@ -13,8 +13,8 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
                     const AddVector& add);
 
 /// Residual of loads at the nodes of a linearisation, whose works are those of the state that it was made at.
-void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, double dt,
-                     const AddVector& add);
+void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const FacingFields& fields,
+                     double dt, const AddVector& add);
 
 /// The part of the tangent in which loads stay and the geometry changes, of a pair.
 struct GeometricTangent {

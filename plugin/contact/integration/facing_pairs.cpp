@@ -37,7 +37,13 @@ void FacingPairs::keep(IndexedVector<FacetPair> pairs, const FacingPositions& x)
     const auto apart = [&](const FacetPair& pair) { return !has_node_among(pair, *restriction_); };
     pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
   }
-  in_parallel(pairs_.count(), [&](Index index) { pairs_[index].kinematics = kinematics(pairs_[index], x); });
+  Index points = 0;
+  for (FacetPair& pair : pairs_) {
+    pair.first = points;
+    points += count_of(pair.points);
+  }
+  kinematics_.resize(indexing::entries(points));
+  in_parallel(pairs_.count(), [&](Index index) { evaluate(pairs_[index], x); });
 }
 
 IndexedVector<int> FacingPairs::exchanged_fields(const FacetPair& pair) const {
@@ -63,18 +69,16 @@ Patch FacingPairs::patch(const FacetPair& pair) const {
           exchanged_fields(pair), std::nullopt, effects_.traction};
 }
 
-std::vector<PointKinematics> FacingPairs::kinematics(const FacetPair& pair, const FacingPositions& x) const {
+void FacingPairs::evaluate(const FacetPair& pair, const FacingPositions& x) {
   const Facet& one = primary_facet(pair);
   const Facet& two = secondary_facet(pair);
   const FacetCoordinates x1 = facet_coordinates(one, x.primary);
   const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
-  std::vector<PointKinematics> found;
-  found.reserve(pair.points.size());
-  for (const IntegrationPoint& point : pair.points) {
-    found.push_back(
-        point_kinematics(shape_functions(one.type, point.xi), x1, shape_functions(two.type, point.eta), x2));
+  for (Index q = 0; q < count_of(pair.points); ++q) {
+    const IntegrationPoint& point = at(pair.points, q);
+    kinematics_[pair.first + q] = point_kinematics(shape_functions(one.type, point.xi), x1,
+                                                   shape_functions(two.type, point.eta), x2);
   }
-  return found;
 }
 
 PairVector FacingPairs::values(const FacetPair& pair, int field, const FacingFields& fields) const {
@@ -99,15 +103,11 @@ IndexedVector<std::vector<const FacetPair*>> FacingPairs::around(const NodeFlags
   return around;
 }
 
-std::size_t FacingPairs::points() const {
-  std::size_t count = 0;
-  for (const FacetPair& pair : pairs_) count += pair.points.size();
-  return count;
-}
+std::size_t FacingPairs::points() const { return kinematics_.size(); }
 
 std::size_t FacingPairs::memory() const {
-  std::size_t sum = finder_->memory() + bytes(pairs_);
-  for (const FacetPair& pair : pairs_) sum += bytes(pair.points) + bytes(pair.kinematics);
+  std::size_t sum = finder_->memory() + bytes(pairs_) + bytes(kinematics_);
+  for (const FacetPair& pair : pairs_) sum += bytes(pair.points);
   return sum;
 }
 

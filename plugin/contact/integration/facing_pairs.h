@@ -25,7 +25,10 @@ class FacingPairs {
   /// Lets only facets with one of these nodes take part, from the next search on.
   void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
   bool is_restricted() const { return restriction_.has_value(); }
-  void clear() { pairs_.clear(); }
+  void clear() {
+    pairs_.clear();
+    kinematics_.clear();
+  }
 
   const SurfaceMesh& primary() const { return primary_; }
   const Effects& effects() const { return effects_; }
@@ -55,18 +58,23 @@ class FacingPairs {
     return finder_->motions(pair, x.primary, x.secondary);
   }
 
+  /// Of a point of a pair, where it was found.
+  const PointKinematics& kinematics(const FacetPair& pair, std::size_t point) const {
+    return kinematics_[pair.first + static_cast<Index>(point)];
+  }
   std::size_t points() const;
   std::size_t memory() const;
 
  private:
   void keep(IndexedVector<FacetPair> pairs, const FacingPositions& x);
-  std::vector<PointKinematics> kinematics(const FacetPair& pair, const FacingPositions& x) const;
+  void evaluate(const FacetPair& pair, const FacingPositions& x);
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
   const Effects& effects_;
   std::unique_ptr<PointFinder> finder_;
   IndexedVector<FacetPair> pairs_;
+  IndexedVector<PointKinematics> kinematics_;  ///< of the points of all pairs; its memory serves the next search
   std::optional<NodeFlags> restriction_;
   double radius_ = 0;  ///< of the last search [mm]
   double surface_size_ = 0;

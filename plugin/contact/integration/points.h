@@ -25,9 +25,7 @@ struct FacetPair {
   int primary = 0;
   int secondary = 0;
   std::vector<IntegrationPoint> points;
-  /// Of the points, where they were found; FacingPairs has them.
-  // NOLINTNEXTLINE(readability-redundant-member-init): so that lists of initial values may leave it out
-  std::vector<PointKinematics> kinematics = {};
+  Index first = 0;  ///< of its points, among those of all pairs of FacingPairs
 };
 
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.

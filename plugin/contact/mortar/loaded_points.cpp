@@ -4,38 +4,46 @@
 
 namespace mixture_contact {
 
+PointLoads loads_at(const Facet& facet, const FacetVector& psi, const NodalLoads& loads,
+                    const IndexedVector<int>& fields) {
+  PointLoads here;
+  here.traction = {psi.dot(facet_values(facet, loads.traction)), 0.0};
+  if (!loads.friction.empty()) {
+    for (Index a = 0; a < facet.count(); ++a) here.friction += psi[a] * loads.friction.traction.col(facet.node(a));
+  }
+  here.flux.resize(fields.count());
+  for (Index k = 0; k < fields.count(); ++k)
+    here.flux[k] = {psi.dot(facet_values(facet, loads.flux.row(fields[k]).transpose())), 0.0};
+  return here;
+}
+
 PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,
                           const FacingFields& fields, double dt) {
   const FacingPairs& facing = space.facing();
   const Facet& facet = facing.primary_facet(pair);
   const IntegrationPoint& place = pair.points[number];
-  PointContact contact(pair, number);
+  PointContact contact(facing, pair, number);
   const ShapeFunctions psi = space.shape(pair.primary, place.sub_facet, place.xi);
   contact.psi = psi.value;
   contact.psi_gradient = psi.gradient;
   contact.fields = facing.exchanged_fields(pair);
   const Index count = contact.fields.count();
   contact.values.resize(contact.kinematics.nodes(), count);
-  const FacetVector traction = facet_values(facet, loads.traction);
-  contact.loads.traction = {contact.psi.dot(traction), 0.0};
-  contact.loads.traction_slope = contact.psi_gradient.transpose() * traction;
-  if (!loads.friction.empty()) {
-    for (Index a = 0; a < facet.count(); ++a) {
-      const Vector3d nodal = loads.friction.traction.col(facet.node(a));
-      contact.loads.friction += contact.psi[a] * nodal;
-      if (facing.moves_points()) contact.loads.friction_slope += nodal.lazyProduct(contact.psi_gradient.row(a));
-    }
-  }
+  contact.loads = loads_at(facet, contact.psi, loads, contact.fields);
   contact.loads.weight = place.weight;
   contact.loads.time_increment = dt;
-  contact.loads.flux.resize(count);
+  contact.loads.traction_slope = contact.psi_gradient.transpose() * facet_values(facet, loads.traction);
+  if (!loads.friction.empty() && facing.moves_points()) {
+    for (Index a = 0; a < facet.count(); ++a)
+      contact.loads.friction_slope += loads.friction.traction.col(facet.node(a))
+                                          .lazyProduct(contact.psi_gradient.row(a));
+  }
   contact.loads.flux_slope.resize(count, 2);
   for (Index k = 0; k < count; ++k) {
     const int field = contact.fields[k];
     contact.values.col(k) = facing.values(pair, field, fields);
-    const FacetVector nodal = facet_values(facet, loads.flux.row(field).transpose());
-    contact.loads.flux[k] = {contact.psi.dot(nodal), 0.0};
-    contact.loads.flux_slope.row(k) = nodal.transpose() * contact.psi_gradient;
+    contact.loads.flux_slope.row(k) = facet_values(facet, loads.flux.row(field).transpose()).transpose() *
+                                      contact.psi_gradient;
   }
   return contact;
 }

@@ -11,7 +11,8 @@ namespace mixture_contact {
 /// Everything at one integration point that carries load.
 struct PointContact {
   /// The point of a pair with this number, without its loads.
-  PointContact(const FacetPair& of, std::size_t number) : pair(&of), kinematics(of.kinematics[number]) {}
+  PointContact(const FacingPairs& facing, const FacetPair& of, std::size_t number)
+      : pair(&of), kinematics(facing.kinematics(of, number)) {}
 
   const FacetPair* pair;
   const PointKinematics& kinematics;
@@ -27,6 +28,10 @@ struct VaryingPoint {
   PointContact contact;
   KinematicVariations vary;
 };
+
+/// The loads at a place on a primary facet with the functions psi_a there, of these fields; without weight and slopes.
+PointLoads loads_at(const Facet& facet, const FacetVector& psi, const NodalLoads& loads,
+                    const IndexedVector<int>& fields);
 
 /// The point of a pair with this number.
 PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,

@@ -36,7 +36,7 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   sums.jump.setZero(sums.fields.count(), sums.area.size());
   for (std::size_t q = 0; q < pair.points.size(); ++q) {
     const IntegrationPoint& place = pair.points[q];
-    const PointKinematics& point = pair.kinematics[q];
+    const PointKinematics& point = facing.kinematics(pair, q);
     const FacetVector share = place.weight * point.area * space.shape(pair.primary, place.sub_facet, place.xi).value;
     const PairVector h = point.jump_weights();
     sums.area += share;
@@ -81,7 +81,7 @@ FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
   FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
   for (std::size_t q = 0; q < pair.points.size(); ++q) {
     const IntegrationPoint& place = pair.points[q];
-    const PointKinematics& point = pair.kinematics[q];
+    const PointKinematics& point = facing_.kinematics(pair, q);
     const FacetVector psi = shape(pair.primary, place.sub_facet, place.xi).value;
     sums.row(0) += place.weight * point.area * psi;
     sums.row(1) += place.weight * point.area * point.gap * psi;
@@ -92,6 +92,7 @@ FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
 void MortarSpace::update_boundary_weights(const FacingPositions& x) {
   // Nodes that a restricted pass is for keep their conditions: there are no others to carry their load.
   if (!redistributes_ || facing_.is_restricted()) return;
+  gaps_.reset();
   IndexedVector<const FacetPair*> unknown;
   for (const FacetPair& pair : facing_.pairs()) {
     if (!weights_.knows(pair.primary)) unknown.push_back(&pair);
@@ -108,7 +109,12 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
   }
 }
 
-NodalGaps MortarSpace::gaps() const {
+const NodalGaps& MortarSpace::gaps() const {
+  if (!gaps_) gaps_ = averaged_gaps();
+  return *gaps_;
+}
+
+NodalGaps MortarSpace::averaged_gaps() const {
   NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size(), offset_};
   const IndexedVector<FacetPair>& pairs = facing_.pairs();
   const auto sums_of = [&](Index index) { return gap_sums(pairs[index]); };

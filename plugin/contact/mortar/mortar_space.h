@@ -7,6 +7,8 @@
 #include "law/nodal_loads.h"
 #include "mortar/boundary_weights.h"
 
+#include <optional>
+
 namespace mixture_contact {
 
 class MortarSpace {
@@ -15,14 +17,21 @@ class MortarSpace {
   MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  FacingPairs& facing() { return facing_; }
+  /// To change the pairs: what is known of them is found anew.
+  FacingPairs& facing() {
+    gaps_.reset();
+    return facing_;
+  }
   const FacingPairs& facing() const { return facing_; }
   const Effects& effects() const { return facing_.effects(); }
   Index nodes() const { return facing_.primary().nodes; }
 
   /// Decides for facets that face the other surface, and of which that is not decided, which of their nodes carry load.
   void update_boundary_weights(const FacingPositions& x);
-  BoundaryWeights& boundary_weights() { return weights_; }
+  BoundaryWeights& boundary_weights() {
+    gaps_.reset();
+    return weights_;
+  }
   const BoundaryWeights& boundary_weights() const { return weights_; }
   /// Functions psi_a (see BoundaryWeights::shape).
   ShapeFunctions shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
@@ -37,7 +46,7 @@ class MortarSpace {
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
   /// Where the pairs were found.
-  NodalGaps gaps() const;
+  const NodalGaps& gaps() const;
   /// The gaps of a state, and the jumps of nodes of a status there; without loads.
   NodalLoads averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const;
 
@@ -63,6 +72,7 @@ class MortarSpace {
 
  private:
   FacetGapSums gap_sums(const FacetPair& pair) const;
+  NodalGaps averaged_gaps() const;
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
 
   FacingPairs facing_;
@@ -75,6 +85,7 @@ class MortarSpace {
   IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node, where there is friction
   PerSide<Matrix3Xd> past_;             ///< primary and secondary positions as the step began, where there is friction
   mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
+  mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, once they are asked for
 };
 
 }  // namespace mixture_contact
