@@ -165,20 +165,26 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
   return motion;
 }
 
-/// A circle around a part of a facet: what does not meet it does not meet the part.
+/// Half the size of a facet: the largest distance of a node from a point.
+double radius_around(const FacetCoordinates& x, const Vector3d& centre) {
+  return (x.colwise() - centre).colwise().norm().maxCoeff();
+}
+
+/// A circle around a facet or a part of it: what does not meet it does not meet the part.
 struct Circle {
-  Vector3d centre;
-  double radius;
+  Vector3d centre{0, 0, 0};
+  double radius = 0;
 };
 
+Circle circle_around(const FacetCoordinates& x) {
+  const Vector3d centre = x.rowwise().mean();
+  return {centre, radius_around(x, centre)};
+}
+
 Circle circle_around(const PlacedFacet& facet, const Corners& piece) {
-  const int corners = number_of(piece);
-  Circle circle{Vector3d::Zero(), 0};
-  for (int a = 0; a < corners; ++a) circle.centre += corner(facet, piece, a) / corners;
-  for (int a = 0; a < corners; ++a) {
-    circle.radius = std::max(circle.radius, (corner(facet, piece, a) - circle.centre).norm());
-  }
-  return circle;
+  FacetCoordinates corners(3, number_of(piece));
+  for (int a = 0; a < number_of(piece); ++a) corners.col(a) = corner(facet, piece, a);
+  return circle_around(corners);
 }
 
 /// Whether two circles are apart, seen along n, by more than rounding.
@@ -212,10 +218,17 @@ std::vector<Piece<Number>> pieces_of(const PlacedFacet& facet) {
   return pieces;
 }
 
+/// Circles around each of these facets.
+IndexedVector<Circle> circles_around(const IndexedVector<Facet>& facets, const Matrix3Xd& x) {
+  IndexedVector<Circle> circles(facets.count());
+  in_parallel(facets.count(),
+              [&](Index index) { circles[index] = circle_around(facet_coordinates(facets[index], x)); });
+  return circles;
+}
+
 /// The overlap of a piece with a part of another facet; fewer than three corners where there is none.
 template <class Number>
 Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const Corners& part) {
-  if (are_apart(piece.circle, circle_around(facet, part), piece.view.normal)) return {};
   Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.part.nodes));
   if (twice_area(window) >= 0) return {};  // it faces away
   std::reverse(window.begin(), window.end());
@@ -227,18 +240,27 @@ Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, co
   return both;
 }
 
-/// Calls use(sample) for the points on the overlap of a facet, in pieces, and another one, in a fixed order.
+/// Whether all pieces of a facet are apart from what is within a circle, as they are seen.
+bool are_apart(const std::vector<Piece<double>>& pieces, const Circle& circle) {
+  return std::all_of(pieces.begin(), pieces.end(),
+                     [&](const Piece<double>& piece) { return are_apart(piece.circle, circle, piece.view.normal); });
+}
+
+/// Calls use(sample) for the points on the overlap of a facet, in pieces, and another one within a circle, in a fixed
+/// order.
 template <class Number, class Use>
-void sample_overlap(const std::vector<Piece<Number>>& pieces, const PlacedFacet& secondary, int order, const Use& use) {
-  int sub_facet = 0;
+void sample_overlap(const std::vector<Piece<Number>>& pieces, const PlacedFacet& secondary, const Circle& circle,
+                    int order, const Use& use) {
+  int sub_facet = -1;
   for (const Piece<Number>& piece : pieces) {
+    ++sub_facet;
+    if (are_apart(piece.circle, circle, piece.view.normal)) continue;
     for_each_window(secondary.type, order, [&](const Corners& window) {
       const Polygon<Number> both = overlap(piece, secondary, window);
       if (both.size() < 3) return;
       for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece.aligned, order))
         use(Sample<Number>{point, piece.view, piece.part.nodes, window, sub_facet});
     });
-    ++sub_facet;
   }
 }
 
@@ -253,13 +275,16 @@ SampledFacet sampled(const Facet& facet, const Matrix3Xd& x) {
   return {placed, pieces_of<double>(placed)};
 }
 
-/// The points between a facet at x1 and one of the other surface at x2; none where not all of them are found.
-std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFacet& primary, const Facet& two, int order,
-                                             const Matrix3Xd& x1, const Matrix3Xd& x2) {
+/// The points between a facet at x1 and one of the other surface at x2, within a circle; none where not all of them are
+/// found.
+std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFacet& primary, const Facet& two,
+                                             const Circle& circle, int order, const Matrix3Xd& x1,
+                                             const Matrix3Xd& x2) {
+  if (are_apart(primary.pieces, circle)) return {};
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   std::vector<IntegrationPoint> points;
   bool complete = true;
-  sample_overlap(primary.pieces, secondary, order, [&](const Sample<double>& sample) {
+  sample_overlap(primary.pieces, secondary, circle, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
     if (!xi) return void(complete = false);
     const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
@@ -283,7 +308,7 @@ std::vector<PointMotion> motions_of(const FacetPair& pair, const PlacedFacet& pr
     tilts.push_back(view_tilt(piece.view, primary.type, primary.x, middle(primary.type, piece.part)));
   std::vector<PointMotion> motions;
   motions.reserve(pair.points.size());
-  sample_overlap(pieces, secondary, order, [&](const Sample<Number>& sample) {
+  sample_overlap(pieces, secondary, circle_around(secondary.x), order, [&](const Sample<Number>& sample) {
     const ViewTilt& tilt = at(tilts, sample.sub_facet);
     motions.push_back(projection_motion(primary, secondary, sample, tilt, pair.points[motions.size()].xi));
   });
@@ -300,11 +325,6 @@ bool share_a_node(const Facet& one, const Facet& two) {
     const auto* end = two.nodes.begin() + node_count(two.type);
     return std::find(two.nodes.begin(), end, node) != end;
   });
-}
-
-/// Half the size of a facet: the largest distance of a node from a point.
-double radius_around(const FacetCoordinates& x, const Vector3d& centre) {
-  return (x.colwise() - centre).colwise().norm().maxCoeff();
 }
 
 const IntegrationPoint& heaviest(const FacetPair& pair) {
@@ -373,6 +393,7 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
   paired_.clear();
   if (!surfaces_within_reach(x1, x2, radius)) return found;
   const FacetTree tree(secondary_, x2, box_margin);
+  const IndexedVector<Circle> circles = circles_around(secondary_, x2);
   const auto pairs_of = [&](Index index) {
     const int f = static_cast<int>(index);
     IndexedVector<FacetPair> pairs;
@@ -380,7 +401,8 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
     if (others.empty()) return pairs;
     const SampledFacet facet = sampled(primary_[f], x1);
     for (const int other : others) {
-      FacetPair pair{f, other, points_between(primary_[f], facet, secondary_[other], order({f, other}), x1, x2)};
+      FacetPair pair{f, other,
+                     points_between(primary_[f], facet, secondary_[other], circles[other], order({f, other}), x1, x2)};
       if (!pair.points.empty() && within_reach(pair, x1, x2, radius) && opposed(pair, x1, x2))
         pairs.push_back(std::move(pair));
     }
@@ -403,7 +425,9 @@ IndexedVector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Mat
   IndexedVector<FacetPair> found;
   for (const Facing& facing : paired_) {
     const Facet& one = primary_[facing.primary];
-    auto points = points_between(one, sampled(one, x1), secondary_[facing.secondary], order(facing), x1, x2);
+    const Facet& two = secondary_[facing.secondary];
+    auto points = points_between(one, sampled(one, x1), two, circle_around(facet_coordinates(two, x2)), order(facing),
+                                 x1, x2);
     if (!points.empty()) found.push_back({facing.primary, facing.secondary, std::move(points)});
   }
   return found;
