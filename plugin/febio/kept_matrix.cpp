@@ -14,6 +14,7 @@ void KeptMatrix::formed() {
   number_ = solver_.febio()->m_ntotref;
   border_.forget();
   iterations_ = 0;
+  request(false);
   may_correct_ = true;
 }
 
@@ -29,6 +30,13 @@ bool KeptMatrix::is_due() {
   if (!may_correct_ || !is_kept) return true;
   if (dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr) return false;  // it has no limit
   return strategy->m_maxups > 0 && iterations_ + strategy->m_nups >= strategy->m_maxups - 1;
+}
+
+void KeptMatrix::request(bool is_needed) {
+  FENewtonSolver& solver = *solver_.febio();
+  if (is_needed == is_requested_ || (is_needed && solver.m_bforceReform)) return;
+  solver.QNForceReform(is_needed);
+  is_requested_ = is_needed;
 }
 
 void KeptMatrix::correct(const std::vector<newton::Condition>& conditions) {
@@ -60,7 +68,7 @@ void KeptMatrix::accept() {
 void KeptMatrix::force_next() {
   FENewtonSolver& solver = *solver_.febio();
   if (!reform_augment_) reform_augment_ = std::exchange(solver.m_breformAugment, true);
-  solver.QNForceReform(true);  // where a step begins
+  request(true);  // where a step begins
 }
 
 void KeptMatrix::restore() {

@@ -17,6 +17,8 @@ class KeptMatrix {
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
   /// nothing is to be corrected with it.
   bool is_due();
+  /// Has FEBio form another one after this trial, or takes that back: not what others ask for.
+  void request(bool is_needed);
   /// An iteration with it has been corrected: the next one is without FEBio's updates, and holds these conditions.
   void correct(const std::vector<newton::Condition>& conditions);
 
@@ -39,6 +41,7 @@ class KeptMatrix {
   newton::Border border_;
   int number_ = 0;                      ///< of the matrix, as FEBio counts them in a step
   int iterations_ = 0;                  ///< with it, up to the last that was corrected
+  bool is_requested_ = false;           ///< another one, by request()
   bool may_correct_ = true;             ///< whether conditions can be held with it
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };

@@ -268,7 +268,7 @@ void ModelContacts::note_overlap() {
 bool ModelContacts::apply_ambient() { return ambient_.apply(active()); }
 void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
-void ModelContacts::request_matrix(bool is_needed) { solver_.febio()->QNForceReform(is_needed); }
+void ModelContacts::request_matrix(bool is_needed) { matrix_.request(is_needed); }
 
 void ModelContacts::evaluate_residual(Changed what) {
   FENewtonSolver& solver = *solver_.febio();
