@@ -14,13 +14,13 @@ using namespace mixture_contact;
 namespace {
 
 /// A local vector at its equations.
-Eigen::SparseVector<double> sparse(const std::vector<int>& equations, const VectorXd& values, int size) {
-  Eigen::SparseVector<double> found(size);
+std::vector<newton::Condition::Entry> entries_of(const std::vector<int>& equations, const VectorXd& values) {
+  std::vector<newton::Condition::Entry> entries;
   for (Index i = 0; i < values.size(); ++i) {
     const int equation = mixture_contact::at(equations, i);
-    if (equation >= 0) found.coeffRef(equation) += values[i];
+    if (equation >= 0) entries.push_back({equation, values[i]});
   }
-  return found;
+  return entries;
 }
 
 }  // namespace
@@ -92,17 +92,17 @@ bool Assembly::residual_change(FEGlobalVector& residual, double dt) const {
   return mixture_contact::residual_change(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
-std::vector<newton::Condition> Assembly::conditions(int size, double dt) const {
+std::vector<newton::Condition> Assembly::conditions(double dt) const {
   const ContactInterface& core = contact_.core();
   const NodeEquations equations(dofs_, surfaces_, core);
   std::vector<newton::Condition> found;
   for (const auto& [side, node] : released_nodes(core))
-    found.push_back(newton::zero_unknown(loads_.of(equations, core, side, {node, std::nullopt, {}}), size));
+    found.push_back(newton::zero_unknown(loads_.of(equations, core, side, {node, std::nullopt, {}})));
   added_loads(core, dt, [&](Side first, const LoadBlock& load) {
     // As unknowns of their own: with K = -dR/du and z = factor variation.du, K du - work z = R.
-    const int own = loads_.of(equations, core, first, load.place);
-    found.push_back({own, sparse(equations.equations({first, load.rows}), -load.work, size),
-                     sparse(equations.equations({first, load.place.columns}), load.variation, size), -1 / load.factor});
+    found.push_back({loads_.of(equations, core, first, load.place),
+                     entries_of(equations.equations({first, load.rows}), -load.work),
+                     entries_of(equations.equations({first, load.place.columns}), load.variation), -1 / load.factor});
   });
   return found;
 }

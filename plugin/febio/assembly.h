@@ -27,9 +27,8 @@ class Assembly {
   void residual(FEGlobalVector& residual, double dt) const;
   /// Adds what loads that have changed as the iteration began make of it. Returns whether that is known.
   bool residual_change(FEGlobalVector& residual, double dt) const;
-  /// What a matrix with the loads of another status lacks: it has loads that are zero, and others are added. `size`:
-  /// that of the matrix.
-  std::vector<newton::Condition> conditions(int size, double dt) const;
+  /// What a matrix with the loads of another status lacks: it has loads that are zero, and others are added.
+  std::vector<newton::Condition> conditions(double dt) const;
   /// What of it is of nodes that begin the step in contact though they are open.
   void residual_ahead(FEGlobalVector& residual, double dt) const;
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) const;

@@ -278,10 +278,9 @@ void ModelContacts::evaluate_residual(Changed what) {
 
 void ModelContacts::correct_residual() {
   evaluate_residual(Changed::loads);
-  const int size = indexing::number_of(solver_.febio()->m_R0);
   std::vector<newton::Condition> conditions;
   for (const ContactInModel* contact : active()) {
-    const std::vector<newton::Condition> own = contact->assembly().conditions(size, fem_.GetTime().timeIncrement);
+    const std::vector<newton::Condition> own = contact->assembly().conditions(fem_.GetTime().timeIncrement);
     conditions.insert(conditions.end(), own.begin(), own.end());
   }
   matrix_.correct(conditions);

@@ -70,7 +70,7 @@ class SteppedModel {
   virtual void evaluate_bodies_after_contacts() = 0;
   /// Evaluates the residual again, or what of it has changed.
   virtual void evaluate_residual(Changed what) = 0;
-  /// Contacts have corrected their linearisations: the same for their loads, and for what they have released.
+  /// Contacts have corrected their linearisations: the same for their loads, and for nodes that have opened or closed.
   virtual void correct_residual() = 0;
   virtual MatrixUse matrix_use() = 0;
   /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.

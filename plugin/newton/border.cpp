@@ -9,17 +9,14 @@ using indexing::at;
 namespace newton {
 namespace {
 
-double product(const Eigen::SparseVector<double>& sparse, const std::vector<double>& values) {
+double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values) {
   double sum = 0;
-  for (Eigen::SparseVector<double>::InnerIterator entry(sparse); entry; ++entry)
-    sum += entry.value() * at(values, entry.index());
+  for (const Condition::Entry& entry : entries) sum += entry.value * at(values, entry.equation);
   return sum;
 }
 
-/// Adds factor times sparse.
-void add(double factor, const Eigen::SparseVector<double>& sparse, std::vector<double>& values) {
-  for (Eigen::SparseVector<double>::InnerIterator entry(sparse); entry; ++entry)
-    at(values, entry.index()) += factor * entry.value();
+void add(double factor, const std::vector<Condition::Entry>& entries, std::vector<double>& values) {
+  for (const Condition::Entry& entry : entries) at(values, entry.equation) += factor * entry.value;
 }
 
 /// The solution of a small system, whose rows and columns may be in units of their own. Empty where it is singular.
@@ -35,16 +32,12 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rig
 
 }  // namespace
 
-Condition zero_unknown(int equation, int size) {
-  Eigen::SparseVector<double> unit(size);
-  unit.insert(equation) = 1;
-  return {equation, unit, unit, 0.0};
-}
+Condition zero_unknown(int equation) { return {equation, {{equation, 1.0}}, {{equation, 1.0}}, 0.0}; }
 
-const std::vector<double>& Border::column(const Solve& solve, const Condition& condition) {
+const std::vector<double>& Border::column(const Solve& solve, const Condition& condition, std::size_t size) {
   const auto known = columns_.find(condition.key);
   if (known != columns_.end()) return known->second;
-  std::vector<double> right(indexing::entries(condition.column.size()));
+  std::vector<double> right(size);
   add(1, condition.column, right);
   return columns_[condition.key] = solve(right);
 }
@@ -56,7 +49,7 @@ bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, 
   Eigen::MatrixXd answers(count, count);
   Eigen::VectorXd values(count);
   for (int i = 0; i < count; ++i) {
-    const std::vector<double>& answer = column(solve, at(conditions, i));
+    const std::vector<double>& answer = column(solve, at(conditions, i), right.size());
     for (int k = 0; k < count; ++k) answers(k, i) = product(at(conditions, k).row, answer);
     answers(i, i) -= at(conditions, i).diagonal;
     values[i] = product(at(conditions, i).row, free);

@@ -9,24 +9,26 @@
 /// once, and one for each right-hand side.
 #pragma once
 
-#include <Eigen/SparseCore>
-
 #include <functional>
 #include <map>
 #include <vector>
 
 namespace newton {
 
-/// One row and column of a border.
+/// One row and column of a border. Entries of the same equation add up.
 struct Condition {
+  struct Entry {
+    int equation;
+    double value;
+  };
   int key = 0;  ///< the same key, the same column
-  Eigen::SparseVector<double> column;
-  Eigen::SparseVector<double> row;
+  std::vector<Entry> column;
+  std::vector<Entry> row;
   double diagonal = 0;
 };
 
 /// An unknown of K that is zero, as if its row and column had been taken out: its key is its equation.
-Condition zero_unknown(int equation, int size);
+Condition zero_unknown(int equation);
 
 class Border {
  public:
@@ -43,7 +45,7 @@ class Border {
 
  private:
   /// K^-1 C of a condition.
-  const std::vector<double>& column(const Solve& solve, const Condition& condition);
+  const std::vector<double>& column(const Solve& solve, const Condition& condition, std::size_t size);
 
   std::map<int, std::vector<double>> columns_;
 };

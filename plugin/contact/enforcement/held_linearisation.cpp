@@ -28,19 +28,21 @@ void HeldLinearisation::ended() {
   point_ = nullptr;
   change_ = {};
   last_error_ = 0;
-  matrix_.reset();
+  has_matrix_ = false;
+  matrix_ = {};
 }
 
 void HeldLinearisation::has_matrix(HostMatrix matrix) {
+  has_matrix_ = true;
   matrix_ = std::move(matrix);
-  matrix_->has_loads = matrix_->has_loads && method_.has_load_blocks() && laws_.effects().nodal_fields() == 0;
+  matrix_.has_loads = matrix_.has_loads && method_.has_load_blocks() && laws_.effects().nodal_fields() == 0;
   added_.fill(laws_.nodes(), false);
 }
 
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
 bool HeldLinearisation::is_correctable() const {
-  return matrix_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
+  return has_matrix_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
 }
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields) const {
@@ -60,7 +62,7 @@ double HeldLinearisation::doubt(const NodalLoads& predicted, const NodalLoads& n
 }
 
 bool HeldLinearisation::may_take(const NodeFlags& status) const {
-  if (!matrix_->has_loads) return false;
+  if (!matrix_.has_loads) return false;
   const NodeFlags unknown = unknown_of(status);
   Index changed = 0;
   for (Index node = 0; node < status.count(); ++node) {
@@ -81,7 +83,7 @@ bool HeldLinearisation::may_add(const NodeFlags& nodes) const {
   for (Index node = 0; node < nodes.count(); ++node) {
     if (!nodes[node]) continue;
     const Patch patch = space_.node_patch(node, around[node]);
-    if (has_any(patch.primary, matrix_->rigid) || has_any(patch.secondary, matrix_->rigid_opposite)) return false;
+    if (has_any(patch.primary, matrix_.rigid) || has_any(patch.secondary, matrix_.rigid_opposite)) return false;
   }
   return true;
 }
@@ -101,7 +103,7 @@ bool HeldLinearisation::correct(const FacingFields& fields) {
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   const NodalLoads now = true_loads(fields);
   last_error_ = error_of(predicted, now);
-  const bool adds = matrix_->has_loads && change_status(predicted, now, fields);
+  const bool adds = matrix_.has_loads && change_status(predicted, now, fields);
   point_->loads.gap += now.gap - (adds ? method_.predicted_loads(*point_, fields) : predicted).gap;
   point_->loads.jump += now.jump - predicted.jump;
   method_.load(point_->loads);
@@ -133,7 +135,7 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
 
 IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added) const {
   IndexedVector<int> nodes;
-  if (!matrix_->has_loads) return nodes;
+  if (!matrix_.has_loads) return nodes;
   for (Index node = 0; node < point_->nodes.count(); ++node) {
     const bool is_one = !point_->nodes[node].empty() && point_->loads.in_contact[node] == in_contact;
     if (is_one && added_[node] == is_added) nodes.push_back(static_cast<int>(node));

@@ -6,8 +6,6 @@
 
 #include <variant>
 
-#include <optional>
-
 namespace mixture_contact {
 
 /// What a host can do with its matrix beside solving with it.
@@ -94,9 +92,10 @@ class HeldLinearisation {
   LinearisationPoint* point_ = nullptr;  ///< what the geometry holds
   /// Of the loads as the iteration began, where it is known.
   std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;
-  double last_error_ = 0;  ///< what tractions were off by at the last correction; 0 before any of this status
-  std::optional<HostMatrix> matrix_;  ///< that of it, where the host has formed one
-  NodeFlags added_;                   ///< nodes that were linearised after it was formed
+  double last_error_ = 0;    ///< what tractions were off by at the last correction; 0 before any of this status
+  bool has_matrix_ = false;  ///< whether the host has a matrix of it
+  HostMatrix matrix_;        ///< that
+  NodeFlags added_;          ///< nodes that were linearised after it was formed
 };
 
 }  // namespace mixture_contact

@@ -36,7 +36,7 @@ const std::vector<double> load{1, -2, 3, 0.5, -1, 2, 4};
 
 std::vector<Condition> zeros(const std::vector<int>& equations) {
   std::vector<Condition> conditions;
-  for (const int equation : equations) conditions.push_back(newton::zero_unknown(equation, size));
+  for (const int equation : equations) conditions.push_back(newton::zero_unknown(equation));
   return conditions;
 }
 
@@ -70,19 +70,18 @@ BOOST_AUTO_TEST_CASE(conditions_are_held_as_if_the_matrix_had_their_rows_and_col
   std::mt19937 random(6);
   std::vector<Condition> conditions = zeros({2});
   for (const double unit : {1.0, 1e9}) {
-    Condition condition{size + indexing::number_of(conditions), Eigen::SparseVector<double>(size),
-                        Eigen::SparseVector<double>(size), -0.5 * unit};
+    Condition condition{size + indexing::number_of(conditions), {}, {}, -0.5 * unit};
     for (int i = 0; i < size; i += 2) {
-      condition.column.insert(i) = unit * test::random_values(1, -1, 1, random)[0];
-      condition.row.insert(i) = test::random_values(1, -1, 1, random)[0];
+      condition.column.push_back({i, unit * test::random_values(1, -1, 1, random)[0]});
+      condition.row.push_back({i, test::random_values(1, -1, 1, random)[0]});
     }
     conditions.push_back(condition);
   }
   Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(size + 3, size + 3);
   bordered.topLeftCorner(size, size) = system.matrix;
   for (int n = 0; n < 3; ++n) {
-    bordered.col(size + n).head(size) = indexing::at(conditions, n).column;
-    bordered.row(size + n).head(size) = indexing::at(conditions, n).row.transpose();
+    for (const auto& [i, value] : indexing::at(conditions, n).column) bordered(i, size + n) = value;
+    for (const auto& [i, value] : indexing::at(conditions, n).row) bordered(size + n, i) = value;
     bordered(size + n, size + n) = indexing::at(conditions, n).diagonal;
   }
   Eigen::VectorXd values = Eigen::VectorXd::Zero(size + 3);
