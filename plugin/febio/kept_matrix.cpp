@@ -9,17 +9,30 @@
 #include <algorithm>
 #include <utility>
 
+namespace {
+
+/// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
+constexpr int most_iterations = 50;
+
+}  // namespace
+
 void KeptMatrix::formed() {
+  is_requested_ = false;  // FEBio has taken the request
+  begin();
+}
+
+void KeptMatrix::follow() {
+  if (number_ == solver_.febio()->m_ntotref) return;
+  request(false);  // FEBio asks nobody after augmentations: it is there still
+  begin();
+}
+
+void KeptMatrix::begin() {
   restore();
   number_ = solver_.febio()->m_ntotref;
   border_.forget();
   iterations_ = 0;
-  request(false);
   may_correct_ = true;
-}
-
-void KeptMatrix::follow() {
-  if (number_ != solver_.febio()->m_ntotref) formed();
 }
 
 bool KeptMatrix::is_due() {
@@ -28,7 +41,7 @@ bool KeptMatrix::is_due() {
   // JFNK takes differences from a residual of its own.
   const bool is_kept = strategy != nullptr && dynamic_cast<const JFNKStrategy*>(strategy) == nullptr;
   if (!may_correct_ || !is_kept) return true;
-  if (dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr) return false;  // it has no limit
+  if (dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr) return iterations_ >= most_iterations;
   return strategy->m_maxups > 0 && iterations_ + strategy->m_nups >= strategy->m_maxups - 1;
 }
 

@@ -12,7 +12,7 @@ class KeptMatrix {
  public:
   explicit KeptMatrix(newton::FEBioSolver& solver) : solver_(solver) {}
 
-  /// FEBio has formed another one.
+  /// FEBio has formed another one, as it said.
   void formed();
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
   /// nothing is to be corrected with it.
@@ -33,6 +33,7 @@ class KeptMatrix {
  private:
   /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step.
   void follow();
+  void begin();
   /// Has FEBio form a matrix before the next iteration.
   void force_next();
   void restore();

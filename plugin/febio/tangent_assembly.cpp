@@ -167,18 +167,14 @@ void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   const Location columns{first, load.place.columns};
   const int own = loads_.of(equations_, core_, first, load.place);
   const bool is_unknown = takes_blocks_ && own >= 0;
-  has_all_loads_ = has_all_loads_ && is_unknown;
   if (!is_unknown) return add(rows, columns, load.product().values);
   if (!has_mixed_form(load)) return;  // its product is zero
   add_mixed(own, load, rows, columns);
   used_[own - loads_.first()] = true;
 }
 
-bool TangentAssembly::has_all_loads() const {
-  bool have_equations = takes_blocks_;
-  for (std::size_t pass = 0; pass < core_.passes(); ++pass)
-    have_equations = have_equations && loads_.has(both_sides.at(pass));
-  return have_equations && has_all_loads_;
+PerSide<bool> TangentAssembly::has_loads() const {
+  return {{takes_blocks_ && loads_.has(Side::primary), takes_blocks_ && loads_.has(Side::secondary)}};
 }
 
 void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& rows, const Location& columns) {

@@ -30,8 +30,8 @@ class TangentAssembly {
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
   /// are zero. Charges each effect with its own.
   void finish(mixture_contact::TaskClock& timed);
-  /// Whether all loads that were added are unknowns, as further ones would have been.
-  bool has_all_loads() const;
+  /// On which sides loads are unknowns, but those on rigid bodies.
+  mixture_contact::PerSide<bool> has_loads() const;
 
  private:
   struct Ids {
@@ -64,7 +64,6 @@ class TangentAssembly {
   FEGlobalMatrix& matrix_;
   MatrixRows rows_;
   bool takes_blocks_;
-  bool has_all_loads_ = true;
   std::map<std::optional<int>, Kept> kept_;    ///< by the field of an effect; none: the traction
   mixture_contact::IndexedVector<bool> used_;  ///< per equation of a load
 };

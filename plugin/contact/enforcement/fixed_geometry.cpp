@@ -47,7 +47,7 @@ void FixedGeometry::update(const FacingPositions& x) {
 
 void FixedGeometry::end_iterations() {
   space_.boundary_weights().reconsider();
-  space_.facing().end_iterations();
+  space_.change_facing().end_iterations();
 }
 
 NodalLoads FixedGeometry::loads(const FacingFields& fields) const {

@@ -63,13 +63,16 @@ double HeldLinearisation::doubt(const NodalLoads& predicted, const NodalLoads& n
 
 bool HeldLinearisation::may_take(const NodeFlags& status) const {
   if (!matrix_.has_loads) return false;
-  const NodeFlags unknown = unknown_of(status);
+  const auto around = space_.facing().around(unknown_of(status));
   Index changed = 0;
   for (Index node = 0; node < status.count(); ++node) {
-    const bool is_of_matrix = !point_->nodes[node].empty() && !added_[node];
-    if (status[node] != is_of_matrix) ++changed;
+    const NodeLinearisation& linear = point_->nodes[node];
+    const bool is_of_matrix = !linear.empty() && !added_[node];
+    if (status[node] == is_of_matrix) continue;
+    ++changed;
+    if (is_of_rigid_bodies(linear.empty() ? space_.node_patch(node, around[node]) : linear.patch)) return false;
   }
-  return changed <= active_set_.options().most_changed && may_add(unknown);
+  return changed <= active_set_.options().most_changed;
 }
 
 NodeFlags HeldLinearisation::unknown_of(const NodeFlags& status) const {
@@ -78,14 +81,8 @@ NodeFlags HeldLinearisation::unknown_of(const NodeFlags& status) const {
   return unknown;
 }
 
-bool HeldLinearisation::may_add(const NodeFlags& nodes) const {
-  const auto around = space_.facing().around(nodes);
-  for (Index node = 0; node < nodes.count(); ++node) {
-    if (!nodes[node]) continue;
-    const Patch patch = space_.node_patch(node, around[node]);
-    if (has_any(patch.primary, matrix_.rigid) || has_any(patch.secondary, matrix_.rigid_opposite)) return false;
-  }
-  return true;
+bool HeldLinearisation::is_of_rigid_bodies(const Patch& patch) const {
+  return has_any(patch.primary, matrix_.rigid) || has_any(patch.secondary, matrix_.rigid_opposite);
 }
 
 bool HeldLinearisation::serves(const FacingFields& fields) const {
@@ -119,7 +116,7 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
   if (next.in_contact != predicted.in_contact) last_error_ = 0;
   point_->loads.in_contact = next.in_contact;
   point_->loads.flux_coupled = next.flux_coupled;
-  NodalLoads unknown = point_->loads;
+  NodalLoads unknown = now;
   unknown.in_contact = unknown_of(next.in_contact);
   const bool adds = std::any_of(unknown.in_contact.begin(), unknown.in_contact.end(), [](bool is) { return is; });
   if (adds) {
@@ -127,6 +124,7 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
     for (Index node = 0; node < nodes.count(); ++node) {
       if (!unknown.in_contact[node]) continue;
       point_->nodes[node] = std::move(nodes[node]);
+      point_->loads.area[node] = now.area[node];  // it may have faced nothing
       added_[node] = true;
     }
   }

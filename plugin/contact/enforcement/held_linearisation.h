@@ -10,7 +10,8 @@ namespace mixture_contact {
 
 /// What a host can do with its matrix beside solving with it.
 struct HostMatrix {
-  bool has_loads = false;    ///< loads at nodes are its unknowns: nodes can be released, and others added
+  bool has_loads = false;    ///< loads at nodes are its unknowns, but those on rigid bodies: nodes can be released, and
+                             ///< others added
   NodeFlags rigid;           ///< nodes of rigid bodies, whose displacements have no equations of their own
   NodeFlags rigid_opposite;  ///< the same on the surface that faces the one integrated over
 };
@@ -77,8 +78,8 @@ class HeldLinearisation {
   bool may_take(const NodeFlags& status) const;
   /// Those of a status that have no linearisation.
   NodeFlags unknown_of(const NodeFlags& status) const;
-  /// Whether loads can be added at these nodes.
-  bool may_add(const NodeFlags& nodes) const;
+  /// Whether some nodes of a patch have no equations of their own, so that its load is no unknown of the matrix.
+  bool is_of_rigid_bodies(const Patch& patch) const;
   /// Nodes that the status has and the matrix has not.
   IndexedVector<int> added() const { return linearised(true, true); }
   IndexedVector<int> linearised(bool in_contact, bool is_added) const;

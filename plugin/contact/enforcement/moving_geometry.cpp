@@ -132,7 +132,7 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {
-  const bool finds_more = space_.facing().begin_iteration(x);
+  const bool finds_more = space_.change_facing().begin_iteration(x);
   if (finds_more && !point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
   return finds_more;
@@ -213,7 +213,7 @@ void MovingGeometry::end_iterations() {
   geometric_.reset();
   held_.ended();
   space_.boundary_weights().settle();
-  space_.facing().end_iterations();
+  space_.change_facing().end_iterations();
 }
 
 bool MovingGeometry::is_solution(const FacingFields& fields) const {

@@ -24,9 +24,10 @@ class NodalResidual {
     add_nodes(secondary, local, add_nodes(primary, local, 0, primary_), secondary_);
   }
 
-  /// Hands over one vector over all nodes that have a part.
+  /// Hands over one vector over all nodes that have a part, if any have: hosts do not take empty ones.
   void hand_over(const AddVector& add) const {
     const Patch patch{nodes_of(primary_), nodes_of(secondary_), fields_};
+    if (patch.primary.empty() && patch.secondary.empty()) return;
     VectorXd values(patch.layout().size());
     values << parts_of(primary_, patch.primary), parts_of(secondary_, patch.secondary);
     add(patch, values);

@@ -64,10 +64,10 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
   return is_known;
 }
 
-void has_matrix(ContactInterface& contact, bool has_all_loads, const PerSide<NodeFlags>& rigid) {
+void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const PerSide<NodeFlags>& rigid) {
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
     if (HeldLinearisation* const held = geometry.held())
-      held->has_matrix({has_all_loads, rigid[side], rigid[other(side)]});
+      held->has_matrix({has_loads[side], rigid[side], rigid[other(side)]});
   });
 }
 

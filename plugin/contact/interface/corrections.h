@@ -18,9 +18,10 @@ bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 bool residual_change(const ContactInterface& contact, const PerSide<SurfaceFields>& fields, double dt,
                      const ContactInterface::AddResidual& add);
 
-/// A matrix has been formed of the present linearisations. `has_all_loads`: those that come as load blocks are unknowns
-/// of it, so that nodes can be released, and others added; not at `rigid` nodes, which have no equations of their own.
-void has_matrix(ContactInterface& contact, bool has_all_loads, const PerSide<NodeFlags>& rigid);
+/// A matrix has been formed of the present linearisations. `has_loads`: on which sides loads that come as load blocks
+/// are unknowns of it, so that nodes can be released, and others added; not beside `rigid` nodes, which have no
+/// equations of their own.
+void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const PerSide<NodeFlags>& rigid);
 
 /// A node whose load the matrix has and the status has not.
 struct ReleasedNode {

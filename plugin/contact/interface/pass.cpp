@@ -25,18 +25,18 @@ std::unique_ptr<ContactGeometry> ContactPass::make_geometry() {
 }
 
 void ContactPass::project(const FacingPositions& x, double radius) {
-  space_.facing().search(x, radius);
+  space_.change_facing().search(x, radius);
   geometry_->update(x);
 }
 
 void ContactPass::project_on_same_facets(const FacingPositions& x) {
-  space_.facing().project_on_same_facets(x);
+  space_.change_facing().project_on_same_facets(x);
   geometry_->update(x);
 }
 
 void ContactPass::restrict_active_set(const NodeFlags& nodes) {
   active_set_.restrict_to(nodes);
-  space_.facing().restrict_to(nodes);
+  space_.change_facing().restrict_to(nodes);
 }
 
 void ContactPass::augment(const FacingFields& fields) {
@@ -62,7 +62,7 @@ void ContactPass::accept_step(const FacingFields& fields, double dt) {
 
 void ContactPass::forget() {
   end_iterations();
-  space_.facing().clear();
+  space_.change_facing().clear();
   geometry_ = make_geometry();
 }
 

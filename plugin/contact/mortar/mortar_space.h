@@ -18,7 +18,7 @@ class MortarSpace {
               const Settings& settings);
 
   /// To change the pairs: what is known of them is found anew.
-  FacingPairs& facing() {
+  FacingPairs& change_facing() {
     gaps_.reset();
     return facing_;
   }

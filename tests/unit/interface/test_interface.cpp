@@ -274,11 +274,13 @@ BOOST_AUTO_TEST_CASE(what_an_iteration_changes_of_the_residual_is_the_difference
   }
 }
 
+PerSide<bool> on_both_sides(bool is_so) { return {{is_so, is_so}}; }
+
 /// A contact that is linearised where it begins, and has moved from there.
 struct MovedContact {
   MovedContact(Scene at, std::mt19937& random) : scene(std::move(at)), layout(scene), contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
-    has_matrix(*contact, false, scene.nowhere());
+    has_matrix(*contact, on_both_sides(false), scene.nowhere());
     start = scene.fields;
     scene.disturb(0.005, random);
     contact->project(scene.position());
@@ -392,7 +394,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_a
     TiltedContact tilted;
     ContactInterface& contact = *tilted.contact;
     contact.begin_iteration(tilted.scene.fields);
-    has_matrix(contact, may_release, tilted.scene.nowhere());
+    has_matrix(contact, on_both_sides(may_release), tilted.scene.nowhere());
     tilted.tilt(much);
     BOOST_TEST(serves_again(contact, tilted.scene.fields) == may_release);
     if (!may_release) continue;
@@ -419,7 +421,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_close_are_added_where_the_host_can_and_open_agai
     tilted.tilt(much);
     contact.begin_iteration(tilted.scene.fields);
     const NodeFlags before = tilted.loads().in_contact;
-    has_matrix(contact, may_add, tilted.scene.nowhere());
+    has_matrix(contact, on_both_sides(may_add), tilted.scene.nowhere());
     tilted.tilt(0);
     BOOST_TEST(serves_again(contact, tilted.scene.fields) == may_add);
     if (!may_add) continue;
@@ -448,7 +450,7 @@ BOOST_AUTO_TEST_CASE(what_an_added_node_makes_of_the_residual_is_its_work) {
   ContactInterface& contact = *tilted.contact;
   tilted.tilt(much);
   contact.begin_iteration(tilted.scene.fields);
-  has_matrix(contact, true, tilted.scene.nowhere());
+  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
   tilted.tilt(0);
   const GlobalLayout layout(tilted.scene);
   const VectorXd before = assembled_residual(contact, layout, tilted.scene.fields, dt);
@@ -461,18 +463,74 @@ BOOST_AUTO_TEST_CASE(what_an_added_node_makes_of_the_residual_is_its_work) {
   BOOST_TEST(change->norm() > much * after.norm());
 }
 
-BOOST_AUTO_TEST_CASE(nodes_that_close_beside_those_of_a_rigid_body_take_a_matrix) {
+/// With a surface whose nodes belong to a rigid body where `is_rigid` of their x, as a part of the surface's length.
+template <class IsRigid>
+bool serves_flat(Side side, const IsRigid& is_rigid) {
+  TiltedContact tilted;
+  ContactInterface& contact = *tilted.contact;
+  tilted.tilt(much);
+  contact.begin_iteration(tilted.scene.fields);
+  PerSide<NodeFlags> rigid = tilted.scene.nowhere();
+  const auto x = tilted.flat[side].position.row(0);
+  for (Index node = 0; node < rigid[side].count(); ++node)
+    rigid[side][node] = is_rigid((x[node] - x.minCoeff()) / (x.maxCoeff() - x.minCoeff()));
+  has_matrix(contact, on_both_sides(true), rigid);
+  tilted.tilt(0);
+  return serves_again(contact, tilted.scene.fields);
+}
+
+BOOST_AUTO_TEST_CASE(nodes_that_close_beside_those_of_a_rigid_body_take_a_matrix_and_others_do_not) {
   for (const Side side : both_sides) {
-    TiltedContact tilted;
-    ContactInterface& contact = *tilted.contact;
-    tilted.tilt(much);
-    contact.begin_iteration(tilted.scene.fields);
-    PerSide<NodeFlags> rigid = tilted.scene.nowhere();
-    rigid[side].fill(rigid[side].count(), true);
-    has_matrix(contact, true, rigid);
-    tilted.tilt(0);
-    BOOST_TEST(!serves_again(contact, tilted.scene.fields));
+    BOOST_TEST(serves_flat(side, [](double x) { return x < 0.1; }));   // where nodes are closed all the time
+    BOOST_TEST(!serves_flat(side, [](double x) { return x > 0.9; }));  // where they close
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_node_that_faced_nothing_is_added_as_it_is_linearised_where_it_closes) {
+  TiltedContact tilted;
+  ContactInterface& contact = *tilted.contact;
+  const auto shift = [&](double by) {
+    tilted.scene.fields = tilted.flat;
+    tilted.scene.fields[Side::secondary].position.row(0).array() += by;
+    contact.project(tilted.scene.position());
+  };
+  const auto x = tilted.flat[Side::secondary].position.row(0);
+  shift(0.5 * (x.maxCoeff() - x.minCoeff()));
+  contact.begin_iteration(tilted.scene.fields);
+  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+  const NodalLoads before = tilted.loads();
+  shift(0);
+  BOOST_TEST(serves_again(contact, tilted.scene.fields));
+  correct(contact, tilted.scene.fields);
+  NodalLoads there = contact.pass(0).space().averages(contact.pass(0).space().gaps(),
+                                                      seen_from(Side::primary, tilted.scene.fields),
+                                                      {tilted.loads().in_contact, tilted.loads().flux_coupled, {}});
+  there.traction.setZero(there.area.size());
+  const auto expected = linearise(contact.pass(0).space(), there, seen_from(Side::primary, tilted.scene.fields));
+  Index faced_nothing = 0;
+  added_loads(contact, dt, [&](Side /*first*/, const LoadBlock& load) {
+    const int node = load.place.node;
+    if (before.area[node] == 0) ++faced_nothing;
+    BOOST_TEST((load.variation - expected[node].gap_variation).norm() < rounding);
+    BOOST_TEST((load.work - expected[node].traction_work).norm() < rounding);
+    BOOST_TEST(std::abs(load.factor - contact.pass(0).laws().traction_penalty(node)) < rounding * load.factor);
+  });
+  BOOST_TEST(faced_nothing > 0);
+  BOOST_TEST(tilted.loads().traction.allFinite());
+}
+
+BOOST_AUTO_TEST_CASE(a_correction_of_a_pass_without_contact_adds_nothing_to_the_residual) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, -0.05, 3, 4), effects_of(false, 0),
+              explicit_settings(3, 2, 5));
+  const auto contact = scene.contact();
+  contact->begin_iteration(scene.fields);
+  has_matrix(*contact, on_both_sides(true), scene.nowhere());
+  scene.fields[Side::secondary].position.row(2).array() += 0.001;
+  contact->project(scene.position());
+  correct(*contact, scene.fields);
+  BOOST_TEST(residual_change(
+      *contact, scene.fields, dt,
+      [](const ContactInterface::Location& /*place*/, const VectorXd& /*values*/) { BOOST_TEST(false); }));
 }
 
 /// Meshes that overlap at the start, times a large penalty, would be a geometric stiffness of that size.

@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(conditions_are_held_as_if_the_matrix_had_their_rows_and_col
   System system(4);
   std::mt19937 random(6);
   std::vector<Condition> conditions = zeros({2});
-  for (const double unit : {1.0, 1e9}) {
+  for (const double unit : {1.0, 1e18}) {
     Condition condition{size + indexing::number_of(conditions), {}, {}, -0.5 * unit};
     for (int i = 0; i < size; i += 2) {
       condition.column.push_back({i, unit * test::random_values(1, -1, 1, random)[0]});
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(conditions_are_held_as_if_the_matrix_had_their_rows_and_col
   }
   Eigen::VectorXd values = Eigen::VectorXd::Zero(size + 3);
   values.head(size) = vector(load);
-  const Eigen::VectorXd expected = bordered.fullPivLu().solve(values).head(size);
+  const Eigen::VectorXd expected = bordered.partialPivLu().solve(values).head(size);
   std::vector<double> right = load;
   BOOST_TEST(Border().hold(system.solver(), conditions, right));
   BOOST_TEST((vector(system.solve(right)) - expected).norm() < test::rounding * expected.norm());
