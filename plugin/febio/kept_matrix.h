@@ -33,6 +33,7 @@ class KeptMatrix {
  private:
   /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step.
   void follow();
+  /// Begins with another one.
   void begin();
   /// Has FEBio form a matrix before the next iteration.
   void force_next();

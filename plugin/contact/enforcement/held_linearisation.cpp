@@ -33,7 +33,7 @@ void HeldLinearisation::ended() {
 }
 
 void HeldLinearisation::has_matrix(HostMatrix matrix) {
-  has_matrix_ = true;
+  has_matrix_ = point_ != nullptr;
   matrix_ = std::move(matrix);
   matrix_.has_loads = matrix_.has_loads && method_.has_load_blocks() && laws_.effects().nodal_fields() == 0;
   added_.fill(laws_.nodes(), false);

@@ -116,11 +116,12 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
     const Facet& facet = facing.primary_facet(pair);
     const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
     const LocalLayout layout(facet.count(), facing.secondary_facet(pair).count(), exchanged.count());
+    const FacetLoads nodal = facet_loads(facet, loads, exchanged);
     VectorXd residual = VectorXd::Zero(layout.size());
     for (std::size_t q = 0; q < pair.points.size(); ++q) {
       const IntegrationPoint& place = pair.points[q];
       const FacetVector psi = space.shape(pair.primary, place.sub_facet, place.xi).value;
-      PointLoads here = loads_at(facet, psi, loads, exchanged);
+      PointLoads here = loads_at(nodal, psi);
       here.weight = place.weight;
       here.time_increment = dt;
       add_residual(facing.kinematics(pair, q), here, layout, residual);

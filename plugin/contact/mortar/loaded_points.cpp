@@ -4,16 +4,20 @@
 
 namespace mixture_contact {
 
-PointLoads loads_at(const Facet& facet, const FacetVector& psi, const NodalLoads& loads,
-                    const IndexedVector<int>& fields) {
+FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const IndexedVector<int>& fields) {
+  FacetLoads nodal;
+  nodal.traction = facet_values(facet, loads.traction);
+  if (!loads.friction.empty()) nodal.friction = facet_coordinates(facet, loads.friction.traction);
+  for (const int field : fields) nodal.flux.push_back(facet_values(facet, loads.flux.row(field).transpose()));
+  return nodal;
+}
+
+PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi) {
   PointLoads here;
-  here.traction = {psi.dot(facet_values(facet, loads.traction)), 0.0};
-  if (!loads.friction.empty()) {
-    for (Index a = 0; a < facet.count(); ++a) here.friction += psi[a] * loads.friction.traction.col(facet.node(a));
-  }
-  here.flux.resize(fields.count());
-  for (Index k = 0; k < fields.count(); ++k)
-    here.flux[k] = {psi.dot(facet_values(facet, loads.flux.row(fields[k]).transpose())), 0.0};
+  here.traction = {psi.dot(nodal.traction), 0.0};
+  for (Index a = 0; a < nodal.friction.cols(); ++a) here.friction += psi[a] * nodal.friction.col(a);
+  here.flux.resize(nodal.flux.count());
+  for (Index k = 0; k < nodal.flux.count(); ++k) here.flux[k] = {psi.dot(nodal.flux[k]), 0.0};
   return here;
 }
 
@@ -29,21 +33,19 @@ PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::
   contact.fields = facing.exchanged_fields(pair);
   const Index count = contact.fields.count();
   contact.values.resize(contact.kinematics.nodes(), count);
-  contact.loads = loads_at(facet, contact.psi, loads, contact.fields);
+  const FacetLoads nodal = facet_loads(facet, loads, contact.fields);
+  contact.loads = loads_at(nodal, contact.psi);
   contact.loads.weight = place.weight;
   contact.loads.time_increment = dt;
-  contact.loads.traction_slope = contact.psi_gradient.transpose() * facet_values(facet, loads.traction);
-  if (!loads.friction.empty() && facing.moves_points()) {
-    for (Index a = 0; a < facet.count(); ++a)
-      contact.loads.friction_slope += loads.friction.traction.col(facet.node(a))
-                                          .lazyProduct(contact.psi_gradient.row(a));
+  contact.loads.traction_slope = contact.psi_gradient.transpose() * nodal.traction;
+  if (facing.moves_points()) {
+    for (Index a = 0; a < nodal.friction.cols(); ++a)
+      contact.loads.friction_slope += nodal.friction.col(a).lazyProduct(contact.psi_gradient.row(a));
   }
   contact.loads.flux_slope.resize(count, 2);
   for (Index k = 0; k < count; ++k) {
-    const int field = contact.fields[k];
-    contact.values.col(k) = facing.values(pair, field, fields);
-    contact.loads.flux_slope.row(k) = facet_values(facet, loads.flux.row(field).transpose()).transpose() *
-                                      contact.psi_gradient;
+    contact.values.col(k) = facing.values(pair, contact.fields[k], fields);
+    contact.loads.flux_slope.row(k) = nodal.flux[k].transpose() * contact.psi_gradient;
   }
   return contact;
 }

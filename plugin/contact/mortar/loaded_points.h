@@ -29,9 +29,16 @@ struct VaryingPoint {
   KinematicVariations vary;
 };
 
-/// The loads at a place on a primary facet with the functions psi_a there, of these fields; without weight and slopes.
-PointLoads loads_at(const Facet& facet, const FacetVector& psi, const NodalLoads& loads,
-                    const IndexedVector<int>& fields);
+/// The loads of the nodes of a primary facet.
+struct FacetLoads {
+  FacetVector traction;
+  FacetCoordinates friction;        ///< one column per node; none without friction
+  IndexedVector<FacetVector> flux;  ///< per exchanged field
+};
+FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const IndexedVector<int>& fields);
+
+/// The loads where the functions psi_a of a facet have these values; without weight and slopes.
+PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi);
 
 /// The point of a pair with this number.
 PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,
