@@ -151,15 +151,16 @@ struct CornerPoint {
   Index number;  ///< of the point
   Index corner;
   int node;
-  double share;                ///< w psi_a
-  PairVariation<1> wandering;  ///< w psi_a,alpha dxi_alpha
-  PairVariation<1> area;       ///< d(w psi_a |a|)
-};
+  double share;              ///< w psi_a
+  Eigen::RowVector2d slope;  ///< w psi_a,alpha
 
-/// d|a| + |a| dw/w
-PairVariation<1> weighted_area_variation(const VaryingPoint& point) {
-  return point.vary.area + point.contact.kinematics.area * point.vary.weight;
-}
+  /// w psi_a,alpha dxi_alpha
+  auto wandering() const { return slope.lazyProduct(point.vary.xi); }
+  /// d(w psi_a |a|)
+  auto area_variation() const {
+    return share * point.weighted_area_variation() + point.contact.kinematics.area * wandering();
+  }
+};
 
 /// For all nodes in contact whose averages are taken over it.
 std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<VaryingPoint>& points,
@@ -167,16 +168,12 @@ std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<Var
   std::vector<CornerPoint> found;
   found.reserve(points.size() * indexing::entries(facet.count()));
   for (Index q = 0; q < count_of(points); ++q) {
-    const auto& [contact, vary] = at(points, q);
-    const double weight = contact.loads.weight;
-    const PairVariation<1> darea = weighted_area_variation(at(points, q));
+    const PointContact& contact = at(points, q).contact;
     for (Index a = 0; a < facet.count(); ++a) {
       if (!in_contact[facet.node(a)]) continue;
-      const double share = weight * contact.psi[a];
-      const Eigen::RowVector2d slope = weight * contact.psi_gradient.row(a);
-      if (share == 0 && slope.isZero(0)) continue;
-      found.push_back({at(points, q), q, a, facet.node(a), share, slope.lazyProduct(vary.xi), {}});
-      found.back().area = share * darea + contact.kinematics.area * found.back().wandering;
+      const double share = contact.loads.weight * contact.psi[a];
+      const Eigen::RowVector2d slope = contact.loads.weight * contact.psi_gradient.row(a);
+      if (share != 0 || !slope.isZero(0)) found.push_back({at(points, q), q, a, facet.node(a), share, slope});
     }
   }
   return found;
@@ -187,7 +184,7 @@ std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<Var
 void add_mean_variation(Eigen::Ref<VectorXd> sum, const CornerPoint& at, const PairVariation<1>& variation,
                         double excess, double area) {
   const double part = at.share * at.point.contact.kinematics.area;
-  sum += (part / area * variation + excess / area * at.area).transpose();
+  sum += (part / area * variation + excess / area * at.area_variation()).transpose();
 }
 
 void add_gap(PairLinearisation& linear, const LocalLayout& layout, const NodalLoads& loads, const CornerPoint& at) {
@@ -232,7 +229,7 @@ void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const 
   const double here = pressure_at(pressure, kinematics);
   sliding.pressure = kinematics.area * here;
   sliding.pressure_variation = kinematics.area * pressure_variation(pressure, kinematics, point.vary) +
-                               here * weighted_area_variation(point);
+                               here * point.weighted_area_variation();
   sliding.pressure_weights = kinematics.area * pressure_weights(pressure, kinematics);
 }
 
@@ -248,7 +245,7 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   const PointKinematics& kinematics = contact.kinematics;
   const PastPoint past = past_point(kinematics, facets.primary, facets.secondary);
   const Vector3d r = slip(past);
-  const PairVariation<1> darea = weighted_area_variation(at.point);
+  const PairVariation<1> darea = at.point.weighted_area_variation();
   SlidingPoint sliding;
   sliding.moves = space.facing().moves_points();
   sliding.turning = turning_nodes(space.facing(), kinematics.nodes(), kinematics.primary_nodes());
@@ -277,7 +274,8 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
 /// Adds a point's part of the sums around a node: d(w psi_a y) = w psi_a (dy + y dw/w) + y w psi_a,alpha dxi_alpha.
 void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& sliding) {
   const double share = at.share;
-  sum.area_variation += at.area;
+  const PairVariation<1> wandering = at.wandering();
+  sum.area_variation += at.area_variation();
   sum.work += share * sliding.work;
   const bool has_fluid = sum.pressure_weights.size() > 0;
   if (has_fluid) {
@@ -286,12 +284,12 @@ void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& s
   }
   for (Index n = 0; n < sliding.turning; ++n) {
     Eigen::Matrix<double, 6, 3> change = share * sliding.variation.middleCols<3>(3 * n);
-    if (sliding.moves) change += sliding.value.lazyProduct(at.wandering.segment<3>(3 * n));
+    if (sliding.moves) change += sliding.value.lazyProduct(wandering.segment<3>(3 * n));
     sum.average_variation.middleCols<3>(3 * n) += change;
   }
   for (Index n = sliding.turning; n < sum.work.size(); ++n)
     sum.average_variation.block<3, 3>(0, 3 * n) += share * sliding.variation.block<3, 3>(0, 3 * n);
-  if (has_fluid && sliding.moves) sum.pressure_variation += sliding.pressure * at.wandering;
+  if (has_fluid && sliding.moves) sum.pressure_variation += sliding.pressure * wandering;
 }
 
 /// Makes averages of the sums around a node: d(Y/A) = (dY - Y/A dA)/A.

@@ -55,10 +55,8 @@ std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPa
   const std::vector<PointMotion> motions = space.facing().motions(pair, positions(fields));
   std::vector<VaryingPoint> points;
   points.reserve(pair.points.size());
-  for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    points.push_back({loaded_point(space, pair, q, loads, fields, dt), {}});
-    points.back().vary = kinematic_variations(points.back().contact.kinematics, motions[q]);
-  }
+  for (std::size_t q = 0; q < pair.points.size(); ++q)
+    points.emplace_back(loaded_point(space, pair, q, loads, fields, dt), motions[q]);
   return points;
 }
 

@@ -5,6 +5,8 @@
 #include "mortar/mortar_space.h"
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace mixture_contact {
 
@@ -25,8 +27,14 @@ struct PointContact {
 
 /// A point with the first variations of its kinematics.
 struct VaryingPoint {
+  VaryingPoint(PointContact at, const PointMotion& motion)
+      : contact(std::move(at)), vary(kinematic_variations(contact.kinematics, motion)) {}
+
   PointContact contact;
   KinematicVariations vary;
+
+  /// d|a| + |a| dw/w
+  auto weighted_area_variation() const { return vary.area + contact.kinematics.area * vary.weight; }
 };
 
 /// The loads of the nodes of a primary facet.
