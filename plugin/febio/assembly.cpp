@@ -25,9 +25,14 @@ std::vector<newton::Condition::Entry> entries_of(const std::vector<int>& equatio
 
 }  // namespace
 
-void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_load) const {
+void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const {
   const ContactInterface& core = contact_.core();
   const NodeEquations equations(dofs_, surfaces_, core);
+  ContactInterface::UseRow use_rows;
+  if (takes_rows_)
+    use_rows = [&](Side first, const TangentBlock& row) {
+      use_row(equations.coupled({first, row.rows}), equations.coupled({first, row.columns}));
+    };
   core.for_each_coupling([&](const Location& place) { use_block(equations.coupled(place)); },
                          [&](Side first, const LoadPlace& load) {
                            const int own = loads_.of(equations, core, first, load);
@@ -37,34 +42,45 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
                            } else {
                              use_block(others);
                            }
-                         });
+                         },
+                         use_rows);
 }
 
 Fingerprint Assembly::couplings() const {
   Fingerprint found;
   for_each_coupling([&](const std::vector<int>& ids) { found.add(ids); },
-                    [&](int own, const std::vector<int>& others) { found.add(own, others); });
+                    [&](int own, const std::vector<int>& others) { found.add(own, others); },
+                    [&](const std::vector<int>& own, const std::vector<int>& others) {
+                      found.add(own);
+                      found.add(others);
+                    });
   return found;
 }
 
 void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained) {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
-  const bool takes_loads = takes_blocks(matrix, is_constrained);
+  takes_rows_ = takes_blocks(matrix, is_constrained);
   couplings_of_matrix_ = Fingerprint();
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   CoupledBlocks blocks(profile.Columns());
-  const auto use_block = [&](const std::vector<int>& ids) {
-    couplings_of_matrix_.add(ids);
-    blocks.add(ids);
-  };
-  for_each_coupling(use_block, [&](int own, const std::vector<int>& others) {
-    couplings_of_matrix_.add(own, others);
-    if (takes_loads) {
-      blocks.add_star(own, others);
-    } else {
-      blocks.add(others);
-    }
-  });
+  for_each_coupling(
+      [&](const std::vector<int>& ids) {
+        couplings_of_matrix_.add(ids);
+        blocks.add(ids);
+      },
+      [&](int own, const std::vector<int>& others) {
+        couplings_of_matrix_.add(own, others);
+        if (takes_rows_) {
+          blocks.add_star(own, others);
+        } else {
+          blocks.add(others);
+        }
+      },
+      [&](const std::vector<int>& own, const std::vector<int>& others) {
+        couplings_of_matrix_.add(own);
+        couplings_of_matrix_.add(others);
+        blocks.add_rows(own, others);
+      });
   blocks.insert_into(profile);
 }
 
@@ -121,13 +137,15 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
   const RigidShellBottoms arms(surfaces_);
   const NodeEquations equations(dofs_, surfaces_, core);
   TangentAssembly parts(core, equations, loads_, system, matrix, is_constrained);
-  ContactInterface::AddTangents add_many;
+  ContactInterface::AddRows add_rows;
   if (takes_blocks(matrix, is_constrained))
-    add_many = [&](Side first, const TangentBlocks& blocks) { parts.add_all(first, blocks); };
+    add_rows = [&](Side first, const IndexedVector<TangentBlock>& rows, double factor) {
+      parts.add_rows(first, rows, factor);
+    };
   core.tangent(
       fields, dt,
       [&](const Location& rows, const Location& columns, const MatrixXd& values) { parts.add(rows, columns, values); },
-      [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_many);
+      [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_rows);
   parts.finish(timed);
   has_matrix(contact_.core(), parts.has_loads(), equations.rigid());
 }

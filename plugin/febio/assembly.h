@@ -38,7 +38,9 @@ class Assembly {
   using UseBlock = std::function<void(const std::vector<int>& equations)>;
   /// With the equation of a load in mixed form, and those of what it depends on.
   using UseLoad = std::function<void(int own, const std::vector<int>& others)>;
-  void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load) const;
+  /// With the equations of a node, and those of what it depends on.
+  using UseRow = std::function<void(const std::vector<int>& own, const std::vector<int>& others)>;
+  void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const;
   Fingerprint couplings() const;
   /// Adds parts of residuals to a vector. Keeps references.
   static mixture_contact::ContactInterface::AddResidual adder(const NodeEquations& equations, FEGlobalVector& residual);
@@ -48,4 +50,5 @@ class Assembly {
   const DofMap& dofs_;
   const LoadEquations& loads_;
   Fingerprint couplings_of_matrix_;
+  bool takes_rows_ = false;  ///< whether the matrix takes tangents by nodes
 };

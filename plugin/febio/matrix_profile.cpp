@@ -97,6 +97,10 @@ void CoupledBlocks::add_star(int centre, const std::vector<int>& equations) {
   add(own, std::move(others));
 }
 
+void CoupledBlocks::add_rows(const std::vector<int>& rows, const std::vector<int>& columns) {
+  add(in_matrix(columns), in_matrix(rows));
+}
+
 IndexedVector<CoupledBlocks::Columns> CoupledBlocks::alike() const {
   IndexedVector<Columns> found;
   for (Index column = 0; column < blocks_of_.count(); ++column) {

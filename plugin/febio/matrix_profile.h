@@ -27,6 +27,8 @@ class CoupledBlocks {
   void add(const std::vector<int>& equations);
   /// Takes one equation that couples with others, and with itself, but those not with each other.
   void add_star(int centre, const std::vector<int>& equations);
+  /// Takes rows that have entries in columns.
+  void add_rows(const std::vector<int>& rows, const std::vector<int>& columns);
   /// Inserts all blocks.
   void insert_into(SparseMatrixProfile& profile) const;
 

@@ -6,6 +6,7 @@
 #include <FECore/FEGlobalMatrix.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 using namespace mixture_contact;
@@ -42,7 +43,8 @@ Row row_of(CRSSparseMatrix& matrix, int equation) {
   return {matrix.Indices() + begin, end - begin, matrix.Values() + begin};
 }
 
-/// Finds the places of columns in a row, given those in another one, which are mostly the same.
+/// Finds the places of columns in a row, given those in another one, which are mostly the same. Throws std::logic_error
+/// where the row lacks one.
 void find_places(const Row& row, const std::vector<Column>& order, int offset, std::vector<int>& places) {
   int place = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -50,7 +52,8 @@ void find_places(const Row& row, const std::vector<Column>& order, int offset, s
     if (places[k] < row.length && row.columns[places[k]] == wanted) {
       place = places[k];
     } else {
-      while (row.columns[place] != wanted) ++place;
+      while (place < row.length && row.columns[place] != wanted) ++place;
+      if (place == row.length) throw std::logic_error("an entry of a contact's tangent has no place in the matrix");
       places[k] = place;
     }
   }

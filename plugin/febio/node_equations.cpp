@@ -97,6 +97,11 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
   return ids;
 }
 
+bool NodeEquations::is_rigid(const Location& at, Index n) const {
+  const Side side = n < at.patch.primary.count() ? at.first : other(at.first);
+  return of_[side].is_rigid[at.patch.node(n)];
+}
+
 PerSide<NodeFlags> NodeEquations::rigid() const {
   return {{of_[Side::primary].is_rigid, of_[Side::secondary].is_rigid}};
 }

@@ -23,6 +23,8 @@ class NodeEquations {
   std::vector<int> coupled(const Location& at) const;
   /// Whether some nodes belong to rigid bodies, from which they have their equations.
   bool are_rigid(const Location& at) const;
+  /// Whether the n-th node of a local vector does.
+  bool is_rigid(const Location& at, mixture_contact::Index n) const;
   /// Which nodes do.
   mixture_contact::PerSide<mixture_contact::NodeFlags> rigid() const;
 

@@ -8,7 +8,6 @@
 #include <FECore/FELinearSystem.h>
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 using namespace mixture_contact;
@@ -78,6 +77,30 @@ std::vector<int> prescribed_alone(std::vector<int> equations) {
   return equations;
 }
 
+/// Nodes of two patches, those of the first one first on either surface.
+Patch together(Patch one, const Patch& two) {
+  one.primary.insert(one.primary.end(), two.primary.begin(), two.primary.end());
+  one.secondary.insert(one.secondary.end(), two.secondary.begin(), two.secondary.end());
+  return one;
+}
+
+/// The rows of a node by the n-th node of its columns, in a block over both.
+TangentBlock of_two_nodes(const TangentBlock& row, Index n) {
+  const Patch column = row.columns.of_node(n);
+  const bool is_one = row.rows.primary == column.primary && row.rows.secondary == column.secondary;
+  const Patch columns = is_one ? column : together(column, row.rows);
+  Patch rows = row.rows;
+  rows.primary = columns.primary;
+  rows.secondary = columns.secondary;
+  const Index own = row.rows.primary.empty() ? columns.layout().nodes() - 1 : columns.primary.count() - 1;
+  const Index other = is_one ? own : columns.layout().nodes() - 1 - own;
+  const Index height = row.values.rows();
+  MatrixXd values = MatrixXd::Zero(rows.layout().size(), columns.layout().size());
+  values.block(height * own, columns.layout().displacement(other, 0), height,
+               3) = row.values.middleCols<3>(row.columns.layout().displacement(n, 0));
+  return {std::move(rows), columns, std::move(values)};
+}
+
 }  // namespace
 
 bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained) { return MatrixRows(matrix) && !is_constrained; }
@@ -137,29 +160,51 @@ void TangentAssembly::add(const Location& rows, const Location& columns, const M
   }
 }
 
-void TangentAssembly::add_batch(Side first, const TangentBlocks& blocks, IndexedVector<MatrixBlock>& made) {
-  made.resize(blocks.size());
-  std::atomic<bool> are_free{true};
-  in_parallel(blocks.count(), [&](Index n) {
-    const Location columns{first, blocks[n]->columns};
-    Ids ids = ids_of({first, blocks[n]->rows}, columns);
-    if (!is_free(ids, columns)) are_free = false;
-    made[n].rows = std::move(ids.rows);
-    made[n].columns = std::move(ids.columns);
-    made[n].values = blocks[n]->values;
-  });
-  if (are_free) return rows_.subtract(made);
-  for (const TangentBlock* block : blocks) add({first, block->rows}, {first, block->columns}, block->values);
+IndexedVector<Index> TangentAssembly::take_out_bound(const Location& row, const Location& columns,
+                                                     std::vector<int>& equations) const {
+  IndexedVector<Index> bound;
+  const bool is_rigid = equations_.are_rigid(row);
+  const LocalLayout layout = columns.patch.layout();
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    const auto first = equations.begin() + layout.displacement(n, 0);
+    const bool is_free = !is_rigid && !equations_.is_rigid(columns, n) &&
+                         std::none_of(first, first + 3, [](int id) { return newton::is_prescribed(id); });
+    if (is_free) continue;
+    std::fill(first, first + 3, -1);
+    bound.push_back(n);
+  }
+  return bound;
 }
 
-void TangentAssembly::add_all(Side first, const TangentBlocks& blocks) {
-  if (!blocks.empty()) take_over(kept_of(blocks.front()->rows));  // what came before these
-  IndexedVector<MatrixBlock> made;
-  for (auto begin = blocks.begin(); begin != blocks.end();) {
-    const auto end = begin + std::min<std::ptrdiff_t>(batch_size, blocks.end() - begin);
-    add_batch(first, TangentBlocks(begin, end), made);
-    begin = end;
+void TangentAssembly::add_rows(Side first, const Rows& rows, double factor) {
+  take_over(kept_of(rows.front().rows));  // what came before these
+  for (Index begin = 0; begin < rows.count(); begin += batch_size) add_batch(first, rows, begin, factor);
+}
+
+void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, double factor) {
+  const Index count = std::min(batch_size, rows.count() - begin);
+  IndexedVector<MatrixBlock> made(count);
+  IndexedVector<IndexedVector<Index>> bound(count);
+  in_parallel(count, [&](Index n) {
+    const TangentBlock& block = rows[begin + n];
+    const Location row{first, block.rows};
+    const Location columns{first, block.columns};
+    made[n] = {equations_.equations(row), equations_.equations(columns), factor * block.values};
+    bound[n] = take_out_bound(row, columns, made[n].columns);
+  });
+  rows_.subtract(made);
+  for (Index n = 0; n < count; ++n) {
+    for (const Index column : bound[n]) add_bound(first, rows[begin + n], column, factor);
   }
+}
+
+void TangentAssembly::add_bound(Side first, const TangentBlock& row, Index n, double factor) {
+  const TangentBlock both = of_two_nodes(row, n);
+  const Location rows{first, both.rows};
+  const Location columns{first, both.columns};
+  const Ids ids = ids_of(rows, columns);
+  system_.Assemble(
+      element_matrix(both.rows, both.columns, equations_.nodes(columns), ids.rows, ids.columns, factor * both.values));
 }
 
 void TangentAssembly::add_load(Side first, const LoadBlock& load) {

@@ -18,14 +18,15 @@ class FELinearSystem;
 class TangentAssembly {
  public:
   using Location = mixture_contact::ContactInterface::Location;
+  using Rows = mixture_contact::IndexedVector<mixture_contact::TangentBlock>;
 
   /// Keeps references. `is_constrained`: whether linear constraints tie degrees of freedom of the model to each other.
   TangentAssembly(const mixture_contact::ContactInterface& core, const NodeEquations& equations,
                   const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained);
 
   void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
-  /// The same for blocks of one effect.
-  void add_all(mixture_contact::Side first, const mixture_contact::TangentBlocks& blocks);
+  /// The same for blocks of one effect that have the rows of one node each, times a factor.
+  void add_rows(mixture_contact::Side first, const Rows& rows, double factor);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
   /// are zero. Charges each effect with its own.
@@ -41,9 +42,15 @@ class TangentAssembly {
   Ids ids_of(const Location& rows, const Location& columns) const;
   /// Whether a block with these equations goes straight into the rows of the matrix.
   bool is_free(const Ids& ids, const Location& columns) const;
-  /// Adds as many blocks as threads share at a time.
-  void add_batch(mixture_contact::Side first, const mixture_contact::TangentBlocks& blocks,
-                 mixture_contact::IndexedVector<MatrixBlock>& made);
+  /// Takes the equations of nodes among the columns of a node's rows out whose entries go through FEBio's own assembly.
+  /// Returns which nodes these are.
+  mixture_contact::IndexedVector<mixture_contact::Index> take_out_bound(const Location& row, const Location& columns,
+                                                                        std::vector<int>& equations) const;
+  /// Adds as many of them as threads share at a time, from that place on.
+  void add_batch(mixture_contact::Side first, const Rows& rows, mixture_contact::Index begin, double factor);
+  /// Adds a node's rows by the n-th node of its columns by FEBio's own assembly.
+  void add_bound(mixture_contact::Side first, const mixture_contact::TangentBlock& row, mixture_contact::Index n,
+                 double factor);
   void add_mixed(int own, const mixture_contact::LoadBlock& load, const Location& rows, const Location& columns);
   /// Blocks of one effect on their way into the matrix.
   struct Kept {

@@ -96,6 +96,17 @@ BOOST_AUTO_TEST_CASE(a_star_couples_its_centre_with_each_of_the_others) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rows_have_entries_in_columns_and_not_the_other_way_round) {
+  SparseMatrixProfile profile = diagonal();
+  CoupledBlocks coupled(equations);
+  coupled.add_rows({4, -1, 3}, {9, 3, -1, 20});
+  coupled.insert_into(profile);
+  SparseMatrixProfile expected = diagonal();
+  for (const int column : {3, 9, 20}) expected.Column(column).insertRow(3);
+  for (const int column : {3, 9, 20}) expected.Column(column).insertRow(4);
+  check_equal(profile, expected);
+}
+
 BOOST_AUTO_TEST_CASE(equations_that_are_left_out_and_blocks_without_any) {
   check_as_febio({}, {{}, {-1, -1}, {0, -1, equations - 1}});
 }

@@ -56,9 +56,6 @@ struct TangentBlock {
   MatrixXd values;  ///< shape (rows.layout().size(), columns.layout().size())
 };
 
-/// Blocks in the order that they are added in.
-using TangentBlocks = IndexedVector<const TangentBlock*>;
-
 /// A load at a node, its traction or the flux of a field, as one scalar between what it acts on and depends on.
 struct LoadPlace {
   int node = 0;              ///< of the surface integrated over

@@ -10,13 +10,14 @@ namespace mixture_contact {
 struct TangentParts {
   AddBlock block;
   AddLoadBlock load;  ///< load blocks, where tangents consist of them; empty: all come as their products
-  AddBlocks blocks;   ///< many blocks of one effect, which threads may share; empty: all come one by one
+  AddRows rows;       ///< geometric parts that are held, by nodes; empty: they are blocks of pairs of facets
 };
 
 /// Who takes what couples with each other.
 struct Couplings {
   UsePatch patch;
   UseLoad load;  ///< what couples through a load alone, where tangents consist of load blocks; empty: all are patches
+  UseRow row;    ///< what couples by geometric parts that are held; empty: all are patches
 };
 
 class HeldLinearisation;

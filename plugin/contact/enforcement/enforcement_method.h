@@ -11,10 +11,12 @@ namespace mixture_contact {
 
 using AddVector = std::function<void(const Patch&, const VectorXd&)>;
 using AddBlock = std::function<void(const TangentBlock&)>;
-using AddBlocks = std::function<void(const TangentBlocks&)>;
+/// Blocks of one effect, each with the rows of one node, times a factor.
+using AddRows = std::function<void(const IndexedVector<TangentBlock>&, double factor)>;
 using UsePatch = std::function<void(const Patch&)>;
 using AddLoadBlock = std::function<void(const LoadBlock&)>;
 using UseLoad = std::function<void(const LoadPlace&)>;
+using UseRow = std::function<void(const TangentBlock&)>;
 
 /// Of the loads at a node, and of its equations: the sum of all its parts.
 struct NodeTangent {

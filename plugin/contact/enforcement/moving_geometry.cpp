@@ -35,13 +35,10 @@ void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
 }
 
 /// Hands on the tractions of pairs.
-void add_tractions(const GeometricParts& units, const TangentParts& add) {
-  TangentBlocks blocks;
+void add_tractions(const GeometricParts& units, const AddBlock& add) {
   for (const std::optional<GeometricTangent>& unit : units) {
-    if (unit) blocks.push_back(&unit->traction);
+    if (unit) add(unit->traction);
   }
-  if (add.blocks) return add.blocks(blocks);
-  for (const TangentBlock* block : blocks) add.block(*block);
 }
 
 /// Has the patches of nodes used: those of the facet pairs of all points that the loads of a node act at.
@@ -62,6 +59,18 @@ std::size_t bytes_of(const TangentBlock& block) {
 std::size_t bytes_of(const GeometricTangent& tangent) {
   std::size_t sum = bytes(tangent.fluxes) + bytes_of(tangent.traction);
   for (const TangentBlock& flux : tangent.fluxes) sum += bytes_of(flux);
+  return sum;
+}
+
+std::size_t bytes_of(const NodeRows& rows) {
+  std::size_t sum = bytes(rows);
+  for (const TangentBlock& row : rows) sum += bytes_of(row);
+  return sum;
+}
+
+std::size_t bytes_of(const IndexedVector<NodeRows>& fields) {
+  std::size_t sum = bytes(fields);
+  for (const NodeRows& rows : fields) sum += bytes_of(rows);
   return sum;
 }
 
@@ -101,17 +110,23 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
   // Both parts of the tangent are of the same points, whose variations cost more than what is made of them.
   const IndexedVector<FacetPair>& pairs = space_.facing().pairs();
-  GeometricParts geometric(pairs.count());
+  Geometric geometric{GeometricParts(pairs.count()), {}, {}};
   const auto use = [&](Index pair, const std::vector<VaryingPoint>& points) {
-    geometric[pair] = geometric_tangent(space_, pairs[pair], points);
+    geometric.pairs[pair] = geometric_tangent(space_, pairs[pair], points);
   };
   point.nodes = linearise(space_, point.loads, fields, geometric_loads(point), use);
   vary_trials(laws_, point.loads, point.nodes);
+  // Friction and unknown multipliers couple all nodes that face each other anyway.
+  const FacingPositions x = positions(fields);
+  const double weak = method_.has_load_blocks() ? weak_coupling : 0;
+  geometric.tractions = traction_rows(space_.facing(), geometric.pairs, x, weak);
+  for (int field = 0; !space_.symmetric() && field < space_.effects().scalar_fields(); ++field)
+    geometric.fluxes.push_back(flux_rows(space_.facing(), geometric.pairs, x, field));
   geometric_ = std::move(geometric);
   held_.replaced(point_.emplace(std::move(point)));
 }
 
-const GeometricParts* MovingGeometry::geometric_at(const FacingPositions& x) const {
+const MovingGeometry::Geometric* MovingGeometry::geometric_at(const FacingPositions& x) const {
   if (!geometric_ || !point_) return nullptr;
   const bool is_there = point_->primary.position == x.primary && point_->secondary.position == x.secondary;
   return is_there ? &*geometric_ : nullptr;
@@ -268,9 +283,14 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
   if (!is_linearised) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, space_, is_linearised ? point_->nodes : present, now, weights, dt, add);
-  if (const GeometricParts* held = geometric_at(positions(fields))) {
-    add_fluxes(*held, dt, add.block);
-    add_tractions(*held, add);
+  if (const Geometric* held = geometric_at(positions(fields))) {
+    if (add.rows) {
+      for (const NodeRows& flux : held->fluxes) add.rows(flux, dt);
+      add.rows(held->tractions, 1);
+    } else {
+      add_fluxes(held->pairs, dt, add.block);
+      add_tractions(held->pairs, add.block);
+    }
   } else {
     geometric_tangents(space_, is_linearised ? geometric_loads(*point_) : now, fields, dt, add.block);
   }
@@ -287,6 +307,10 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
     for_each_node_patch(space_, in_contact, use_around);
   }
   // The change of the geometry couples the nodes of a pair also where no load at a node does.
+  if (geometric_ && use.row) {
+    for (const NodeRows& flux : geometric_->fluxes) std::for_each(flux.begin(), flux.end(), use.row);
+    return void(std::for_each(geometric_->tractions.begin(), geometric_->tractions.end(), use.row));
+  }
   const bool all_pairs = space_.has_unknown_multipliers() || takes_loads(method_, use);
   for (const FacetPair& pair : space_.facing().pairs()) {
     if (!space_.facing().has_node_among(pair, in_contact)) continue;
@@ -296,7 +320,9 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
 }
 
 std::size_t MovingGeometry::memory() const {
-  const std::size_t geometric = geometric_ ? bytes_of(*geometric_) : 0;
+  const std::size_t geometric = geometric_ ? bytes_of(geometric_->pairs) + bytes_of(geometric_->tractions) +
+                                                 bytes_of(geometric_->fluxes)
+                                           : 0;
   return point_ ? point_->memory() + geometric + active_set_.memory() : 0;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enforcement/contact_geometry.h"
+#include "enforcement/geometric_rows.h"
 #include "enforcement/held_linearisation.h"
 
 #include <functional>
@@ -42,8 +43,14 @@ class MovingGeometry : public ContactGeometry {
   bool find_points(const FacingPositions& x);
   /// Linearises, and holds what an iteration does.
   void hold(LinearisationPoint point, const FacingFields& fields);
-  /// The geometric part of the tangent where it is held for these positions.
-  const GeometricParts* geometric_at(const FacingPositions& x) const;
+  /// The geometric part of the tangent in a time increment of 1, by pairs of facets and by nodes.
+  struct Geometric {
+    GeometricParts pairs;
+    NodeRows tractions;
+    IndexedVector<NodeRows> fluxes;  ///< per field; none in a symmetric tangent
+  };
+  /// That which is held for these positions.
+  const Geometric* geometric_at(const FacingPositions& x) const;
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   FrictionStatus initial_friction(const NodalLoads& now) const {
     return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
@@ -64,10 +71,9 @@ class MovingGeometry : public ContactGeometry {
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
   std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
-  /// The geometric part of the tangent there, per pair of facets, in a time increment of 1; until the surfaces move.
-  std::optional<GeometricParts> geometric_;
-  HeldLinearisation held_;  ///< at the point
-  bool augmented_ = false;  ///< since the last iteration began
+  std::optional<Geometric> geometric_;       ///< there, until the surfaces move
+  HeldLinearisation held_;                   ///< at the point
+  bool augmented_ = false;                   ///< since the last iteration began
 };
 
 }  // namespace mixture_contact

@@ -199,7 +199,7 @@ void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt,
 }
 
 void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
-                               const AddLoadTangent& add_load, const AddTangents& add_many) const {
+                               const AddLoadTangent& add_load, const AddRows& add_rows) const {
   TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
     TangentParts parts;
@@ -208,22 +208,25 @@ void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, 
     };
     if (add_load)
       parts.load = [&](const LoadBlock& load) { timed.in_host(load.rows, [&] { add_load(pass.side, load); }); };
-    if (add_many)
-      parts.blocks = [&](const TangentBlocks& blocks) {
-        if (!blocks.empty()) timed.in_host(blocks.front()->rows, [&] { add_many(pass.side, blocks); });
+    if (add_rows)
+      parts.rows = [&](const IndexedVector<TangentBlock>& rows, double factor) {
+        if (!rows.empty()) timed.in_host(rows.front().rows, [&] { add_rows(pass.side, rows, factor); });
       };
     pass.integral->tangent(seen_from(pass.side, fields), dt, parts);
     timed.take(pass.integral->space().effect_times(), thread_count());
   }
 }
 
-void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load) const {
+void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load,
+                                         const UseRow& use_row) const {
   TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
     Couplings couplings;
     couplings.patch = [&](const Patch& patch) { timed.in_host(patch, [&] { use({pass.side, patch}); }); };
     if (use_load)
       couplings.load = [&](const LoadPlace& load) { timed.in_host(load.columns, [&] { use_load(pass.side, load); }); };
+    if (use_row)
+      couplings.row = [&](const TangentBlock& row) { timed.in_host(row.rows, [&] { use_row(pass.side, row); }); };
     pass.integral->for_each_coupling(couplings);
   }
 }

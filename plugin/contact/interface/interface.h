@@ -20,10 +20,11 @@ class ContactInterface {
   };
   using AddResidual = std::function<void(const Location&, const VectorXd&)>;
   using AddTangent = std::function<void(const Location& rows, const Location& columns, const MatrixXd&)>;
-  using AddTangents = std::function<void(Side first, const TangentBlocks&)>;
+  using AddRows = std::function<void(Side first, const IndexedVector<TangentBlock>&, double factor)>;
   using AddLoadTangent = std::function<void(Side first, const LoadBlock&)>;
   using UseLocation = std::function<void(const Location&)>;
   using UseLoadPlace = std::function<void(Side first, const LoadPlace&)>;
+  using UseRow = std::function<void(Side first, const TangentBlock&)>;
 
   /// Throws std::invalid_argument for two passes with unknown multipliers: twice as many conditions as can be met.
   ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings);
@@ -56,11 +57,13 @@ class ContactInterface {
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
-  /// `add_many`, where given, takes blocks of one effect that there are many of.
+  /// `add_rows`, where given, takes the change of the geometry by nodes where it is held, times a factor and without
+  /// weak couplings (see geometric_rows.h).
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
-               const AddLoadTangent& add_load = {}, const AddTangents& add_many = {}) const;
-  /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`.
-  void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}) const;
+               const AddLoadTangent& add_load = {}, const AddRows& add_rows = {}) const;
+  /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`, and
+  /// those of rows by way of `use_row`.
+  void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}, const UseRow& use_row = {}) const;
 
   /// Takes a state over as that which the next step begins with: its tractions, which nodes are flux-coupled, and with
   /// friction the positions that slips are measured from; then iterations end with it, too. The step took dt [s].

@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(tangents_stay_within_the_profile) {
   const ProjectedPass pass(scene);
   std::set<std::pair<Unknown, Unknown>> profile;
   std::set<std::pair<Unknown, Unknown>> filled;
-  pass.for_each_coupling({[&](const Patch& patch) { add_couplings(profile, patch, patch); }, {}});
+  pass.for_each_coupling({[&](const Patch& patch) { add_couplings(profile, patch, patch); }, {}, {}});
   tangent_of(pass, scene, [&](const TangentBlock& block) {
     BOOST_TEST(block.values.rows() == block.rows.layout().size());
     BOOST_TEST(block.values.cols() == block.columns.layout().size());
