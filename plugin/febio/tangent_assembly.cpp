@@ -49,6 +49,7 @@ FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const st
                                const MatrixXd& values) {
   Patch all = columns;
   all.displacements = true;
+  if (all.fields.empty()) all.fields = rows.fields;
   const LocalLayout layout = all.layout();
   const std::vector<Index> row_places = dof_map(rows.layout(), layout);
   const std::vector<Index> column_places = dof_map(columns.layout(), layout);

@@ -116,12 +116,10 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   };
   point.nodes = linearise(space_, point.loads, fields, geometric_loads(point), use);
   vary_trials(laws_, point.loads, point.nodes);
-  // Friction and unknown multipliers couple all nodes that face each other anyway.
-  const FacingPositions x = positions(fields);
-  const double weak = method_.has_load_blocks() ? weak_coupling : 0;
-  geometric.tractions = traction_rows(space_.facing(), geometric.pairs, x, weak);
+  const PerSide<Index> nodes{{fields.primary.position.cols(), fields.secondary.position.cols()}};
+  geometric.tractions = traction_rows(geometric.pairs, nodes);
   for (int field = 0; !space_.symmetric() && field < space_.effects().scalar_fields(); ++field)
-    geometric.fluxes.push_back(flux_rows(space_.facing(), geometric.pairs, x, field));
+    geometric.fluxes.push_back(flux_rows(geometric.pairs, nodes, field));
   geometric_ = std::move(geometric);
   held_.replaced(point_.emplace(std::move(point)));
 }

@@ -31,7 +31,6 @@ class FacingPairs {
   }
 
   const SurfaceMesh& primary() const { return primary_; }
-  const SurfaceMesh& secondary() const { return secondary_; }
   const Effects& effects() const { return effects_; }
   const IndexedVector<FacetPair>& pairs() const { return pairs_; }
   /// Half the diagonal of the primary surface where the last search was made [mm].
