@@ -3,6 +3,7 @@
 #include "contact/interface/corrections.h"
 #include "contact/interface/residual_ahead.h"
 #include "matrix_profile.h"
+#include "matrix_requests.h"
 #include "rigid_shell_bottoms.h"
 #include "tangent_assembly.h"
 
@@ -31,7 +32,11 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
   ContactInterface::UseRow use_rows;
   if (takes_rows_)
     use_rows = [&](Side first, const TangentBlock& row) {
-      use_row(equations.coupled({first, row.rows}), equations.coupled({first, row.columns}));
+      const std::vector<int> own = equations.coupled({first, row.rows});
+      const std::vector<int> others = equations.coupled({first, row.columns});
+      use_row(own, others);
+      // FEBio couples rigid bodies both ways.
+      if (equations.are_rigid({first, row.rows}) || equations.are_rigid({first, row.columns})) use_row(others, own);
     };
   core.for_each_coupling([&](const Location& place) { use_block(equations.coupled(place)); },
                          [&](Side first, const LoadPlace& load) {
@@ -50,16 +55,14 @@ Fingerprint Assembly::couplings() const {
   Fingerprint found;
   for_each_coupling([&](const std::vector<int>& ids) { found.add(ids); },
                     [&](int own, const std::vector<int>& others) { found.add(own, others); },
-                    [&](const std::vector<int>& own, const std::vector<int>& others) {
-                      found.add(own);
-                      found.add(others);
-                    });
+                    [&](const std::vector<int>& own, const std::vector<int>& others) { found.add(own, others); });
   return found;
 }
 
 void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained) {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
-  takes_rows_ = takes_blocks(matrix, is_constrained);
+  const bool takes_loads = takes_blocks(matrix, is_constrained);
+  takes_rows_ = takes_loads && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
   couplings_of_matrix_ = Fingerprint();
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   CoupledBlocks blocks(profile.Columns());
@@ -70,15 +73,14 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained) {
       },
       [&](int own, const std::vector<int>& others) {
         couplings_of_matrix_.add(own, others);
-        if (takes_rows_) {
+        if (takes_loads) {
           blocks.add_star(own, others);
         } else {
           blocks.add(others);
         }
       },
       [&](const std::vector<int>& own, const std::vector<int>& others) {
-        couplings_of_matrix_.add(own);
-        couplings_of_matrix_.add(others);
+        couplings_of_matrix_.add(own, others);
         blocks.add_rows(own, others);
       });
   blocks.insert_into(profile);
@@ -138,7 +140,7 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
   const NodeEquations equations(dofs_, surfaces_, core);
   TangentAssembly parts(core, equations, loads_, system, matrix, is_constrained);
   ContactInterface::AddRows add_rows;
-  if (takes_blocks(matrix, is_constrained))
+  if (takes_rows_)
     add_rows = [&](Side first, const IndexedVector<TangentBlock>& rows, double factor) {
       parts.add_rows(first, rows, factor);
     };

@@ -50,5 +50,5 @@ class Assembly {
   const DofMap& dofs_;
   const LoadEquations& loads_;
   Fingerprint couplings_of_matrix_;
-  bool takes_rows_ = false;  ///< whether the matrix takes tangents by nodes
+  bool takes_rows_ = false;  ///< whether the matrix takes geometric parts by nodes
 };

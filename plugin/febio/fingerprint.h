@@ -11,6 +11,10 @@ class Fingerprint {
     add(static_cast<int>(list.size()));
     for (const int number : list) add(number);
   }
+  void add(const std::vector<int>& one, const std::vector<int>& other) {
+    add(one);
+    add(other);
+  }
   /// A number that comes with a list.
   void add(int number, const std::vector<int>& list) {
     add(number);

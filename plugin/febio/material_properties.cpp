@@ -1,7 +1,5 @@
 #include "material_properties.h"
 
-#include "indexing/entries.h"
-
 #include <FEBioMech/FEElasticMaterial.h>
 #include <FEBioMech/FERigidMaterial.h>
 #include <FEBioMix/FEBiphasic.h>
@@ -16,8 +14,9 @@
 #include <FECore/FESolidDomain.h>
 #include <FECore/FESolidElement.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -46,16 +45,17 @@ vec3d centre(FEModel& fem, const FEElement& element) {
   return sum / element.Nodes();
 }
 
-/// Young's modulus along n of an elasticity tensor: the inverse of the compliance's component (n n):S:(n n). What FEBio
-/// calls the inverse is S in Voigt's notation, from stresses to engineering strains, so it takes n n as a stress.
+/// Young's modulus along n of an elasticity tensor: the inverse of the compliance's component (n n):S:(n n), with S :
+/// (n n) the strain of the stress n n. In Voigt's notation, from engineering strains to stresses.
 double modulus_along(const vec3d& n, const tens4ds& elasticity) {
-  const tens4ds compliance = elasticity.inverse();
-  const std::array<double, 6> stress{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
-  double component = 0;
+  using Voigt = Eigen::Matrix<double, 6, 1>;
+  const Voigt stress{{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z}};
+  Eigen::Matrix<double, 6, 6> stiffness;
   for (int i = 0; i < 6; ++i) {
-    for (int j = 0; j < 6; ++j) component += indexing::at(stress, i) * compliance(i, j) * indexing::at(stress, j);
+    for (int j = 0; j < 6; ++j) stiffness(i, j) = elasticity(i, j);
   }
-  return 1.0 / component;
+  const Voigt strain = stiffness.partialPivLu().solve(stress);
+  return 1.0 / stress.dot(strain);
 }
 
 /// Porosity of any mixture material.

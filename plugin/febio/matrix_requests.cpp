@@ -36,13 +36,17 @@ void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log) {
   }
 }
 
+bool takes_any_structure(FEModel& model) {
+  const FENewtonSolver* const solver = newton_solver(model, model.GetCurrentStepIndex());
+  // A symmetric matrix is made non-symmetric; "preferred" may mean one of a symmetric structure.
+  return solver != nullptr && (solver->m_msymm == REAL_UNSYMMETRIC || solver->m_msymm == REAL_SYMMETRIC);
+}
+
 bool takes_mixed_form(FEModel& model) {
   FENewtonSolver* const solver = newton_solver(model, model.GetCurrentStepIndex());
   if (solver == nullptr || dynamic_cast<JFNKStrategy*>(solver->m_qnstrategy) != nullptr) return false;
-  // A symmetric matrix is made non-symmetric. Of one that is to have a symmetric structure pardiso neither scales rows
-  // nor matches pivots, and "preferred" may mean a symmetric one.
-  const bool is_nonsymmetric = solver->m_msymm == REAL_UNSYMMETRIC || solver->m_msymm == REAL_SYMMETRIC;
-  return is_nonsymmetric && takes_mixed_form(linear_solver_type(*solver));
+  // Of a matrix that is to have a symmetric structure pardiso neither scales rows nor matches pivots.
+  return takes_any_structure(model) && takes_mixed_form(linear_solver_type(*solver));
 }
 
 void judge_linear_solver(FEModel& model, bool has_unknown_multipliers, const ContactLog& log) {

@@ -8,6 +8,9 @@
 /// Makes the matrices non-symmetric from the present step on, and says so.
 void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log);
 
+/// Whether the present step's matrices may have any structure; those that are to have a symmetric one may not.
+bool takes_any_structure(FEModel& model);
+
 /// Whether the present step takes loads at nodes as further unknowns of its matrices (host/mixed_form.h).
 bool takes_mixed_form(FEModel& model);
 

@@ -86,20 +86,36 @@ Patch together(Patch one, const Patch& two) {
 }
 
 /// The rows of a node by the n-th node of its columns, in a block over both.
-TangentBlock of_two_nodes(const TangentBlock& row, Index n) {
-  const Patch column = row.columns.of_node(n);
-  const bool is_one = row.rows.primary == column.primary && row.rows.secondary == column.secondary;
-  const Patch columns = is_one ? column : together(column, row.rows);
-  Patch rows = row.rows;
-  rows.primary = columns.primary;
-  rows.secondary = columns.secondary;
-  const Index own = row.rows.primary.empty() ? columns.layout().nodes() - 1 : columns.primary.count() - 1;
-  const Index other = is_one ? own : columns.layout().nodes() - 1 - own;
-  const Index height = row.values.rows();
-  MatrixXd values = MatrixXd::Zero(rows.layout().size(), columns.layout().size());
-  values.block(height * own, columns.layout().displacement(other, 0), height,
-               3) = row.values.middleCols<3>(row.columns.layout().displacement(n, 0));
-  return {std::move(rows), columns, std::move(values)};
+struct OfTwoNodes {
+  Patch rows;
+  Patch columns;
+  Index row;     ///< the node whose rows they are
+  Index column;  ///< the other one
+  MatrixXd values;
+};
+
+OfTwoNodes of_two_nodes(const TangentBlock& block, Index n) {
+  const Patch column = block.columns.of_node(n);
+  const bool is_one = block.rows.primary == column.primary && block.rows.secondary == column.secondary;
+  OfTwoNodes both{block.rows, is_one ? column : together(column, block.rows), 0, 0, {}};
+  both.rows.primary = both.columns.primary;
+  both.rows.secondary = both.columns.secondary;
+  const Index last = both.columns.layout().nodes() - 1;
+  both.row = block.rows.primary.empty() ? last : both.columns.primary.count() - 1;
+  both.column = is_one ? both.row : last - both.row;
+  const Index height = block.values.rows();
+  both.values.setZero(both.rows.layout().size(), both.columns.layout().size());
+  both.values.block(height * both.row, both.columns.layout().displacement(both.column, 0), height,
+                    3) = block.values.middleCols<3>(block.columns.layout().displacement(n, 0));
+  return both;
+}
+
+/// The equations of one node, and none in place of those of others.
+std::vector<int> alone(std::vector<int> equations, const LocalLayout& layout, Index node) {
+  for (Index i = 0; i < count_of(equations); ++i) {
+    if (i / layout.per_node() != node) mixture_contact::at(equations, i) = -1;
+  }
+  return equations;
 }
 
 }  // namespace
@@ -200,12 +216,14 @@ void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, doubl
 }
 
 void TangentAssembly::add_bound(Side first, const TangentBlock& row, Index n, double factor) {
-  const TangentBlock both = of_two_nodes(row, n);
+  const OfTwoNodes both = of_two_nodes(row, n);
   const Location rows{first, both.rows};
   const Location columns{first, both.columns};
-  const Ids ids = ids_of(rows, columns);
+  // FEBio never ends its search for an entry that has no place, and the rows of the other node may have none here.
+  const std::vector<int> row_ids = alone(equations_.equations(rows), both.rows.layout(), both.row);
+  const std::vector<int> column_ids = alone(equations_.equations(columns), both.columns.layout(), both.column);
   system_.Assemble(
-      element_matrix(both.rows, both.columns, equations_.nodes(columns), ids.rows, ids.columns, factor * both.values));
+      element_matrix(both.rows, both.columns, equations_.nodes(columns), row_ids, column_ids, factor * both.values));
 }
 
 void TangentAssembly::add_load(Side first, const LoadBlock& load) {
