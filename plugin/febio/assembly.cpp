@@ -32,11 +32,13 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
   ContactInterface::UseRow use_rows;
   if (takes_rows_)
     use_rows = [&](Side first, const TangentBlock& row) {
-      const std::vector<int> own = equations.coupled({first, row.rows});
+      Patch rows = row.rows;
+      const bool is_rigid = equations.are_rigid({first, rows});
+      rows.displacements = rows.displacements || is_rigid;  // FEBio couples a body by all that its nodes have
+      const std::vector<int> own = equations.coupled({first, rows});
       const std::vector<int> others = equations.coupled({first, row.columns});
       use_row(own, others);
-      // FEBio couples rigid bodies both ways.
-      if (equations.are_rigid({first, row.rows}) || equations.are_rigid({first, row.columns})) use_row(others, own);
+      if (is_rigid || equations.are_rigid({first, row.columns})) use_row(others, own);  // and both ways
     };
   core.for_each_coupling([&](const Location& place) { use_block(equations.coupled(place)); },
                          [&](Side first, const LoadPlace& load) {

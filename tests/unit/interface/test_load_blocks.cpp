@@ -80,7 +80,7 @@ void insert(std::set<Entry>& entries, const GlobalLayout& layout, const Location
 /// A tangent whose geometric part comes by nodes, products of load blocks multiplied out.
 struct RowsAndRest {
   MatrixXd sum;
-  std::set<Entry> entries;  ///< that are filled
+  std::set<Entry> by_rows;  ///< entries that rows fill
   Index rows = 0;           ///< how many came
 };
 
@@ -90,10 +90,12 @@ RowsAndRest rows_and_rest(const Scene& scene, const ContactInterface& contact) {
   RowsAndRest parts{MatrixXd::Zero(size, size), {}};
   const auto add = [&](const Location& rows, const Location& columns, const MatrixXd& values) {
     parts.sum(layout.entries(rows), layout.entries(columns)) += values;
-    insert(parts.entries, layout, rows, columns);
   };
   contact.tangent(scene.fields, dt, add, {}, [&](Side first, const IndexedVector<TangentBlock>& rows, double factor) {
-    for (const TangentBlock& row : rows) add({first, row.rows}, {first, row.columns}, factor * row.values);
+    for (const TangentBlock& row : rows) {
+      add({first, row.rows}, {first, row.columns}, factor * row.values);
+      insert(parts.by_rows, layout, {first, row.rows}, {first, row.columns});
+    }
     parts.rows += rows.count();
   });
   return parts;
@@ -180,15 +182,23 @@ BOOST_AUTO_TEST_CASE(rows_and_the_rest_add_up_to_the_tangent_where_friction_coup
 }
 
 BOOST_AUTO_TEST_CASE(couplings_hold_what_rows_and_the_rest_fill) {
-  for_each_state([](const Scene& scene, const ContactInterface& contact) {
-    const RowsAndRest parts = rows_and_rest(scene, contact);
+  std::vector<Scene> all = scenes();
+  for (const bool exchanges : {false, true}) {  // where nodes around a load do not couple with each other
+    all.push_back(overlapping(effects_of(exchanges, exchanges ? 1 : 0), FacetType::quad4));
+    all.back().settings.enforcement = Enforcement::lagrange_multipliers;
+  }
+  for (const Scene& scene : all) {
+    const auto contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    const RowsAndRest parts = rows_and_rest(scene, *contact);
     const GlobalLayout layout(scene);
     std::set<Entry> coupled;
-    contact.for_each_coupling(
-        [&](const Location& at) { insert(coupled, layout, at, at); }, {},
+    contact->for_each_coupling(
+        [&](const Location& at) { insert(coupled, layout, at, at); }, [](Side /*first*/, const LoadPlace& /*load*/) {},
         [&](Side first, const TangentBlock& row) { insert(coupled, layout, {first, row.rows}, {first, row.columns}); });
-    BOOST_TEST(std::includes(coupled.begin(), coupled.end(), parts.entries.begin(), parts.entries.end()));
-  });
+    BOOST_TEST((parts.rows > 0) == scene.effects.traction);
+    BOOST_TEST(std::includes(coupled.begin(), coupled.end(), parts.by_rows.begin(), parts.by_rows.end()));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(couplings_hold_what_the_parts_fill) {
