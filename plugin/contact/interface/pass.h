@@ -88,8 +88,8 @@ class ContactPass {
   /// Residual of (2.5), in one part per pair of facets that carries load.
   void residual(const FacingFields& fields, double dt, const AddVector& add) const;
 
-  /// Tangent (2.6), effect by effect: the geometric part per pair of facets that carries load, and per node in contact
-  /// the part of its laws, which couples all nodes that its averages are taken over.
+  /// Tangent (2.6), effect by effect: the geometric part per pair of facets that carries load, or summed at nodes, and
+  /// per node in contact the part of its laws, which couples all nodes that its averages are taken over.
   void tangent(const FacingFields& fields, double dt, const TangentParts& add) const;
 
   /// The patches that tangent() would fill: what a matrix profile has to hold.

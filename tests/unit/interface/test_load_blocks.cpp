@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(blocks_and_products_add_up_to_the_tangent) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(rows_and_the_rest_add_up_to_the_tangent_where_friction_couples_all_nodes) {
+BOOST_AUTO_TEST_CASE(rows_and_the_rest_add_up_to_the_tangent_with_friction) {
   for (const Effects& effects : {effects_of(false, 0), effects_of(true, 1)}) {
     Scene scene = overlapping(effects, FacetType::tri3);
     scene.effects.friction_kind = FrictionKind::on_traction;
