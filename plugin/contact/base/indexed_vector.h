@@ -4,6 +4,7 @@
 #include "base/types.h"
 #include "indexing/entries.h"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -48,6 +49,12 @@ class IndexedVector : public std::vector<T> {
     return Base::operator[](static_cast<std::size_t>(index));
   }
 };
+
+/// The place of an entry in a list; the number of entries where it is missing.
+template <class T>
+Index position_in(const IndexedVector<T>& list, const T& entry) {
+  return std::find(list.begin(), list.end(), entry) - list.begin();
+}
 
 /// A yes or no per node of a surface.
 using NodeFlags = IndexedVector<bool>;

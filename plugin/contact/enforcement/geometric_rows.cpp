@@ -11,13 +11,9 @@ namespace {
 /// Nodes of both surfaces as one: the primary ones, then the secondary ones.
 using Numbers = IndexedVector<Index>;
 
-Index place_of(const Numbers& numbers, Index number) {
-  return std::find(numbers.begin(), numbers.end(), number) - numbers.begin();
-}
-
-/// The same, of a number that is added where it is missing.
+/// The position of a number, which is added where it is missing.
 Index place_with(Numbers& numbers, Index number) {
-  const Index place = place_of(numbers, number);
+  const Index place = position_in(numbers, number);
   if (place == numbers.count()) numbers.push_back(number);
   return place;
 }
@@ -69,7 +65,7 @@ class PairsAroundNodes {
     for (const Index pair : around_[number]) {
       const LocalLayout columns = blocks_[pair]->columns.layout();
       const MatrixXd& values = blocks_[pair]->values;
-      const Index own = std::find(place, places.end(), place_of(row.columns, number)) - place;
+      const Index own = std::find(place, places.end(), position_in(row.columns, number)) - place;
       for (Index n = 0; n < columns.nodes(); ++n, ++place)
         row.values.middleCols<3>(3 * *place) += values.block<R, 3>(R * own, columns.displacement(n, 0));
     }

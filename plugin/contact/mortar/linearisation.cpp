@@ -10,10 +10,6 @@
 namespace mixture_contact {
 namespace {
 
-Index position_in(const IndexedVector<int>& list, int entry) {
-  return std::find(list.begin(), list.end(), entry) - list.begin();
-}
-
 /// Where the nodes of a pair of facets stand in a larger patch.
 using PairPlaces = Eigen::Matrix<Index, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
 PairPlaces dof_map(const Patch& pair, const Patch& patch) {
