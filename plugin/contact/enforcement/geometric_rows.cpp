@@ -41,6 +41,10 @@ class PairsAroundNodes {
   Index nodes() const { return around_.count(); }
   Side side(Index number) const { return number < primary_nodes_ ? Side::primary : Side::secondary; }
   bool has_pairs(Index number) const { return !around_[number].empty(); }
+  /// Of the one node of a patch.
+  Index number(const Patch& alone) const {
+    return alone.primary.empty() ? primary_nodes_ + alone.secondary.front() : alone.primary.front();
+  }
   /// Its index within its surface.
   int node(Index number) const {
     return indexing::as_int(side(number) == Side::primary ? number : number - primary_nodes_);
@@ -107,11 +111,13 @@ TangentBlock strong_part(const PairsAroundNodes& pairs, const Row& row, Index nu
 }
 
 template <int R>
-NodeRows rows_of(const PairBlocks& blocks, PerSide<Index> nodes, double weak) {
+NodeRows rows_of(const PairBlocks& blocks, PerSide<Index> nodes, double weak, NodeRows held) {
   const PairsAroundNodes around(blocks, nodes);
   NodeRows rows(around.nodes());
+  for (TangentBlock& row : held) rows[around.number(row.rows)] = std::move(row);
   in_parallel(rows.count(), [&](Index number) {
-    if (around.has_pairs(number)) rows[number] = strong_part(around, around.row<R>(number), number, weak);
+    const bool is_held = rows[number].values.size() > 0;
+    if (!is_held && around.has_pairs(number)) rows[number] = strong_part(around, around.row<R>(number), number, weak);
   });
   rows.erase(std::remove_if(rows.begin(), rows.end(), [](const TangentBlock& row) { return row.values.size() == 0; }),
              rows.end());
@@ -136,12 +142,14 @@ PairBlocks blocks_of(const GeometricParts& pairs, const Of& of) {
 
 }  // namespace
 
-NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak) {
-  return rows_of<3>(blocks_of(pairs, [](const GeometricTangent& pair) { return &pair.traction; }), nodes, weak);
+NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak, NodeRows held) {
+  return rows_of<3>(blocks_of(pairs, [](const GeometricTangent& pair) { return &pair.traction; }), nodes, weak,
+                    std::move(held));
 }
 
-NodeRows flux_rows(const GeometricParts& pairs, PerSide<Index> nodes, int field, double weak) {
-  return rows_of<1>(blocks_of(pairs, [&](const GeometricTangent& pair) { return flux_of(pair, field); }), nodes, weak);
+NodeRows flux_rows(const GeometricParts& pairs, PerSide<Index> nodes, int field, double weak, NodeRows held) {
+  return rows_of<1>(blocks_of(pairs, [&](const GeometricTangent& pair) { return flux_of(pair, field); }), nodes, weak,
+                    std::move(held));
 }
 
 }  // namespace mixture_contact

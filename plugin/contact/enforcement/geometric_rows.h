@@ -14,10 +14,13 @@ inline constexpr double weak_coupling = 1e-5;
 /// Blocks of one effect, each with the rows of one node, by the displacements of the nodes that they depend on.
 using NodeRows = IndexedVector<TangentBlock>;
 
-/// The rows of tractions, given how many nodes the surfaces have, but for couplings that are weak.
-NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak = weak_coupling);
+/// The rows of tractions, given how many nodes the surfaces have, but for couplings that are weak. `held`: rows that
+/// are known, of nodes whose pairs are as they were.
+NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak = weak_coupling,
+                       NodeRows held = {});
 
 /// The rows of the flux of a field, in a time increment of 1.
-NodeRows flux_rows(const GeometricParts& pairs, PerSide<Index> nodes, int field, double weak = weak_coupling);
+NodeRows flux_rows(const GeometricParts& pairs, PerSide<Index> nodes, int field, double weak = weak_coupling,
+                   NodeRows held = {});
 
 }  // namespace mixture_contact

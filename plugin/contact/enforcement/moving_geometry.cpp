@@ -1,25 +1,15 @@
 #include "enforcement/moving_geometry.h"
 
-#include "base/bytes.h"
 #include "base/in_order.h"
+#include "enforcement/both_parts.h"
 #include "enforcement/load_difference.h"
 #include "mortar/trial_variation.h"
-#include "mortar/varying_pairs.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace mixture_contact {
 namespace {
-
-/// The loads of the geometric part of the tangent.
-NodalLoads geometric_loads(const LinearisationPoint& point) {
-  NodalLoads loads = point.loads;
-  loads.traction = point.geometric_traction;
-  loads.flux = point.geometric_flux;
-  loads.friction.traction = point.geometric_friction;
-  return loads;
-}
 
 /// Hands on the fluxes of pairs, which are given for a time increment of 1.
 void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
@@ -52,38 +42,10 @@ void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact,
   });
 }
 
-std::size_t bytes_of(const TangentBlock& block) {
-  return bytes(block.rows) + bytes(block.columns) + bytes(block.values);
-}
-
-std::size_t bytes_of(const GeometricTangent& tangent) {
-  std::size_t sum = bytes(tangent.fluxes) + bytes_of(tangent.traction);
-  for (const TangentBlock& flux : tangent.fluxes) sum += bytes_of(flux);
-  return sum;
-}
-
-std::size_t bytes_of(const NodeRows& rows) {
-  std::size_t sum = bytes(rows);
-  for (const TangentBlock& row : rows) sum += bytes_of(row);
-  return sum;
-}
-
-std::size_t bytes_of(const IndexedVector<NodeRows>& fields) {
-  std::size_t sum = bytes(fields);
-  for (const NodeRows& rows : fields) sum += bytes_of(rows);
-  return sum;
-}
-
-std::size_t bytes_of(const GeometricParts& pairs) {
-  std::size_t sum = bytes(pairs);
-  for (const std::optional<GeometricTangent>& tangent : pairs) sum += tangent ? bytes_of(*tangent) : 0;
-  return sum;
-}
-
 }  // namespace
 
 void MovingGeometry::update(const FacingPositions& x) {
-  geometric_.reset();
+  last_.take_over(geometric_);
   held_.moved();
   if (!point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
@@ -108,23 +70,15 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
 }
 
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
-  // Both parts of the tangent are of the same points, whose variations cost more than what is made of them.
-  const IndexedVector<FacetPair>& pairs = space_.facing().pairs();
-  Geometric geometric{GeometricParts(pairs.count()), {}, {}};
-  const auto use = [&](Index pair, const std::vector<VaryingPoint>& points) {
-    geometric.pairs[pair] = geometric_tangent(space_, pairs[pair], points);
-  };
-  point.nodes = linearise(space_, point.loads, fields, geometric_loads(point), use);
+  let_go();
+  std::optional<PastLinearisation> past = last_.take();
+  if (!method_.predicts()) past.reset();  // the rows of unknown multipliers are those of all nodes
+  geometric_ = linearise_both_parts(point, space_, fields, std::move(past));
   vary_trials(laws_, point.loads, point.nodes);
-  const PerSide<Index> nodes{{fields.primary.position.cols(), fields.secondary.position.cols()}};
-  geometric.tractions = traction_rows(geometric.pairs, nodes);
-  for (int field = 0; !space_.symmetric() && field < space_.effects().scalar_fields(); ++field)
-    geometric.fluxes.push_back(flux_rows(geometric.pairs, nodes, field));
-  geometric_ = std::move(geometric);
   held_.replaced(point_.emplace(std::move(point)));
 }
 
-const MovingGeometry::Geometric* MovingGeometry::geometric_at(const FacingPositions& x) const {
+const GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) const {
   if (!geometric_ || !point_) return nullptr;
   const bool is_there = point_->primary.position == x.primary && point_->secondary.position == x.secondary;
   return is_there ? &*geometric_ : nullptr;
@@ -190,6 +144,7 @@ void MovingGeometry::hold_loads(const FacingFields& fields) {
   active_set_.start_counting();
   const auto decide = [&](const NodalLoads& now) { return initial_friction(now); };
   geometric_.reset();
+  last_ = {};
   point_ = evaluated_at(fields, initial_averages(fields), decide, nullptr);
   held_.ended();
 }
@@ -221,10 +176,14 @@ void MovingGeometry::relinearise(const FacingFields& fields) {
   hold(std::move(next), fields);
 }
 
-void MovingGeometry::end_iterations() {
-  point_.reset();
-  geometric_.reset();
+void MovingGeometry::let_go() {
+  last_.take_over(geometric_);
+  last_.take_over(point_);
   held_.ended();
+}
+
+void MovingGeometry::end_iterations() {
+  let_go();
   space_.boundary_weights().settle();
   space_.change_facing().end_iterations();
 }
@@ -281,7 +240,7 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
   if (!is_linearised) present = linearised(now, fields);
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, space_, is_linearised ? point_->nodes : present, now, weights, dt, add);
-  if (const Geometric* held = geometric_at(positions(fields))) {
+  if (const GeometricPart* held = geometric_at(positions(fields))) {
     if (add.rows) {
       for (const NodeRows& flux : held->fluxes) add.rows(flux, dt);
       add.rows(held->tractions, 1);
@@ -318,10 +277,9 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
 }
 
 std::size_t MovingGeometry::memory() const {
-  const std::size_t geometric = geometric_ ? bytes_of(geometric_->pairs) + bytes_of(geometric_->tractions) +
-                                                 bytes_of(geometric_->fluxes)
-                                           : 0;
-  return point_ ? point_->memory() + geometric + active_set_.memory() : 0;
+  const std::size_t geometric = geometric_ ? geometric_->memory() : 0;
+  const std::size_t held = point_ ? point_->memory() + geometric + active_set_.memory() : 0;
+  return held + last_.memory();
 }
 
 }  // namespace mixture_contact

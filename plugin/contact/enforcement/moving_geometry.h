@@ -2,8 +2,8 @@
 #pragma once
 
 #include "enforcement/contact_geometry.h"
-#include "enforcement/geometric_rows.h"
 #include "enforcement/held_linearisation.h"
+#include "enforcement/past_linearisation.h"
 
 #include <functional>
 #include <optional>
@@ -41,16 +41,12 @@ class MovingGeometry : public ContactGeometry {
                                   const NodalLoads* predicted) const;
   /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.
   bool find_points(const FacingPositions& x);
+  /// Holds nothing any more; the next linearisation may take over what there was.
+  void let_go();
   /// Linearises, and holds what an iteration does.
   void hold(LinearisationPoint point, const FacingFields& fields);
-  /// The geometric part of the tangent in a time increment of 1, by pairs of facets and by nodes.
-  struct Geometric {
-    GeometricParts pairs;
-    NodeRows tractions;
-    IndexedVector<NodeRows> fluxes;  ///< per field; none in a symmetric tangent
-  };
-  /// That which is held for these positions.
-  const Geometric* geometric_at(const FacingPositions& x) const;
+  /// The geometric part of the tangent that is held for these positions; null where none is.
+  const GeometricPart* geometric_at(const FacingPositions& x) const;
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   FrictionStatus initial_friction(const NodalLoads& now) const {
     return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
@@ -71,7 +67,8 @@ class MovingGeometry : public ContactGeometry {
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
   std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
-  std::optional<Geometric> geometric_;       ///< there, until the surfaces move
+  std::optional<GeometricPart> geometric_;   ///< there, until the surfaces move
+  LastLinearisation last_;                   ///< once these two are held no more
   HeldLinearisation held_;                   ///< at the point
   bool augmented_ = false;                   ///< since the last iteration began
 };

@@ -1,0 +1,16 @@
+/// Linearising both parts of the tangent at once: that of the loads at nodes, and that of the geometry under them.
+#pragma once
+
+#include "enforcement/past_linearisation.h"
+
+namespace mixture_contact {
+
+/// The loads of the geometric part of the tangent.
+NodalLoads geometric_loads(const LinearisationPoint& point);
+
+/// Linearises at a point, whose averages and loads are those of the present points: sets its nodes, and returns the
+/// geometric part. What a past linearisation has around nodes where nothing has changed is taken over.
+GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace& space, const FacingFields& fields,
+                                   std::optional<PastLinearisation> past);
+
+}  // namespace mixture_contact
