@@ -120,8 +120,7 @@ Matrix3Xd convection_around(const MortarSpace& space, Index node, const std::vec
   Matrix3Xd sum = Matrix3Xd::Zero(3, primary.count());
   const auto add = [&](const Facet& facet, const Convection& there) {
     for (Index b = 0; b < there.coefficients.cols(); ++b) {
-      const auto column = std::find(primary.begin(), primary.end(), facet.node(b)) - primary.begin();
-      sum.col(column) += there.area * there.coefficients.col(b);
+      sum.col(position_in(primary, facet.node(b))) += there.area * there.coefficients.col(b);
     }
   };
   const double areas = for_each_facet_around(space, node, pairs, add);
