@@ -87,6 +87,7 @@ void BoundContact::serialize(DumpStream& ar) {
     archive_effects(ar, effects);
     for (const Side side : both_sides) archive_mesh(ar, meshes[side]);
     if (!ar.IsSaving()) build(std::move(meshes), effects);
+    core_->forget_past();  // so that a run which is continued goes on as this one does
   }
   ContactInterface::State state = core_->state();
   archive_state(ar, state, core_->effects());

@@ -74,11 +74,10 @@ NodalLoads geometric_loads(const LinearisationPoint& point) {
 }
 
 GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace& space, const FacingFields& fields,
-                                   std::optional<PastLinearisation> past) {
+                                   std::optional<PastLinearisation> past, double same) {
   const FacingPairs& facing = space.facing();
   const LinearisationSource now(point, space);
-  const NodeFlags changed = past ? changed_nodes(*past, point, now, facing.primary().facets)
-                                 : NodeFlags(space.nodes(), true);
+  const NodeFlags changed = past ? changed_nodes(*past, point, now, space, same) : NodeFlags(space.nodes(), true);
   if (std::all_of(changed.begin(), changed.end(), [](bool is) { return is; })) past.reset();
   GeometricPart geometric{past ? std::move(past->geometric.pairs) : GeometricParts(facing.pairs().count()),
                           {},
@@ -94,7 +93,7 @@ GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace&
   if (past) {
     make_others(geometric.pairs, space, changed, averaged.in_contact, carried, fields);
     for (Index node = 0; node < space.nodes(); ++node) {
-      if (!changed[node]) point.nodes[node] = std::move(past->point.nodes[node]);
+      if (point.loads.in_contact[node] && !changed[node]) point.nodes[node] = std::move(past->point.nodes[node]);
     }
   }
   sum_at_nodes(geometric, past, space, changed, {{fields.primary.position.cols(), fields.secondary.position.cols()}});

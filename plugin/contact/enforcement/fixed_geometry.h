@@ -18,6 +18,7 @@ class FixedGeometry : public ContactGeometry {
   void start_inactive(const FacingFields& /*fields*/) override {}
   void take_multipliers() override {}
   void end_iterations() override;
+  void forget_past() override {}
   bool is_solution(const FacingFields& /*fields*/) const override { return true; }
   HeldLinearisation* held() override { return nullptr; }
 

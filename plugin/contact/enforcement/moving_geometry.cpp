@@ -70,10 +70,13 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
 }
 
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
+  // Once, where iterations begin: those that follow have the tangent of their own state. Not with unknown multipliers,
+  // whose rows are those of all nodes.
+  const bool begins = !point_ && method_.predicts();
   let_go();
   std::optional<PastLinearisation> past = last_.take();
-  if (!method_.predicts()) past.reset();  // the rows of unknown multipliers are those of all nodes
-  geometric_ = linearise_both_parts(point, space_, fields, std::move(past));
+  if (!begins) past.reset();
+  geometric_ = linearise_both_parts(point, space_, fields, std::move(past), same_to_linearisation(laws_));
   vary_trials(laws_, point.loads, point.nodes);
   held_.replaced(point_.emplace(std::move(point)));
 }

@@ -23,6 +23,7 @@ class MovingGeometry : public ContactGeometry {
   void start_inactive(const FacingFields& fields) override;
   void take_multipliers() override { augmented_ = true; }
   void end_iterations() override;
+  void forget_past() override { last_ = {}; }
   bool is_solution(const FacingFields& fields) const override;
   HeldLinearisation* held() override { return &held_; }
 
@@ -41,7 +42,7 @@ class MovingGeometry : public ContactGeometry {
                                   const NodalLoads* predicted) const;
   /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.
   bool find_points(const FacingPositions& x);
-  /// Holds nothing any more; the next linearisation may take over what there was.
+  /// Holds nothing any more; the next iterations may take over what there was.
   void let_go();
   /// Linearises, and holds what an iteration does.
   void hold(LinearisationPoint point, const FacingFields& fields);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace mixture_contact {
@@ -14,22 +15,80 @@ double largest(const MatrixXd& values) {
   return values.size() == 0 ? 0 : values.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
-/// Whether values per node (nodes, fields) differ by next to nothing.
-bool are_same(const MatrixXd& one, const MatrixXd& other) {
+/// What fields range over on both surfaces.
+Eigen::RowVectorXd ranges(const SurfaceFields& primary, const SurfaceFields& secondary) {
+  Eigen::RowVectorXd range(primary.scalar.cols());
+  for (Index field = 0; field < range.size(); ++field) {
+    const auto one = primary.scalar.col(field);
+    const auto two = secondary.scalar.col(field);
+    range[field] = std::max(one.maxCoeff(), two.maxCoeff()) - std::min(one.minCoeff(), two.minCoeff());
+  }
+  return range;
+}
+
+/// Whether no value of a field (nodes, fields) has changed by more than this.
+bool are_near(const MatrixXd& one, const MatrixXd& other, const Eigen::RowVectorXd& most) {
   for (Index field = 0; field < one.cols(); ++field) {
-    const double least = same_to_linearisation * largest(other.col(field));
-    if (!(largest(one.col(field) - other.col(field)) <= least)) return false;
+    if (!(largest(one.col(field) - other.col(field)) <= most[field])) return false;
   }
   return true;
 }
 
+bool have_same_fields(const LinearisationSource& one, const LinearisationSource& other, double same) {
+  const Eigen::RowVectorXd most = same * ranges(other.primary, other.secondary);
+  return are_near(one.primary.scalar, other.primary.scalar, most) &&
+         are_near(one.secondary.scalar, other.secondary.scalar, most);
+}
+
+bool have_same_points(const LinearisationSource& one, const LinearisationSource& other) {
+  return one.pairs == other.pairs && one.sub_facets == other.sub_facets;
+}
+
+double largest_motion(const Matrix3Xd& from, const Matrix3Xd& to) { return largest((to - from).colwise().norm()); }
+
+double shortest_edge(const Facet& facet, const Matrix3Xd& x) {
+  const int corners = is_triangle(facet.type) ? 3 : 4;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < corners; ++a) {
+    const Vector3d edge = x.col(facet.node((a + 1) % corners)) - x.col(facet.node(a));
+    shortest = std::min(shortest, edge.norm());
+  }
+  return shortest;
+}
+
+/// Of all facets that face each other.
+double shortest_edge(const FacingPairs& facing, const LinearisationSource& at) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const FacetPair& pair : facing.pairs()) {
+    shortest = std::min({shortest, shortest_edge(facing.primary_facet(pair), at.primary.position),
+                         shortest_edge(facing.secondary_facet(pair), at.secondary.position)});
+  }
+  return shortest;
+}
+
+/// Whether the surfaces have not moved by more than a part of their facets.
+bool are_in_same_place(const LinearisationSource& one, const LinearisationSource& other, const FacingPairs& facing,
+                       double same) {
+  const double motion = largest_motion(one.primary.position, other.primary.position) +
+                        largest_motion(one.secondary.position, other.secondary.position);
+  return motion <= same * shortest_edge(facing, other);
+}
+
 /// Flags the nodes whose loads (nodes, fields) differ.
-void flag_other_loads(NodeFlags& flags, const MatrixXd& one, const MatrixXd& other) {
+void flag_other_loads(NodeFlags& flags, const MatrixXd& one, const MatrixXd& other, double same) {
   for (Index field = 0; field < one.cols(); ++field) {
-    const double least = same_to_linearisation * largest(other.col(field));
+    const double most = same * largest(other.col(field));
     for (Index node = 0; node < one.rows(); ++node) {
-      if (!(std::abs(one(node, field) - other(node, field)) <= least)) flags[node] = true;
+      if (!(std::abs(one(node, field) - other(node, field)) <= most)) flags[node] = true;
     }
+  }
+}
+
+/// Flags the nodes of another status.
+void flag_other_status(NodeFlags& flags, const ContactStatus& one, const ContactStatus& other) {
+  for (Index node = 0; node < flags.count(); ++node) {
+    if (one.in_contact[node] != other.in_contact[node] || one.flux_coupled[node] != other.flux_coupled[node])
+      flags[node] = true;
   }
 }
 
@@ -45,26 +104,9 @@ void flag_other_weights(NodeFlags& flags, const LoadCarriers& one, const LoadCar
   }
 }
 
-/// Whether two are of the same points, and of the same values of fields.
-bool have_same_points(const LinearisationSource& one, const LinearisationSource& other) {
-  return one.pairs == other.pairs && are_same(one.primary.scalar, other.primary.scalar) &&
-         are_same(one.secondary.scalar, other.secondary.scalar);
-}
-
-/// How far nodes have moved at most.
-double largest_motion(const LinearisationSource& from, const LinearisationSource& to) {
-  return largest(Vector2d(largest(to.primary.position - from.primary.position),
-                          largest(to.secondary.position - from.secondary.position)));
-}
-
-/// Flags the nodes of another status, and those with facets so small that a motion is not.
-void flag_other_status(NodeFlags& flags, const NodalLoads& before, const NodalLoads& now, double motion) {
-  for (Index node = 0; node < flags.count(); ++node) {
-    const bool has_moved = !(motion <= same_to_linearisation * std::sqrt(now.area[node]));
-    const bool has_same_status = before.in_contact[node] == now.in_contact[node] &&
-                                 before.flux_coupled[node] == now.flux_coupled[node];
-    if (has_moved || !has_same_status) flags[node] = true;
-  }
+/// The largest of penalties in units of what they are measured against; those of no penalty do not count.
+double largest_ratio(const MatrixXd& penalties, const MatrixXd& measure) {
+  return penalties.size() == 0 ? 0 : (penalties.array() > 0).select(penalties.cwiseQuotient(measure), 0.0).maxCoeff();
 }
 
 std::size_t bytes_of(const TangentBlock& block) {
@@ -98,26 +140,41 @@ std::size_t bytes_of(const GeometricParts& pairs) {
 std::size_t bytes_of(const SurfaceFields& fields) { return bytes(fields.position) + bytes(fields.scalar); }
 
 std::size_t bytes_of(const LinearisationSource& source) {
-  return bytes(source.pairs) + bytes(source.carriers) + bytes_of(source.primary) + bytes_of(source.secondary) +
-         bytes(source.traction) + bytes(source.flux);
+  return bytes(source.pairs) + bytes(source.sub_facets) + bytes(source.carriers) + bytes_of(source.primary) +
+         bytes_of(source.secondary) + bytes(source.traction) + bytes(source.flux);
 }
 
 }  // namespace
+
+double same_to_linearisation(const NodalLaws& laws) {
+  constexpr double most = 1e-3;
+  constexpr double most_left = 0.1;
+  const Penalties& penalties = laws.penalties();
+  const double ratio = std::max(
+      laws.multipliers.traction_penalty_scale * largest_ratio(penalties.traction, penalties.stiffness),
+      largest_ratio(laws.multipliers.flux_penalty_scale.asDiagonal() * penalties.flux, penalties.conductance));
+  return std::min(most, std::sqrt(most_left / ratio));
+}
 
 LinearisationSource::LinearisationSource(const LinearisationPoint& point, const MortarSpace& space)
     : carriers(space.boundary_weights().last_decisions()),
       primary(point.primary),
       secondary(point.secondary),
+      status(point.loads.status()),
       traction(point.geometric_traction),
       flux(point.geometric_flux) {
   pairs.reserve(space.facing().pairs().size());
-  for (const FacetPair& pair : space.facing().pairs())
+  sub_facets.reserve(static_cast<std::size_t>(space.facing().points()));
+  for (const FacetPair& pair : space.facing().pairs()) {
     pairs.push_back({pair.primary, pair.secondary, count_of(pair.points)});
+    for (const IntegrationPoint& integration_point : pair.points) sub_facets.push_back(integration_point.sub_facet);
+  }
 }
 
 LinearisationSource LinearisationSource::replaced_at(const NodeFlags& nodes, const LinearisationSource& by) const {
   LinearisationSource both = *this;
   both.carriers = by.carriers;
+  both.status = by.status;
   for (Index node = 0; node < nodes.count(); ++node) {
     if (!nodes[node]) continue;
     both.traction[node] = by.traction[node];
@@ -150,15 +207,16 @@ std::size_t LastLinearisation::memory() const {
 }
 
 NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationPoint& next, const LinearisationSource& now,
-                        const IndexedVector<Facet>& facets) {
+                        const MortarSpace& space, double same) {
   const LinearisationSource& source = past.geometric.source;
-  const bool may_serve = past.point.is_linearised() && next.loads.friction.empty() && have_same_points(source, now);
-  NodeFlags changed(next.loads.in_contact.count(), !may_serve);
+  const bool may_serve = past.point.is_linearised() && next.loads.friction.empty() && have_same_points(source, now) &&
+                         have_same_fields(source, now, same) && are_in_same_place(source, now, space.facing(), same);
+  NodeFlags changed(space.nodes(), !may_serve);
   if (!may_serve) return changed;
-  flag_other_status(changed, past.point.loads, next.loads, largest_motion(source, now));
-  flag_other_loads(changed, source.traction, now.traction);
-  flag_other_loads(changed, source.flux.transpose(), now.flux.transpose());
-  flag_other_weights(changed, source.carriers, now.carriers, facets);
+  flag_other_status(changed, source.status, now.status);
+  flag_other_loads(changed, source.traction, now.traction, same);
+  flag_other_loads(changed, source.flux.transpose(), now.flux.transpose(), same);
+  flag_other_weights(changed, source.carriers, now.carriers, space.facing().primary().facets);
   return changed;
 }
 

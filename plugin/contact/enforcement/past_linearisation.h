@@ -8,17 +8,22 @@
 
 namespace mixture_contact {
 
-/// What has changed by this part, at most, is the same to a linearisation: positions as a part of a facet's size,
-/// values of fields and loads as a part of their largest one. Newton's method still gains three digits with each
-/// iteration.
-inline constexpr double same_to_linearisation = 1e-3;
+/// By what part, at most, something may have changed that a linearisation still serves: motions as a part of the
+/// shortest edge of a facet, values of fields of their range, loads of the largest one.
+///
+/// An iteration with a tangent that is off by delta misses a gap by delta of its increment; the penalty eps makes a
+/// load of that, delta of which pushes aside and moves the bodies by eps delta^2/k, with their stiffness k (a
+/// conductance alike). That is to be a tenth of the increment, at most, and delta a thousandth. The sizes are choices.
+double same_to_linearisation(const NodalLaws& laws);
 
 /// What a linearisation was made of.
 struct LinearisationSource {
   IndexedVector<std::array<Index, 3>> pairs;  ///< primary facet, secondary facet, number of points
+  IndexedVector<int> sub_facets;              ///< that the points lie on, pair by pair
   LoadCarriers carriers;                      ///< which weight the points
   SurfaceFields primary;                      ///< the state
   SurfaceFields secondary;
+  ContactStatus status;
   VectorXd traction;  ///< of the geometric part
   MatrixXd flux;      ///< alike
 
@@ -62,10 +67,10 @@ class LastLinearisation {
   std::optional<LinearisationPoint> point_;
 };
 
-/// The nodes of a surface with these facets around which something is another one at a point than what a linearisation
-/// was made of: status, loads, weights, or at all of them the state or the points. With friction it is at all, since
-/// slips are measured from where each step begins.
+/// The nodes around which something has changed by more than a part `same` from what a linearisation was made of to a
+/// point: status, loads, weights, or at all of them the state or the points. With friction it has at all, since slips
+/// are measured from where each step begins.
 NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationPoint& next, const LinearisationSource& now,
-                        const IndexedVector<Facet>& facets);
+                        const MortarSpace& space, double same);
 
 }  // namespace mixture_contact
