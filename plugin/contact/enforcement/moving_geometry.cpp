@@ -70,8 +70,8 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
 }
 
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
-  // Once, where iterations begin: those that follow have the tangent of their own state. Not with unknown multipliers,
-  // whose rows are those of all nodes.
+  // Where iterations begin: those that follow linearise at their own state. Not with unknown multipliers, whose rows
+  // are those of all nodes.
   const bool begins = !point_ && method_.predicts();
   let_go();
   std::optional<PastLinearisation> past = last_.take();
@@ -189,6 +189,11 @@ void MovingGeometry::end_iterations() {
   let_go();
   space_.boundary_weights().settle();
   space_.change_facing().end_iterations();
+}
+
+void MovingGeometry::forget_past() {
+  geometric_.reset();  // where the surfaces have not moved since it was made
+  last_ = {};
 }
 
 bool MovingGeometry::is_solution(const FacingFields& fields) const {

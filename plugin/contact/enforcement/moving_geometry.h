@@ -23,7 +23,7 @@ class MovingGeometry : public ContactGeometry {
   void start_inactive(const FacingFields& fields) override;
   void take_multipliers() override { augmented_ = true; }
   void end_iterations() override;
-  void forget_past() override { last_ = {}; }
+  void forget_past() override;
   bool is_solution(const FacingFields& fields) const override;
   HeldLinearisation* held() override { return &held_; }
 

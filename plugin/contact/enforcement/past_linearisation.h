@@ -12,8 +12,9 @@ namespace mixture_contact {
 /// shortest edge of a facet, values of fields of their range, loads of the largest one.
 ///
 /// An iteration with a tangent that is off by delta misses a gap by delta of its increment; the penalty eps makes a
-/// load of that, delta of which pushes aside and moves the bodies by eps delta^2/k, with their stiffness k (a
-/// conductance alike). That is to be a tenth of the increment, at most, and delta a thousandth. The sizes are choices.
+/// load of that, delta of which pushes aside and moves what is there by eps delta^2/k, with k the stiffness of the
+/// adjoining elements (a conductance alike). That is to be a tenth of the increment, at most, and delta a thousandth.
+/// The sizes are choices.
 double same_to_linearisation(const NodalLaws& laws);
 
 /// What a linearisation was made of.
