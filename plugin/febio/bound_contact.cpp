@@ -4,6 +4,7 @@
 #include "contact/interface/corrections.h"
 #include "contact/interface/held_loads.h"
 #include "contact/interface/multipliers.h"
+#include "contact/interface/past_iterations.h"
 #include "core_archive.h"
 #include "host/warnings.h"
 
@@ -87,7 +88,7 @@ void BoundContact::serialize(DumpStream& ar) {
     archive_effects(ar, effects);
     for (const Side side : both_sides) archive_mesh(ar, meshes[side]);
     if (!ar.IsSaving()) build(std::move(meshes), effects);
-    core_->forget_past();  // so that a run which is continued goes on as this one does
+    forget_past(*core_);  // so that a run which is continued goes on as this one does
   }
   ContactInterface::State state = core_->state();
   archive_state(ar, state, core_->effects());

@@ -180,10 +180,6 @@ void ContactInterface::end_iterations() {
   }
 }
 
-void ContactInterface::forget_past() {
-  for (const SidedPass& pass : passes_) pass.integral->geometry().forget_past();
-}
-
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
@@ -324,8 +320,8 @@ void ContactInterface::restore(State state) {
     if (effects_.may_rub()) passes_[pass].integral->measure_slips_from(seen_from(passes_[pass].side, slips_from_));
   }
   end_iterations();
-  forget_past();
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    passes_[pass].integral->geometry().forget_past();
     passes_[pass].integral->restore_carriers(std::move(state.carriers[pass]));
   }
 }

@@ -52,9 +52,6 @@ class ContactInterface {
   void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations();
-  /// Forgets what iterations that have ended leave for those to come, which depend on the state alone then: where they
-  /// may be those of another run.
-  void forget_past();
   /// Whether a state found in iterations is a solution of the true laws.
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
 

@@ -1,5 +1,6 @@
 /// What a linearisation takes over from the last one: around nodes where nothing has changed, and nowhere else.
 #include "enforcement/both_parts.h"
+#include "interface/past_iterations.h"
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -345,7 +346,7 @@ BOOST_AUTO_TEST_CASE(iterations_take_over_from_those_that_have_ended_alone) {
     moved.fields[Side::secondary].position(2, 0) += little;
     overlap.contact->project(moved.position());
     if (ends) overlap.contact->end_iterations();
-    if (forgets) overlap.contact->forget_past();
+    if (forgets) forget_past(*overlap.contact);
     overlap.contact->begin_iteration(moved.fields);
     return assembled_tangent(*overlap.contact, GlobalLayout(moved), moved.fields, 1);
   };

@@ -1,0 +1,11 @@
+/// What iterations that have ended leave for those to come.
+#pragma once
+
+#include "interface/interface.h"
+
+namespace mixture_contact {
+
+/// Forgets it, so that iterations to come depend on the state alone: where they may be those of another run.
+void forget_past(ContactInterface& contact);
+
+}  // namespace mixture_contact
