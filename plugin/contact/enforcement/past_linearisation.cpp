@@ -164,7 +164,7 @@ LinearisationSource::LinearisationSource(const LinearisationPoint& point, const 
       traction(point.geometric_traction),
       flux(point.geometric_flux) {
   pairs.reserve(space.facing().pairs().size());
-  sub_facets.reserve(static_cast<std::size_t>(space.facing().points()));
+  sub_facets.reserve(space.facing().points());
   for (const FacetPair& pair : space.facing().pairs()) {
     pairs.push_back({pair.primary, pair.secondary, count_of(pair.points)});
     for (const IntegrationPoint& integration_point : pair.points) sub_facets.push_back(integration_point.sub_facet);
