@@ -40,27 +40,32 @@ PerSide<NodeFlags> nodes_of_changed_pairs(const FacingPairs& facing, const NodeF
   return flags;
 }
 
-/// Those rows that are of none of these nodes.
-NodeRows rows_of_others(NodeRows rows, const PerSide<NodeFlags>& nodes) {
+/// Leaves those rows that are of none of these nodes.
+void remove_rows(NodeRows& rows, const PerSide<NodeFlags>& nodes) {
   const auto is_one = [&](const TangentBlock& row) {
     const bool is_primary = !row.rows.primary.empty();
     return is_primary ? nodes[Side::primary][row.rows.primary.front()]
                       : nodes[Side::secondary][row.rows.secondary.front()];
   };
   rows.erase(std::remove_if(rows.begin(), rows.end(), is_one), rows.end());
-  return rows;
 }
 
-/// Sums the pairs at nodes. Of a past part, if there is one, rows are taken over.
-void sum_at_nodes(GeometricPart& part, std::optional<PastLinearisation>& past, const MortarSpace& space,
-                  const NodeFlags& changed, PerSide<Index> nodes) {
-  const PerSide<NodeFlags> summed = nodes_of_changed_pairs(space.facing(), changed, nodes);
-  const auto held = [&](NodeRows& rows) { return rows_of_others(std::move(rows), summed); };
-  part.tractions = traction_rows(part.pairs, nodes, weak_coupling, past ? held(past->geometric.tractions) : NodeRows());
-  for (int field = 0; !space.symmetric() && field < space.effects().scalar_fields(); ++field) {
-    part.fluxes.push_back(
-        flux_rows(part.pairs, nodes, field, weak_coupling, past ? held(past->geometric.fluxes[field]) : NodeRows()));
-  }
+/// What of a past part is taken over; pairs that have a changed node are still to be made.
+GeometricPart taken_over(GeometricPart past, const NodeFlags& changed, const LinearisationSource& now,
+                         const FacingPairs& facing, PerSide<Index> nodes) {
+  const PerSide<NodeFlags> summed_anew = nodes_of_changed_pairs(facing, changed, nodes);
+  remove_rows(past.tractions, summed_anew);
+  for (NodeRows& flux : past.fluxes) remove_rows(flux, summed_anew);
+  past.source.replace_at(changed, now);
+  return past;
+}
+
+/// Sums the pairs at nodes that have no rows yet.
+void sum_at_nodes(GeometricPart& part, const MortarSpace& space, PerSide<Index> nodes) {
+  part.tractions = traction_rows(part.pairs, nodes, weak_coupling, std::move(part.tractions));
+  part.fluxes.resize(space.symmetric() ? 0 : indexing::entries(space.effects().scalar_fields()));
+  for (int field = 0; field < part.fluxes.count(); ++field)
+    part.fluxes[field] = flux_rows(part.pairs, nodes, field, weak_coupling, std::move(part.fluxes[field]));
 }
 
 }  // namespace
@@ -79,10 +84,9 @@ GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace&
   const LinearisationSource now(point, space);
   const NodeFlags changed = past ? changed_nodes(*past, point, now, space, same) : NodeFlags(space.nodes(), true);
   if (std::all_of(changed.begin(), changed.end(), [](bool is) { return is; })) past.reset();
-  GeometricPart geometric{past ? std::move(past->geometric.pairs) : GeometricParts(facing.pairs().count()),
-                          {},
-                          {},
-                          past ? past->geometric.source.replaced_at(changed, now) : now};
+  const PerSide<Index> nodes{{fields.primary.position.cols(), fields.secondary.position.cols()}};
+  GeometricPart geometric = past ? taken_over(std::move(past->geometric), changed, now, facing, nodes)
+                                 : GeometricPart{GeometricParts(facing.pairs().count()), {}, {}, now};
   // Both parts are of the same points, whose variations cost more than what is made of them.
   const NodalLoads carried = geometric_loads(point);
   NodalLoads averaged = point.loads;
@@ -96,7 +100,7 @@ GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace&
       if (point.loads.in_contact[node] && !changed[node]) point.nodes[node] = std::move(past->point.nodes[node]);
     }
   }
-  sum_at_nodes(geometric, past, space, changed, {{fields.primary.position.cols(), fields.secondary.position.cols()}});
+  sum_at_nodes(geometric, space, nodes);
   return geometric;
 }
 

@@ -76,7 +76,7 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   let_go();
   std::optional<PastLinearisation> past = last_.take();
   if (!begins) past.reset();
-  geometric_ = linearise_both_parts(point, space_, fields, std::move(past), same_to_linearisation(laws_));
+  geometric_ = linearise_both_parts(point, space_, fields, std::move(past), begins ? same_to_linearisation(laws_) : 0);
   vary_trials(laws_, point.loads, point.nodes);
   held_.replaced(point_.emplace(std::move(point)));
 }

@@ -137,11 +137,9 @@ std::size_t bytes_of(const GeometricParts& pairs) {
   return sum;
 }
 
-std::size_t bytes_of(const SurfaceFields& fields) { return bytes(fields.position) + bytes(fields.scalar); }
-
 std::size_t bytes_of(const LinearisationSource& source) {
-  return bytes(source.pairs) + bytes(source.sub_facets) + bytes(source.carriers) + bytes_of(source.primary) +
-         bytes_of(source.secondary) + bytes(source.traction) + bytes(source.flux);
+  return bytes(source.pairs) + bytes(source.sub_facets) + bytes(source.carriers) + source.primary.memory() +
+         source.secondary.memory() + bytes(source.traction) + bytes(source.flux);
 }
 
 }  // namespace
@@ -171,16 +169,14 @@ LinearisationSource::LinearisationSource(const LinearisationPoint& point, const 
   }
 }
 
-LinearisationSource LinearisationSource::replaced_at(const NodeFlags& nodes, const LinearisationSource& by) const {
-  LinearisationSource both = *this;
-  both.carriers = by.carriers;
-  both.status = by.status;
+void LinearisationSource::replace_at(const NodeFlags& nodes, const LinearisationSource& by) {
+  carriers = by.carriers;
+  status = by.status;
   for (Index node = 0; node < nodes.count(); ++node) {
     if (!nodes[node]) continue;
-    both.traction[node] = by.traction[node];
-    both.flux.col(node) = by.flux.col(node);
+    traction[node] = by.traction[node];
+    flux.col(node) = by.flux.col(node);
   }
-  return both;
 }
 
 std::size_t GeometricPart::memory() const {

@@ -30,9 +30,9 @@ struct LinearisationSource {
 
   /// Of one that is made at a point, whose averages and loads are those of the present points.
   LinearisationSource(const LinearisationPoint& point, const MortarSpace& space);
-  /// The source where what is made of another one replaces it at some nodes: the state is the older one, from which
-  /// differences are measured, so that many small ones add up.
-  LinearisationSource replaced_at(const NodeFlags& nodes, const LinearisationSource& by) const;
+  /// What is made of another one replaces it at some nodes. The state stays the older one, from which differences are
+  /// measured, so that many small ones add up.
+  void replace_at(const NodeFlags& nodes, const LinearisationSource& by);
 };
 
 /// The geometric part of the tangent in a time increment of 1, by pairs of facets and by nodes.

@@ -1,5 +1,6 @@
 #include "geometry/surface.h"
 
+#include "base/bytes.h"
 #include "geometry/quadrature.h"
 
 #include <Eigen/Geometry>
@@ -69,5 +70,7 @@ double longest_edge(const Facet& facet, const Matrix3Xd& position) {
 double half_diagonal(const Matrix3Xd& position) {
   return 0.5 * (position.rowwise().maxCoeff() - position.rowwise().minCoeff()).norm();
 }
+
+std::size_t SurfaceFields::memory() const { return bytes(position) + bytes(scalar); }
 
 }  // namespace mixture_contact

@@ -30,6 +30,8 @@ struct SurfaceFields {
   Matrix3Xd position;  ///< current positions, shape (3, nodes) [mm]
   MatrixXd scalar;     ///< scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects; last the
                        ///< p~ that friction alone reads, if any (Effects::nodal_fields)
+
+  std::size_t memory() const;  ///< [bytes]
 };
 
 /// Positions, or positions and fields, of both surfaces as a pass sees them.

@@ -1,6 +1,7 @@
 #include "interface/interface.h"
 
 #include "base/parallel.h"
+#include "interface/past_iterations.h"
 #include "law/openings.h"
 
 #include <algorithm>
@@ -320,8 +321,8 @@ void ContactInterface::restore(State state) {
     if (effects_.may_rub()) passes_[pass].integral->measure_slips_from(seen_from(passes_[pass].side, slips_from_));
   }
   end_iterations();
+  forget_past(*this);
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
-    passes_[pass].integral->geometry().forget_past();
     passes_[pass].integral->restore_carriers(std::move(state.carriers[pass]));
   }
 }

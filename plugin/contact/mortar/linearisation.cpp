@@ -398,8 +398,6 @@ std::size_t bytes_of(const NodeLinearisation::Friction& friction) {
          bytes(friction.pressure_weights);
 }
 
-std::size_t bytes_of(const SurfaceFields& fields) { return bytes(fields.position) + bytes(fields.scalar); }
-
 }  // namespace
 
 IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
@@ -492,7 +490,7 @@ NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) co
 }
 
 std::size_t LinearisationPoint::memory() const {
-  std::size_t sum = bytes_of(loads) + bytes_of(primary) + bytes_of(secondary) + bytes(geometric_traction) +
+  std::size_t sum = bytes_of(loads) + primary.memory() + secondary.memory() + bytes(geometric_traction) +
                     bytes(geometric_flux) + bytes(geometric_friction) + bytes(equation_weights) + bytes(nodes);
   for (const NodeLinearisation& node : nodes) {
     sum += bytes(node.patch) + bytes(node.gap_variation) + bytes(node.traction_work) + bytes(node.jumps);
