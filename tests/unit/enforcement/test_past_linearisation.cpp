@@ -345,19 +345,33 @@ BOOST_AUTO_TEST_CASE(with_friction_all_are_linearised_anew) {
   BOOST_TEST(count(overlap.changed(past, point)) == point.loads.in_contact.count());
 }
 
-BOOST_AUTO_TEST_CASE(iterations_take_over_from_those_that_have_ended_alone) {
+/// The tangent of an iteration that begins a little way from the one before it, with what happens between the two.
+template <class Between>
+MatrixXd tangent_after(const Between& between) {
   Overlap overlap;
-  const auto tangent = [&](bool ends, bool forgets) {
-    overlap.project();
-    overlap.contact->begin_iteration(overlap.scene.fields);
-    Scene moved = overlap.scene;
-    moved.fields[Side::secondary].position(2, 0) += little;
-    overlap.contact->project(moved.position());
-    if (ends) overlap.contact->end_iterations();
-    if (forgets) forget_past(*overlap.contact);
-    overlap.contact->begin_iteration(moved.fields);
-    return assembled_tangent(*overlap.contact, GlobalLayout(moved), moved.fields, 1);
-  };
-  BOOST_TEST((tangent(false, false) == tangent(false, true)));
-  BOOST_TEST((tangent(true, false) != tangent(true, true)));
+  overlap.contact->begin_iteration(overlap.scene.fields);
+  overlap.scene.fields[Side::secondary].position(2, 0) += little;
+  overlap.contact->project(overlap.scene.position());
+  between(*overlap.contact);
+  overlap.contact->begin_iteration(overlap.scene.fields);
+  return assembled_tangent(*overlap.contact, GlobalLayout(overlap.scene), overlap.scene.fields, 1);
+}
+
+BOOST_AUTO_TEST_CASE(iterations_take_over_from_those_that_have_ended_alone) {
+  const MatrixXd within = tangent_after([](ContactInterface&) {});
+  BOOST_TEST((tangent_after([](ContactInterface& contact) { forget_past(contact); }) == within));
+  const MatrixXd after_end = tangent_after([](ContactInterface& contact) { contact.end_iterations(); });
+  const MatrixXd anew = tangent_after([](ContactInterface& contact) {
+    contact.end_iterations();
+    forget_past(contact);
+  });
+  BOOST_TEST((after_end != anew));
+}
+
+BOOST_AUTO_TEST_CASE(a_state_that_is_restored_leaves_nothing_to_be_taken_over) {
+  const MatrixXd anew = tangent_after([](ContactInterface& contact) {
+    contact.end_iterations();
+    forget_past(contact);
+  });
+  BOOST_TEST((tangent_after([](ContactInterface& contact) { contact.restore(contact.state()); }) == anew));
 }
