@@ -43,7 +43,8 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux_penalty_scale);
   archive(ar, multipliers.accepted_traction);
   archive(ar, multipliers.opening);
-  archive(ar, multipliers.opening_rate);
+  archive(ar, multipliers.opening_before);
+  archive(ar, multipliers.step_length);
   archive_flags(ar, multipliers.flux_coupled);
 }
 

@@ -3,6 +3,7 @@
 #include "archive.h"
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/multipliers.h"
+#include "contact/interface/past_iterations.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
 #include "matrix_requests.h"
@@ -200,6 +201,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
     output_.store();
     core().accept_step(bound_.fields(), GetFEModel()->GetTime().timeIncrement);
   }
+  if (when == CB_STEP_ACTIVE) forget_motion(core());  // another step of the analysis tends to have other loads
   if (when == CB_SOLVED) output_.log_timings();
 }
 

@@ -109,8 +109,9 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer<newton::Predictor>(predictor);
   helpers_.add(FirstNorms::name, std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }),
                [this] { return !active().empty(); });
-  fem.AddCallback(call_back, CB_MATRIX_REFORM | CB_MINOR_ITERS | CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_SOLVED,
-                  this);
+  fem.AddCallback(
+      call_back,
+      CB_STEP_ACTIVE | CB_MATRIX_REFORM | CB_MINOR_ITERS | CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_SOLVED, this);
 }
 
 // ------------------------------------------------------------ contacts and switches

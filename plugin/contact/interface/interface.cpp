@@ -16,7 +16,7 @@ bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
   const Index with_friction = effects.may_rub() ? nodes : 0;
   const Index with_fluxes = fields > 0 ? nodes : 0;
   return multipliers.traction.size() == nodes && multipliers.accepted_traction.size() == nodes &&
-         multipliers.opening.size() == nodes && multipliers.opening_rate.size() == nodes &&
+         multipliers.opening.size() == nodes && multipliers.opening_before.size() == nodes &&
          multipliers.flux.rows() == fields && multipliers.flux.cols() == nodes &&
          multipliers.flux_penalty_scale.size() == fields && multipliers.friction.cols() == with_friction &&
          multipliers.slips.count() == with_friction && multipliers.flux_coupled.count() == with_fluxes;

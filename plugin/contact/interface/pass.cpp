@@ -81,7 +81,7 @@ void ContactPass::tangent(const FacingFields& fields, double dt, const TangentPa
 
 std::size_t ContactPass::memory() const {
   return space_.memory() + bytes(laws_.multipliers.traction) + bytes(laws_.multipliers.accepted_traction) +
-         bytes(laws_.multipliers.opening) + bytes(laws_.multipliers.opening_rate) + bytes(laws_.multipliers.flux) +
+         bytes(laws_.multipliers.opening) + bytes(laws_.multipliers.opening_before) + bytes(laws_.multipliers.flux) +
          bytes(laws_.penalties().traction) + bytes(laws_.penalties().flux) + geometry_->memory();
 }
 

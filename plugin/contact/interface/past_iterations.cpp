@@ -1,9 +1,15 @@
 #include "interface/past_iterations.h"
 
+#include "law/openings.h"
+
 namespace mixture_contact {
 
 void forget_past(ContactInterface& contact) {
   for (std::size_t pass = 0; pass < contact.passes(); ++pass) contact.pass(pass).geometry().forget_past();
+}
+
+void forget_motion(ContactInterface& contact) {
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) forget_motion(contact.pass(pass).laws());
 }
 
 }  // namespace mixture_contact

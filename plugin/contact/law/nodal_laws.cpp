@@ -25,7 +25,7 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
 void NodalLaws::forget_steps() {
   multipliers.accepted_traction.setZero(nodes());
   multipliers.opening.setConstant(nodes(), std::numeric_limits<double>::infinity());
-  multipliers.opening_rate.setZero(nodes());
+  multipliers.opening_before.setConstant(nodes(), std::numeric_limits<double>::infinity());
   if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), false);
   if (!effects_.may_rub()) return;
   multipliers.friction.setZero(3, nodes());

@@ -16,7 +16,8 @@ struct Multipliers {
   VectorXd flux_penalty_scale;        ///< the same per field
   VectorXd accepted_traction;         ///< t_a of the step that was accepted last [MPa]; 0 before any
   VectorXd opening;                   ///< openings() then; infinite before any [mm]
-  VectorXd opening_rate;              ///< how it changed in that step [mm/s]; 0 where either is infinite
+  VectorXd opening_before;            ///< the same where that step began; infinite where that tells nothing
+  double step_length = 0;             ///< of that step [s]
   NodeFlags flux_coupled;             ///< which nodes were so then, none before any; empty without fluxes
   Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty
                                       ///< without friction
