@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace test;
 
@@ -135,6 +136,33 @@ BOOST_AUTO_TEST_CASE(a_step_begins_with_the_nodes_closed_that_their_motion_close
   BOOST_TEST(approach.closed_where_a_step_begins(1.01 * second) == all);
   approach.move_to(-0.4, slope);  // they have not come that far: pulled, they open
   BOOST_TEST(approach.closed() == 3);
+}
+
+/// The gap at a distance from the middle of a Hertz contact with this radius, times the radius of the sphere (Johnson
+/// 1985, Contact Mechanics, equations 3.42).
+double hertz_gap(double distance, double radius) {
+  const double square = distance * distance;
+  const double outside = std::sqrt(square - radius * radius);
+  return (radius * outside + (square - 2 * radius * radius) * std::acos(radius / distance)) / std::acos(-1.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_hertz_contact_is_expected_to_grow_as_it_does) {
+  Approach approach(0.25, elastic);
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  NodalGaps gaps = approach.contact->pass(0).space().gaps();
+  // Node 0 is in contact, the others lie at squares of distances that the contact is to reach or not. Its own square
+  // grows with the approach: 8, 9, and then 10.
+  const std::vector<double> squares{9.05, 9.5, 9.9, 9.99, 10.03, 10.1, 10.3, 10.7};
+  const auto gaps_at = [&](double square_of_radius) {
+    for (std::size_t i = 0; i < squares.size(); ++i)
+      gaps.gap[static_cast<Index>(i) + 1] = hertz_gap(std::sqrt(squares[i]), std::sqrt(square_of_radius));
+    return gaps;
+  };
+  take_openings(laws, gaps_at(8), 1);
+  take_openings(laws, gaps_at(9), 1);
+  const VectorXd expected = expected_openings(laws, gaps_at(9), 1);
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    BOOST_TEST((expected[static_cast<Index>(i) + 1] < 0) == (squares[i] < 10));
 }
 
 BOOST_AUTO_TEST_CASE(where_nothing_is_in_contact_gaps_are_expected_to_close_evenly) {
