@@ -388,6 +388,17 @@ bool Segments::occluded(const FacetPair& pair, const IndexedVector<FacetPair>& a
   });
 }
 
+void Segments::remove_occluded(IndexedVector<FacetPair>& pairs, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  std::vector<int> hidden;  // each is seen among all
+  for (const FacetPair& pair : pairs) {
+    if (occluded(pair, pairs, x1, x2)) hidden.push_back(pair.secondary);
+  }
+  const auto is_hidden = [&](const FacetPair& pair) {
+    return std::find(hidden.begin(), hidden.end(), pair.secondary) != hidden.end();
+  };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_hidden), pairs.end());
+}
+
 IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   IndexedVector<FacetPair> found;
   paired_.clear();
@@ -406,11 +417,8 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
       if (!pair.points.empty() && within_reach(pair, x1, x2, radius) && opposed(pair, x1, x2))
         pairs.push_back(std::move(pair));
     }
-    IndexedVector<FacetPair> visible;
-    for (const FacetPair& pair : pairs) {
-      if (!occluded(pair, pairs, x1, x2)) visible.push_back(pair);
-    }
-    return visible;
+    remove_occluded(pairs, x1, x2);
+    return pairs;
   };
   in_order(primary_.count(), pairs_of, [&](Index /*facet*/, IndexedVector<FacetPair>& pairs) {
     for (FacetPair& pair : pairs) {

@@ -45,6 +45,8 @@ class Segments : public PointFinder {
   bool opposed(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   bool occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
                 const Matrix3Xd& x2) const;
+  /// Of the pairs of one primary facet.
+  void remove_occluded(IndexedVector<FacetPair>& pairs, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   int order(const Facing& facing) const;
 
   const IndexedVector<Facet>& primary_;
