@@ -20,6 +20,6 @@ class ContactInModel {
   /// Whether its traction penalty is reduced where steps fail.
   virtual bool has_reducible_penalty() const = 0;
   virtual const Assembly& assembly() const = 0;
-  /// When a step of the analysis begins, a time step or the run has been solved.
+  /// When an analysis step begins, and when a time step or the run has been solved.
   virtual void on_callback(unsigned int when) = 0;
 };

@@ -201,7 +201,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
     output_.store();
     core().accept_step(bound_.fields(), GetFEModel()->GetTime().timeIncrement);
   }
-  if (when == CB_STEP_ACTIVE) forget_motion(core());  // another step of the analysis tends to have other loads
+  if (when == CB_STEP_ACTIVE) forget_motion(core());  // another analysis step tends to have other loads
   if (when == CB_SOLVED) output_.log_timings();
 }
 

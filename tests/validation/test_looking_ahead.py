@@ -3,35 +3,49 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from harness.models.ball_in_socket import BallInSocket
+from harness.models.small import step
 from harness.run import engine
 
 pytestmark = pytest.mark.mixture_only
 
 STEPS = 5
+DUMPED = 3
 JOINT = BallInSocket(elements=4, steps=STEPS, slides=False)
+PLOT = '<plotfile type="febio"><var type="displacement"/></plotfile>'
+"""FEBio continues no run without one."""
 BEGINS, ITERATES = "===== beginning time step", "Nonlinear solution status"
 
 
-def _iterations(model: Path) -> list[int]:
+def _iterations(log: Path) -> list[int]:
     """Of each time step."""
-    engine.run(model, plugin=engine.required_plugin())
-    return [step.count(ITERATES) for step in model.with_suffix(".log").read_text().split(BEGINS)[1:]]
+    return [part.count(ITERATES) for part in log.read_text().split(BEGINS)[1:]]
 
 
-def test_a_load_that_another_step_of_the_analysis_holds_takes_an_iteration_each_time(runner, tmp_path):
+def test_a_load_that_another_analysis_step_holds_takes_an_iteration_each_time(runner, tmp_path):
     """Nothing moves any more: no node is expected to close as it would have, had the load gone on to grow."""
     path = JOINT.model().write(tmp_path)
     text = path.read_text()
     control = re.search(r"<Control>.*?</Control>", text, flags=re.DOTALL)
     assert control is not None
-    steps = "".join(f'<step id="{number}" name="step{number}">{control.group()}</step>' for number in (1, 2))
+    steps = "".join(step(number, control.group()) for number in (1, 2))
     path.write_text(text.replace(control.group(), "").replace("<Output>", f"<Step>{steps}</Step>\n<Output>"))
-    pressed_and_held = _iterations(path)
+    engine.run(path, plugin=engine.required_plugin())
+    pressed_and_held = _iterations(path.with_suffix(".log"))
+    assert len(pressed_and_held) == 2 * STEPS
     assert pressed_and_held[STEPS:] == [1] * STEPS
-    assert pressed_and_held[:STEPS] == _iterations(replace(JOINT, name="pressed").model().write(tmp_path))
+
+
+def test_a_run_that_is_continued_looks_ahead_as_the_whole_one(runner, tmp_path):
+    """Both on from the middle of the steps in which the ball is pressed into its socket."""
+    path = JOINT.model().write(tmp_path)
+    path.write_text(path.read_text().replace("<Output>", f"<Output>{PLOT}"))
+    engine.run(path, plugin=engine.required_plugin(), options=("-dump=1", f"-dump_stride={DUMPED}"))
+    whole = _iterations(path.with_suffix(".log"))
+    engine.restart(path.with_name("ball-in-socket.dmp"), plugin=engine.required_plugin())
+    continued = _iterations(path.with_suffix(".log"))
+    assert continued == whole[DUMPED:]

@@ -389,7 +389,7 @@ bool Segments::occluded(const FacetPair& pair, const IndexedVector<FacetPair>& a
 }
 
 void Segments::remove_occluded(IndexedVector<FacetPair>& pairs, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  std::vector<int> hidden;  // each is seen among all
+  std::vector<int> hidden;  // all are judged before any is removed: what is hidden hides others, too
   for (const FacetPair& pair : pairs) {
     if (occluded(pair, pairs, x1, x2)) hidden.push_back(pair.secondary);
   }

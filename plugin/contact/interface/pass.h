@@ -61,8 +61,8 @@ class ContactPass {
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
   /// Takes an accepted state over as that which the next step begins with: its loads, which nodes are flux-coupled, and
-  /// its positions as those that slips are measured from. The step took dt [s]: at the rate of its motion nodes are
-  /// expected to go on.
+  /// its positions as those that slips are measured from. The step took dt [s]: nodes are expected to go on from it as
+  /// expected_openings() has it.
   void accept_step(const FacingFields& fields, double dt);
 
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.

@@ -1,7 +1,5 @@
 #include "interface/past_iterations.h"
 
-#include "law/openings.h"
-
 namespace mixture_contact {
 
 void forget_past(ContactInterface& contact) {
@@ -9,7 +7,7 @@ void forget_past(ContactInterface& contact) {
 }
 
 void forget_motion(ContactInterface& contact) {
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass) forget_motion(contact.pass(pass).laws());
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) contact.pass(pass).laws().forget_motion();
 }
 
 }  // namespace mixture_contact

@@ -50,6 +50,8 @@ class NodalLaws {
 
   /// Forgets accepted steps: their tractions, friction, stick and slip, and which nodes were flux-coupled.
   void forget_steps();
+  /// Forgets how openings changed in the last step.
+  void forget_motion();
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 

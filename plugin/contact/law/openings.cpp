@@ -7,20 +7,23 @@
 namespace mixture_contact {
 namespace {
 
+/// What a value was and what it became.
 struct Change {
   double from;
   double to;
 };
 
-/// What a value becomes, should it change by `times` times as much.
-double changed(double value, const Change& last, double times) { return value + times * (last.to - last.from); }
+/// What a value becomes, should it change `steps` times as much once more.
+double extrapolated(double value, const Change& last, double steps) { return value + steps * (last.to - last.from); }
 
-/// The same for a gap beside contact, whose power 2/3 changes evenly; what is in contact has none.
-double beside_contact(double gap, const Change& last, double times) {
-  constexpr double power = 2.0 / 3.0;
-  const auto even = [](double opening) { return opening > 0 ? std::pow(opening, power) : opening; };
-  const double expected = changed(even(gap), {even(last.from), even(last.to)}, times);
-  return expected > 0 ? std::pow(expected, 1 / power) : expected;
+/// A power that keeps the sign.
+double signed_power(double value, double exponent) { return std::copysign(std::pow(std::abs(value), exponent), value); }
+
+/// As extrapolated(), for a gap beside contact: its power 2/3 changes evenly.
+double extrapolated_beside_contact(double gap, const Change& last, double steps) {
+  constexpr double exponent = 2.0 / 3.0;
+  const Change evenly{signed_power(last.from, exponent), signed_power(last.to, exponent)};
+  return signed_power(extrapolated(signed_power(gap, exponent), evenly, steps), 1 / exponent);
 }
 
 }  // namespace
@@ -46,20 +49,17 @@ void take_openings(NodalLaws& laws, const NodalGaps& now, double dt) {
   taken.step_length = dt;
 }
 
-void forget_motion(NodalLaws& laws) {
-  laws.multipliers.opening_before.setConstant(laws.nodes(), std::numeric_limits<double>::infinity());
-}
-
 VectorXd expected_openings(const NodalLaws& laws, const NodalGaps& now, double ahead) {
   const Multipliers& known = laws.multipliers;
-  const double times = ahead / known.step_length;
+  const double steps = ahead / known.step_length;
   const bool any_in_contact = (known.opening.array() < 0).any();
   VectorXd expected = openings(laws, now);
   for (Index node = 0; node < laws.nodes(); ++node) {
     const Change last{known.opening_before[node], known.opening[node]};
     if (!std::isfinite(last.from) || !std::isfinite(last.to)) continue;
     const bool is_beside = any_in_contact && expected[node] > 0;
-    expected[node] = is_beside ? beside_contact(expected[node], last, times) : changed(expected[node], last, times);
+    double& opening = expected[node];
+    opening = is_beside ? extrapolated_beside_contact(opening, last, steps) : extrapolated(opening, last, steps);
   }
   return expected;
 }

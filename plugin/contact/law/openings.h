@@ -1,4 +1,4 @@
-/// How far nodes are from a change of status, and how fast that changes.
+/// How far nodes are from a change of status, and how that goes on.
 #pragma once
 
 #include "law/nodal_laws.h"
@@ -16,15 +16,13 @@ void start_openings(NodalLaws& laws, const NodalGaps& now);
 /// Takes openings over as those that a step of `dt` ended with [s].
 void take_openings(NodalLaws& laws, const NodalGaps& now, double dt);
 
-/// Forgets how they changed in the last step: what is to come has nothing to do with it.
-void forget_motion(NodalLaws& laws);
-
-/// Openings after another `ahead` [s], should what is in contact spread, or bodies that are not come nearer, as fast as
-/// in the last step; the present ones where that is unknown.
+/// Openings after another `ahead` [s], should they change as in the last step; the present ones where that is unknown.
 ///
-/// Where nodes are in contact, a gap o beside it is taken for o^(2/3), which changes evenly where the edge of contact
-/// does: beside that edge smooth surfaces part with the power 3/2 of the distance (Johnson 1985, Contact Mechanics,
-/// section 5.1). A gap itself closes ever more slowly there, since the surface is pressed away from it.
+/// Once any node is in contact, the gap o of an open one is extrapolated by way of o^(2/3). Beside the edge of contact
+/// smooth elastic surfaces part with the power 3/2 of the distance from it, as expanding the displacement outside a
+/// Hertz contact shows (Johnson 1985, Contact Mechanics, equation 3.42a), so that o^(2/3) changes evenly where the edge
+/// moves evenly. The gap itself closes ever more slowly there. Far from any contact it does not, and nodes are expected
+/// to close too late.
 VectorXd expected_openings(const NodalLaws& laws, const NodalGaps& now, double ahead);
 
 }  // namespace mixture_contact

@@ -138,8 +138,8 @@ BOOST_AUTO_TEST_CASE(a_step_begins_with_the_nodes_closed_that_their_motion_close
   BOOST_TEST(approach.closed() == 3);
 }
 
-/// The gap at a distance from the middle of a Hertz contact with this radius, times the radius of the sphere (Johnson
-/// 1985, Contact Mechanics, equations 3.42).
+/// The gap at a distance from the middle of a Hertz contact with this radius, times the radius of the sphere: what is
+/// left of the approach with the displacement outside (Johnson 1985, Contact Mechanics, equation 3.42a).
 double hertz_gap(double distance, double radius) {
   const double square = distance * distance;
   const double outside = std::sqrt(square - radius * radius);
@@ -261,10 +261,36 @@ BOOST_AUTO_TEST_CASE(a_penalty_that_grows_looks_like_no_motion) {
   const VectorXd expected = expected_openings(laws, gaps, 1.5);
   BOOST_TEST((expected - VectorXd::Constant(all, 0.125) - 3 * (VectorXd::Constant(all, 0.125) - overlap)).norm() <
              1e-12);
-  gaps.area.setZero();  // and facing nothing
-  take_openings(laws, gaps, 0.5);
+  NodalGaps facing_nothing = gaps;
+  facing_nothing.area.setZero();
+  take_openings(laws, facing_nothing, 0.5);
   BOOST_TEST(laws.multipliers.opening[0] == std::numeric_limits<double>::infinity());
-  BOOST_TEST(expected_openings(laws, gaps, 1)[0] == std::numeric_limits<double>::infinity());
+  take_openings(laws, gaps, 0.5);  // where a node has just come to face something no motion is known
+  BOOST_TEST((expected_openings(laws, gaps, 1).array() == 0.125).all());
+}
+
+BOOST_AUTO_TEST_CASE(expectations_do_not_depend_on_the_unit_of_length) {
+  Approach approach(0.25, elastic);
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  NodalGaps gaps = approach.contact->pass(0).space().gaps();
+  // Per node: as the last step began, as it ended, and now. Status may differ where points or penalties have.
+  Eigen::Matrix<double, 3, 8> openings_of;
+  openings_of << 0.3, 0.3, 0.3, 0.3, -0.3, -0.3, -0.3, -0.3,  //
+      0.2, 0.2, -0.2, -0.2, 0.2, 0.2, -0.2, -0.2,             //
+      0.1, -0.1, 0.1, -0.1, 0.1, -0.1, 0.1, -0.1;
+  const auto expected = [&](double unit) {
+    const auto at_time = [&](Index row) {
+      gaps.gap.head<8>() = unit * openings_of.row(row).transpose();
+      return gaps;
+    };
+    laws.forget_steps();
+    take_openings(laws, at_time(0), 1);
+    take_openings(laws, at_time(1), 1);
+    return VectorXd(expected_openings(laws, at_time(2), 2) / unit);
+  };
+  const VectorXd one = expected(1);
+  const VectorXd other = expected(1000);
+  for (Index node = 0; node < 8; ++node) BOOST_TEST(one[node] == other[node], boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(what_closed_ahead_adds_to_the_residual_can_be_taken_out_of_it) {
