@@ -273,10 +273,9 @@ def _log_parts(model: Model, log: Element) -> None:
 
 
 def _plot_variables(model: Model) -> tuple[str, ...]:
-    common = ("displacement", "stress", "effective fluid pressure", "fluid flux", "contact gap", "contact pressure")
-    if not model.n_solutes:
-        return common
-    return (*common, "effective solute concentration", "solute concentration", "solute flux")
+    fluid = () if model.module == "solid" else ("effective fluid pressure", "fluid flux")
+    solutes = ("effective solute concentration", "solute concentration", "solute flux") if model.n_solutes else ()
+    return ("displacement", "stress", *fluid, "contact gap", "contact pressure", *solutes)
 
 
 def _check(model: Model) -> None:
