@@ -7,7 +7,7 @@ void forget_past(ContactInterface& contact) {
 }
 
 void forget_motion(ContactInterface& contact) {
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass) contact.pass(pass).laws().forget_motion();
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) contact.pass(pass).laws().multipliers.forget_motion();
 }
 
 }  // namespace mixture_contact

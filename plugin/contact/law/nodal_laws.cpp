@@ -9,6 +9,11 @@
 
 namespace mixture_contact {
 
+void Multipliers::forget_motion() {
+  opening_before.setConstant(opening.size(), std::numeric_limits<double>::infinity());
+  step_length = 0;
+}
+
 NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                      const Settings& settings)
     : primary_(primary),
@@ -25,16 +30,11 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
 void NodalLaws::forget_steps() {
   multipliers.accepted_traction.setZero(nodes());
   multipliers.opening.setConstant(nodes(), std::numeric_limits<double>::infinity());
-  forget_motion();
+  multipliers.forget_motion();
   if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), false);
   if (!effects_.may_rub()) return;
   multipliers.friction.setZero(3, nodes());
   multipliers.slips = NodeFlags(nodes(), false);
-}
-
-void NodalLaws::forget_motion() {
-  multipliers.opening_before.setConstant(nodes(), std::numeric_limits<double>::infinity());
-  multipliers.step_length = 0;
 }
 
 void NodalLaws::update_penalties() {

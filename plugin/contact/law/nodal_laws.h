@@ -23,6 +23,9 @@ struct Multipliers {
                                       ///< without friction
   NodeFlags slips;                    ///< which nodes slid when friction had these values
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
+
+  /// Forgets how openings changed in the last step.
+  void forget_motion();
 };
 
 /// A node's trial traction with what its variation needs.
@@ -50,8 +53,6 @@ class NodalLaws {
 
   /// Forgets accepted steps: their tractions, friction, stick and slip, and which nodes were flux-coupled.
   void forget_steps();
-  /// Forgets how openings changed in the last step.
-  void forget_motion();
   /// Recomputes the penalties after the properties of the surfaces have changed.
   void update_penalties();
 
