@@ -216,7 +216,7 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
 }
 
 void FEMixtureSurface::Serialize(DumpStream& ar) {
-  if (ar.IsShallow()) return;  // all of this is output of the last step that was accepted, which no step depends on
+  if (ar.IsShallow()) return;  // this is output of the last step that was accepted, on which no step depends, or never changes
   FEBiphasicContactSurface::Serialize(ar);
   archive(ar, nodal_.gap);
   archive(ar, nodal_.pressure);
