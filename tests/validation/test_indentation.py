@@ -209,6 +209,12 @@ def test_ailment_of_an_attempt(log, failure_mode):
     assert [found.failure_mode for found in diagnosis.attempts(log)] == [failure_mode]
 
 
+def test_the_contacts_table_of_times_is_no_iteration():
+    table = "    residual         6.123e-02   0.000e+00   6.123e-02   1.191e-03\n"
+    (found,) = diagnosis.attempts(attempt([1.0, 0.5], error="") + table)
+    assert found.residuals == (1.0, 0.5)
+
+
 def test_summary_counts_failed_attempts_and_names_the_unmet_norm():
     converged = attempt([1.0], error="") + "------- converged at time : 0.5\n"
     text = diagnosis.summary(converged + attempt([1e-9] * 20, ls=0.06))

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from enum import Enum
 
 _BEGIN = re.compile(r"^===== beginning time step \d+ : (\S+) =====", re.MULTILINE)
-_RESIDUAL = re.compile(r"^\s+residual +(\S+) +(\S+) +(\S+)", re.MULTILINE)
+_RESIDUAL = re.compile(r"^\t +residual +(\S+) +(\S+) +(\S+)", re.MULTILINE)
+"""FEBio's line begins with a tab, that of the contact's table of times does not."""
 _FIELD = re.compile(
     r"^\s+(energy|displacement|fluid pressure|solute \d+ concentration|concentration) +(\S+) +(\S+) +(\S+)",
     re.MULTILINE,
