@@ -216,7 +216,8 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
 }
 
 void FEMixtureSurface::Serialize(DumpStream& ar) {
-  if (ar.IsShallow()) return;  // this is output of the last step that was accepted, on which no step depends, or never changes
+  // This is output of the last step that was accepted, on which no step depends, or never changes.
+  if (ar.IsShallow()) return;
   FEBiphasicContactSurface::Serialize(ar);
   archive(ar, nodal_.gap);
   archive(ar, nodal_.pressure);
