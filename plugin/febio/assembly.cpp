@@ -1,5 +1,6 @@
 #include "assembly.h"
 
+#include "columns_beside.h"
 #include "contact/interface/corrections.h"
 #include "contact/interface/residual_ahead.h"
 #include "matrix_profile.h"
@@ -36,7 +37,7 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
       const bool is_rigid = equations.are_rigid({first, rows});
       rows.displacements = rows.displacements || is_rigid;  // FEBio couples a body by all that its nodes have
       const std::vector<int> own = equations.coupled({first, rows});
-      const std::vector<int> others = equations.coupled({first, row.columns});
+      const std::vector<int> others = equations.coupled({first, in_matrix(equations, first, row)});
       use_row(own, others);
       if (is_rigid || equations.are_rigid({first, row.columns})) use_row(others, own);  // and both ways
     };
@@ -61,10 +62,21 @@ Fingerprint Assembly::couplings() const {
   return found;
 }
 
-void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained) {
+Patch Assembly::in_matrix(const NodeEquations& equations, Side first, const TangentBlock& row) const {
+  if (!splits(first)) return row.columns;
+  const Location columns{first, row.columns};
+  return without(row.columns, columns_beside(equations, {first, row.rows}, columns, equations.equations(columns)));
+}
+
+bool Assembly::fits_matrix(bool may_split) const {
+  return splits_ == (takes_rows_ && may_split) && couplings() == couplings_of_matrix_;
+}
+
+void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split) {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
   const bool takes_loads = takes_blocks(matrix, is_constrained);
   takes_rows_ = takes_loads && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
+  splits_ = takes_rows_ && may_split;
   couplings_of_matrix_ = Fingerprint();
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   CoupledBlocks blocks(profile.Columns());
@@ -134,17 +146,18 @@ void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {
   mixture_contact::residual_ahead(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
-void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) const {
+void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) {
   const ContactInterface& core = contact_.core();
   TaskClock timed = core.measurements().clock(Task::stiffness);
   const PerSide<SurfaceFields> fields = contact_.fields();
   const RigidShellBottoms arms(surfaces_);
   const NodeEquations equations(dofs_, surfaces_, core);
   TangentAssembly parts(core, equations, loads_, system, matrix, is_constrained);
+  beside_.clear();
   ContactInterface::AddRows add_rows;
   if (takes_rows_)
     add_rows = [&](Side first, const IndexedVector<TangentBlock>& rows, double factor) {
-      parts.add_rows(first, rows, factor);
+      parts.add_rows(first, rows, factor, splits(first) ? &beside_ : nullptr);
     };
   core.tangent(
       fields, dt,

@@ -5,6 +5,7 @@
 #include "fingerprint.h"
 #include "load_equations.h"
 #include "newton/border.h"
+#include "newton/splitting.h"
 
 #include <functional>
 #include <vector>
@@ -19,10 +20,10 @@ class Assembly {
       : contact_(contact), surfaces_(surfaces), dofs_(dofs), loads_(loads) {}
 
   /// Adds the blocks of the present active set to the profile of the matrix. `is_constrained`: whether linear
-  /// constraints tie degrees of freedom of the model to each other.
-  void add_to_profile(FEGlobalMatrix& matrix, bool is_constrained);
+  /// constraints tie degrees of freedom of the model to each other. `may_split`: whether couplings may stand beside it.
+  void add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split);
   /// Whether they are those that were added last.
-  bool fits_matrix() const { return couplings() == couplings_of_matrix_; }
+  bool fits_matrix(bool may_split) const;
 
   void residual(FEGlobalVector& residual, double dt) const;
   /// Adds what loads that have changed as the iteration began make of it. Returns whether that is known.
@@ -31,7 +32,9 @@ class Assembly {
   std::vector<newton::Condition> conditions(double dt) const;
   /// What of it is of nodes that begin the step in contact though they are open.
   void residual_ahead(FEGlobalVector& residual, double dt) const;
-  void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) const;
+  void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt);
+  /// What of the last tangent the matrix has no place for.
+  const newton::MatrixPart& beside_matrix() const { return beside_; }
 
  private:
   using Location = mixture_contact::ContactInterface::Location;
@@ -42,6 +45,11 @@ class Assembly {
   using UseRow = std::function<void(const std::vector<int>& own, const std::vector<int>& others)>;
   void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const;
   Fingerprint couplings() const;
+  /// Whether couplings of a pass stand beside the matrix: where its loads are unknowns, for the same solvers.
+  bool splits(mixture_contact::Side first) const { return splits_ && loads_.has(first); }
+  /// Those columns of a row that do not.
+  mixture_contact::Patch in_matrix(const NodeEquations& equations, mixture_contact::Side first,
+                                   const mixture_contact::TangentBlock& row) const;
   /// Adds parts of residuals to a vector. Keeps references.
   static mixture_contact::ContactInterface::AddResidual adder(const NodeEquations& equations, FEGlobalVector& residual);
 
@@ -51,4 +59,6 @@ class Assembly {
   const LoadEquations& loads_;
   Fingerprint couplings_of_matrix_;
   bool takes_rows_ = false;  ///< whether the matrix takes geometric parts by nodes
+  bool splits_ = false;      ///< whether couplings of these stand beside the matrix
+  newton::MatrixPart beside_;
 };

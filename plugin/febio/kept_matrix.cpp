@@ -5,6 +5,7 @@
 #include <FECore/FENewtonStrategy.h>
 #include <FECore/JFNKStrategy.h>
 #include <FECore/LinearSolver.h>
+#include <FECore/vector.h>
 
 #include <algorithm>
 #include <utility>
@@ -14,23 +15,34 @@ namespace {
 /// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
 constexpr int most_iterations = 50;
 
+/// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is off
+/// by so much leaves as much to the next one.
+constexpr double solved = 1e-2;
+
 }  // namespace
 
-void KeptMatrix::formed() {
+void KeptMatrix::formed(const newton::MatrixParts& parts) {
   is_requested_ = false;  // FEBio has taken the request
   begin();
+  prepare({}, parts);
 }
 
-void KeptMatrix::follow() {
-  if (number_ == solver_.febio()->m_ntotref) return;
+void KeptMatrix::follow(const newton::MatrixParts& parts) {
+  if (follow()) prepare({}, parts);
+}
+
+bool KeptMatrix::follow() {
+  if (number_ == solver_.febio()->m_ntotref) return false;
   request(false);  // FEBio asks nobody after augmentations: it is there still
   begin();
+  return true;
 }
 
 void KeptMatrix::begin() {
   restore();
   number_ = solver_.febio()->m_ntotref;
   border_.forget();
+  product_.clear();
   iterations_ = 0;
   may_correct_ = true;
 }
@@ -52,19 +64,37 @@ void KeptMatrix::request(bool is_needed) {
   is_requested_ = is_needed;
 }
 
-void KeptMatrix::correct(const std::vector<newton::Condition>& conditions) {
+void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
   follow();
   FENewtonSolver& solver = *solver_.febio();
   // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
   // residual before the correction.
   iterations_ += std::max(1, std::exchange(solver.m_qnstrategy->m_nups, 0));
+  prepare(conditions, parts);
+}
+
+void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
+  FENewtonSolver& solver = *solver_.febio();
   bool is_solved = true;
   const auto solve = [&](std::vector<double> right) {
     std::vector<double> solution(right.size());
     is_solved = solver.GetLinearSolver()->BackSolve(solution, right) && is_solved;
     return solution;
   };
+  const auto solve_with_conditions = [&](const std::vector<double>& right) {
+    return border_.solution(solve, conditions, right);
+  };
+  newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, solved);
+  needs_parts_ = needs_parts_ || !split.converges;
+  product_ = std::move(split.product);
+  if (!product_.empty()) solver.m_R0 = solver.m_R0 - product_;
   may_correct_ = border_.hold(solve, conditions, solver.m_R0) && is_solved;
+}
+
+void KeptMatrix::tried() {
+  if (product_.empty()) return;
+  solver_.febio()->m_R0 += product_;
+  product_.clear();
 }
 
 void KeptMatrix::reject(mixture_contact::GoesOn with) {

@@ -1,9 +1,11 @@
-/// The matrix that a quasi-Newton method of FEBio's keeps for several iterations, and what contacts change of its use.
+/// The matrix of FEBio's Newton methods, which those of quasi-Newton kind keep for several iterations, and what contacts
+/// change of its use.
 #pragma once
 
 #include "host/stepper.h"
 #include "newton/border.h"
 #include "newton/febio/febio_solver.h"
+#include "newton/splitting.h"
 
 #include <optional>
 #include <vector>
@@ -12,15 +14,21 @@ class KeptMatrix {
  public:
   explicit KeptMatrix(newton::FEBioSolver& solver) : solver_(solver) {}
 
-  /// FEBio has formed another one, as it said.
-  void formed();
+  /// FEBio has formed another one, as it said. It is solved with these parts beside it.
+  void formed(const newton::MatrixParts& parts);
+  /// The same of those that FEBio tells nobody of.
+  void follow(const newton::MatrixParts& parts);
+  /// A trial has been made of FEBio's solution: its right-hand side is without the parts again.
+  void tried();
+  /// Whether parts have been too large to stand beside it. They are to be in it from now on.
+  bool needs_parts() const { return needs_parts_; }
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
   /// nothing is to be corrected with it.
   bool is_due();
   /// Has FEBio form another one after this trial, or takes that back: not what others ask for.
   void request(bool is_needed);
   /// An iteration with it has been corrected: the next one is without FEBio's updates, and holds these conditions.
-  void correct(const std::vector<newton::Condition>& conditions);
+  void correct(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
 
   /// A converged state has been rejected: the next iteration has a matrix of its own, or this one.
   void reject(mixture_contact::GoesOn with);
@@ -31,10 +39,13 @@ class KeptMatrix {
   void end_step() { restore(); }
 
  private:
-  /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step.
-  void follow();
+  /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step. Returns whether
+  /// there is another one.
+  bool follow();
   /// Begins with another one.
   void begin();
+  /// Has FEBio's next solution meet conditions, and the parts with them.
+  void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
   /// Has FEBio form a matrix before the next iteration.
   void force_next();
   void restore();
@@ -45,5 +56,7 @@ class KeptMatrix {
   int iterations_ = 0;                  ///< with it, up to the last that was corrected
   bool is_requested_ = false;           ///< another one, by request()
   bool may_correct_ = true;             ///< whether conditions can be held with it
+  bool needs_parts_ = false;
+  std::vector<double> product_;         ///< of the parts, which the right-hand side is without until there is a trial
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };

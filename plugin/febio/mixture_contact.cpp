@@ -177,7 +177,7 @@ void FEMixtureContact::Update() {
 
 void FEMixtureContact::Update(const std::vector<double>& total, const std::vector<double>& increment) {
   bound_.set_multipliers(total, increment);
-  model_->steps().try_increment(&bound_, increment);
+  model_->try_increment(*this, increment);
 }
 
 void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
@@ -209,7 +209,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   model_->steps().before_matrix();
-  assembly_.add_to_profile(matrix, has_linear_constraints(*GetFEModel()));
+  assembly_.add_to_profile(matrix, has_linear_constraints(*GetFEModel()), model_->splits_matrix());
 }
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {

@@ -188,6 +188,22 @@ void ModelContacts::prepare_step(ContactInModel& contact) {
   keep_matrix_if_it_fits();
 }
 
+void ModelContacts::try_increment(ContactInModel& contact, const std::vector<double>& increment) {
+  if (solver_.is_newton()) matrix_.tried();
+  steps_.try_increment(&contact.bound(), increment);
+}
+
+bool ModelContacts::splits_matrix() const {
+  const FENewtonSolver* const solver = solver_.febio();
+  return solver != nullptr && adds_up_residuals(*solver) && !matrix_.needs_parts();
+}
+
+newton::MatrixParts ModelContacts::matrix_parts() const {
+  newton::MatrixParts parts;
+  for (const ContactInModel* contact : active()) parts.push_back(&contact->assembly().beside_matrix());
+  return parts;
+}
+
 void ModelContacts::keep_matrix_if_it_fits() {
   // FEBio shapes the matrix of a model with contact anew for each iteration, at the first one of a step even what the
   // bodies add. There the iteration has begun already, so that nothing but the shape is left to BuildMatrixProfile.
@@ -198,7 +214,7 @@ void ModelContacts::keep_matrix_if_it_fits() {
                      fem_.NonlinearConstraints() == 0;
   const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
                     std::all_of(contacts.begin(), contacts.end(),
-                                [](ContactInModel* contact) { return contact->assembly().fits_matrix(); });
+                                [&](ContactInModel* contact) { return contact->assembly().fits_matrix(splits_matrix()); });
   solver->m_breshape = !fits;
 }
 
@@ -231,10 +247,13 @@ void ModelContacts::on_callback(unsigned int when) {
   if (contacts.empty()) return;
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
-    matrix_.formed();
     steps_.matrix_formed();
+    matrix_.formed(matrix_parts());
   }
-  if (when == CB_MINOR_ITERS && solver_.is_newton()) steps_.end_iteration();
+  if (when == CB_MINOR_ITERS && solver_.is_newton()) {
+    steps_.end_iteration();
+    matrix_.follow(matrix_parts());
+  }
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
     note_overlap();
@@ -284,7 +303,7 @@ void ModelContacts::correct_residual() {
     const std::vector<newton::Condition> own = contact->assembly().conditions(fem_.GetTime().timeIncrement);
     conditions.insert(conditions.end(), own.begin(), own.end());
   }
-  matrix_.correct(conditions);
+  matrix_.correct(conditions, matrix_parts());
 }
 
 MatrixUse ModelContacts::matrix_use() {

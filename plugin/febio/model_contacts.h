@@ -30,6 +30,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   // FEBio's calls, as each contact passes them on
   void activate(ContactInModel& contact);
   void prepare_step(ContactInModel& contact);
+  void try_increment(ContactInModel& contact, const std::vector<double>& increment);
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// What the model keeps between steps is stored once, with the first contact that is.
   void serialize(ContactInModel& contact, DumpStream& ar);
@@ -37,6 +38,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   newton::FEBioSolver& solver() { return solver_; }
   /// What automatic penalties of the traction are divided by at present.
   double penalty_reduction() const { return reducible_.divisor(); }
+  /// Whether parts of the tangent may stand beside the matrix.
+  bool splits_matrix() const;
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
   bool apply_ambient() override;
@@ -55,6 +58,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void offer(const HelperSwitch& which);
   bool is_on(const HelperSwitch& which) const;
   std::vector<ContactInModel*> active() const;
+  newton::MatrixParts matrix_parts() const;
   void keep_matrix_if_it_fits();
   void reduce_penalties();
   void note_overlap();

@@ -1,5 +1,6 @@
 #include "tangent_assembly.h"
 
+#include "columns_beside.h"
 #include "contact/base/parallel.h"
 #include "host/mixed_form.h"
 #include "newton/solver.h"
@@ -118,6 +119,24 @@ std::vector<int> alone(std::vector<int> equations, const LocalLayout& layout, In
   return equations;
 }
 
+/// Takes the columns of these nodes out of a block. Returns them as FEBio's matrix has them, K = -dR/du.
+newton::MatrixPart::Block taken_out(MatrixBlock& block, const NodeFlags& nodes, const LocalLayout& columns) {
+  newton::MatrixPart::Block taken;
+  const Index count = std::count(nodes.begin(), nodes.end(), true);
+  if (count == 0) return taken;
+  taken.rows = block.rows;
+  taken.values.resize(block.values.rows(), 3 * count);
+  for (Index n = 0; n < nodes.count(); ++n) {
+    if (!nodes[n]) continue;
+    const Index first = columns.displacement(n, 0);
+    taken.values.middleCols<3>(count_of(taken.columns)) = -block.values.middleCols<3>(first);
+    const auto ids = block.columns.begin() + first;
+    taken.columns.insert(taken.columns.end(), ids, ids + 3);
+    std::fill(ids, ids + 3, -1);
+  }
+  return taken;
+}
+
 }  // namespace
 
 bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained) { return MatrixRows(matrix) && !is_constrained; }
@@ -193,22 +212,28 @@ IndexedVector<Index> TangentAssembly::take_out_bound(const Location& row, const 
   return bound;
 }
 
-void TangentAssembly::add_rows(Side first, const Rows& rows, double factor) {
+void TangentAssembly::add_rows(Side first, const Rows& rows, double factor, newton::MatrixPart* beside) {
   take_over(kept_of(rows.front().rows));  // what came before these
-  for (Index begin = 0; begin < rows.count(); begin += batch_size) add_batch(first, rows, begin, factor);
+  for (Index begin = 0; begin < rows.count(); begin += batch_size) add_batch(first, rows, begin, factor, beside);
 }
 
-void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, double factor) {
+void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, double factor, newton::MatrixPart* beside) {
   const Index count = std::min(batch_size, rows.count() - begin);
   IndexedVector<MatrixBlock> made(count);
   IndexedVector<IndexedVector<Index>> bound(count);
+  IndexedVector<newton::MatrixPart::Block> apart(count);
   in_parallel(count, [&](Index n) {
     const TangentBlock& block = rows[begin + n];
     const Location row{first, block.rows};
     const Location columns{first, block.columns};
     made[n] = {equations_.equations(row), equations_.equations(columns), factor * block.values};
+    if (beside != nullptr)
+      apart[n] = taken_out(made[n], columns_beside(equations_, row, columns, made[n].columns), columns.patch.layout());
     bound[n] = take_out_bound(row, columns, made[n].columns);
   });
+  for (newton::MatrixPart::Block& block : apart) {
+    if (block.values.size() > 0) beside->add(std::move(block));
+  }
   rows_.subtract(made);
   for (Index n = 0; n < count; ++n) {
     for (const Index column : bound[n]) add_bound(first, rows[begin + n], column, factor);

@@ -4,6 +4,7 @@
 #include "bound_contact.h"
 #include "load_equations.h"
 #include "matrix_rows.h"
+#include "newton/splitting.h"
 
 #include <map>
 #include <optional>
@@ -25,8 +26,9 @@ class TangentAssembly {
                   const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained);
 
   void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
-  /// The same for blocks of one effect that have the rows of one node each, times a factor.
-  void add_rows(mixture_contact::Side first, const Rows& rows, double factor);
+  /// The same for blocks of one effect that have the rows of one node each, times a factor. What the matrix has no place
+  /// for goes into the part beside it, where there is one.
+  void add_rows(mixture_contact::Side first, const Rows& rows, double factor, newton::MatrixPart* beside);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
   /// are zero. Charges each effect with its own.
@@ -47,7 +49,8 @@ class TangentAssembly {
   mixture_contact::IndexedVector<mixture_contact::Index> take_out_bound(const Location& row, const Location& columns,
                                                                         std::vector<int>& equations) const;
   /// Adds as many of them as threads share at a time, from that place on.
-  void add_batch(mixture_contact::Side first, const Rows& rows, mixture_contact::Index begin, double factor);
+  void add_batch(mixture_contact::Side first, const Rows& rows, mixture_contact::Index begin, double factor,
+                 newton::MatrixPart* beside);
   /// Adds a node's rows by the n-th node of its columns by FEBio's own assembly.
   void add_bound(mixture_contact::Side first, const mixture_contact::TangentBlock& row, mixture_contact::Index n,
                  double factor);

@@ -42,22 +42,37 @@ const std::vector<double>& Border::column(const Solve& solve, const Condition& c
   return columns_[condition.key] = solve(right);
 }
 
-bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double>& right) {
-  if (conditions.empty()) return true;
+Eigen::VectorXd Border::unknowns(const Solve& solve, const std::vector<Condition>& conditions,
+                                 const std::vector<double>& free) {
   const int count = indexing::number_of(conditions);
-  const std::vector<double> free = solve(right);
   Eigen::MatrixXd answers(count, count);
   Eigen::VectorXd values(count);
   for (int i = 0; i < count; ++i) {
-    const std::vector<double>& answer = column(solve, at(conditions, i), right.size());
+    const std::vector<double>& answer = column(solve, at(conditions, i), free.size());
     for (int k = 0; k < count; ++k) answers(k, i) = product(at(conditions, k).row, answer);
     answers(i, i) -= at(conditions, i).diagonal;
     values[i] = product(at(conditions, i).row, free);
   }
-  const Eigen::VectorXd z = solved(answers, values);
-  if (z.size() == 0) return false;
-  for (int i = 0; i < count; ++i) add(-z[i], at(conditions, i).column, right);
-  return true;
+  return solved(answers, values);
+}
+
+bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double>& right) {
+  if (conditions.empty()) return true;
+  const Eigen::VectorXd z = unknowns(solve, conditions, solve(right));
+  for (int i = 0; i < z.size(); ++i) add(-z[i], at(conditions, i).column, right);
+  return z.size() > 0;
+}
+
+std::vector<double> Border::solution(const Solve& solve, const std::vector<Condition>& conditions,
+                                     const std::vector<double>& right) {
+  std::vector<double> x = solve(right);
+  if (conditions.empty()) return x;
+  const Eigen::VectorXd z = unknowns(solve, conditions, x);
+  for (int i = 0; i < z.size(); ++i) {
+    const std::vector<double>& answer = column(solve, at(conditions, i), x.size());
+    for (std::size_t n = 0; n < x.size(); ++n) at(x, n) -= z[i] * at(answer, n);
+  }
+  return x;
 }
 
 }  // namespace newton

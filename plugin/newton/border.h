@@ -9,6 +9,8 @@
 /// once, and one for each right-hand side.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <map>
 #include <vector>
@@ -42,8 +44,14 @@ class Border {
   /// Adds to a right-hand side what holds these conditions, b - C z. Returns false, and adds nothing, where the matrix
   /// with them is singular.
   bool hold(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double>& right);
+  /// The solution x with these conditions; the one without them where the matrix with them is singular.
+  std::vector<double> solution(const Solve& solve, const std::vector<Condition>& conditions,
+                               const std::vector<double>& right);
 
  private:
+  /// The z of these conditions, given K^-1 b; empty where the matrix with them is singular.
+  Eigen::VectorXd unknowns(const Solve& solve, const std::vector<Condition>& conditions,
+                           const std::vector<double>& free);
   /// K^-1 C of a condition.
   const std::vector<double>& column(const Solve& solve, const Condition& condition, std::size_t size);
 

@@ -1,0 +1,82 @@
+#include "splitting.h"
+
+#include "indexing/entries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using indexing::at;
+
+namespace newton {
+namespace {
+
+/// By how much a sweep has to reduce the change of the one before.
+constexpr double least_reduction = 0.5;
+
+std::vector<double> difference(const std::vector<double>& one, const std::vector<double>& other) {
+  std::vector<double> result(one.size());
+  std::transform(one.begin(), one.end(), other.begin(), result.begin(), std::minus<>());
+  return result;
+}
+
+/// The length of what D multiplies of a vector.
+double length(const MatrixParts& parts, const std::vector<double>& x) {
+  double squares = 0;
+  for (const MatrixPart* part : parts) squares += part->squares(x);
+  return std::sqrt(squares);
+}
+
+std::vector<double> product(const MatrixParts& parts, const std::vector<double>& x) {
+  std::vector<double> sum(x.size());
+  for (const MatrixPart* part : parts) part->add_product(x, sum);
+  return sum;
+}
+
+}  // namespace
+
+void MatrixPart::add_product(const std::vector<double>& x, std::vector<double>& sum) const {
+  for (const Block& block : blocks_) {
+    for (Eigen::Index i = 0; i < block.values.rows(); ++i) {
+      const int row = at(block.rows, i);
+      if (row < 0) continue;
+      double entry = 0;
+      for (Eigen::Index j = 0; j < block.values.cols(); ++j) {
+        const int column = at(block.columns, j);
+        if (column >= 0) entry += block.values(i, j) * at(x, column);
+      }
+      at(sum, row) += entry;
+    }
+  }
+}
+
+double MatrixPart::squares(const std::vector<double>& x) const {
+  double sum = 0;
+  for (const Block& block : blocks_) {
+    for (const int column : block.columns) {
+      if (column >= 0) sum += at(x, column) * at(x, column);
+    }
+  }
+  return sum;
+}
+
+Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
+            const std::vector<double>& right, double tolerance) {
+  if (std::all_of(parts.begin(), parts.end(), [](const MatrixPart* part) { return part->empty(); })) return {};
+  std::vector<double> x = solve(right);
+  double change = 1;  // as a part of x: all of it
+  while (true) {
+    std::vector<double> made = product(parts, x);
+    std::vector<double> next = solve(difference(right, made));
+    const double size = length(parts, next);
+    const double next_change = size > 0 ? length(parts, difference(next, x)) / size : 0;
+    if (!(next_change <= least_reduction * change)) return {std::move(made), false};
+    const double reduction = next_change / change;
+    x = std::move(next);
+    change = next_change;
+    // The sweep that is left reduces the error once more.
+    if (change * reduction <= tolerance) return {product(parts, x), true};
+  }
+}
+
+}  // namespace newton

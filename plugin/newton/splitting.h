@@ -1,0 +1,51 @@
+/// A matrix of which a part stands beside it and is not factorised.
+///
+/// With A = K + D and the factors of K alone, A x = b is solved by the iteration K x' = b - D x of the splitting (Varga
+/// 2000, Matrix Iterative Analysis, chapter 3). Each sweep costs a back substitution. It converges where the spectral
+/// radius of K^-1 D is less than 1: where D is small beside K.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace newton {
+
+/// The part D, in dense blocks that may overlap.
+class MatrixPart {
+ public:
+  struct Block {
+    std::vector<int> rows;     ///< equations; -1 for none
+    std::vector<int> columns;  ///< equations; -1 for none
+    Eigen::MatrixXd values;    ///< shape (rows, columns)
+  };
+
+  void clear() { blocks_.clear(); }
+  void add(Block block) { blocks_.push_back(std::move(block)); }
+  bool empty() const { return blocks_.empty(); }
+
+  /// Adds D x to a vector.
+  void add_product(const std::vector<double>& x, std::vector<double>& sum) const;
+  /// Adds the squares of what D multiplies of x to a sum, once for each block that has it.
+  double squares(const std::vector<double>& x) const;
+
+ private:
+  std::vector<Block> blocks_;
+};
+
+/// The parts of several contacts, of which D is the sum.
+using MatrixParts = std::vector<const MatrixPart*>;
+
+/// What splitting comes to for one right-hand side.
+struct Split {
+  std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty where D is
+  bool converges = true;        ///< whether each sweep halved the change, at least
+};
+
+/// Solves (K + D) x = b but for its last sweep, which is left to the caller: K x' = b - D x. What D multiplies of x' is
+/// right to `tolerance`, a part of it; where sweeps do not converge, no better than the best of them.
+Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
+            const std::vector<double>& right, double tolerance);
+
+}  // namespace newton
