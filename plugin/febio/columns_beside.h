@@ -1,7 +1,7 @@
 /// Which couplings of a contact stand beside the matrix.
 ///
-/// The change of the geometry couples nodes across the contact, which costs the matrix much of its fill and an iteration
-/// little if it is left out: it is small beside the stiffness of the bodies (docs/explanation/matrix.md).
+/// The change of the geometry couples nodes across the contact, which costs the matrix much of its fill and an
+/// iteration little if it is left out: it is small beside the stiffness of the bodies (docs/explanation/matrix.md).
 #pragma once
 
 #include "node_equations.h"

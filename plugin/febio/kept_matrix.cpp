@@ -1,5 +1,6 @@
 #include "kept_matrix.h"
 
+#include <FECore/DumpStream.h>
 #include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FENewtonStrategy.h>
@@ -15,8 +16,8 @@ namespace {
 /// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
 constexpr int most_iterations = 50;
 
-/// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is off
-/// by so much leaves as much to the next one.
+/// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
+/// off by so much leaves as much to the next one.
 constexpr double solved = 1e-2;
 
 }  // namespace
@@ -85,10 +86,17 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
     return border_.solution(solve, conditions, right);
   };
   newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, solved);
-  needs_parts_ = needs_parts_ || !split.converges;
+  if (!split.converges) take_parts_in();
   product_ = std::move(split.product);
   if (!product_.empty()) solver.m_R0 = solver.m_R0 - product_;
   may_correct_ = border_.hold(solve, conditions, solver.m_R0) && is_solved;
+}
+
+void KeptMatrix::take_parts_in() {
+  if (!std::exchange(needs_parts_, true))
+    solver_.log(
+        "\nsliding-mixture: couplings across the contact are large beside the stiffness of the bodies. From the next "
+        "matrix on they stand in it, which has more entries.");
 }
 
 void KeptMatrix::tried() {
@@ -113,6 +121,8 @@ void KeptMatrix::force_next() {
   if (!reform_augment_) reform_augment_ = std::exchange(solver.m_breformAugment, true);
   request(true);  // where a step begins
 }
+
+void KeptMatrix::serialize(DumpStream& ar) { ar & needs_parts_; }
 
 void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);

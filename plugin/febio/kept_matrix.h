@@ -1,5 +1,5 @@
-/// The matrix of FEBio's Newton methods, which those of quasi-Newton kind keep for several iterations, and what contacts
-/// change of its use.
+/// The matrix of FEBio's Newton methods, which those of quasi-Newton kind keep for several iterations, and what
+/// contacts change of its use.
 #pragma once
 
 #include "host/stepper.h"
@@ -9,6 +9,8 @@
 
 #include <optional>
 #include <vector>
+
+class DumpStream;
 
 class KeptMatrix {
  public:
@@ -38,24 +40,28 @@ class KeptMatrix {
   /// A time step has been solved: FEBio has its own setting again, whether augmentations form matrices.
   void end_step() { restore(); }
 
+  void serialize(DumpStream& ar);
+
  private:
-  /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step. Returns whether
-  /// there is another one.
+  /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step. Returns
+  /// whether there is another one.
   bool follow();
   /// Begins with another one.
   void begin();
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
+  /// Has the next matrices hold what has stood beside this one, and says so once.
+  void take_parts_in();
   /// Has FEBio form a matrix before the next iteration.
   void force_next();
   void restore();
 
   newton::FEBioSolver& solver_;
   newton::Border border_;
-  int number_ = 0;                      ///< of the matrix, as FEBio counts them in a step
-  int iterations_ = 0;                  ///< with it, up to the last that was corrected
-  bool is_requested_ = false;           ///< another one, by request()
-  bool may_correct_ = true;             ///< whether conditions can be held with it
+  int number_ = 0;             ///< of the matrix, as FEBio counts them in a step
+  int iterations_ = 0;         ///< with it, up to the last that was corrected
+  bool is_requested_ = false;  ///< another one, by request()
+  bool may_correct_ = true;    ///< whether conditions can be held with it
   bool needs_parts_ = false;
   std::vector<double> product_;         ///< of the parts, which the right-hand side is without until there is a trial
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced

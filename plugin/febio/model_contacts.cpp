@@ -213,8 +213,9 @@ void ModelContacts::keep_matrix_if_it_fits() {
   const bool alone = mixture_contact::number_of(contacts) == fem_.SurfacePairConstraints() &&
                      fem_.NonlinearConstraints() == 0;
   const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
-                    std::all_of(contacts.begin(), contacts.end(),
-                                [&](ContactInModel* contact) { return contact->assembly().fits_matrix(splits_matrix()); });
+                    std::all_of(contacts.begin(), contacts.end(), [&](ContactInModel* contact) {
+                      return contact->assembly().fits_matrix(splits_matrix());
+                    });
   solver->m_breshape = !fits;
 }
 
@@ -225,6 +226,7 @@ void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
   if (!ar.IsShallow()) {
     helpers_.archive(archive);
     reducible_.for_each_value([&](auto& value) { ar & value; });
+    matrix_.serialize(ar);
   }
   if (!ar.IsLoading()) return;
   if (ar.IsShallow()) {

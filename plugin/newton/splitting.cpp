@@ -64,18 +64,19 @@ Split split(const std::function<std::vector<double>(const std::vector<double>& r
             const std::vector<double>& right, double tolerance) {
   if (std::all_of(parts.begin(), parts.end(), [](const MatrixPart* part) { return part->empty(); })) return {};
   std::vector<double> x = solve(right);
-  double change = 1;  // as a part of x: all of it
+  double change = length(parts, x);
   while (true) {
     std::vector<double> made = product(parts, x);
     std::vector<double> next = solve(difference(right, made));
-    const double size = length(parts, next);
-    const double next_change = size > 0 ? length(parts, difference(next, x)) / size : 0;
-    if (!(next_change <= least_reduction * change)) return {std::move(made), false};
+    const double next_change = length(parts, difference(next, x));
+    if (next_change == 0) return {std::move(made), true};
+    if (!(next_change < change)) return {{}, false};
     const double reduction = next_change / change;
+    if (reduction > least_reduction) return {std::move(made), false};
     x = std::move(next);
     change = next_change;
     // The sweep that is left reduces the error once more.
-    if (change * reduction <= tolerance) return {product(parts, x), true};
+    if (change * reduction <= tolerance * length(parts, x)) return {product(parts, x), true};
   }
 }
 

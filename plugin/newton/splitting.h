@@ -39,12 +39,13 @@ using MatrixParts = std::vector<const MatrixPart*>;
 
 /// What splitting comes to for one right-hand side.
 struct Split {
-  std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty where D is
+  std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty for zero
   bool converges = true;        ///< whether each sweep halved the change, at least
 };
 
 /// Solves (K + D) x = b but for its last sweep, which is left to the caller: K x' = b - D x. What D multiplies of x' is
-/// right to `tolerance`, a part of it; where sweeps do not converge, no better than the best of them.
+/// right to `tolerance`, a part of it; where sweeps do not converge it is as it was before the first that made the
+/// change larger, if there is one.
 Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
             const std::vector<double>& right, double tolerance);
 

@@ -26,9 +26,10 @@ MIXED, PRODUCTS = Solver("pardiso"), Solver("mkl_dss")
 EQUATIONS = re.compile(r"Nr of equations \.+ : (\d+)")
 NORMS = re.compile(r"^\s*(residual|energy|displacement)\s+(\S+)\s+(\S+)\s+\S+\s*$", re.MULTILINE)
 """Squared, as FEBio compares them: name, first of the step and present value."""
-ROUNDING = 1e-6
-"""Of a squared norm over the largest: the solvers' own rounding, times the condition of a penalty of 1000 times the
-tissue's stiffness."""
+LEFT_BY_SWEEPS = 1e-2
+"""Of an increment, at most, for what stands beside the matrix with loads in mixed form."""
+ATOL = 2 * LEFT_BY_SWEEPS
+"""Of a squared norm over the largest: to first order twice as much."""
 
 SCENES: Mapping[str, BallInSocket] = {
     "elastic": BallInSocket(elements=4),
@@ -66,7 +67,7 @@ def _assert_same_iterations(model: str, folder: Path) -> None:
     assert min(_equations(with_unknowns)) > max(_equations(without))
     found, expected = _norms(with_unknowns), _norms(without)
     for name, values in expected.items():
-        np.testing.assert_allclose(found[name], values, rtol=0, atol=ROUNDING * values.max(), err_msg=name)
+        np.testing.assert_allclose(found[name], values, rtol=0, atol=ATOL * values.max(), err_msg=name)
 
 
 @pytest.mark.parametrize("name", SCENES)

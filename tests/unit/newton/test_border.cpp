@@ -105,6 +105,18 @@ BOOST_AUTO_TEST_CASE(each_condition_costs_a_solution_once_until_there_is_another
   BOOST_TEST(system.solutions == 7);
 }
 
+BOOST_AUTO_TEST_CASE(the_solution_with_conditions_is_that_of_the_right_hand_side_that_holds_them) {
+  System system(8);
+  Border border;
+  const std::vector<Condition> conditions = zeros({1, 3});
+  const Eigen::VectorXd x = vector(border.solution(system.solver(), conditions, load));
+  BOOST_TEST(system.solutions == 3);  // one for each condition, and the last
+  std::vector<double> right = load;
+  border.hold(system.solver(), conditions, right);
+  const Eigen::VectorXd expected = vector(system.solve(right));
+  BOOST_TEST((x - expected).norm() < test::rounding * expected.norm());
+}
+
 BOOST_AUTO_TEST_CASE(nothing_that_is_held_costs_nothing) {
   System system(7);
   std::vector<double> right = load;
@@ -120,4 +132,5 @@ BOOST_AUTO_TEST_CASE(a_matrix_that_is_singular_with_them_holds_none) {
   std::vector<double> right = load;
   BOOST_TEST(!Border().hold(system.solver(), zeros({0}), right));
   BOOST_TEST((right == load));
+  BOOST_TEST((Border().solution(system.solver(), zeros({0}), right) == system.solve(right)));
 }

@@ -1,0 +1,123 @@
+#include "newton/splitting.h"
+
+#include "random_contact.h"
+
+#include <Eigen/LU>
+#include <boost/test/unit_test.hpp>
+
+using newton::MatrixPart;
+using newton::Split;
+
+namespace {
+
+constexpr int size = 6;
+const std::vector<double> load{1, -2, 3, 0.5, -1, 2};
+
+Eigen::VectorXd vector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), indexing::number_of(values));
+}
+
+std::vector<int> all_equations() { return {0, 1, 2, 3, 4, 5}; }
+
+/// A part that turns a vector and makes it `factor` times as long: beside the unit matrix each sweep reduces the error
+/// by exactly this factor.
+Eigen::MatrixXd turn(double factor) {
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(size, size);
+  for (int n = 0; n < size; n += 2) {
+    values(n, n + 1) = factor;
+    values(n + 1, n) = -factor;
+  }
+  return values;
+}
+
+MatrixPart part_of(const Eigen::MatrixXd& values) {
+  MatrixPart part;
+  part.add({all_equations(), all_equations(), values});
+  return part;
+}
+
+/// The unit matrix, which counts how often it is solved with.
+struct UnitMatrix {
+  std::function<std::vector<double>(const std::vector<double>&)> solver() {
+    return [this](const std::vector<double>& right) {
+      ++solutions;
+      return right;
+    };
+  }
+  int solutions = 0;
+};
+
+/// What the last sweep makes of a split right-hand side with the unit matrix.
+Eigen::VectorXd last_sweep(const Split& split) { return vector(load) - vector(split.product); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_sweep_that_is_left_to_the_caller_meets_the_tolerance) {
+  for (const double factor : {0.01, 0.1, 0.3, 0.45}) {
+    for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
+      const Eigen::MatrixXd values = turn(factor);
+      const MatrixPart part = part_of(values);
+      UnitMatrix unit;
+      const Split split = newton::split(unit.solver(), {&part}, load, tolerance);
+      BOOST_TEST(split.converges);
+      const Eigen::VectorXd
+          expected = (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(vector(load));
+      // A sweep leaves `factor` of the error that it begins with, and changes it by no less than 1 - factor: what the
+      // tolerance is compared with, factor times the change, is more than the error that the last sweep leaves.
+      BOOST_TEST((last_sweep(split) - expected).norm() <= (tolerance + test::rounding) * expected.norm());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_small_part_costs_two_solutions) {
+  const MatrixPart part = part_of(turn(0.01));
+  UnitMatrix unit;
+  newton::split(unit.solver(), {&part}, load, 1e-2);
+  BOOST_TEST(unit.solutions == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_part_that_sweeps_do_not_converge_for_is_told) {
+  const Eigen::MatrixXd values = turn(0.7);
+  const MatrixPart part = part_of(values);
+  UnitMatrix unit;
+  const Split slow = newton::split(unit.solver(), {&part}, load, 1e-2);
+  BOOST_TEST(!slow.converges);
+  BOOST_TEST((vector(slow.product) - values * vector(load)).norm() < test::rounding * vector(load).norm());
+  const MatrixPart larger = part_of(turn(3));
+  const Split none = newton::split(unit.solver(), {&larger}, load, 1e-2);
+  BOOST_TEST(!none.converges);
+  BOOST_TEST(none.product.empty());
+}
+
+BOOST_AUTO_TEST_CASE(no_part_costs_nothing) {
+  const MatrixPart none;
+  UnitMatrix unit;
+  const Split split = newton::split(unit.solver(), {&none}, load, 1e-2);
+  BOOST_TEST(split.converges);
+  BOOST_TEST(split.product.empty());
+  BOOST_TEST(unit.solutions == 0);
+}
+
+BOOST_AUTO_TEST_CASE(blocks_of_all_parts_add_up_where_they_have_equations) {
+  std::mt19937 random(5);
+  const Eigen::MatrixXd values = test::random_values(6, -1, 1, random).reshaped(2, 3);
+  MatrixPart one;
+  one.add({{4, -1}, {0, -1, 2}, values});
+  one.add({{4, 1}, {0, 5, 2}, values});
+  MatrixPart other;
+  other.add({{1, 3}, {2, 3, 4}, values});
+  std::vector<double> sum(size);
+  for (const MatrixPart* part : {&one, &other}) part->add_product(load, sum);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
+  for (const auto& [i, row] : std::vector<std::pair<int, int>>{{0, 4}, {1, 1}}) {
+    for (const auto& [j, column] : std::vector<std::pair<int, int>>{{0, 0}, {1, 5}, {2, 2}})
+      dense(row, column) += values(i, j);
+  }
+  dense(4, 0) += values(0, 0);
+  dense(4, 2) += values(0, 2);
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 3; ++j) dense(1 + 2 * i, 2 + j) += values(i, j);
+  }
+  BOOST_TEST((vector(sum) - dense * vector(load)).norm() < test::rounding * vector(load).norm());
+  BOOST_TEST(one.squares(load) == 2 * load[0] * load[0] + 2 * load[2] * load[2] + load[5] * load[5]);
+}
