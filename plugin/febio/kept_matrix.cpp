@@ -67,7 +67,7 @@ void KeptMatrix::request(bool is_needed) {
 
 void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
   follow();
-  FENewtonSolver& solver = *solver_.febio();
+  const FENewtonSolver& solver = *solver_.febio();
   // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
   // residual before the correction.
   iterations_ += std::max(1, std::exchange(solver.m_qnstrategy->m_nups, 0));
