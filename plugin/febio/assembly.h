@@ -33,6 +33,8 @@ class Assembly {
   /// What of it is of nodes that begin the step in contact though they are open.
   void residual_ahead(FEGlobalVector& residual, double dt) const;
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt);
+  /// Equations are numbered anew.
+  void forget_matrix() { beside_.clear(); }
   /// What of the last tangent the matrix has no place for.
   const newton::MatrixPart& beside_matrix() const { return beside_; }
 

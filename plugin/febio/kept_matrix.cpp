@@ -28,8 +28,10 @@ void KeptMatrix::formed(const newton::MatrixParts& parts) {
   prepare({}, parts);
 }
 
-void KeptMatrix::follow(const newton::MatrixParts& parts) {
-  if (follow()) prepare({}, parts);
+void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
+  const bool is_another = follow();
+  const bool is_plain = begins && solver_.febio()->m_qnstrategy->m_nups == 0;
+  if (is_another || is_plain) prepare({}, parts);
 }
 
 bool KeptMatrix::follow() {
@@ -89,7 +91,8 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   if (!split.converges) take_parts_in();
   product_ = std::move(split.product);
   if (!product_.empty()) solver.m_R0 = solver.m_R0 - product_;
-  may_correct_ = border_.hold(solve, conditions, solver.m_R0) && is_solved;
+  const bool holds = border_.hold(solve, conditions, solver.m_R0);
+  may_correct_ = split.converges && holds && is_solved;
 }
 
 void KeptMatrix::take_parts_in() {

@@ -5,6 +5,7 @@
 #include "host/stepper.h"
 #include "newton/border.h"
 #include "newton/febio/febio_solver.h"
+#include "newton/helper.h"
 #include "newton/splitting.h"
 
 #include <optional>
@@ -18,14 +19,15 @@ class KeptMatrix {
 
   /// FEBio has formed another one, as it said. It is solved with these parts beside it.
   void formed(const newton::MatrixParts& parts);
-  /// The same of those that FEBio tells nobody of.
-  void follow(const newton::MatrixParts& parts);
+  /// FEBio goes on after an iteration: the same of a matrix that it has told nobody of, and of the one it has where
+  /// iterations begin with it and without updates.
+  void go_on(const newton::MatrixParts& parts, bool begins);
   /// A trial has been made of FEBio's solution: its right-hand side is without the parts again.
   void tried();
   /// Whether parts have been too large to stand beside it. They are to be in it from now on.
   bool needs_parts() const { return needs_parts_; }
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
-  /// nothing is to be corrected with it.
+  /// nothing is to be corrected with it, or is to be with parts in it.
   bool is_due();
   /// Has FEBio form another one after this trial, or takes that back: not what others ask for.
   void request(bool is_needed);
@@ -65,4 +67,16 @@ class KeptMatrix {
   bool needs_parts_ = false;
   std::vector<double> product_;         ///< of the parts, which the right-hand side is without until there is a trial
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
+};
+
+/// Has FEBio's right-hand side as it was once a trial is made.
+class RightHandSide : public newton::Helper {
+ public:
+  static constexpr const char* name = "right-hand side";
+  /// Keeps a reference.
+  explicit RightHandSide(KeptMatrix& matrix) : matrix_(matrix) {}
+  void try_increment(const std::vector<double>& /*increment*/) override { matrix_.tried(); }
+
+ private:
+  KeptMatrix& matrix_;
 };

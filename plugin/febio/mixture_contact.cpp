@@ -129,6 +129,7 @@ void FEMixtureContact::find_load_curves() {
 
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction(bound_);
+  assembly_.forget_matrix();
   dofs_.number_multipliers(first);
   const int multipliers = indexing::as_int(multiplier_layout(core()).size());
   return multipliers + loads_.number(first + multipliers, core(), surfaces_with_load_equations());
@@ -177,7 +178,7 @@ void FEMixtureContact::Update() {
 
 void FEMixtureContact::Update(const std::vector<double>& total, const std::vector<double>& increment) {
   bound_.set_multipliers(total, increment);
-  model_->try_increment(*this, increment);
+  model_->steps().try_increment(&bound_, increment);
 }
 
 void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {

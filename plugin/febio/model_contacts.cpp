@@ -66,6 +66,13 @@ bool add_changes(FEModel& fem, const std::vector<ContactInModel*>& contacts, std
   return is_known;
 }
 
+/// What stands beside the matrix for these contacts.
+newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
+  newton::MatrixParts parts;
+  for (const ContactInModel* contact : contacts) parts.push_back(&contact->assembly().beside_matrix());
+  return parts;
+}
+
 /// Whether a step that has failed is tried again.
 bool will_retry(FEModel& fem) {
   const FETimeStepController* const controller = fem.GetCurrentStep()->m_timeController;
@@ -104,9 +111,13 @@ ModelContacts::ModelContacts(FEModel& fem)
       steps_(*this, helpers_),
       ambient_(fem, solver_, helpers_),
       matrix_(solver_) {
-  offer<newton::NonNegativeConcentrations>(non_negative_concentrations);
-  offer<newton::LineSearchGuard>(line_search_guard);
-  offer<newton::Predictor>(predictor);
+  const auto offer = [&](const HelperSwitch& which, std::unique_ptr<newton::Helper> helper) {
+    helpers_.add(which.name, std::move(helper), [this, which] { return is_on(which); });
+  };
+  offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
+  offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
+  offer(predictor, std::make_unique<newton::Predictor>(solver_));
+  helpers_.add(RightHandSide::name, std::make_unique<RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
   helpers_.add(FirstNorms::name, std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }),
                [this] { return !active().empty(); });
   fem.AddCallback(
@@ -137,11 +148,6 @@ std::vector<SteppedContact*> ModelContacts::active_contacts() {
   std::vector<SteppedContact*> found;
   for (ContactInModel* contact : active()) found.push_back(&contact->bound());
   return found;
-}
-
-template <class Helper>
-void ModelContacts::offer(const HelperSwitch& which) {
-  helpers_.add(which.name, std::make_unique<Helper>(solver_), [this, which] { return is_on(which); });
 }
 
 /// As the active contacts say that give it, or its default.
@@ -188,20 +194,9 @@ void ModelContacts::prepare_step(ContactInModel& contact) {
   keep_matrix_if_it_fits();
 }
 
-void ModelContacts::try_increment(ContactInModel& contact, const std::vector<double>& increment) {
-  if (solver_.is_newton()) matrix_.tried();
-  steps_.try_increment(&contact.bound(), increment);
-}
-
 bool ModelContacts::splits_matrix() const {
   const FENewtonSolver* const solver = solver_.febio();
   return solver != nullptr && adds_up_residuals(*solver) && !matrix_.needs_parts();
-}
-
-newton::MatrixParts ModelContacts::matrix_parts() const {
-  newton::MatrixParts parts;
-  for (const ContactInModel* contact : active()) parts.push_back(&contact->assembly().beside_matrix());
-  return parts;
 }
 
 void ModelContacts::keep_matrix_if_it_fits() {
@@ -250,11 +245,11 @@ void ModelContacts::on_callback(unsigned int when) {
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
     steps_.matrix_formed();
-    matrix_.formed(matrix_parts());
+    matrix_.formed(matrix_parts(contacts));
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) {
     steps_.end_iteration();
-    matrix_.follow(matrix_parts());
+    matrix_.go_on(matrix_parts(contacts), steps_.has_begun());
   }
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
@@ -305,7 +300,7 @@ void ModelContacts::correct_residual() {
     const std::vector<newton::Condition> own = contact->assembly().conditions(fem_.GetTime().timeIncrement);
     conditions.insert(conditions.end(), own.begin(), own.end());
   }
-  matrix_.correct(conditions, matrix_parts());
+  matrix_.correct(conditions, matrix_parts(active()));
 }
 
 MatrixUse ModelContacts::matrix_use() {

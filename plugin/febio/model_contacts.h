@@ -30,7 +30,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   // FEBio's calls, as each contact passes them on
   void activate(ContactInModel& contact);
   void prepare_step(ContactInModel& contact);
-  void try_increment(ContactInModel& contact, const std::vector<double>& increment);
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// What the model keeps between steps is stored once, with the first contact that is.
   void serialize(ContactInModel& contact, DumpStream& ar);
@@ -54,11 +53,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void accepted() override;
 
  private:
-  template <class Helper>
-  void offer(const HelperSwitch& which);
   bool is_on(const HelperSwitch& which) const;
   std::vector<ContactInModel*> active() const;
-  newton::MatrixParts matrix_parts() const;
   void keep_matrix_if_it_fits();
   void reduce_penalties();
   void note_overlap();

