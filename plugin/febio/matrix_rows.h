@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contact/base/indexed_vector.h"
+#include "newton/splitting.h"
 
 #include <utility>
 #include <vector>
@@ -12,12 +13,7 @@
 class CRSSparseMatrix;
 class FEGlobalMatrix;
 
-/// A dense block and its place in the matrix. Rows and columns with the equation -1 are left out.
-struct MatrixBlock {
-  std::vector<int> rows;     ///< equations
-  std::vector<int> columns;  ///< equations
-  mixture_contact::MatrixXd values;
-};
+using newton::MatrixBlock;
 
 class MatrixRows {
  public:

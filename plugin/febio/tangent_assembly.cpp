@@ -120,8 +120,8 @@ std::vector<int> alone(std::vector<int> equations, const LocalLayout& layout, In
 }
 
 /// Takes the columns of these nodes out of a block. Returns them as FEBio's matrix has them, K = -dR/du.
-newton::MatrixPart::Block taken_out(MatrixBlock& block, const NodeFlags& nodes, const LocalLayout& columns) {
-  newton::MatrixPart::Block taken;
+MatrixBlock taken_out(MatrixBlock& block, const NodeFlags& nodes, const LocalLayout& columns) {
+  MatrixBlock taken;
   const Index count = std::count(nodes.begin(), nodes.end(), true);
   if (count == 0) return taken;
   taken.rows = block.rows;
@@ -221,7 +221,7 @@ void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, doubl
   const Index count = std::min(batch_size, rows.count() - begin);
   IndexedVector<MatrixBlock> made(count);
   IndexedVector<IndexedVector<Index>> bound(count);
-  IndexedVector<newton::MatrixPart::Block> apart(count);
+  IndexedVector<MatrixBlock> apart(count);
   in_parallel(count, [&](Index n) {
     const TangentBlock& block = rows[begin + n];
     const Location row{first, block.rows};
@@ -231,7 +231,7 @@ void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, doubl
       apart[n] = taken_out(made[n], columns_beside(equations_, row, columns, made[n].columns), columns.patch.layout());
     bound[n] = take_out_bound(row, columns, made[n].columns);
   });
-  for (newton::MatrixPart::Block& block : apart) {
+  for (MatrixBlock& block : apart) {
     if (block.values.size() > 0) beside->add(std::move(block));
   }
   rows_.subtract(made);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <functional>
 
 using indexing::at;
 
@@ -36,7 +36,7 @@ std::vector<double> product(const MatrixParts& parts, const std::vector<double>&
 }  // namespace
 
 void MatrixPart::add_product(const std::vector<double>& x, std::vector<double>& sum) const {
-  for (const Block& block : blocks_) {
+  for (const MatrixBlock& block : blocks_) {
     for (Eigen::Index i = 0; i < block.values.rows(); ++i) {
       const int row = at(block.rows, i);
       if (row < 0) continue;
@@ -52,7 +52,7 @@ void MatrixPart::add_product(const std::vector<double>& x, std::vector<double>& 
 
 double MatrixPart::squares(const std::vector<double>& x) const {
   double sum = 0;
-  for (const Block& block : blocks_) {
+  for (const MatrixBlock& block : blocks_) {
     for (const int column : block.columns) {
       if (column >= 0) sum += at(x, column) * at(x, column);
     }

@@ -8,21 +8,23 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace newton {
 
-/// The part D, in dense blocks that may overlap.
+/// A dense block and its place in a matrix. Rows and columns with the equation -1 are left out.
+struct MatrixBlock {
+  std::vector<int> rows;     ///< equations
+  std::vector<int> columns;  ///< equations
+  Eigen::MatrixXd values;    ///< shape (rows, columns)
+};
+
+/// The part D, in blocks that may overlap.
 class MatrixPart {
  public:
-  struct Block {
-    std::vector<int> rows;     ///< equations; -1 for none
-    std::vector<int> columns;  ///< equations; -1 for none
-    Eigen::MatrixXd values;    ///< shape (rows, columns)
-  };
-
   void clear() { blocks_.clear(); }
-  void add(Block block) { blocks_.push_back(std::move(block)); }
+  void add(MatrixBlock block) { blocks_.push_back(std::move(block)); }
   bool empty() const { return blocks_.empty(); }
 
   /// Adds D x to a vector.
@@ -31,7 +33,7 @@ class MatrixPart {
   double squares(const std::vector<double>& x) const;
 
  private:
-  std::vector<Block> blocks_;
+  std::vector<MatrixBlock> blocks_;
 };
 
 /// The parts of several contacts, of which D is the sum.
