@@ -6,17 +6,20 @@
 
 using namespace mixture_contact;
 
+bool is_free(const NodeEquations& equations, const NodeEquations::Location& row, const NodeEquations::Location& columns,
+             const std::vector<int>& ids, Index n) {
+  if (equations.are_rigid(row) || equations.is_rigid(columns, n)) return false;
+  const auto first = ids.begin() + columns.patch.layout().displacement(n, 0);
+  return std::none_of(first, first + 3, [](int id) { return newton::is_prescribed(id); });
+}
+
 NodeFlags columns_beside(const NodeEquations& equations, const NodeEquations::Location& row,
                          const NodeEquations::Location& columns, const std::vector<int>& ids) {
-  const LocalLayout layout = columns.patch.layout();
-  NodeFlags beside(layout.nodes(), false);
-  if (equations.are_rigid(row)) return beside;
+  NodeFlags beside(columns.patch.layout().nodes(), false);
   const bool is_primary = !row.patch.primary.empty();
-  for (Index n = 0; n < layout.nodes(); ++n) {
+  for (Index n = 0; n < beside.count(); ++n) {
     const bool is_across = (n < columns.patch.primary.count()) != is_primary;
-    if (!is_across || equations.is_rigid(columns, n)) continue;
-    const auto first = ids.begin() + layout.displacement(n, 0);
-    beside[n] = std::none_of(first, first + 3, [](int id) { return newton::is_prescribed(id); });
+    beside[n] = is_across && is_free(equations, row, columns, ids, n);
   }
   return beside;
 }

@@ -6,8 +6,13 @@
 
 #include "node_equations.h"
 
-/// Of the columns of a node's rows, given with their equations, those nodes that stand beside the matrix: of the other
-/// surface, with equations of their own, free ones.
+/// Whether the n-th node among the columns of a node's rows, given with their equations, has equations of its own, none
+/// of a prescribed value, as the row's node has: FEBio's assembly has nothing to do with it.
+bool is_free(const NodeEquations& equations, const NodeEquations::Location& row, const NodeEquations::Location& columns,
+             const std::vector<int>& ids, mixture_contact::Index n);
+
+/// Of the columns of a node's rows, given with their equations, those nodes that stand beside the matrix: the free ones
+/// of the other surface.
 mixture_contact::NodeFlags columns_beside(const NodeEquations& equations, const NodeEquations::Location& row,
                                           const NodeEquations::Location& columns, const std::vector<int>& ids);
 

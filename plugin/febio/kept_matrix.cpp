@@ -18,7 +18,7 @@ constexpr int most_iterations = 50;
 
 /// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
 /// off by so much leaves as much to the next one.
-constexpr double solved = 1e-2;
+constexpr double left_by_sweeps = 1e-2;
 
 }  // namespace
 
@@ -87,7 +87,7 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution(solve, conditions, right);
   };
-  newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, solved);
+  newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, left_by_sweeps);
   if (!split.converges) take_parts_in();
   product_ = std::move(split.product);
   if (!product_.empty()) solver.m_R0 = solver.m_R0 - product_;

@@ -207,10 +207,10 @@ void ModelContacts::keep_matrix_if_it_fits() {
   const std::vector<ContactInModel*> contacts = active();
   const bool alone = mixture_contact::number_of(contacts) == fem_.SurfacePairConstraints() &&
                      fem_.NonlinearConstraints() == 0;
+  const bool may_split = splits_matrix();
   const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
-                    std::all_of(contacts.begin(), contacts.end(), [&](ContactInModel* contact) {
-                      return contact->assembly().fits_matrix(splits_matrix());
-                    });
+                    std::all_of(contacts.begin(), contacts.end(),
+                                [&](ContactInModel* contact) { return contact->assembly().fits_matrix(may_split); });
   solver->m_breshape = !fits;
 }
 

@@ -199,13 +199,10 @@ void TangentAssembly::add(const Location& rows, const Location& columns, const M
 IndexedVector<Index> TangentAssembly::take_out_bound(const Location& row, const Location& columns,
                                                      std::vector<int>& equations) const {
   IndexedVector<Index> bound;
-  const bool is_rigid = equations_.are_rigid(row);
   const LocalLayout layout = columns.patch.layout();
   for (Index n = 0; n < layout.nodes(); ++n) {
     const auto first = equations.begin() + layout.displacement(n, 0);
-    const bool is_free = !is_rigid && !equations_.is_rigid(columns, n) &&
-                         std::none_of(first, first + 3, [](int id) { return newton::is_prescribed(id); });
-    if (is_free) continue;
+    if (::is_free(equations_, row, columns, equations, n)) continue;
     std::fill(first, first + 3, -1);
     bound.push_back(n);
   }

@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(the_sweep_that_is_left_to_the_caller_meets_the_tolerance) {
       BOOST_TEST(split.converges);
       const Eigen::VectorXd
           expected = (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(vector(load));
-      // A sweep leaves `factor` of the error that it begins with, and changes it by no less than 1 - factor: what the
-      // tolerance is compared with, factor times the change, is more than the error that the last sweep leaves.
+      // After k sweeps the change is factor^k |b|, with |b| >= |x|, and the last sweep leaves factor^(k+2) |x|: at most
+      // `factor` of factor times the change, which is within the tolerance of |x_k| <= (1 + factor) |x|.
       BOOST_TEST((last_sweep(split) - expected).norm() <= (tolerance + test::rounding) * expected.norm());
     }
   }
