@@ -193,11 +193,12 @@ bool ContactSetup::can_have_multipliers(const BoundContact& contact) const {
 
 std::optional<FacetMaterials> ContactSetup::facet_materials() const {
   FacetMaterials materials;
+  MaterialReader reader(fem_);
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];
     for (int i = 0; i < surface.Elements(); ++i) {
       std::string problem;
-      const auto material = facet_material(fem_, surface, surface.Element(i), problem);
+      const auto material = reader.behind(surface, surface.Element(i), problem);
       if (!material) {
         log_.error("surface \"" + surface.GetName() + "\": " + problem + ".");
         return std::nullopt;

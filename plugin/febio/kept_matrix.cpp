@@ -22,6 +22,8 @@ constexpr double left_by_sweeps = 1e-2;
 
 }  // namespace
 
+KeptMatrix::KeptMatrix(newton::FEBioSolver& solver) : solver_(solver), splitting_(left_by_sweeps) {}
+
 void KeptMatrix::formed(const newton::MatrixParts& parts) {
   is_requested_ = false;  // FEBio has taken the request
   begin();
@@ -87,15 +89,16 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution(solve, conditions, right);
   };
-  newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, left_by_sweeps);
-  if (!split.converges) take_parts_in();
-  product_ = std::move(split.product);
+  product_ = splitting_.product(solve_with_conditions, parts, solver.m_R0);
   if (!product_.empty()) solver.m_R0 = solver.m_R0 - product_;
   const bool holds = border_.hold(solve, conditions, solver.m_R0);
-  may_correct_ = split.converges && holds && is_solved;
+  may_correct_ = holds && is_solved;
+  judge_sweeps();
 }
 
-void KeptMatrix::take_parts_in() {
+void KeptMatrix::judge_sweeps() {
+  if (splitting_.converges()) return;
+  may_correct_ = false;
   if (!std::exchange(needs_parts_, true))
     solver_.log(
         "\nsliding-mixture: couplings across the contact are large beside the stiffness of the bodies. From the next "
@@ -104,8 +107,11 @@ void KeptMatrix::take_parts_in() {
 
 void KeptMatrix::tried() {
   if (product_.empty()) return;
-  solver_.febio()->m_R0 += product_;
+  FENewtonSolver& solver = *solver_.febio();
+  solver.m_R0 += product_;
   product_.clear();
+  splitting_.swept(solver.m_ui);
+  judge_sweeps();
 }
 
 void KeptMatrix::reject(mixture_contact::GoesOn with) {
@@ -125,7 +131,12 @@ void KeptMatrix::force_next() {
   request(true);  // where a step begins
 }
 
-void KeptMatrix::serialize(DumpStream& ar) { ar & needs_parts_; }
+void KeptMatrix::serialize(DumpStream& ar) {
+  ar & needs_parts_;
+  double reduction = splitting_.reduction();
+  ar & reduction;
+  splitting_.set_reduction(reduction);
+}
 
 void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);

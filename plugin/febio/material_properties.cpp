@@ -75,24 +75,20 @@ FEHydraulicPermeability* permeability_of(FEMaterial& material) {
   return nullptr;
 }
 
-double stiffness_of(FEMaterial& material, FEMaterialPoint& point, const vec3d& n) {
-  if (dynamic_cast<FERigidMaterial*>(&material)) return std::numeric_limits<double>::infinity();
-  // The solid matrix of a mixture carries the drained stiffness.
-  auto* solid = material.ExtractProperty<FEElasticMaterial>();
-  if (solid == nullptr) return 0;
-  return modulus_along(n, solid->Tangent(point));
+double stiffness_of(const MaterialParts& parts, FEMaterialPoint& point, const vec3d& n) {
+  if (parts.rigid != nullptr) return std::numeric_limits<double>::infinity();
+  return parts.solid == nullptr ? 0 : modulus_along(n, parts.solid->Tangent(point));
 }
 
 /// The modulus along x of the first element of a domain; 0 where it has none.
 double modulus_of(FEDomain& domain) {
   if (dynamic_cast<FESolidDomain*>(&domain) == nullptr || domain.Elements() == 0) return 0;
-  FEMaterial* const material = domain.GetMaterial();
-  if (material == nullptr) return 0;
-  if (const auto* rigid = dynamic_cast<const FERigidMaterial*>(material))
-    return rigid->m_E / (1 - rigid->m_v * rigid->m_v);
-  if (material->ExtractProperty<FEElasticMaterial>() == nullptr) return 0;
+  if (domain.GetMaterial() == nullptr) return 0;
+  const MaterialParts parts = parts_of(*domain.GetMaterial());
+  if (parts.rigid != nullptr) return parts.rigid->m_E / (1 - parts.rigid->m_v * parts.rigid->m_v);
+  if (parts.solid == nullptr) return 0;
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(*domain.ElementRef(0).GetMaterialPoint(0));
-  const double modulus = stiffness_of(*material, *point, {1, 0, 0});
+  const double modulus = stiffness_of(parts, *point, {1, 0, 0});
   return std::isfinite(modulus) ? modulus : 0;
 }
 
@@ -147,23 +143,23 @@ std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetG
 }
 
 /// The material of a facet in the undeformed state; its stiffness is not positive where the material is unknown.
-FacetMaterial properties_of(FEMaterial& material, const FacetGeometry& geometry) {
+FacetMaterial properties_of(const MaterialParts& parts, const FacetGeometry& geometry) {
   FacetMaterial result;
   result.thickness = geometry.thickness;
   result.stiffness = std::numeric_limits<double>::infinity();
-  if (dynamic_cast<FERigidMaterial*>(&material)) return result;
+  if (parts.rigid != nullptr) return result;
   const vec3d n = geometry.normal;
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(*geometry.element->GetMaterialPoint(0));
-  result.stiffness = stiffness_of(material, *point, n) / geometry.thickness;
-  if (FEHydraulicPermeability* permeability = permeability_of(material)) {
+  result.stiffness = stiffness_of(parts, *point, n) / geometry.thickness;
+  if (parts.permeability != nullptr) {
     result.permeable = true;
-    result.permeability = n * (permeability->Permeability(*point) * n) / geometry.thickness;
+    result.permeability = n * (parts.permeability->Permeability(*point) * n) / geometry.thickness;
   }
-  auto* mixture = dynamic_cast<FESoluteInterface*>(&material);
-  const double convection = mixture == nullptr ? 0 : std::abs(mean_flow(*geometry.element) * n);
-  for (int k = 0; mixture != nullptr && k < mixture->Solutes(); ++k) {
-    FESolute& solute = *mixture->GetSolute(k);
-    result.solutes[solute.GetSoluteID() - 1] = solute_conductance(material, solute, *point, n, convection,
+  if (parts.solutes == nullptr) return result;
+  const double convection = std::abs(mean_flow(*geometry.element) * n);
+  for (int k = 0; k < parts.solutes->Solutes(); ++k) {
+    FESolute& solute = *parts.solutes->GetSolute(k);
+    result.solutes[solute.GetSoluteID() - 1] = solute_conductance(*parts.material, solute, *point, n, convection,
                                                                   geometry.thickness);
   }
   return result;
@@ -171,20 +167,25 @@ FacetMaterial properties_of(FEMaterial& material, const FacetGeometry& geometry)
 
 }  // namespace
 
-std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet,
-                                            std::string& problem) {
+MaterialParts parts_of(FEMaterial& material) {
+  return {&material, dynamic_cast<FERigidMaterial*>(&material), material.ExtractProperty<FEElasticMaterial>(),
+          permeability_of(material), dynamic_cast<FESoluteInterface*>(&material)};
+}
+
+std::optional<FacetMaterial> MaterialReader::behind(FESurface& surface, FESurfaceElement& facet, std::string& problem) {
   FEElement* element = facet.m_elem[0].pe;
   if (element == nullptr) {
     problem = "a facet of the surface is not a face of any element";
     return std::nullopt;
   }
-  FacetGeometry geometry = geometry_of(fem, surface, facet, *element);
-  FEMaterial& material = *fem.GetMaterial(element->GetMatID());
-  problem = problem_of(fem, facet, geometry, dynamic_cast<FERigidMaterial*>(&material) != nullptr);
+  FacetGeometry geometry = geometry_of(fem_, surface, facet, *element);
+  FEMaterial& material = *fem_.GetMaterial(element->GetMatID());
+  if (last_.material != &material) last_ = parts_of(material);
+  problem = problem_of(fem_, facet, geometry, last_.rigid != nullptr);
   if (!problem.empty()) return std::nullopt;
   // Rigid shells need no thickness.
   if (!(geometry.thickness > 0)) geometry.thickness = std::sqrt(surface.FaceArea(facet));
-  FacetMaterial result = properties_of(material, geometry);
+  FacetMaterial result = properties_of(last_, geometry);
   if (result.stiffness > 0) return result;
   problem = "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +
             ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";

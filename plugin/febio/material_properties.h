@@ -9,13 +9,39 @@
 #include <string>
 #include <vector>
 
+class FEElasticMaterial;
+class FEHydraulicPermeability;
+class FEMaterial;
 class FEModel;
+class FERigidMaterial;
+class FESoluteInterface;
 
-/// Reads the material behind a facet; a sentence on what is wrong in `problem` and empty where the material is not one
-/// that contact can act on. Works on a copy of the material point, so the element's deformation and stress stay as they
-/// are.
-std::optional<FacetMaterial> facet_material(FEModel& fem, FESurface& surface, FESurfaceElement& facet,
-                                            std::string& problem);
+/// The part of a material that each property comes from; null where it has none. Casts find them by names, which takes
+/// longer than the properties themselves.
+struct MaterialParts {
+  FEMaterial* material = nullptr;
+  FERigidMaterial* rigid = nullptr;
+  FEElasticMaterial* solid = nullptr;  ///< of a mixture its matrix, which carries the drained stiffness
+  FEHydraulicPermeability* permeability = nullptr;
+  FESoluteInterface* solutes = nullptr;
+};
+
+MaterialParts parts_of(FEMaterial& material);
+
+/// Reads the materials behind facets.
+class MaterialReader {
+ public:
+  /// Keeps a reference.
+  explicit MaterialReader(FEModel& fem) : fem_(fem) {}
+
+  /// That behind a facet; a sentence on what is wrong in `problem` and empty where the material is not one that contact
+  /// can act on. Works on a copy of the material point, so the element's deformation and stress stay as they are.
+  std::optional<FacetMaterial> behind(FESurface& surface, FESurfaceElement& facet, std::string& problem);
+
+ private:
+  FEModel& fem_;
+  MaterialParts last_;  ///< most facets have that of the one before
+};
 
 /// What stands in for the stiffness of rigid bodies that touch each other, for lack of any element that could be
 /// measured: Young's modulus over 1 - nu^2 of a rigid material, which FEBio's own interfaces take, too, but no less

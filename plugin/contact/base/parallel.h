@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <type_traits>
+#include <variant>
 
 namespace mixture_contact {
 
@@ -22,25 +23,38 @@ inline int thread_count() {
   return threads;
 }
 
-/// Calls body(i) for each i below `count`, in any order and on several threads; it may write only to what belongs to i.
-/// Rethrows one of the exceptions that bodies throw. `together`: how many that follow each other are one thread's.
-template <Index together = 8, class Body>
-void in_parallel(Index count, const Body& body) {
+/// Calls body(i, workspace) for each i below `count`, in any order and on several threads, each of which has a copy of
+/// the workspace. A body may write only to what belongs to i, and leaves the workspace as it was found. Rethrows one of
+/// the exceptions that bodies throw. `together`: how many that follow each other are one thread's.
+template <Index together = 8, class Workspace, class Body>
+void in_parallel_with(const Workspace& workspace, Index count, const Body& body) {
   std::exception_ptr thrown;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static, together) default(none) shared(count, body, thrown) if (count > 1)
+#pragma omp parallel default(none) shared(workspace, count, body, thrown) if (count > 1)
 #endif
-  for (Index i = 0; i < count; ++i) {
-    try {
-      body(i);
-    } catch (...) {
+  {
+    Workspace own = workspace;
+#ifdef _OPENMP
+#pragma omp for schedule(static, together)
+#endif
+    for (Index i = 0; i < count; ++i) {
+      try {
+        body(i, own);
+      } catch (...) {
 #ifdef _OPENMP
 #pragma omp critical(mixture_contact_thrown)
 #endif
-      thrown = std::current_exception();
+        thrown = std::current_exception();
+      }
     }
   }
   if (thrown) std::rethrow_exception(thrown);
+}
+
+/// The same without a workspace: body(i).
+template <Index together = 8, class Body>
+void in_parallel(Index count, const Body& body) {
+  in_parallel_with<together>(std::monostate(), count, [&](Index i, std::monostate& /*none*/) { body(i); });
 }
 
 /// use(i, make(i)) for each i below `count`. Nothing is held: the memory of a result serves the next one.

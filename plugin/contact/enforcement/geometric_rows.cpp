@@ -11,12 +11,27 @@ namespace {
 /// Nodes of both surfaces as one: the primary ones, then the secondary ones.
 using Numbers = IndexedVector<Index>;
 
-/// The position of a number, which is added where it is missing.
-Index place_with(Numbers& numbers, Index number) {
-  const Index place = position_in(numbers, number);
-  if (place == numbers.count()) numbers.push_back(number);
-  return place;
-}
+/// Where the nodes of both surfaces stand in a row.
+class Places {
+ public:
+  explicit Places(Index nodes) : places_(nodes, none) {}
+
+  /// Gives a node the next place behind those in `columns`, unless it has one.
+  void add(Index number, Numbers& columns) {
+    if (places_[number] != none) return;
+    places_[number] = columns.count();
+    columns.push_back(number);
+  }
+  Index operator[](Index number) const { return places_[number]; }
+  /// Takes those of a row away.
+  void clear(const Numbers& columns) {
+    for (const Index number : columns) places_[number] = none;
+  }
+
+ private:
+  static constexpr Index none = -1;
+  Numbers places_;
+};
 
 /// The R rows of a node, in columns for all nodes of the pairs around it.
 struct Row {
@@ -59,20 +74,19 @@ class PairsAroundNodes {
   }
 
   template <int R>
-  Row row(Index number) const {
+  Row row(Index number, Places& places) const {
     Row row;
-    Numbers places;  // of the nodes of the pairs, one pair after the other
-    for (const Index pair : around_[number])
-      for_each_node(pair, [&](Index other) { places.push_back(place_with(row.columns, other)); });
+    for (const Index pair : around_[number]) for_each_node(pair, [&](Index other) { places.add(other, row.columns); });
     row.values.setZero(R, 3 * row.columns.count());
-    auto place = places.begin();
     for (const Index pair : around_[number]) {
       const LocalLayout columns = blocks_[pair]->columns.layout();
-      const MatrixXd& values = blocks_[pair]->values;
-      const Index own = std::find(place, places.end(), position_in(row.columns, number)) - place;
-      for (Index n = 0; n < columns.nodes(); ++n, ++place)
-        row.values.middleCols<3>(3 * *place) += values.block<R, 3>(R * own, columns.displacement(n, 0));
+      const auto own_rows = blocks_[pair]->values.middleRows<R>(R * position_in_pair(pair, number));
+      Index n = 0;
+      for_each_node(pair, [&](Index other) {
+        row.values.middleCols<3>(3 * places[other]) += own_rows.template middleCols<3>(columns.displacement(n++, 0));
+      });
     }
+    places.clear(row.columns);
     return row;
   }
 
@@ -81,6 +95,16 @@ class PairsAroundNodes {
   void for_each_node(Index pair, const Use& use) const {
     for (const int node : blocks_[pair]->columns.primary) use(node);
     for (const int node : blocks_[pair]->columns.secondary) use(primary_nodes_ + node);
+  }
+
+  Index position_in_pair(Index pair, Index number) const {
+    Index position = 0;
+    Index found = 0;
+    for_each_node(pair, [&](Index other) {
+      if (other == number) found = position;
+      ++position;
+    });
+    return found;
   }
 
   const PairBlocks& blocks_;
@@ -115,9 +139,10 @@ NodeRows rows_of(const PairBlocks& blocks, PerSide<Index> nodes, double weak, No
   const PairsAroundNodes around(blocks, nodes);
   NodeRows rows(around.nodes());
   for (TangentBlock& row : held) rows[around.number(row.rows)] = std::move(row);
-  in_parallel(rows.count(), [&](Index number) {
+  in_parallel_with(Places(around.nodes()), rows.count(), [&](Index number, Places& places) {
     const bool is_held = rows[number].values.size() > 0;
-    if (!is_held && around.has_pairs(number)) rows[number] = strong_part(around, around.row<R>(number), number, weak);
+    if (is_held || !around.has_pairs(number)) return;
+    rows[number] = strong_part(around, around.row<R>(number, places), number, weak);
   });
   rows.erase(std::remove_if(rows.begin(), rows.end(), [](const TangentBlock& row) { return row.values.size() == 0; }),
              rows.end());

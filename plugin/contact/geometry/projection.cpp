@@ -12,13 +12,13 @@ namespace {
 /// Newton from one start; empty where it does not converge.
 ///
 /// Convergence is quadratic, so the step that falls below sqrt(epsilon) of the facet's size leaves an error of epsilon:
-/// one more step is taken and accepted. On a plane triangle the equations are linear, and the first step is.
+/// one more step is taken and accepted.
 std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
                              const Vector3d& direction, const Vector2d& start) {
   constexpr int max_steps = 25;
   const double accept = std::sqrt(std::numeric_limits<double>::epsilon());
   Vector3d unknown(start[0], start[1], 0);
-  bool close = type == FacetType::tri3;
+  bool close = false;
   for (int step = 0; step < max_steps; ++step) {
     const ShapeFunctions shape = shape_functions(type, unknown.head<2>());
     const Vector3d miss = x * shape.value - origin - unknown[2] * direction;
@@ -31,6 +31,19 @@ std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Ve
     close = change.head<2>().norm() < accept;
   }
   return std::nullopt;
+}
+
+/// Where a line meets the plane of a triangle, by Cramer's rule (Moller and Trumbore 1997, J Graph Tools 2(1):21);
+/// empty where it is parallel.
+std::optional<RayHit> on_plane(const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction) {
+  const Vector3d first = x.col(1) - x.col(0);
+  const Vector3d second = x.col(2) - x.col(0);
+  const Vector3d from = origin - x.col(0);
+  const Vector3d p = direction.cross(second);
+  const Vector3d q = from.cross(first);
+  const Vector3d unknown = Vector3d(from.dot(p), direction.dot(q), second.dot(q)) / first.dot(p);
+  if (!unknown.allFinite()) return std::nullopt;
+  return RayHit{unknown.head<2>(), unknown[2]};
 }
 
 /// Control points of a facet as a Bezier surface, x = SUM B_i(eta) b_i with SUM B_i = 1, and what SUM |B_i| is at most
@@ -85,14 +98,17 @@ std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const
                                 const Vector3d& direction, double tolerance) {
   if (passes_by(type, x, origin, direction, tolerance)) return std::nullopt;
   std::optional<RayHit> best;
+  const auto is_within = [&](const RayHit& hit) { return distance_outside(type, hit.eta) <= tolerance; };
+  if (type == FacetType::tri3) {
+    const std::optional<RayHit> hit = on_plane(x, origin, direction);
+    return hit && is_within(*hit) ? hit : best;
+  }
   const auto converges_from = [&](const Vector2d& start) {
     const std::optional<RayHit> hit = newton(type, x, origin, direction, start);
-    if (hit && distance_outside(type, hit->eta) <= tolerance && (!best || std::abs(hit->gap) < std::abs(best->gap)))
-      best = hit;
+    if (hit && is_within(*hit) && (!best || std::abs(hit->gap) < std::abs(best->gap))) best = hit;
     return hit.has_value();
   };
   const bool converged = converges_from(parametric_centre(type));
-  if (type == FacetType::tri3 && converged) return best;
   if ((best || (converged && edge_degree(type) == 1)) && faces_one_way(type, x, direction)) return best;
   for (int a = 0; a < node_count(type); ++a) converges_from(parametric_node(type, a));
   return best;

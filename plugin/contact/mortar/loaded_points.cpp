@@ -3,6 +3,62 @@
 #include "base/in_order.h"
 
 namespace mixture_contact {
+namespace {
+
+/// What the points of a pair have in common.
+class LoadedPair {
+ public:
+  /// Keeps references.
+  LoadedPair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads, const FacingFields& fields,
+             double dt)
+      : space_(space), pair_(pair), fields_(space.facing().exchanged_fields(pair)), dt_(dt) {
+    nodal_ = facet_loads(space.facing().primary_facet(pair), loads, fields_);
+    values_.resize(nodes(), fields_.count());
+    for (Index k = 0; k < fields_.count(); ++k) values_.col(k) = space.facing().values(pair, fields_[k], fields);
+  }
+
+  /// That with this number.
+  PointContact point(std::size_t number) const {
+    const IntegrationPoint& place = pair_.points[number];
+    PointContact contact(space_.facing(), pair_, number);
+    const ShapeFunctions psi = space_.shape(pair_.primary, place.sub_facet, place.xi);
+    contact.psi = psi.value;
+    contact.psi_gradient = psi.gradient;
+    contact.fields = fields_;
+    contact.values = values_;
+    contact.loads = loads_at(nodal_, contact.psi);
+    contact.loads.weight = place.weight;
+    contact.loads.time_increment = dt_;
+    set_slopes(contact);
+    return contact;
+  }
+
+ private:
+  Index nodes() const {
+    const FacingPairs& facing = space_.facing();
+    return node_count(facing.primary_facet(pair_).type) + node_count(facing.secondary_facet(pair_).type);
+  }
+
+  void set_slopes(PointContact& contact) const {
+    contact.loads.traction_slope = contact.psi_gradient.transpose() * nodal_.traction;
+    if (space_.facing().moves_points()) {
+      for (Index a = 0; a < nodal_.friction.cols(); ++a)
+        contact.loads.friction_slope += nodal_.friction.col(a).lazyProduct(contact.psi_gradient.row(a));
+    }
+    contact.loads.flux_slope.resize(fields_.count(), 2);
+    for (Index k = 0; k < fields_.count(); ++k)
+      contact.loads.flux_slope.row(k) = nodal_.flux[k].transpose() * contact.psi_gradient;
+  }
+
+  const MortarSpace& space_;
+  const FacetPair& pair_;
+  IndexedVector<int> fields_;
+  double dt_;
+  FacetLoads nodal_;
+  PairFields values_;
+};
+
+}  // namespace
 
 FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const IndexedVector<int>& fields) {
   FacetLoads nodal;
@@ -21,42 +77,13 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi) {
   return here;
 }
 
-PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,
-                          const FacingFields& fields, double dt) {
-  const FacingPairs& facing = space.facing();
-  const Facet& facet = facing.primary_facet(pair);
-  const IntegrationPoint& place = pair.points[number];
-  PointContact contact(facing, pair, number);
-  const ShapeFunctions psi = space.shape(pair.primary, place.sub_facet, place.xi);
-  contact.psi = psi.value;
-  contact.psi_gradient = psi.gradient;
-  contact.fields = facing.exchanged_fields(pair);
-  const Index count = contact.fields.count();
-  contact.values.resize(contact.kinematics.nodes(), count);
-  const FacetLoads nodal = facet_loads(facet, loads, contact.fields);
-  contact.loads = loads_at(nodal, contact.psi);
-  contact.loads.weight = place.weight;
-  contact.loads.time_increment = dt;
-  contact.loads.traction_slope = contact.psi_gradient.transpose() * nodal.traction;
-  if (facing.moves_points()) {
-    for (Index a = 0; a < nodal.friction.cols(); ++a)
-      contact.loads.friction_slope += nodal.friction.col(a).lazyProduct(contact.psi_gradient.row(a));
-  }
-  contact.loads.flux_slope.resize(count, 2);
-  for (Index k = 0; k < count; ++k) {
-    contact.values.col(k) = facing.values(pair, contact.fields[k], fields);
-    contact.loads.flux_slope.row(k) = nodal.flux[k].transpose() * contact.psi_gradient;
-  }
-  return contact;
-}
-
 std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                                          const FacingFields& fields, double dt) {
   const std::vector<PointMotion> motions = space.facing().motions(pair, positions(fields));
   std::vector<VaryingPoint> points;
   points.reserve(pair.points.size());
-  for (std::size_t q = 0; q < pair.points.size(); ++q)
-    points.emplace_back(loaded_point(space, pair, q, loads, fields, dt), motions[q]);
+  const LoadedPair loaded(space, pair, loads, fields, dt);
+  for (std::size_t q = 0; q < pair.points.size(); ++q) points.emplace_back(loaded.point(q), motions[q]);
   return points;
 }
 
@@ -68,8 +95,8 @@ void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, co
     std::vector<PointContact> points;
     if (!space.facing().has_node_among(pair, loads.in_contact)) return points;
     points.reserve(pair.points.size());
-    for (std::size_t q = 0; q < pair.points.size(); ++q)
-      points.push_back(loaded_point(space, pair, q, loads, fields, dt));
+    const LoadedPair loaded(space, pair, loads, fields, dt);
+    for (std::size_t q = 0; q < pair.points.size(); ++q) points.push_back(loaded.point(q));
     return points;
   };
   in_order(pairs.count(), points_of, [&](Index /*pair*/, const std::vector<PointContact>& points) {

@@ -48,10 +48,6 @@ FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const Indexe
 /// The loads where the functions psi_a of a facet have these values; without weight and slopes.
 PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi);
 
-/// The point of a pair with this number.
-PointContact loaded_point(const MortarSpace& space, const FacetPair& pair, std::size_t number, const NodalLoads& loads,
-                          const FacingFields& fields, double dt);
-
 /// All points of a pair with their variations.
 std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                                          const FacingFields& fields, double dt);

@@ -76,6 +76,20 @@ BOOST_AUTO_TEST_CASE(results_are_used_on_the_calling_thread) {
       [&](Index /*i*/, Index /*made*/) { BOOST_TEST((std::this_thread::get_id() == caller)); });
 }
 
+BOOST_AUTO_TEST_CASE(each_thread_has_a_workspace_of_its_own) {
+  for (const int threads : {1, 2}) {
+    use_threads(threads);
+    IndexedVector<Index> found(1000);
+    in_parallel_with(std::vector<Index>(2, 7), 1000, [&](Index i, std::vector<Index>& workspace) {
+      workspace[0] = i;
+      std::this_thread::yield();
+      found[i] = workspace[0] + workspace[1];
+      workspace[0] = 7;
+    });
+    for (Index i = 0; i < found.count(); ++i) BOOST_TEST(found[i] == i + 7);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_exception_reaches_the_caller) {
   use_threads(2);
   const auto fail = [](Index i) {
@@ -84,6 +98,7 @@ BOOST_AUTO_TEST_CASE(an_exception_reaches_the_caller) {
   };
   const auto pass = [](Index i) { return i; };
   BOOST_CHECK_THROW(in_parallel(10, fail), std::runtime_error);
+  BOOST_CHECK_THROW(in_parallel_with(0, 10, [&](Index i, int& /*workspace*/) { fail(i); }), std::runtime_error);
   BOOST_CHECK_THROW(in_order(1000, fail, [](Index, Index) {}), std::runtime_error);
   BOOST_CHECK_THROW(in_order(1000, pass, [&](Index i, Index) { fail(i); }), std::runtime_error);
 }
