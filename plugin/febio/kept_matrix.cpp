@@ -22,8 +22,6 @@ constexpr double left_by_sweeps = 1e-2;
 
 }  // namespace
 
-KeptMatrix::KeptMatrix(newton::FEBioSolver& solver) : solver_(solver), splitting_(left_by_sweeps) {}
-
 void KeptMatrix::formed(const newton::MatrixParts& parts) {
   is_requested_ = false;  // FEBio has taken the request
   begin();
@@ -89,16 +87,15 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution(solve, conditions, right);
   };
-  product_ = splitting_.product(solve_with_conditions, parts, solver.m_R0);
+  newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, left_by_sweeps);
+  if (!split.converges) take_parts_in();
+  product_ = std::move(split.product);
   if (!product_.empty()) solver.m_R0 = solver.m_R0 - product_;
   const bool holds = border_.hold(solve, conditions, solver.m_R0);
-  may_correct_ = holds && is_solved;
-  judge_sweeps();
+  may_correct_ = split.converges && holds && is_solved;
 }
 
-void KeptMatrix::judge_sweeps() {
-  if (splitting_.converges()) return;
-  may_correct_ = false;
+void KeptMatrix::take_parts_in() {
   if (!std::exchange(needs_parts_, true))
     solver_.log(
         "\nsliding-mixture: couplings across the contact are large beside the stiffness of the bodies. From the next "
@@ -107,11 +104,8 @@ void KeptMatrix::judge_sweeps() {
 
 void KeptMatrix::tried() {
   if (product_.empty()) return;
-  FENewtonSolver& solver = *solver_.febio();
-  solver.m_R0 += product_;
+  solver_.febio()->m_R0 += product_;
   product_.clear();
-  splitting_.swept(solver.m_ui);
-  judge_sweeps();
 }
 
 void KeptMatrix::reject(mixture_contact::GoesOn with) {
@@ -131,12 +125,7 @@ void KeptMatrix::force_next() {
   request(true);  // where a step begins
 }
 
-void KeptMatrix::serialize(DumpStream& ar) {
-  ar & needs_parts_;
-  double reduction = splitting_.reduction();
-  ar & reduction;
-  splitting_.set_reduction(reduction);
-}
+void KeptMatrix::serialize(DumpStream& ar) { ar & needs_parts_; }
 
 void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);

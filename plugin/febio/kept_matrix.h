@@ -15,7 +15,7 @@ class DumpStream;
 
 class KeptMatrix {
  public:
-  explicit KeptMatrix(newton::FEBioSolver& solver);
+  explicit KeptMatrix(newton::FEBioSolver& solver) : solver_(solver) {}
 
   /// FEBio has formed another one, as it said. It is solved with these parts beside it.
   void formed(const newton::MatrixParts& parts);
@@ -52,15 +52,14 @@ class KeptMatrix {
   void begin();
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
-  /// Where sweeps do not converge the next matrices hold what has stood beside this one. Says so once.
-  void judge_sweeps();
+  /// Has the next matrices hold what has stood beside this one, and says so once.
+  void take_parts_in();
   /// Has FEBio form a matrix before the next iteration.
   void force_next();
   void restore();
 
   newton::FEBioSolver& solver_;
   newton::Border border_;
-  newton::Splitting splitting_;
   int number_ = 0;             ///< of the matrix, as FEBio counts them in a step
   int iterations_ = 0;         ///< with it, up to the last that was corrected
   bool is_requested_ = false;  ///< another one, by request()

@@ -60,43 +60,27 @@ double MatrixPart::squares(const std::vector<double>& x) const {
   return sum;
 }
 
-bool Splitting::is_last_sweep() const {
-  // Of the change, sweeps to come make `reduction`, reduction^2, and so on: the last one leaves the second of these.
-  return change_ * reduction_ * reduction_ <= tolerance_ * length(parts_, x_);
-}
-
-std::vector<double> Splitting::product(const Solve& solve, MatrixParts parts, const std::vector<double>& right) {
-  converges_ = true;
-  parts_.clear();
+Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
+            const std::vector<double>& right, double tolerance) {
   if (std::all_of(parts.begin(), parts.end(), [](const MatrixPart* part) { return part->empty(); })) return {};
-  x_ = solve(right);
-  change_ = length(parts, x_);
-  if (!std::isfinite(change_)) return {};  // nothing is known of the part: the host sees for itself
-  parts_ = std::move(parts);
+  std::vector<double> x = solve(right);
+  double change = length(parts, x);
   std::vector<double> before;  // the product that the present x was solved with
-  while (!is_last_sweep()) {
-    std::vector<double> made = newton::product(parts_, x_);
+  while (true) {
+    std::vector<double> made = product(parts, x);
     std::vector<double> next = solve(difference(right, made));
-    const double reduction = length(parts_, difference(next, x_)) / change_;
-    converges_ = reduction <= least_reduction;
-    if (!converges_) {
-      parts_.clear();
-      return reduction < 1 ? made : before;
-    }
-    x_ = std::move(next);
+    const double next_change = length(parts, difference(next, x));
+    if (!std::isfinite(next_change)) return {};  // nothing is known of the part: the host sees for itself
+    if (next_change == 0) return {std::move(made), true};
+    if (next_change >= change) return {std::move(before), false};
+    const double reduction = next_change / change;
+    if (reduction > least_reduction) return {std::move(made), false};
+    x = std::move(next);
     before = std::move(made);
-    change_ *= reduction;
-    reduction_ = reduction;
+    change = next_change;
+    // The sweep that is left reduces the error once more.
+    if (change * reduction <= tolerance * length(parts, x)) return {product(parts, x), true};
   }
-  return newton::product(parts_, x_);
-}
-
-void Splitting::swept(const std::vector<double>& x) {
-  const double change = length(parts_, difference(x, x_));
-  if (parts_.empty() || !(change_ > 0) || !std::isfinite(change)) return;
-  reduction_ = change / change_;
-  converges_ = reduction_ <= least_reduction;
-  parts_.clear();
 }
 
 }  // namespace newton

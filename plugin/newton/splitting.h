@@ -39,39 +39,16 @@ class MatrixPart {
 /// The parts of several contacts, of which D is the sum.
 using MatrixParts = std::vector<const MatrixPart*>;
 
-/// Solves (K + D) x = b, one right-hand side after the other. What sweeps have reduced before tells how many of them
-/// the next one needs.
-class Splitting {
- public:
-  /// K^-1 times a right-hand side.
-  using Solve = std::function<std::vector<double>(const std::vector<double>& right)>;
-
-  /// `tolerance`: how far what D multiplies of x may be off, as a part of it.
-  explicit Splitting(double tolerance) : tolerance_(tolerance) {}
-
-  /// All sweeps but the last, which is left to the caller: K x' = b - D x. Returns D x, empty for zero; where sweeps do
-  /// not converge it is that before the first one that made the change larger, if there is one. Keeps the parts until
-  /// swept().
-  std::vector<double> product(const Solve& solve, MatrixParts parts, const std::vector<double>& right);
-  /// The last sweep has come to this x'.
-  void swept(const std::vector<double>& x);
-  /// Whether each sweep for the present right-hand side halved the change, at least.
-  bool converges() const { return converges_; }
-
-  /// The change by the last sweep that was seen, as a part of the change before; 1 if none was.
-  double reduction() const { return reduction_; }
-  void set_reduction(double reduction) { reduction_ = reduction; }
-
- private:
-  /// Whether another sweep leaves what is within the tolerance.
-  bool is_last_sweep() const;
-
-  double tolerance_;
-  double reduction_ = 1;
-  bool converges_ = true;
-  MatrixParts parts_;      ///< empty where no sweep is left
-  std::vector<double> x_;  ///< of the last sweep
-  double change_ = 0;      ///< by it
+/// What splitting comes to for one right-hand side.
+struct Split {
+  std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty for zero
+  bool converges = true;        ///< whether each sweep halved the change, at least
 };
+
+/// Solves (K + D) x = b but for its last sweep, which is left to the caller: K x' = b - D x. What D multiplies of x' is
+/// right to `tolerance`, a part of it; where sweeps do not converge it is as it was before the first that made the
+/// change larger, if there is one.
+Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
+            const std::vector<double>& right, double tolerance);
 
 }  // namespace newton

@@ -8,7 +8,7 @@
 #include <limits>
 
 using newton::MatrixPart;
-using newton::Splitting;
+using newton::Split;
 
 namespace {
 
@@ -49,17 +49,8 @@ struct UnitMatrix {
   int solutions = 0;
 };
 
-/// All sweeps for one right-hand side with the unit matrix, the last of which is the caller's.
-Eigen::VectorXd solved(Splitting& splitting, UnitMatrix& unit, const MatrixPart& part,
-                       const std::vector<double>& right) {
-  const Eigen::VectorXd x = vector(right) - vector(splitting.product(unit.solver(), {&part}, right));
-  splitting.swept({x.begin(), x.end()});
-  return x;
-}
-
-Eigen::VectorXd exact(const Eigen::MatrixXd& values) {
-  return (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(vector(load));
-}
+/// What the last sweep makes of a split right-hand side with the unit matrix.
+Eigen::VectorXd last_sweep(const Split& split) { return vector(load) - vector(split.product); }
 
 }  // namespace
 
@@ -69,69 +60,35 @@ BOOST_AUTO_TEST_CASE(the_sweep_that_is_left_to_the_caller_meets_the_tolerance) {
       const Eigen::MatrixXd values = turn(factor);
       const MatrixPart part = part_of(values);
       UnitMatrix unit;
-      Splitting splitting(tolerance);
-      // After k sweeps the change is factor^k |b|, and the last sweep leaves factor^(k+2) |x|, the limit's factor^2 of
-      // the change over |b|/|x| >= 1: within the tolerance of |x_k|, which is off from |x| by factor^(k+1) at most.
-      const double bound = (1 + factor) * tolerance + test::rounding;
-      for (int n = 0; n < 2; ++n) {  // the second time it knows the factor
-        const Eigen::VectorXd x = solved(splitting, unit, part, load);
-        BOOST_TEST(splitting.converges());
-        BOOST_TEST((x - exact(values)).norm() <= bound * exact(values).norm());
-        BOOST_TEST(std::abs(splitting.reduction() - factor) <= 1e3 * test::rounding);
-      }
+      const Split split = newton::split(unit.solver(), {&part}, load, tolerance);
+      BOOST_TEST(split.converges);
+      const Eigen::VectorXd
+          expected = (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(vector(load));
+      // After k sweeps the change is factor^k |b|, with |b| >= |x|, and the last sweep leaves factor^(k+2) |x|: at most
+      // `factor` of factor times the change, which is within the tolerance of |x_k| <= (1 + factor) |x|.
+      BOOST_TEST((last_sweep(split) - expected).norm() <= (tolerance + test::rounding) * expected.norm());
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_known_of_a_part_saves_solutions) {
-  const MatrixPart part = part_of(turn(0.09));
+BOOST_AUTO_TEST_CASE(a_small_part_costs_two_solutions) {
+  const MatrixPart part = part_of(turn(0.01));
   UnitMatrix unit;
-  Splitting splitting(1e-2);
-  solved(splitting, unit, part, load);
+  newton::split(unit.solver(), {&part}, load, 1e-2);
   BOOST_TEST(unit.solutions == 2);
-  solved(splitting, unit, part, load);
-  BOOST_TEST(unit.solutions == 3);
-  // Of a part that is larger than the last one the caller's sweep tells.
-  const MatrixPart larger = part_of(turn(0.3));
-  solved(splitting, unit, larger, load);
-  BOOST_TEST(unit.solutions == 4);
-  BOOST_TEST(splitting.converges());
-  BOOST_TEST(std::abs(splitting.reduction() - 0.3) < test::rounding);
-  solved(splitting, unit, larger, load);
-  BOOST_TEST(unit.solutions == 7);  // 0.3^4 is the first even power within a hundredth: two sweeps and the last one
-}
-
-BOOST_AUTO_TEST_CASE(what_is_known_can_be_handed_on) {
-  const MatrixPart part = part_of(turn(0.09));
-  UnitMatrix unit;
-  Splitting splitting(1e-2);
-  splitting.set_reduction(0.09);
-  solved(splitting, unit, part, load);
-  BOOST_TEST(unit.solutions == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_part_that_sweeps_do_not_converge_for_is_told) {
   const Eigen::MatrixXd values = turn(0.7);
   const MatrixPart part = part_of(values);
   UnitMatrix unit;
-  Splitting slow(1e-2);
-  const std::vector<double> product = slow.product(unit.solver(), {&part}, load);
-  BOOST_TEST(!slow.converges());
-  BOOST_TEST((vector(product) - values * vector(load)).norm() < test::rounding * vector(load).norm());
+  const Split slow = newton::split(unit.solver(), {&part}, load, 1e-2);
+  BOOST_TEST(!slow.converges);
+  BOOST_TEST((vector(slow.product) - values * vector(load)).norm() < test::rounding * vector(load).norm());
   const MatrixPart larger = part_of(turn(3));
-  Splitting none(1e-2);
-  BOOST_TEST(none.product(unit.solver(), {&larger}, load).empty());
-  BOOST_TEST(!none.converges());
-}
-
-BOOST_AUTO_TEST_CASE(a_part_that_has_become_too_large_is_told_by_the_last_sweep) {
-  UnitMatrix unit;
-  Splitting splitting(1e-2);
-  splitting.set_reduction(0.05);
-  const MatrixPart part = part_of(turn(0.7));
-  solved(splitting, unit, part, load);
-  BOOST_TEST(unit.solutions == 1);
-  BOOST_TEST(!splitting.converges());
+  const Split none = newton::split(unit.solver(), {&larger}, load, 1e-2);
+  BOOST_TEST(!none.converges);
+  BOOST_TEST(none.product.empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_later_sweep_that_makes_the_change_larger_counts_for_nothing) {
@@ -140,29 +97,27 @@ BOOST_AUTO_TEST_CASE(a_later_sweep_that_makes_the_change_larger_counts_for_nothi
   values(0, 1) = 2;
   const MatrixPart part = part_of(values);
   UnitMatrix unit;
-  Splitting splitting(1e-2);
-  const std::vector<double> product = splitting.product(unit.solver(), {&part}, {1, 0, 0, 0, 0, 0});
-  BOOST_TEST(!splitting.converges());
-  BOOST_TEST((product == std::vector<double>{0, 0.4, 0, 0, 0, 0}));  // of the first sweep
+  const std::vector<double> first{1, 0, 0, 0, 0, 0};
+  const Split split = newton::split(unit.solver(), {&part}, first, 1e-2);
+  BOOST_TEST(!split.converges);
+  BOOST_TEST((split.product == std::vector<double>{0, 0.4, 0, 0, 0, 0}));  // of the first sweep
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_number_says_nothing_of_a_part) {
   const MatrixPart part = part_of(turn(0.1));
   UnitMatrix unit;
-  Splitting splitting(1e-2);
   const std::vector<double> broken(size, std::numeric_limits<double>::quiet_NaN());
-  BOOST_TEST(splitting.product(unit.solver(), {&part}, broken).empty());
-  splitting.swept(broken);
-  BOOST_TEST(splitting.converges());
-  BOOST_TEST(splitting.reduction() == 1);
+  const Split split = newton::split(unit.solver(), {&part}, broken, 1e-2);
+  BOOST_TEST(split.converges);
+  BOOST_TEST(split.product.empty());
 }
 
 BOOST_AUTO_TEST_CASE(no_part_costs_nothing) {
   const MatrixPart none;
   UnitMatrix unit;
-  Splitting splitting(1e-2);
-  BOOST_TEST(splitting.product(unit.solver(), {&none}, load).empty());
-  BOOST_TEST(splitting.converges());
+  const Split split = newton::split(unit.solver(), {&none}, load, 1e-2);
+  BOOST_TEST(split.converges);
+  BOOST_TEST(split.product.empty());
   BOOST_TEST(unit.solutions == 0);
 }
 
