@@ -43,9 +43,9 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
     };
   core.for_each_coupling([&](const Location& place) { use_block(equations.coupled(place)); },
                          [&](Side first, const LoadPlace& load) {
-                           const int own = loads_.of(equations, core, first, load);
+                           const UnknownLoad own = loads_.unknown(equations, core, first, load);
                            const std::vector<int> others = equations.coupled({first, load.columns});
-                           if (own >= 0) {
+                           if (own.equation >= 0) {
                              use_load(own, others);
                            } else {
                              use_block(others);
@@ -57,7 +57,7 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
 Fingerprint Assembly::couplings() const {
   Fingerprint found;
   for_each_coupling([&](const std::vector<int>& ids) { found.add(ids); },
-                    [&](int own, const std::vector<int>& others) { found.add(own, others); },
+                    [&](const UnknownLoad& load, const std::vector<int>& others) { found.add(load.equation, others); },
                     [&](const std::vector<int>& own, const std::vector<int>& others) { found.add(own, others); });
   return found;
 }
@@ -72,7 +72,7 @@ bool Assembly::fits_matrix(bool may_split) const {
   return splits_ == (takes_rows_ && may_split) && couplings() == couplings_of_matrix_;
 }
 
-void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split) {
+void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split, bool sums) {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
   const bool takes_loads = takes_blocks(matrix, is_constrained);
   takes_rows_ = takes_loads && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
@@ -85,13 +85,11 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool 
         couplings_of_matrix_.add(ids);
         blocks.add(ids);
       },
-      [&](int own, const std::vector<int>& others) {
-        couplings_of_matrix_.add(own, others);
-        if (takes_loads) {
-          blocks.add_star(own, others);
-        } else {
-          blocks.add(others);
-        }
+      [&](const UnknownLoad& load, const std::vector<int>& others) {
+        couplings_of_matrix_.add(load.equation, others);
+        if (!takes_loads) return blocks.add(others);
+        blocks.add_star(load.equation, others);
+        if (sums) blocks.add_sum(load.equation, load.node);
       },
       [&](const std::vector<int>& own, const std::vector<int>& others) {
         couplings_of_matrix_.add(own, others);
@@ -146,6 +144,11 @@ void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {
   mixture_contact::residual_ahead(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
+void Assembly::forget_matrix() {
+  beside_.clear();
+  unknown_loads_.clear();
+}
+
 void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) {
   const ContactInterface& core = contact_.core();
   TaskClock timed = core.measurements().clock(Task::stiffness);
@@ -164,5 +167,6 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
       [&](const Location& rows, const Location& columns, const MatrixXd& values) { parts.add(rows, columns, values); },
       [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_rows);
   parts.finish(timed);
+  unknown_loads_ = parts.unknown_loads();
   has_matrix(contact_.core(), parts.has_loads(), equations.rigid());
 }

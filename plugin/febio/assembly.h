@@ -21,7 +21,8 @@ class Assembly {
 
   /// Adds the blocks of the present active set to the profile of the matrix. `is_constrained`: whether linear
   /// constraints tie degrees of freedom of the model to each other. `may_split`: whether couplings may stand beside it.
-  void add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split);
+  /// `sums`: whether rows of loads take those of their nodes.
+  void add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split, bool sums);
   /// Whether they are those that were added last.
   bool fits_matrix(bool may_split) const;
 
@@ -34,15 +35,17 @@ class Assembly {
   void residual_ahead(FEGlobalVector& residual, double dt) const;
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt);
   /// Equations are numbered anew.
-  void forget_matrix() { beside_.clear(); }
+  void forget_matrix();
   /// What of the last tangent the matrix has no place for.
   const newton::MatrixPart& beside_matrix() const { return beside_; }
+  /// The loads that are unknowns of the last tangent.
+  const std::vector<UnknownLoad>& unknown_loads() const { return unknown_loads_; }
 
  private:
   using Location = mixture_contact::ContactInterface::Location;
   using UseBlock = std::function<void(const std::vector<int>& equations)>;
-  /// With the equation of a load in mixed form, and those of what it depends on.
-  using UseLoad = std::function<void(int own, const std::vector<int>& others)>;
+  /// With a load in mixed form, and the equations of what it depends on.
+  using UseLoad = std::function<void(const UnknownLoad& load, const std::vector<int>& others)>;
   /// With the equations of a node, and those of what it depends on.
   using UseRow = std::function<void(const std::vector<int>& own, const std::vector<int>& others)>;
   void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const;
@@ -63,4 +66,5 @@ class Assembly {
   bool takes_rows_ = false;  ///< whether the matrix takes geometric parts by nodes
   bool splits_ = false;      ///< whether couplings of these stand beside the matrix
   newton::MatrixPart beside_;
+  std::vector<UnknownLoad> unknown_loads_;
 };

@@ -45,7 +45,7 @@ void KeptMatrix::begin() {
   restore();
   number_ = solver_.febio()->m_ntotref;
   border_.forget();
-  product_.clear();
+  taken_.clear();
   iterations_ = 0;
   may_correct_ = true;
 }
@@ -81,6 +81,7 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   bool is_solved = true;
   const auto solve = [&](std::vector<double> right) {
     std::vector<double> solution(right.size());
+    right = newton::applied(operations_, std::move(right));
     is_solved = solver.GetLinearSolver()->BackSolve(solution, right) && is_solved;
     return solution;
   };
@@ -89,10 +90,21 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   };
   newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, left_by_sweeps);
   if (!split.converges) take_parts_in();
-  product_ = std::move(split.product);
-  if (!product_.empty()) solver.m_R0 = solver.m_R0 - product_;
+  taken_ = std::move(split.product);
+  if (!taken_.empty()) solver.m_R0 = solver.m_R0 - taken_;
   const bool holds = border_.hold(solve, conditions, solver.m_R0);
   may_correct_ = split.converges && holds && is_solved;
+}
+
+void KeptMatrix::solve() {
+  if (operations_.empty()) return;
+  FENewtonSolver& solver = *solver_.febio();
+  // FEBio's updates are made of right-hand sides that have taken nothing.
+  iterations_ += std::exchange(solver.m_qnstrategy->m_nups, 0);
+  std::vector<double> taken = newton::applied(operations_, solver.m_R0);
+  taken_.resize(taken.size());
+  taken_ = taken_ + (solver.m_R0 - taken);
+  solver.m_R0 = std::move(taken);
 }
 
 void KeptMatrix::take_parts_in() {
@@ -103,9 +115,9 @@ void KeptMatrix::take_parts_in() {
 }
 
 void KeptMatrix::tried() {
-  if (product_.empty()) return;
-  solver_.febio()->m_R0 += product_;
-  product_.clear();
+  if (taken_.empty()) return;
+  solver_.febio()->m_R0 += taken_;
+  taken_.clear();
 }
 
 void KeptMatrix::reject(mixture_contact::GoesOn with) {

@@ -6,9 +6,11 @@
 #include "newton/border.h"
 #include "newton/febio/febio_solver.h"
 #include "newton/helper.h"
+#include "newton/row_operations.h"
 #include "newton/splitting.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 class DumpStream;
@@ -22,6 +24,10 @@ class KeptMatrix {
   /// FEBio goes on after an iteration: the same of a matrix that it has told nobody of, and of the one it has where
   /// iterations begin with it and without updates.
   void go_on(const newton::MatrixParts& parts, bool begins);
+  /// FEBio has formed one to which contacts have done this.
+  void take(newton::RowOperations operations) { operations_ = std::move(operations); }
+  /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
+  void solve();
   /// A trial has been made of FEBio's solution: its right-hand side is without the parts again.
   void tried();
   /// Whether parts have been too large to stand beside it. They are to be in it from now on.
@@ -65,7 +71,8 @@ class KeptMatrix {
   bool is_requested_ = false;  ///< another one, by request()
   bool may_correct_ = true;    ///< whether conditions can be held with it
   bool needs_parts_ = false;
-  std::vector<double> product_;         ///< of the parts, which the right-hand side is without until there is a trial
+  newton::RowOperations operations_;
+  std::vector<double> taken_;           ///< what the right-hand side is without until there is a trial
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };
 

@@ -2,10 +2,15 @@
 
 #include "contact/base/indexed_vector.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 using mixture_contact::both_sides;
 using mixture_contact::ContactInterface;
 using mixture_contact::LoadPlace;
 using mixture_contact::MultiplierLayout;
+using mixture_contact::Patch;
 using mixture_contact::PerSide;
 
 namespace {
@@ -33,6 +38,17 @@ int LoadEquations::of(const NodeEquations& equations, const ContactInterface& co
   if (start < 0 || equations.are_rigid({surface, load.columns})) return -1;
   const MultiplierLayout order = layout(core, surface);
   return start + indexing::as_int(load.field ? order.flux(load.node, *load.field) : order.traction(load.node));
+}
+
+UnknownLoad LoadEquations::unknown(const NodeEquations& equations, const ContactInterface& core, Side surface,
+                                   const LoadPlace& load) const {
+  const int equation = of(equations, core, surface, load);
+  if (equation < 0) return {};
+  Patch node{{load.node}, {}, {}, std::nullopt, !load.field};
+  if (load.field) node.fields = {*load.field};
+  std::vector<int> acted_on = equations.equations({surface, node});
+  acted_on.erase(std::remove_if(acted_on.begin(), acted_on.end(), [](int id) { return id < 0; }), acted_on.end());
+  return {equation, std::move(acted_on)};
 }
 
 void LoadEquations::serialize(DumpStream& ar) {

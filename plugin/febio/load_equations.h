@@ -5,6 +5,14 @@
 
 #include "node_equations.h"
 
+#include <vector>
+
+/// A load that is an unknown of the linear system.
+struct UnknownLoad {
+  int equation = -1;      ///< its own; -1: it is none
+  std::vector<int> node;  ///< equations of what it acts on at its own node
+};
+
 class LoadEquations {
  public:
   using Side = mixture_contact::Side;
@@ -15,6 +23,9 @@ class LoadEquations {
   /// and where the load depends on a rigid body, whose equations FEBio brings in by blocks of nodes.
   int of(const NodeEquations& equations, const mixture_contact::ContactInterface& core, Side surface,
          const mixture_contact::LoadPlace& load) const;
+  /// The same with the equations of its node.
+  UnknownLoad unknown(const NodeEquations& equations, const mixture_contact::ContactInterface& core, Side surface,
+                      const mixture_contact::LoadPlace& load) const;
   /// Whether the loads of a surface's nodes have any.
   bool has(Side surface) const { return start_[surface] >= 0; }
   /// The first of all.

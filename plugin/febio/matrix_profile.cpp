@@ -56,6 +56,20 @@ RowIntervals intervals_of(std::vector<int> equations) {
   return rows;
 }
 
+/// The equations that some have rows for in a profile, each once.
+std::vector<int> coupled_with(const std::vector<int>& equations, SparseMatrixProfile& profile) {
+  RowIntervals all;
+  for (const int equation : equations) {
+    const RowIntervals own = intervals_of(profile.Column(equation));
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::vector<int> found;
+  for (const Interval& interval : united(std::move(all))) {
+    for (int row = interval.start; row <= interval.end; ++row) found.push_back(row);
+  }
+  return found;
+}
+
 }  // namespace
 
 RowIntervals united(RowIntervals intervals) {
@@ -101,6 +115,24 @@ void CoupledBlocks::add_rows(const std::vector<int>& rows, const std::vector<int
   add(in_matrix(columns), in_matrix(rows));
 }
 
+void CoupledBlocks::add_sum(int row, const std::vector<int>& others) { others_of_[row] = in_matrix(others); }
+
+void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
+  std::map<int, std::vector<int>> sums_of;
+  for (const auto& [row, others] : others_of_) {
+    for (const int other : others) sums_of[other].push_back(row);
+  }
+  for (std::vector<int>& rows : blocks_) {
+    std::vector<int> more;
+    for (const int row : rows) {
+      const auto sums = sums_of.find(row);
+      if (sums != sums_of.end()) more.insert(more.end(), sums->second.begin(), sums->second.end());
+    }
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  for (const auto& [row, others] : others_of_) add_rows({row}, coupled_with(others, profile));
+}
+
 IndexedVector<CoupledBlocks::Columns> CoupledBlocks::alike() const {
   IndexedVector<Columns> found;
   for (Index column = 0; column < blocks_of_.count(); ++column) {
@@ -112,7 +144,8 @@ IndexedVector<CoupledBlocks::Columns> CoupledBlocks::alike() const {
   return found;
 }
 
-void CoupledBlocks::insert_into(SparseMatrixProfile& profile) const {
+void CoupledBlocks::insert_into(SparseMatrixProfile& profile) {
+  add_sums(profile);
   const IndexedVector<Columns> columns = alike();
   IndexedVector<RowIntervals> rows_of_block(blocks_.count());
   in_parallel(blocks_.count(), [&](Index block) { rows_of_block[block] = intervals_of(blocks_[block]); });

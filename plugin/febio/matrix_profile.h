@@ -8,6 +8,7 @@
 
 #include <FECore/MatrixProfile.h>
 
+#include <map>
 #include <vector>
 
 /// Rows of a column as FEBio's profile has them: intervals, ascending, none touching the next.
@@ -29,8 +30,10 @@ class CoupledBlocks {
   void add_star(int centre, const std::vector<int>& equations);
   /// Takes rows that have entries in columns.
   void add_rows(const std::vector<int>& rows, const std::vector<int>& columns);
-  /// Inserts all blocks.
-  void insert_into(SparseMatrixProfile& profile) const;
+  /// Has a row take the columns of others: multiples of them are to be added to it.
+  void add_sum(int row, const std::vector<int>& others);
+  /// Inserts all blocks. What the profile has couples both ways.
+  void insert_into(SparseMatrixProfile& profile);
 
  private:
   /// Columns that follow each other and stand in the same blocks, as those of one node mostly do.
@@ -41,9 +44,12 @@ class CoupledBlocks {
   mixture_contact::IndexedVector<Columns> alike() const;
   /// Adds rows to columns; either may hold an equation more than once.
   void add(const std::vector<int>& columns, std::vector<int> rows);
+  /// Extends blocks by rows that take the columns of theirs, and adds those that they have in the profile.
+  void add_sums(SparseMatrixProfile& profile);
   /// Those equations that are in the matrix.
   std::vector<int> in_matrix(const std::vector<int>& equations) const;
 
   mixture_contact::IndexedVector<std::vector<int>> blocks_;                        ///< rows, in any order
   mixture_contact::IndexedVector<std::vector<mixture_contact::Index>> blocks_of_;  ///< per column, ascending
+  std::map<int, std::vector<int>> others_of_;                                      ///< by rows that take their columns
 };

@@ -5,6 +5,7 @@
 #include <FECore/CompactUnSymmMatrix.h>
 #include <FECore/FEGlobalMatrix.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -76,6 +77,50 @@ void subtract_rows(CRSSparseMatrix& matrix, const MatrixBlock& block, const std:
   }
 }
 
+/// The place of a column in a row; its length where it has none.
+int place_of(const Row& row, int column) {
+  const int* const end = row.columns + row.length;
+  const int* const found = std::lower_bound(row.columns, end, column);
+  return found != end && *found == column ? indexing::as_int(found - row.columns) : row.length;
+}
+
+/// The entry of a row, zero where it has none. `column` is as the matrix stores it.
+double entry(const Row& row, int column) {
+  const int place = place_of(row, column);
+  return place < row.length ? row.values[place] : 0;
+}
+
+bool has_places_for(const Row& row, const Row& other) {
+  return std::includes(row.columns, row.columns + row.length, other.columns, other.columns + other.length);
+}
+
+void add(double factor, const Row& other, const Row& row) {
+  int place = 0;
+  for (int k = 0; k < other.length; ++k) {
+    while (row.columns[place] != other.columns[k]) ++place;
+    row.values[place] += factor * other.values[k];
+  }
+}
+
+/// Below this reciprocal condition unknowns do not follow from their own rows: half of the digits are lost.
+constexpr double least_condition = 1e-8;
+
+/// By which factors rows of unknowns are to be added to a row, so that it has no entries in their columns; empty where
+/// those do not determine the unknowns.
+VectorXd eliminating(const std::vector<Row>& of_unknowns, const std::vector<int>& unknowns, const Row& row) {
+  const Index count = count_of(unknowns);
+  MatrixXd own(count, count);
+  VectorXd entries(count);
+  for (Index j = 0; j < count; ++j) {
+    const int column = mixture_contact::at(unknowns, j);
+    for (Index i = 0; i < count; ++i) own(j, i) = entry(mixture_contact::at(of_unknowns, i), column);
+    entries[j] = -entry(row, column);
+  }
+  const Eigen::PartialPivLU<MatrixXd> factors(own);  // of the transpose
+  if (!(factors.rcond() > least_condition)) return {};
+  return factors.solve(entries);
+}
+
 /// Rows that follow each other and are one thread's: those of several nodes, which mostly lie together in memory.
 constexpr int rows_together = 64;
 
@@ -92,4 +137,25 @@ void MatrixRows::subtract(const IndexedVector<MatrixBlock>& blocks) const {
     const auto is_own = [&](int row) { return row / rows_together % threads == thread; };
     for (Index n = 0; n < blocks.count(); ++n) subtract_rows(*rows_, blocks[n], orders[n], is_own);
   });
+}
+
+std::optional<newton::RowOperation> MatrixRows::eliminate(const std::vector<int>& unknowns, int row) const {
+  const Row target = row_of(*rows_, row);
+  std::vector<Row> of_unknowns;
+  std::vector<int> columns;
+  for (const int unknown : unknowns) {
+    of_unknowns.push_back(row_of(*rows_, unknown));
+    columns.push_back(unknown + rows_->Offset());
+  }
+  const bool has_places = !unknowns.empty() &&
+                          std::all_of(of_unknowns.begin(), of_unknowns.end(),
+                                      [&](const Row& other) { return has_places_for(target, other); });
+  const VectorXd factors = has_places ? eliminating(of_unknowns, columns, target) : VectorXd();
+  if (factors.size() == 0) return std::nullopt;
+  newton::RowOperation operation{row, {}};
+  for (Index i = 0; i < factors.size(); ++i) {
+    add(factors[i], mixture_contact::at(of_unknowns, i), target);
+    operation.terms.push_back({mixture_contact::at(unknowns, i), factors[i]});
+  }
+  return operation;
 }

@@ -5,8 +5,10 @@
 #pragma once
 
 #include "contact/base/indexed_vector.h"
+#include "newton/row_operations.h"
 #include "newton/splitting.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,9 @@ class MatrixRows {
   /// Subtracts blocks from the matrix, whose profile holds their places. Threads share the rows of the matrix: each row
   /// takes what is its own in the order of the blocks, so that sums do not depend on how many threads there are.
   void subtract(const mixture_contact::IndexedVector<MatrixBlock>& blocks) const;
+  /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. None, and the
+  /// row is as it was, where it has no place for an entry of theirs, or their rows do not determine them.
+  std::optional<newton::RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
 
  private:
   CRSSparseMatrix* rows_;

@@ -210,7 +210,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   model_->steps().before_matrix();
-  assembly_.add_to_profile(matrix, has_linear_constraints(*GetFEModel()), model_->splits_matrix());
+  assembly_.add_to_profile(matrix, has_linear_constraints(*GetFEModel()), model_->splits_matrix(), model_->sums_rows());
 }
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
@@ -220,6 +220,7 @@ void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& ti
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
   assembly_.tangent(system, *model_->solver().febio()->GetStiffnessMatrix(), has_linear_constraints(*GetFEModel()),
                     time.timeIncrement);
+  model_->added_tangent(*this);
 }
 
 // ------------------------------------------------------------ ambient values and restarts

@@ -2,6 +2,7 @@
 
 #include "archive.h"
 #include "first_norms.h"
+#include "matrix_rows.h"
 #include "newton/febio/solver_totals.h"
 #include "newton/line_search_guard.h"
 #include "newton/non_negative_concentrations.h"
@@ -16,6 +17,7 @@
 #include <FECore/FEModel.h>
 #include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
+#include <FECore/FENodalLoad.h>
 #include <FECore/FETimeStepController.h>
 #include <FECore/JFNKStrategy.h>
 #include <FECore/log.h>
@@ -66,6 +68,43 @@ bool add_changes(FEModel& fem, const std::vector<ContactInModel*>& contacts, std
   return is_known;
 }
 
+/// Whether a helper is on: as the active contacts say that give it, or by its default.
+bool is_on(const HelperSwitch& which, const std::vector<ContactInModel*>& active) {
+  if (active.empty()) return false;
+  const auto given = std::find_if(active.begin(), active.end(), [&](ContactInModel* contact) {
+    return which.of(contact->bound().parameters()).given;
+  });
+  return which.of(given == active.end() ? ContactParameters() : (*given)->bound().parameters()).value;
+}
+
+/// Whether no other contact and no constraint of FEBio's couples nodes.
+bool are_alone(const std::vector<ContactInModel*>& active, FEModel& fem) {
+  return mixture_contact::number_of(active) == fem.SurfacePairConstraints() && fem.NonlinearConstraints() == 0;
+}
+
+/// Whether FEBio adds stiffness of loads to the matrix when contacts have added theirs.
+bool adds_loads_last(FEModel& fem, const FENewtonSolver& solver) {
+  if (dynamic_cast<const FESolidSolver2*>(&solver) != nullptr) return false;
+  for (int i = 0; i < fem.ModelLoads(); ++i) {
+    const FEModelLoad* const load = fem.ModelLoad(i);
+    if (load->IsActive() && dynamic_cast<const FENodalLoad*>(load) == nullptr) return true;
+  }
+  return false;
+}
+
+/// Has loads that are unknowns follow from the rows of their nodes.
+newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, FEGlobalMatrix& matrix) {
+  const MatrixRows rows(matrix);
+  newton::RowOperations operations;
+  for (const ContactInModel* contact : contacts) {
+    for (const UnknownLoad& load : contact->assembly().unknown_loads()) {
+      std::optional<newton::RowOperation> operation = rows.eliminate(load.node, load.equation);
+      if (operation) operations.push_back(std::move(*operation));
+    }
+  }
+  return operations;
+}
+
 /// What stands beside the matrix for these contacts.
 newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
   newton::MatrixParts parts;
@@ -112,7 +151,7 @@ ModelContacts::ModelContacts(FEModel& fem)
       ambient_(fem, solver_, helpers_),
       matrix_(solver_) {
   const auto offer = [&](const HelperSwitch& which, std::unique_ptr<newton::Helper> helper) {
-    helpers_.add(which.name, std::move(helper), [this, which] { return is_on(which); });
+    helpers_.add(which.name, std::move(helper), [this, which] { return is_on(which, active()); });
   };
   offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
   offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
@@ -120,9 +159,10 @@ ModelContacts::ModelContacts(FEModel& fem)
   helpers_.add(RightHandSide::name, std::make_unique<RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
   helpers_.add(FirstNorms::name, std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }),
                [this] { return !active().empty(); });
-  fem.AddCallback(
-      call_back,
-      CB_STEP_ACTIVE | CB_MATRIX_REFORM | CB_MINOR_ITERS | CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_SOLVED, this);
+  fem.AddCallback(call_back,
+                  CB_STEP_ACTIVE | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS | CB_TIMESTEP_SOLVED |
+                      CB_TIMESTEP_FAILED | CB_SOLVED,
+                  this);
 }
 
 // ------------------------------------------------------------ contacts and switches
@@ -148,16 +188,6 @@ std::vector<SteppedContact*> ModelContacts::active_contacts() {
   std::vector<SteppedContact*> found;
   for (ContactInModel* contact : active()) found.push_back(&contact->bound());
   return found;
-}
-
-/// As the active contacts say that give it, or its default.
-bool ModelContacts::is_on(const HelperSwitch& which) const {
-  const std::vector<ContactInModel*> contacts = active();
-  if (contacts.empty()) return false;
-  const auto given = std::find_if(contacts.begin(), contacts.end(), [&](ContactInModel* contact) {
-    return which.of(contact->bound().parameters()).given;
-  });
-  return which.of(given == contacts.end() ? ContactParameters() : (*given)->bound().parameters()).value;
 }
 
 std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) const {
@@ -199,18 +229,29 @@ bool ModelContacts::splits_matrix() const {
   return solver != nullptr && adds_up_residuals(*solver) && !matrix_.needs_parts();
 }
 
+bool ModelContacts::sums_rows() const {
+  const FENewtonSolver* const solver = solver_.febio();
+  return solver != nullptr && adds_up_residuals(*solver) && are_alone(active(), fem_) &&
+         !adds_loads_last(fem_, *solver);
+}
+
+void ModelContacts::added_tangent(const ContactInModel& contact) {
+  const std::vector<ContactInModel*> contacts = active();
+  if (contacts.back() != &contact) return;
+  matrix_.take(sums_rows() ? eliminated(contacts, *solver_.febio()->m_pK) : newton::RowOperations());
+}
+
 void ModelContacts::keep_matrix_if_it_fits() {
   // FEBio shapes the matrix of a model with contact anew for each iteration, at the first one of a step even what the
   // bodies add. There the iteration has begun already, so that nothing but the shape is left to BuildMatrixProfile.
   FENewtonSolver* const solver = solver_.febio();
   if (solver == nullptr) return;
   const std::vector<ContactInModel*> contacts = active();
-  const bool alone = mixture_contact::number_of(contacts) == fem_.SurfacePairConstraints() &&
-                     fem_.NonlinearConstraints() == 0;
   const bool may_split = splits_matrix();
-  const bool fits = alone && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() && steps_.has_begun() &&
-                    std::all_of(contacts.begin(), contacts.end(),
-                                [&](ContactInModel* contact) { return contact->assembly().fits_matrix(may_split); });
+  const bool fits = are_alone(contacts, fem_) && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() &&
+                    steps_.has_begun() && std::all_of(contacts.begin(), contacts.end(), [&](ContactInModel* contact) {
+                      return contact->assembly().fits_matrix(may_split);
+                    });
   solver->m_breshape = !fits;
 }
 
@@ -251,6 +292,7 @@ void ModelContacts::on_callback(unsigned int when) {
     steps_.end_iteration();
     matrix_.go_on(matrix_parts(contacts), steps_.has_begun());
   }
+  if (when == CB_PRE_MATRIX_SOLVE && solver_.is_newton()) matrix_.solve();
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
     note_overlap();

@@ -33,12 +33,16 @@ class ModelContacts : public mixture_contact::SteppedModel {
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// What the model keeps between steps is stored once, with the first contact that is.
   void serialize(ContactInModel& contact, DumpStream& ar);
+  /// The part of a contact has come into the matrix. After that of the last one loads follow from the rows of nodes.
+  void added_tangent(const ContactInModel& contact);
 
   newton::FEBioSolver& solver() { return solver_; }
   /// What automatic penalties of the traction are divided by at present.
   double penalty_reduction() const { return reducible_.divisor(); }
   /// Whether parts of the tangent may stand beside the matrix.
   bool splits_matrix() const;
+  /// Whether rows of loads may take those of their nodes.
+  bool sums_rows() const;
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
   bool apply_ambient() override;
@@ -53,7 +57,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void accepted() override;
 
  private:
-  bool is_on(const HelperSwitch& which) const;
   std::vector<ContactInModel*> active() const;
   void keep_matrix_if_it_fits();
   void reduce_penalties();

@@ -251,12 +251,13 @@ void TangentAssembly::add_bound(Side first, const TangentBlock& row, Index n, do
 void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   const Location rows{first, load.rows};
   const Location columns{first, load.place.columns};
-  const int own = loads_.of(equations_, core_, first, load.place);
-  const bool is_unknown = takes_blocks_ && own >= 0;
+  UnknownLoad own = loads_.unknown(equations_, core_, first, load.place);
+  const bool is_unknown = takes_blocks_ && own.equation >= 0;
   if (!is_unknown) return add(rows, columns, load.product().values);
   if (!has_mixed_form(load)) return;  // its product is zero
-  add_mixed(own, load, rows, columns);
-  used_[own - loads_.first()] = true;
+  add_mixed(own.equation, load, rows, columns);
+  used_[own.equation - loads_.first()] = true;
+  unknown_loads_.push_back(std::move(own));
 }
 
 PerSide<bool> TangentAssembly::has_loads() const {

@@ -35,6 +35,8 @@ class TangentAssembly {
   void finish(mixture_contact::TaskClock& timed);
   /// On which sides loads are unknowns, but those on rigid bodies.
   mixture_contact::PerSide<bool> has_loads() const;
+  /// The loads that have been added as unknowns.
+  const std::vector<UnknownLoad>& unknown_loads() const { return unknown_loads_; }
 
  private:
   struct Ids {
@@ -76,6 +78,7 @@ class TangentAssembly {
   bool takes_blocks_;
   std::map<std::optional<int>, Kept> kept_;    ///< by the field of an effect; none: the traction
   mixture_contact::IndexedVector<bool> used_;  ///< per equation of a load
+  std::vector<UnknownLoad> unknown_loads_;
 };
 
 /// Whether a matrix takes blocks of free equations as they are.
