@@ -92,6 +92,16 @@ bool adds_loads_last(FEModel& fem, const FENewtonSolver& solver) {
   return false;
 }
 
+/// Notes how far bodies overlap at the end of a step in which penalties are reduced.
+void note_overlap(const std::vector<ContactInModel*>& contacts, double time, ReduciblePenalties& reducible) {
+  for (ContactInModel* each : contacts) {
+    if (!reducible.are_reduced() || !each->has_reducible_penalty()) continue;
+    const BoundContact& contact = each->bound();
+    reducible.note(contact.name(), largest_overlap(contact.core(), contact.fields()), time);
+  }
+  reducible.accept();
+}
+
 /// Has loads that are unknowns follow from the rows of their nodes.
 newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, FEGlobalMatrix& matrix) {
   const MatrixRows rows(matrix);
@@ -295,7 +305,7 @@ void ModelContacts::on_callback(unsigned int when) {
   if (when == CB_PRE_MATRIX_SOLVE && solver_.is_newton()) matrix_.solve();
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
-    note_overlap();
+    note_overlap(contacts, fem->GetCurrentTime(), reducible_);
     steps_.end_step();
     matrix_.end_step();
   }
@@ -310,16 +320,6 @@ void ModelContacts::reduce_penalties() {
   const auto is_reducible = [](ContactInModel* contact) { return contact->has_reducible_penalty(); };
   if (!will_retry(fem_) || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
   say(fem_, reducible_.fail(fem_.GetCurrentTime()));
-}
-
-void ModelContacts::note_overlap() {
-  for (ContactInModel* each : active()) {
-    if (!reducible_.are_reduced() || !each->has_reducible_penalty()) continue;
-    const BoundContact& contact = each->bound();
-    const mixture_contact::Overlap overlap = largest_overlap(contact.core(), contact.fields());
-    reducible_.note(contact.name(), overlap, fem_.GetCurrentTime());
-  }
-  reducible_.accept();
 }
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it

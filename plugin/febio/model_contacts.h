@@ -60,7 +60,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   std::vector<ContactInModel*> active() const;
   void keep_matrix_if_it_fits();
   void reduce_penalties();
-  void note_overlap();
   void on_callback(unsigned int when);
   static bool call_back(FEModel* fem, unsigned int when, void* contacts);
 

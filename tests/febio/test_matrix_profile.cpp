@@ -119,3 +119,28 @@ BOOST_AUTO_TEST_CASE(an_equation_beyond_the_matrix_is_an_error) {
   CoupledBlocks blocks(equations);
   BOOST_CHECK_THROW(blocks.add({0, equations}), std::out_of_range);
 }
+
+BOOST_AUTO_TEST_CASE(a_sum_of_rows_has_the_columns_of_each) {
+  std::vector<std::vector<int>> present{{3, 4, 10}};
+  SparseMatrixProfile profile = diagonal();
+  profile.UpdateProfile(present, 1);
+  CoupledBlocks coupled(equations);
+  coupled.add({4, 20, 21});
+  coupled.add_rows({3}, {30});
+  coupled.add_rows({40}, {3});
+  coupled.add_sum(50, {3, 4, -1});
+  coupled.insert_into(profile);
+  const auto has = [&](int row, int column) {
+    SparseMatrixProfile::ColumnProfile& rows = profile.Column(column);
+    for (int i = 0; i < rows.size(); ++i) {
+      if (rows[i].start <= row && row <= rows[i].end) return true;
+    }
+    return false;
+  };
+  for (int column = 0; column < equations; ++column)
+    BOOST_TEST(has(50, column) == (column == 50 || has(3, column) || has(4, column)));
+  BOOST_TEST(has(50, 30));
+  BOOST_TEST(has(50, 21));
+  BOOST_TEST(has(50, 10));
+  BOOST_TEST(!has(30, 50));
+}

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -54,6 +56,28 @@ void form(CRSSparseMatrix& matrix, const std::vector<std::vector<int>>& lists) {
   matrix.Zero();
 }
 
+/// Equations of two nodes that couple with all, and a load that depends on the second one and others.
+const std::vector<int> nodes_and_load{0, 1, 2, 3, 4, 5, 9};
+constexpr int load = 9;
+const std::vector<int> node{3, 4, 5};
+constexpr int lacking = 6;  ///< couples with the first node alone
+
+MatrixXd entries_of(CRSSparseMatrix& matrix, int count) {
+  return MatrixXd::NullaryExpr(count, count,
+                               [&](Index i, Index j) { return matrix.get(static_cast<int>(i), static_cast<int>(j)); });
+}
+
+/// With these entries where the profile has places.
+void fill(CRSSparseMatrix& matrix, const MatrixXd& values) {
+  for (int i = 0; i < values.rows(); ++i) {
+    for (int j = 0; j < values.cols(); ++j) {
+      if (matrix.check(i, j)) matrix.set(i, j, values(i, j));
+    }
+  }
+}
+
+constexpr int part = 10;  ///< the equations of these tests
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(blocks_are_where_febio_puts_them) {
@@ -93,4 +117,42 @@ BOOST_AUTO_TEST_CASE(blocks_are_where_febio_puts_them) {
 BOOST_AUTO_TEST_CASE(a_symmetric_matrix_is_left_to_febio) {
   FEGlobalMatrix global(new CompactSymmMatrix(1));
   BOOST_TEST(!MatrixRows(global));
+}
+
+BOOST_AUTO_TEST_CASE(unknowns_are_eliminated_from_a_row_by_their_own) {
+  for (const int offset : {0, 1}) {
+    auto* matrix = new CRSSparseMatrix(offset);  // the global matrix deletes it
+    form(*matrix, {nodes_and_load, {0, 1, 2, lacking}});
+    fill(*matrix, MatrixXd::Random(part, part) + 3 * MatrixXd::Identity(part, part));
+    FEGlobalMatrix global(matrix);
+    const MatrixXd before = entries_of(*matrix, part);
+    const std::optional<newton::RowOperation> operation = MatrixRows(global).eliminate(node, load);
+    BOOST_TEST_REQUIRE(operation.has_value());
+    BOOST_TEST(operation->row == load);
+    MatrixXd expected = before;
+    for (const newton::RowOperation::Term& term : operation->terms)
+      expected.row(load) += term.factor * before.row(term.row);
+    const MatrixXd after = entries_of(*matrix, part);
+    // Each entry is a sum of four products.
+    const double bound = 4 * std::numeric_limits<double>::epsilon() * before.cwiseAbs().maxCoeff() *
+                         (1 + before.middleRows<3>(3).cwiseAbs().colwise().sum().maxCoeff());
+    BOOST_TEST((after - expected).cwiseAbs().maxCoeff() < bound);
+    BOOST_TEST(after.row(load).segment<3>(3).cwiseAbs().maxCoeff() < 10 * bound);
+    BOOST_TEST(before.row(load).segment<3>(3).cwiseAbs().minCoeff() > 10 * bound);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_row_that_cannot_take_others_is_as_it_was) {
+  auto* matrix = new CRSSparseMatrix(1);  // the global matrix deletes it
+  form(*matrix, {nodes_and_load, {0, 1, 2, lacking}});
+  MatrixXd values = MatrixXd::Random(part, part);
+  values.row(4) = 2 * values.row(3);
+  fill(*matrix, values);
+  FEGlobalMatrix global(matrix);
+  const MatrixXd before = entries_of(*matrix, part);
+  const MatrixRows rows(global);
+  BOOST_TEST(!rows.eliminate({0, 1, 2}, load).has_value());  // it has no place for what they have
+  BOOST_TEST(!rows.eliminate(node, load).has_value());       // two of their rows are one
+  BOOST_TEST(!rows.eliminate({}, load).has_value());
+  BOOST_TEST((entries_of(*matrix, part) == before));
 }
