@@ -305,7 +305,7 @@ void ModelContacts::on_callback(unsigned int when) {
   if (when == CB_PRE_MATRIX_SOLVE && solver_.is_newton()) matrix_.solve();
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
-    note_overlap(contacts, fem->GetCurrentTime(), reducible_);
+    note_overlap(contacts, fem_.GetCurrentTime(), reducible_);
     steps_.end_step();
     matrix_.end_step();
   }
