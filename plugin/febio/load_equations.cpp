@@ -2,15 +2,10 @@
 
 #include "contact/base/indexed_vector.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 using mixture_contact::both_sides;
 using mixture_contact::ContactInterface;
 using mixture_contact::LoadPlace;
 using mixture_contact::MultiplierLayout;
-using mixture_contact::Patch;
 using mixture_contact::PerSide;
 
 namespace {
@@ -44,11 +39,7 @@ UnknownLoad LoadEquations::unknown(const NodeEquations& equations, const Contact
                                    const LoadPlace& load) const {
   const int equation = of(equations, core, surface, load);
   if (equation < 0) return {};
-  Patch node{{load.node}, {}, {}, std::nullopt, !load.field};
-  if (load.field) node.fields = {*load.field};
-  std::vector<int> acted_on = equations.equations({surface, node});
-  acted_on.erase(std::remove_if(acted_on.begin(), acted_on.end(), [](int id) { return id < 0; }), acted_on.end());
-  return {equation, std::move(acted_on)};
+  return {equation, equations.unknowns(surface, load.node)};
 }
 
 void LoadEquations::serialize(DumpStream& ar) {

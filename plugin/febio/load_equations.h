@@ -10,7 +10,7 @@
 /// A load that is an unknown of the linear system.
 struct UnknownLoad {
   int equation = -1;      ///< its own; -1: it is none
-  std::vector<int> node;  ///< equations of what it acts on at its own node
+  std::vector<int> node;  ///< all equations of its own node
 };
 
 class LoadEquations {

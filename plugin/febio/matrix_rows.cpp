@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -109,16 +110,30 @@ constexpr double least_condition = 1e-8;
 /// those do not determine the unknowns.
 VectorXd eliminating(const std::vector<Row>& of_unknowns, const std::vector<int>& unknowns, const Row& row) {
   const Index count = count_of(unknowns);
-  MatrixXd own(count, count);
+  MatrixXd own(count, count);  // transposed
   VectorXd entries(count);
   for (Index j = 0; j < count; ++j) {
     const int column = mixture_contact::at(unknowns, j);
     for (Index i = 0; i < count; ++i) own(j, i) = entry(mixture_contact::at(of_unknowns, i), column);
     entries[j] = -entry(row, column);
   }
-  const Eigen::PartialPivLU<MatrixXd> factors(own);  // of the transpose
+  // Displacements, pressures and concentrations have units of their own.
+  const auto scale_of = [](double diagonal) { return diagonal != 0 ? 1 / std::sqrt(std::abs(diagonal)) : 1; };
+  const VectorXd scales = own.diagonal().unaryExpr(scale_of);
+  const Eigen::PartialPivLU<MatrixXd> factors(scales.asDiagonal() * own * scales.asDiagonal());
   if (!(factors.rcond() > least_condition)) return {};
-  return factors.solve(entries);
+  return scales.cwiseProduct(factors.solve(scales.cwiseProduct(entries)));
+}
+
+/// By how much the diagonal of a row may grow. What it was is then known to this times the rounding error, 2e-11, and
+/// so is a load that follows from it.
+constexpr double most_growth = 1e5;
+
+/// Whether its diagonal would be lost in what a row takes of others.
+bool hides_diagonal(const VectorXd& factors, const std::vector<Row>& others, const Row& row, int diagonal) {
+  double taken = 0;
+  for (Index i = 0; i < factors.size(); ++i) taken += factors[i] * entry(mixture_contact::at(others, i), diagonal);
+  return !(std::abs(taken) <= most_growth * std::abs(entry(row, diagonal)));
 }
 
 /// Rows that follow each other and are one thread's: those of several nodes, which mostly lie together in memory.
@@ -151,7 +166,7 @@ std::optional<newton::RowOperation> MatrixRows::eliminate(const std::vector<int>
                           std::all_of(of_unknowns.begin(), of_unknowns.end(),
                                       [&](const Row& other) { return has_places_for(target, other); });
   const VectorXd factors = has_places ? eliminating(of_unknowns, columns, target) : VectorXd();
-  if (factors.size() == 0) return std::nullopt;
+  if (factors.size() == 0 || hides_diagonal(factors, of_unknowns, target, row + rows_->Offset())) return std::nullopt;
   newton::RowOperation operation{row, {}};
   for (Index i = 0; i < factors.size(); ++i) {
     add(factors[i], mixture_contact::at(of_unknowns, i), target);

@@ -28,7 +28,8 @@ class MatrixRows {
   /// takes what is its own in the order of the blocks, so that sums do not depend on how many threads there are.
   void subtract(const mixture_contact::IndexedVector<MatrixBlock>& blocks) const;
   /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. None, and the
-  /// row is as it was, where it has no place for an entry of theirs, or their rows do not determine them.
+  /// row is as it was, where it has no place for an entry of theirs, where their rows do not determine them, and where
+  /// what the row has on the diagonal would be lost beside what it takes.
   std::optional<newton::RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
 
  private:

@@ -4,6 +4,7 @@
 #include "newton/solver.h"
 
 #include <algorithm>
+#include <iterator>
 
 using namespace mixture_contact;
 
@@ -17,6 +18,14 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
       mixture_contact::at(equations, i) = mixture_contact::at(node.m_ID, mixture_contact::at(dofs, i));
   }
   return equations;
+}
+
+/// All that a node has of its own.
+std::vector<int> unknowns_at(const FENode& node) {
+  std::vector<int> found;
+  if (node.m_rid >= 0) return found;
+  std::copy_if(node.m_ID.begin(), node.m_ID.end(), std::back_inserter(found), [](int id) { return id >= 0; });
+  return found;
 }
 
 }  // namespace
@@ -35,6 +44,7 @@ NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side
     found.mesh_nodes.push_back(surface.NodeIndex(i));
     found.is_rigid.push_back(node.m_rid >= 0);
     found.displacements.push_back(equations_at(node, dofs_.displacements(side, node)));
+    found.unknowns.push_back(unknowns_at(node));
     found.rotations.push_back(equations_at(node, dofs_.rotations()));
     for (int k = 0; k < core_.effects().nodal_fields(); ++k) {
       const int dof = dofs_.field(side, core_.effects(), k);
@@ -96,6 +106,8 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
   for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
   return ids;
 }
+
+const std::vector<int>& NodeEquations::unknowns(Side surface, int node) const { return of_[surface].unknowns[node]; }
 
 bool NodeEquations::is_rigid(const Location& at, Index n) const {
   const Side side = n < at.patch.primary.count() ? at.first : other(at.first);

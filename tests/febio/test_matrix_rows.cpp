@@ -155,4 +155,11 @@ BOOST_AUTO_TEST_CASE(a_row_that_cannot_take_others_is_as_it_was) {
   BOOST_TEST(!rows.eliminate(node, load).has_value());       // two of their rows are one
   BOOST_TEST(!rows.eliminate({}, load).has_value());
   BOOST_TEST((entries_of(*matrix, part) == before));
+  matrix->set(4, 4, 1);
+  matrix->set(load, load, 1e-6 * before(load, load));
+  const MatrixXd small = entries_of(*matrix, part);
+  BOOST_TEST(!rows.eliminate(node, load).has_value());  // its diagonal would be lost
+  BOOST_TEST((entries_of(*matrix, part) == small));
+  matrix->set(load, load, before(load, load));
+  BOOST_TEST(rows.eliminate(node, load).has_value());
 }
