@@ -1,15 +1,20 @@
 #include "assembly.h"
 
 #include "columns_beside.h"
+#include "contact/base/parallel.h"
 #include "contact/interface/corrections.h"
 #include "contact/interface/residual_ahead.h"
 #include "matrix_profile.h"
 #include "matrix_requests.h"
+#include "matrix_rows.h"
 #include "rigid_shell_bottoms.h"
 #include "tangent_assembly.h"
 
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>
+
+#include <optional>
+#include <utility>
 
 using namespace mixture_contact;
 
@@ -169,4 +174,19 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
   parts.finish(timed);
   unknown_loads_ = parts.unknown_loads();
   has_matrix(contact_.core(), parts.has_loads(), equations.rigid());
+}
+
+newton::RowOperations Assembly::eliminate_nodes(FEGlobalMatrix& matrix) const {
+  const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
+  const MatrixRows rows(matrix);
+  IndexedVector<std::optional<newton::RowOperation>> made(count_of(unknown_loads_));
+  in_parallel(made.count(), [&](Index n) {
+    const UnknownLoad& load = mixture_contact::at(unknown_loads_, n);
+    made[n] = rows.eliminate(load.node, load.equation);
+  });
+  newton::RowOperations operations;
+  for (std::optional<newton::RowOperation>& each : made) {
+    if (each) operations.push_back(std::move(*each));
+  }
+  return operations;
 }

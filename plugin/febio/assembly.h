@@ -5,6 +5,7 @@
 #include "fingerprint.h"
 #include "load_equations.h"
 #include "newton/border.h"
+#include "newton/row_operations.h"
 #include "newton/splitting.h"
 
 #include <functional>
@@ -38,8 +39,9 @@ class Assembly {
   void forget_matrix();
   /// What of the last tangent the matrix has no place for.
   const newton::MatrixPart& beside_matrix() const { return beside_; }
-  /// The loads that are unknowns of the last tangent.
-  const std::vector<UnknownLoad>& unknown_loads() const { return unknown_loads_; }
+  /// Eliminates the unknowns of their nodes from the rows of loads that are unknowns, where the matrix allows it: all
+  /// contacts have added their tangents. Returns what that takes.
+  newton::RowOperations eliminate_nodes(FEGlobalMatrix& matrix) const;
 
  private:
   using Location = mixture_contact::ContactInterface::Location;
@@ -66,5 +68,5 @@ class Assembly {
   bool takes_rows_ = false;  ///< whether the matrix takes geometric parts by nodes
   bool splits_ = false;      ///< whether couplings of these stand beside the matrix
   newton::MatrixPart beside_;
-  std::vector<UnknownLoad> unknown_loads_;
+  std::vector<UnknownLoad> unknown_loads_;  ///< of the last tangent
 };

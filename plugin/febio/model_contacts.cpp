@@ -2,7 +2,6 @@
 
 #include "archive.h"
 #include "first_norms.h"
-#include "matrix_rows.h"
 #include "newton/febio/solver_totals.h"
 #include "newton/line_search_guard.h"
 #include "newton/non_negative_concentrations.h"
@@ -104,13 +103,10 @@ void note_overlap(const std::vector<ContactInModel*>& contacts, double time, Red
 
 /// Has loads that are unknowns follow from the rows of their nodes.
 newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, FEGlobalMatrix& matrix) {
-  const MatrixRows rows(matrix);
   newton::RowOperations operations;
   for (const ContactInModel* contact : contacts) {
-    for (const UnknownLoad& load : contact->assembly().unknown_loads()) {
-      std::optional<newton::RowOperation> operation = rows.eliminate(load.node, load.equation);
-      if (operation) operations.push_back(std::move(*operation));
-    }
+    newton::RowOperations own = contact->assembly().eliminate_nodes(matrix);
+    std::move(own.begin(), own.end(), std::back_inserter(operations));
   }
   return operations;
 }
