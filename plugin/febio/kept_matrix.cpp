@@ -1,6 +1,9 @@
 #include "kept_matrix.h"
 
+#include "matrix_rows.h"
+
 #include <FECore/DumpStream.h>
+#include <FECore/FEException.h>
 #include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FENewtonStrategy.h>
@@ -19,6 +22,10 @@ constexpr int most_iterations = 50;
 /// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
 /// off by so much leaves as much to the next one.
 constexpr double left_by_sweeps = 1e-2;
+
+/// Of a solution, by rows. A penalty makes of the error of a gap a load: of a gap that is 1e-5 of the displacements, as
+/// with penalties of 1e5 times the stiffness of the bodies, this is a ten thousandth.
+constexpr double largest_backward_error = 1e-9;
 
 }  // namespace
 
@@ -76,18 +83,48 @@ void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const
   prepare(conditions, parts);
 }
 
+std::vector<double> KeptMatrix::solution_with_operations(const std::vector<double>& right) const {
+  FENewtonSolver& solver = *solver_.febio();
+  std::vector<double> taken = newton::applied(operations_, right);
+  const std::vector<double> given = taken;  // FEBio's solvers may use it for themselves
+  std::vector<double> found(right.size());
+  const bool is_solved = solver.GetLinearSolver()->BackSolve(found, taken);
+  const bool is_exact = operations_.empty() ||
+                        MatrixRows(*solver.m_pK).backward_error(found, given) <= largest_backward_error;
+  return is_solved && is_exact ? found : std::vector<double>();
+}
+
+std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
+  std::vector<double> found = solution_with_operations(right);
+  if (!found.empty() || operations_.empty()) return found;
+  undo_operations();
+  return solution_with_operations(right);
+}
+
+void KeptMatrix::undo_operations() {
+  FENewtonSolver& solver = *solver_.febio();
+  const MatrixRows rows(*solver.m_pK);
+  for (const newton::RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
+  if (!solver.GetLinearSolver()->Factor()) throw FactorizationError();
+  if (!std::exchange(found_.loses_pivots, true))
+    solver_.log(
+        "\nsliding-mixture: pivots are lost where rows of loads take those of their nodes, as in a body that is held "
+        "by contact alone. From here on they take none.");
+}
+
 void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
   FENewtonSolver& solver = *solver_.febio();
   bool is_solved = true;
-  const auto solve = [&](std::vector<double> right) {
-    std::vector<double> solution(right.size());
-    right = newton::applied(operations_, std::move(right));
-    is_solved = solver.GetLinearSolver()->BackSolve(solution, right) && is_solved;
-    return solution;
+  const auto solve = [&](const std::vector<double>& right) {
+    std::vector<double> found = solution(right);
+    is_solved = is_solved && !found.empty();
+    found.resize(right.size());
+    return found;
   };
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution(solve, conditions, right);
   };
+  if (newton::are_empty(parts) && !operations_.empty()) solve(solver.m_R0);
   newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, left_by_sweeps);
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);
@@ -108,7 +145,7 @@ void KeptMatrix::solve() {
 }
 
 void KeptMatrix::take_parts_in() {
-  if (!std::exchange(needs_parts_, true))
+  if (!std::exchange(found_.needs_parts, true))
     solver_.log(
         "\nsliding-mixture: couplings across the contact are large beside the stiffness of the bodies. From the next "
         "matrix on they stand in it, which has more entries.");
@@ -137,7 +174,7 @@ void KeptMatrix::force_next() {
   request(true);  // where a step begins
 }
 
-void KeptMatrix::serialize(DumpStream& ar) { ar & needs_parts_; }
+void KeptMatrix::serialize(DumpStream& ar) { ar & found_.needs_parts & found_.loses_pivots; }
 
 void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);

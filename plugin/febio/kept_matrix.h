@@ -24,6 +24,8 @@ class KeptMatrix {
   /// FEBio goes on after an iteration: the same of a matrix that it has told nobody of, and of the one it has where
   /// iterations begin with it and without updates.
   void go_on(const newton::MatrixParts& parts, bool begins);
+  /// Whether contacts may add rows of it to others.
+  bool takes_operations() const { return !found_.loses_pivots; }
   /// FEBio has formed one to which contacts have done this.
   void take(newton::RowOperations operations) { operations_ = std::move(operations); }
   /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
@@ -31,7 +33,7 @@ class KeptMatrix {
   /// A trial has been made of FEBio's solution: its right-hand side is without the parts again.
   void tried();
   /// Whether parts have been too large to stand beside it. They are to be in it from now on.
-  bool needs_parts() const { return needs_parts_; }
+  bool needs_parts() const { return found_.needs_parts; }
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
   /// nothing is to be corrected with it, or is to be with parts in it.
   bool is_due();
@@ -51,6 +53,11 @@ class KeptMatrix {
   void serialize(DumpStream& ar);
 
  private:
+  /// What matrices of the model have shown.
+  struct Found {
+    bool needs_parts = false;   ///< parts are too large to stand beside them
+    bool loses_pivots = false;  ///< they cannot be factorised with what contacts do to their rows
+  };
   /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step. Returns
   /// whether there is another one.
   bool follow();
@@ -58,6 +65,12 @@ class KeptMatrix {
   void begin();
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
+  /// Of a right-hand side that has taken nothing.
+  std::vector<double> solution(const std::vector<double>& right);
+  /// With what contacts have done to the matrix. Empty where that has lost pivots.
+  std::vector<double> solution_with_operations(const std::vector<double>& right) const;
+  /// Factorises the matrix as it is without that, and so do those that follow; says so once.
+  void undo_operations();
   /// Has the next matrices hold what has stood beside this one, and says so once.
   void take_parts_in();
   /// Has FEBio form a matrix before the next iteration.
@@ -70,7 +83,7 @@ class KeptMatrix {
   int iterations_ = 0;         ///< with it, up to the last that was corrected
   bool is_requested_ = false;  ///< another one, by request()
   bool may_correct_ = true;    ///< whether conditions can be held with it
-  bool needs_parts_ = false;
+  Found found_;
   newton::RowOperations operations_;
   std::vector<double> taken_;           ///< what the right-hand side is without until there is a trial
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced

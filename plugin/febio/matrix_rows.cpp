@@ -174,3 +174,24 @@ std::optional<newton::RowOperation> MatrixRows::eliminate(const std::vector<int>
   }
   return operation;
 }
+
+void MatrixRows::undo(const newton::RowOperation& operation) const {
+  for (const newton::RowOperation::Term& term : operation.terms)
+    add(-term.factor, row_of(*rows_, term.row), row_of(*rows_, operation.row));
+}
+
+double MatrixRows::backward_error(const std::vector<double>& solution, const std::vector<double>& right) const {
+  double largest = 0;
+  for (int i = 0; i < rows_->Rows(); ++i) {
+    const Row row = row_of(*rows_, i);
+    double left = -mixture_contact::at(right, i);
+    double sizes = std::abs(left);
+    for (int k = 0; k < row.length; ++k) {
+      const double product = row.values[k] * mixture_contact::at(solution, row.columns[k] - rows_->Offset());
+      left += product;
+      sizes += std::abs(product);
+    }
+    if (sizes > 0) largest = std::max(largest, std::abs(left) / sizes);
+  }
+  return largest;
+}

@@ -237,7 +237,7 @@ bool ModelContacts::splits_matrix() const {
 
 bool ModelContacts::sums_rows() const {
   const FENewtonSolver* const solver = solver_.febio();
-  return solver != nullptr && adds_up_residuals(*solver) && are_alone(active(), fem_) &&
+  return solver != nullptr && matrix_.takes_operations() && adds_up_residuals(*solver) && are_alone(active(), fem_) &&
          !adds_loads_last(fem_, *solver);
 }
 

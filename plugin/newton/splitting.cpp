@@ -50,6 +50,10 @@ void MatrixPart::add_product(const std::vector<double>& x, std::vector<double>& 
   }
 }
 
+bool are_empty(const MatrixParts& parts) {
+  return std::all_of(parts.begin(), parts.end(), [](const MatrixPart* part) { return part->empty(); });
+}
+
 double MatrixPart::squares(const std::vector<double>& x) const {
   double sum = 0;
   for (const MatrixBlock& block : blocks_) {
@@ -62,7 +66,7 @@ double MatrixPart::squares(const std::vector<double>& x) const {
 
 Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
             const std::vector<double>& right, double tolerance) {
-  if (std::all_of(parts.begin(), parts.end(), [](const MatrixPart* part) { return part->empty(); })) return {};
+  if (are_empty(parts)) return {};
   std::vector<double> x = solve(right);
   double change = length(parts, x);
   std::vector<double> before;  // the product that the present x was solved with

@@ -39,6 +39,9 @@ class MatrixPart {
 /// The parts of several contacts, of which D is the sum.
 using MatrixParts = std::vector<const MatrixPart*>;
 
+/// Whether there is nothing in any of them.
+bool are_empty(const MatrixParts& parts);
+
 /// What splitting comes to for one right-hand side.
 struct Split {
   std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty for zero

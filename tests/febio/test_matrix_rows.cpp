@@ -142,6 +142,42 @@ BOOST_AUTO_TEST_CASE(unknowns_are_eliminated_from_a_row_by_their_own) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_a_row_has_taken_is_taken_back) {
+  auto* matrix = new CRSSparseMatrix(1);  // the global matrix deletes it
+  form(*matrix, {nodes_and_load, {0, 1, 2, lacking}});
+  fill(*matrix, MatrixXd::Random(part, part) + 3 * MatrixXd::Identity(part, part));
+  FEGlobalMatrix global(matrix);
+  const MatrixRows rows(global);
+  const MatrixXd before = entries_of(*matrix, part);
+  const std::optional<newton::RowOperation> operation = rows.eliminate(node, load);
+  BOOST_TEST_REQUIRE(operation.has_value());
+  BOOST_TEST((entries_of(*matrix, part) != before));
+  rows.undo(*operation);
+  // Three products are added and three taken away.
+  const double bound = 6 * std::numeric_limits<double>::epsilon() * before.cwiseAbs().maxCoeff() *
+                       (1 + before.middleRows<3>(3).cwiseAbs().colwise().sum().maxCoeff());
+  BOOST_TEST((entries_of(*matrix, part) - before).cwiseAbs().maxCoeff() < bound);
+}
+
+BOOST_AUTO_TEST_CASE(the_backward_error_is_that_of_the_worst_row) {
+  auto* matrix = new CRSSparseMatrix(1);  // the global matrix deletes it
+  form(*matrix, {{0, 1, 2}});
+  fill(*matrix, 2 * MatrixXd::Identity(3, 3));
+  matrix->set(1, 2, -1e6);
+  FEGlobalMatrix global(matrix);
+  const MatrixRows rows(global);
+  std::vector<double> solution(equations);
+  std::vector<double> right(equations);
+  solution[1] = 5e5;
+  solution[2] = 1;
+  right[2] = 2;
+  BOOST_TEST(rows.backward_error(solution, right) == 0);
+  solution[1] *= 1 + 1e-3;  // 2 x1 - 1e6 x2 = 0 is missed by 1e3, of products that come to 2e6
+  BOOST_TEST(rows.backward_error(solution, right) == 1e3 / (2e6 + 1e3), boost::test_tools::tolerance(1e-12));
+  right[0] = 1e-30;  // nothing answers to this
+  BOOST_TEST(rows.backward_error(solution, right) == 1);
+}
+
 BOOST_AUTO_TEST_CASE(a_row_that_cannot_take_others_is_as_it_was) {
   auto* matrix = new CRSSparseMatrix(1);  // the global matrix deletes it
   form(*matrix, {nodes_and_load, {0, 1, 2, lacking}});
