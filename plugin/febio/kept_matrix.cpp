@@ -83,22 +83,20 @@ void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const
   prepare(conditions, parts);
 }
 
-std::vector<double> KeptMatrix::solution_with_operations(const std::vector<double>& right) const {
-  FENewtonSolver& solver = *solver_.febio();
+std::vector<double> KeptMatrix::solution(const std::vector<double>& right) const {
   std::vector<double> taken = newton::applied(operations_, right);
-  const std::vector<double> given = taken;  // FEBio's solvers may use it for themselves
   std::vector<double> found(right.size());
-  const bool is_solved = solver.GetLinearSolver()->BackSolve(found, taken);
-  const bool is_exact = operations_.empty() ||
-                        MatrixRows(*solver.m_pK).backward_error(found, given) <= largest_backward_error;
-  return is_solved && is_exact ? found : std::vector<double>();
+  if (!solver_.febio()->GetLinearSolver()->BackSolve(found, taken)) found.clear();
+  return found;
 }
 
-std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
-  std::vector<double> found = solution_with_operations(right);
-  if (!found.empty() || operations_.empty()) return found;
+std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
+  std::vector<double> found = solution(right);
+  if (operations_.empty() || found.empty()) return found;
+  const MatrixRows rows(*solver_.febio()->m_pK);
+  if (rows.backward_error(found, newton::applied(operations_, right)) <= largest_backward_error) return found;
   undo_operations();
-  return solution_with_operations(right);
+  return solution(right);
 }
 
 void KeptMatrix::undo_operations() {
@@ -115,8 +113,9 @@ void KeptMatrix::undo_operations() {
 void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
   FENewtonSolver& solver = *solver_.febio();
   bool is_solved = true;
+  bool is_checked = false;
   const auto solve = [&](const std::vector<double>& right) {
-    std::vector<double> found = solution(right);
+    std::vector<double> found = std::exchange(is_checked, true) ? solution(right) : checked_solution(right);
     is_solved = is_solved && !found.empty();
     found.resize(right.size());
     return found;
