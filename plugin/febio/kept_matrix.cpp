@@ -84,9 +84,9 @@ void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const
 }
 
 std::vector<double> KeptMatrix::solution(const std::vector<double>& right) const {
-  std::vector<double> taken = newton::applied(operations_, right);
+  std::vector<double> changed = newton::applied(operations_, right);
   std::vector<double> found(right.size());
-  if (!solver_.febio()->GetLinearSolver()->BackSolve(found, taken)) found.clear();
+  if (!solver_.febio()->GetLinearSolver()->BackSolve(found, changed)) found.clear();
   return found;
 }
 
@@ -137,10 +137,10 @@ void KeptMatrix::solve() {
   FENewtonSolver& solver = *solver_.febio();
   // FEBio's updates are made of right-hand sides that have taken nothing.
   iterations_ += std::exchange(solver.m_qnstrategy->m_nups, 0);
-  std::vector<double> taken = newton::applied(operations_, solver.m_R0);
-  taken_.resize(taken.size());
-  taken_ = taken_ + (solver.m_R0 - taken);
-  solver.m_R0 = std::move(taken);
+  taken_.resize(solver.m_R0.size());
+  std::vector<double> changed = newton::applied(operations_, solver.m_R0);
+  taken_ = taken_ + (solver.m_R0 - changed);
+  solver.m_R0 = std::move(changed);
 }
 
 void KeptMatrix::take_parts_in() {

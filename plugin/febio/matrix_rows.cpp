@@ -78,19 +78,6 @@ void subtract_rows(CRSSparseMatrix& matrix, const MatrixBlock& block, const std:
   }
 }
 
-/// The place of a column in a row; its length where it has none.
-int place_of(const Row& row, int column) {
-  const int* const end = row.columns + row.length;
-  const int* const found = std::lower_bound(row.columns, end, column);
-  return found != end && *found == column ? indexing::as_int(found - row.columns) : row.length;
-}
-
-/// The entry of a row, zero where it has none. `column` is as the matrix stores it.
-double entry(const Row& row, int column) {
-  const int place = place_of(row, column);
-  return place < row.length ? row.values[place] : 0;
-}
-
 bool has_places_for(const Row& row, const Row& other) {
   return std::includes(row.columns, row.columns + row.length, other.columns, other.columns + other.length);
 }
@@ -108,14 +95,14 @@ constexpr double least_condition = 1e-8;
 
 /// By which factors rows of unknowns are to be added to a row, so that it has no entries in their columns; empty where
 /// those do not determine the unknowns.
-VectorXd eliminating(const std::vector<Row>& of_unknowns, const std::vector<int>& unknowns, const Row& row) {
+VectorXd eliminating(CRSSparseMatrix& matrix, const std::vector<int>& unknowns, int row) {
   const Index count = count_of(unknowns);
   MatrixXd own(count, count);  // transposed
   VectorXd entries(count);
   for (Index j = 0; j < count; ++j) {
     const int column = mixture_contact::at(unknowns, j);
-    for (Index i = 0; i < count; ++i) own(j, i) = entry(mixture_contact::at(of_unknowns, i), column);
-    entries[j] = -entry(row, column);
+    for (Index i = 0; i < count; ++i) own(j, i) = matrix.get(mixture_contact::at(unknowns, i), column);
+    entries[j] = -matrix.get(row, column);
   }
   // Displacements, pressures and concentrations have units of their own.
   const auto scale_of = [](double diagonal) { return diagonal != 0 ? 1 / std::sqrt(std::abs(diagonal)) : 1; };
@@ -129,11 +116,18 @@ VectorXd eliminating(const std::vector<Row>& of_unknowns, const std::vector<int>
 /// so is a load that follows from it.
 constexpr double most_growth = 1e5;
 
-/// Whether its diagonal would be lost in what a row takes of others.
-bool hides_diagonal(const VectorXd& factors, const std::vector<Row>& others, const Row& row, int diagonal) {
+/// Whether the diagonal of a row would be lost in what it takes of others.
+bool hides_diagonal(CRSSparseMatrix& matrix, const newton::RowOperation& operation) {
   double taken = 0;
-  for (Index i = 0; i < factors.size(); ++i) taken += factors[i] * entry(mixture_contact::at(others, i), diagonal);
-  return !(std::abs(taken) <= most_growth * std::abs(entry(row, diagonal)));
+  for (const newton::RowOperation::Term& term : operation.terms)
+    taken += term.factor * matrix.get(term.row, operation.row);
+  return !(std::abs(taken) <= most_growth * std::abs(matrix.get(operation.row, operation.row)));
+}
+
+/// Adds the terms of an operation to its row, or takes them away.
+void add_terms(CRSSparseMatrix& matrix, const newton::RowOperation& operation, double sign) {
+  for (const newton::RowOperation::Term& term : operation.terms)
+    add(sign * term.factor, row_of(matrix, term.row), row_of(matrix, operation.row));
 }
 
 /// Rows that follow each other and are one thread's: those of several nodes, which mostly lie together in memory.
@@ -156,29 +150,19 @@ void MatrixRows::subtract(const IndexedVector<MatrixBlock>& blocks) const {
 
 std::optional<newton::RowOperation> MatrixRows::eliminate(const std::vector<int>& unknowns, int row) const {
   const Row target = row_of(*rows_, row);
-  std::vector<Row> of_unknowns;
-  std::vector<int> columns;
-  for (const int unknown : unknowns) {
-    of_unknowns.push_back(row_of(*rows_, unknown));
-    columns.push_back(unknown + rows_->Offset());
-  }
-  const bool has_places = !unknowns.empty() &&
-                          std::all_of(of_unknowns.begin(), of_unknowns.end(),
-                                      [&](const Row& other) { return has_places_for(target, other); });
-  const VectorXd factors = has_places ? eliminating(of_unknowns, columns, target) : VectorXd();
-  if (factors.size() == 0 || hides_diagonal(factors, of_unknowns, target, row + rows_->Offset())) return std::nullopt;
+  const bool has_places = !unknowns.empty() && std::all_of(unknowns.begin(), unknowns.end(), [&](int unknown) {
+    return has_places_for(target, row_of(*rows_, unknown));
+  });
+  if (!has_places) return std::nullopt;
+  const VectorXd factors = eliminating(*rows_, unknowns, row);
   newton::RowOperation operation{row, {}};
-  for (Index i = 0; i < factors.size(); ++i) {
-    add(factors[i], mixture_contact::at(of_unknowns, i), target);
-    operation.terms.push_back({mixture_contact::at(unknowns, i), factors[i]});
-  }
+  for (Index i = 0; i < factors.size(); ++i) operation.terms.push_back({mixture_contact::at(unknowns, i), factors[i]});
+  if (operation.terms.empty() || hides_diagonal(*rows_, operation)) return std::nullopt;
+  add_terms(*rows_, operation, 1);
   return operation;
 }
 
-void MatrixRows::undo(const newton::RowOperation& operation) const {
-  for (const newton::RowOperation::Term& term : operation.terms)
-    add(-term.factor, row_of(*rows_, term.row), row_of(*rows_, operation.row));
-}
+void MatrixRows::undo(const newton::RowOperation& operation) const { add_terms(*rows_, operation, -1); }
 
 double MatrixRows::backward_error(const std::vector<double>& solution, const std::vector<double>& right) const {
   double largest = 0;

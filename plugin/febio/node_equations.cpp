@@ -20,18 +20,10 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
   return equations;
 }
 
-/// All that a node has of its own.
-std::vector<int> unknowns_at(const FENode& node) {
-  std::vector<int> found;
-  if (node.m_rid >= 0) return found;
-  std::copy_if(node.m_ID.begin(), node.m_ID.end(), std::back_inserter(found), [](int id) { return id >= 0; });
-  return found;
-}
-
 }  // namespace
 
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
-    : dofs_(dofs), core_(core) {
+    : dofs_(dofs), surfaces_(surfaces), core_(core) {
   for (const Side side : both_sides) of_[side] = of_surface(surfaces[side], side);
 }
 
@@ -44,7 +36,6 @@ NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side
     found.mesh_nodes.push_back(surface.NodeIndex(i));
     found.is_rigid.push_back(node.m_rid >= 0);
     found.displacements.push_back(equations_at(node, dofs_.displacements(side, node)));
-    found.unknowns.push_back(unknowns_at(node));
     found.rotations.push_back(equations_at(node, dofs_.rotations()));
     for (int k = 0; k < core_.effects().nodal_fields(); ++k) {
       const int dof = dofs_.field(side, core_.effects(), k);
@@ -107,7 +98,13 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
   return ids;
 }
 
-const std::vector<int>& NodeEquations::unknowns(Side surface, int node) const { return of_[surface].unknowns[node]; }
+std::vector<int> NodeEquations::unknowns(Side surface, int node) const {
+  std::vector<int> found;
+  if (of_[surface].is_rigid[node]) return found;
+  const std::vector<int>& all = surfaces_[surface].Node(node).m_ID;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found), [](int id) { return id >= 0; });
+  return found;
+}
 
 bool NodeEquations::is_rigid(const Location& at, Index n) const {
   const Side side = n < at.patch.primary.count() ? at.first : other(at.first);

@@ -22,7 +22,7 @@ class NodeEquations {
   /// Equations that stand in one block of the matrix, those of prescribed values and of rigid bodies' rotations, too.
   std::vector<int> coupled(const Location& at) const;
   /// Those of all degrees of freedom of a node that have one of their own, exchanged or not.
-  const std::vector<int>& unknowns(Side surface, int node) const;
+  std::vector<int> unknowns(Side surface, int node) const;
   /// Whether some nodes belong to rigid bodies, from which they have their equations.
   bool are_rigid(const Location& at) const;
   /// Whether the n-th node of a local vector does.
@@ -38,7 +38,6 @@ class NodeEquations {
     mixture_contact::IndexedVector<std::array<int, 3>> displacements;
     mixture_contact::IndexedVector<std::array<int, 3>> rotations;
     Eigen::MatrixXi fields;  ///< shape (fields, nodes)
-    mixture_contact::IndexedVector<std::vector<int>> unknowns;
   };
   Surface of_surface(FEMixtureSurface& surface, Side side) const;
   /// Calls use(surface, node) for the nodes of a local vector in their order.
@@ -47,6 +46,7 @@ class NodeEquations {
   void add_multipliers(const Location& at, std::vector<int>& ids) const;
 
   const DofMap& dofs_;
+  ContactSurfaces& surfaces_;
   const mixture_contact::ContactInterface& core_;
   mixture_contact::PerSide<Surface> of_;
 };

@@ -150,8 +150,7 @@ TangentAssembly::TangentAssembly(const ContactInterface& core, const NodeEquatio
       system_(system),
       matrix_(matrix),
       rows_(matrix),
-      takes_blocks_(takes_blocks(matrix, is_constrained)),
-      used_(loads.count(), false) {}
+      takes_blocks_(takes_blocks(matrix, is_constrained)) {}
 
 TangentAssembly::Ids TangentAssembly::ids_of(const Location& rows, const Location& columns) const {
   Ids ids;
@@ -256,7 +255,6 @@ void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   if (!is_unknown) return add(rows, columns, load.product().values);
   if (!has_mixed_form(load)) return;  // its product is zero
   add_mixed(own.equation, load, rows, columns);
-  used_[own.equation - loads_.first()] = true;
   unknown_loads_.push_back(std::move(own));
 }
 
@@ -278,8 +276,10 @@ void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& 
 
 void TangentAssembly::finish(TaskClock& timed) {
   for (auto& effect : kept_) timed.in_host(effect.second.rows, [&] { take_over(effect.second); });
-  for (Index n = 0; n < used_.count(); ++n) {
+  IndexedVector<bool> is_used(loads_.count(), false);
+  for (const UnknownLoad& load : unknown_loads_) is_used[load.equation - loads_.first()] = true;
+  for (Index n = 0; n < is_used.count(); ++n) {
     const int own = loads_.first() + indexing::as_int(n);
-    if (!used_[n]) matrix_.GetSparseMatrixPtr()->set(own, own, 1);
+    if (!is_used[n]) matrix_.GetSparseMatrixPtr()->set(own, own, 1);
   }
 }

@@ -76,8 +76,7 @@ class TangentAssembly {
   FEGlobalMatrix& matrix_;
   MatrixRows rows_;
   bool takes_blocks_;
-  std::map<std::optional<int>, Kept> kept_;    ///< by the field of an effect; none: the traction
-  mixture_contact::IndexedVector<bool> used_;  ///< per equation of a load
+  std::map<std::optional<int>, Kept> kept_;  ///< by the field of an effect; none: the traction
   std::vector<UnknownLoad> unknown_loads_;
 };
 
