@@ -165,7 +165,7 @@ void FEMixtureContact::Deactivate() {
 
 void FEMixtureContact::PrepStep() {
   if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) throw FatalError();
-  if (reads_properties_again(parameters_)) setup_.update_properties(bound_);
+  if (reads_properties_again(parameters_, core().effects())) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
 

@@ -189,8 +189,9 @@ LeftOut left_out(const ContactParameters& p) {
   return {is_zero(p.penalties.traction), is_zero(p.penalties.solvent), is_zero(p.penalties.solute)};
 }
 
-bool reads_properties_again(const ContactParameters& parameters) {
-  return parameters.penalties.update_penalty || !parameters.penalties.solute.given;
+bool reads_properties_again(const ContactParameters& parameters, const mixture_contact::Effects& effects) {
+  const bool follows_convection = !effects.solutes.empty() && !parameters.penalties.solute.given;
+  return parameters.penalties.update_penalty || follows_convection;
 }
 
 mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind solver, double reduction) {

@@ -2,6 +2,7 @@
 /// by the hosts.
 #pragma once
 
+#include "contact/base/effects.h"
 #include "contact/base/indexed_vector.h"
 #include "contact/base/settings.h"
 #include "contact/base/side.h"
@@ -288,9 +289,9 @@ struct LeftOut {
 };
 LeftOut left_out(const ContactParameters& parameters);
 
-/// Whether stiffness and conductance are read again at each time step: where asked for, and where the penalty of
-/// solutes is not given, so that it follows the convection.
-bool reads_properties_again(const ContactParameters& parameters);
+/// Whether stiffness and conductance are read again at each time step: where asked for, and where solutes are exchanged
+/// whose penalty is not given, so that it follows the convection.
+bool reads_properties_again(const ContactParameters& parameters, const mixture_contact::Effects& effects);
 
 /// How the host's solver finds equilibrium, which bounds the traction penalty that it can bear where none is given.
 enum class SolverKind {

@@ -121,7 +121,8 @@ void Problem::start_step(double time, double dt) {
   }
   for (Contact& contact : contacts_) {
     contact.update_laws(time, penalty_divisor_);
-    if (reads_properties_again(contact.definition().parameters)) contact.update_properties(state_.values);
+    if (reads_properties_again(contact.definition().parameters, contact.core().effects()))
+      contact.update_properties(state_.values);
   }
 }
 

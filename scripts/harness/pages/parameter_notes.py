@@ -126,7 +126,7 @@ NOTES = {
     ),
     "update_penalty": Note(
         "Whether stiffness and conductance are read again at each time step, with the present convection. They "
-        "always are where `concentration_penalty` is not given.",
+        "always are where solutes are exchanged and `concentration_penalty` is not given.",
         "a sweep over the facets in each step",
     ),
     "two_pass": Note(

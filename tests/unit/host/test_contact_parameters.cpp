@@ -42,3 +42,17 @@ BOOST_AUTO_TEST_CASE(a_given_tangential_penalty_is_a_factor_whatever_the_other) 
     BOOST_TEST(core_settings(parameters).friction.penalty_factor == 3);
   }
 }
+
+BOOST_AUTO_TEST_CASE(materials_are_read_again_where_solutes_follow_the_convection_or_where_asked_for) {
+  ContactParameters parameters;
+  mixture_contact::Effects solvent;
+  solvent.solvent = true;
+  mixture_contact::Effects solutes = solvent;
+  solutes.solutes = {1};
+  BOOST_TEST(!reads_properties_again(parameters, solvent));
+  BOOST_TEST(reads_properties_again(parameters, solutes));
+  parameters.penalties.solute.given = true;
+  BOOST_TEST(!reads_properties_again(parameters, solutes));
+  parameters.penalties.update_penalty = true;
+  BOOST_TEST(reads_properties_again(parameters, solvent));
+}
