@@ -82,77 +82,105 @@ std::vector<int> CoupledBlocks::in_matrix(const std::vector<int>& equations) con
   found.reserve(equations.size());
   for (const int equation : equations) {
     if (equation < 0) continue;
-    if (equation >= blocks_of_.count())
-      throw std::out_of_range("equation " + std::to_string(equation) + " of " + std::to_string(blocks_of_.count()));
+    if (equation >= columns_)
+      throw std::out_of_range("equation " + std::to_string(equation) + " of " + std::to_string(columns_));
     found.push_back(equation);
   }
   return found;
 }
 
-void CoupledBlocks::add(const std::vector<int>& columns, std::vector<int> rows) {
-  const Index block = blocks_.count();
-  for (const int column : columns) {
-    std::vector<Index>& present = blocks_of_[column];
-    if (present.empty() || present.back() != block) present.push_back(block);  // nodes of one body share equations
-  }
-  blocks_.push_back(std::move(rows));
-}
-
 void CoupledBlocks::add(const std::vector<int>& equations) {
   const std::vector<int> all = in_matrix(equations);
-  add(all, all);
+  blocks_.push_back({all, all});
 }
 
 void CoupledBlocks::add_star(int centre, const std::vector<int>& equations) {
   const std::vector<int> own = in_matrix({centre});
   std::vector<int> others = in_matrix(equations);
-  add(others, own);
+  blocks_.push_back({others, own});
   others.push_back(centre);
-  add(own, std::move(others));
+  blocks_.push_back({own, std::move(others)});
 }
 
 void CoupledBlocks::add_rows(const std::vector<int>& rows, const std::vector<int>& columns) {
-  add(in_matrix(columns), in_matrix(rows));
+  blocks_.push_back({in_matrix(columns), in_matrix(rows)});
 }
 
 void CoupledBlocks::add_sum(int row, const std::vector<int>& others) { others_of_[row] = in_matrix(others); }
 
 void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
-  std::map<int, std::vector<int>> sums_of;
+  if (others_of_.empty()) return;
+  IndexedVector<std::vector<int>> sums_of(columns_);  // per row
   for (const auto& [row, others] : others_of_) {
     for (const int other : others) sums_of[other].push_back(row);
   }
-  for (std::vector<int>& rows : blocks_) {
+  for (Block& block : blocks_) {
     std::vector<int> more;
-    for (const int row : rows) {
-      const auto sums = sums_of.find(row);
-      if (sums != sums_of.end()) more.insert(more.end(), sums->second.begin(), sums->second.end());
-    }
-    rows.insert(rows.end(), more.begin(), more.end());
+    for (const int row : block.rows) more.insert(more.end(), sums_of[row].begin(), sums_of[row].end());
+    block.rows.insert(block.rows.end(), more.begin(), more.end());
   }
   for (const auto& [row, others] : others_of_) add_rows({row}, coupled_with(others, profile));
 }
 
-IndexedVector<CoupledBlocks::Columns> CoupledBlocks::alike() const {
-  IndexedVector<Columns> found;
-  for (Index column = 0; column < blocks_of_.count(); ++column) {
-    if (blocks_of_[column].empty()) continue;
-    const bool goes_on = !found.empty() && found.back().end == column && blocks_of_[column] == blocks_of_[column - 1];
-    if (!goes_on) found.push_back({column, column});
-    ++found.back().end;
+/// The blocks that each column stands in.
+class CoupledBlocks::BlocksOfColumns {
+ public:
+  BlocksOfColumns(int columns, const IndexedVector<Block>& blocks) : end_(columns, 0) {
+    for (const Block& block : blocks) {
+      for (const int column : block.columns) ++end_[column];
+    }
+    Index places = 0;
+    for (Index& end : end_) places += std::exchange(end, places);
+    first_ = end_;
+    blocks_.resize(indexing::entries(places));
+    for (Index block = 0; block < blocks.count(); ++block) {
+      for (const int column : blocks[block].columns) add(column, block);
+    }
   }
-  return found;
-}
+
+  /// Calls use(block) for each, ascending.
+  template <class Use>
+  void for_each(Index column, const Use& use) const {
+    for (Index place = first_[column]; place < end_[column]; ++place) use(blocks_[place]);
+  }
+  IndexedVector<Columns> alike() const {
+    IndexedVector<Columns> found;
+    for (Index column = 0; column < end_.count(); ++column) {
+      if (count(column) == 0) continue;
+      const bool goes_on = !found.empty() && found.back().end == column && are_alike(column - 1, column);
+      if (!goes_on) found.push_back({column, column});
+      ++found.back().end;
+    }
+    return found;
+  }
+
+ private:
+  void add(Index column, Index block) {
+    const bool is_there = count(column) > 0 && blocks_[end_[column] - 1] == block;  // nodes of a body share equations
+    if (!is_there) blocks_[end_[column]++] = block;
+  }
+  Index count(Index column) const { return end_[column] - first_[column]; }
+  bool are_alike(Index one, Index other) const {
+    const auto place = [&](Index n) { return blocks_.begin() + n; };
+    return std::equal(place(first_[one]), place(end_[one]), place(first_[other]), place(end_[other]));
+  }
+
+  IndexedVector<Index> first_;   ///< place of a column's first block
+  IndexedVector<Index> end_;     ///< behind its last one
+  IndexedVector<Index> blocks_;  ///< those of one column after those of the other
+};
 
 void CoupledBlocks::insert_into(SparseMatrixProfile& profile) {
   add_sums(profile);
-  const IndexedVector<Columns> columns = alike();
+  const BlocksOfColumns blocks_of(columns_, blocks_);
+  const IndexedVector<Columns> columns = blocks_of.alike();
   IndexedVector<RowIntervals> rows_of_block(blocks_.count());
-  in_parallel(blocks_.count(), [&](Index block) { rows_of_block[block] = intervals_of(blocks_[block]); });
+  in_parallel(blocks_.count(), [&](Index block) { rows_of_block[block] = intervals_of(blocks_[block].rows); });
   const auto rows_of = [&](Index column) {
     RowIntervals rows;
-    for (const Index block : blocks_of_[column])
+    blocks_of.for_each(column, [&](Index block) {
       rows.insert(rows.end(), rows_of_block[block].begin(), rows_of_block[block].end());
+    });
     return united(std::move(rows));
   };
   const auto column_of_profile = [&](Index column) -> SparseMatrixProfile::ColumnProfile& {

@@ -21,7 +21,7 @@ RowIntervals united(RowIntervals intervals);
 class CoupledBlocks {
  public:
   /// For a matrix of that many columns.
-  explicit CoupledBlocks(int columns) : blocks_of_(columns) {}
+  explicit CoupledBlocks(int columns) : columns_(columns) {}
 
   /// Takes a block of equations that all couple with each other. Entries below zero are left out; throws
   /// std::out_of_range for others beyond the matrix.
@@ -36,20 +36,23 @@ class CoupledBlocks {
   void insert_into(SparseMatrixProfile& profile);
 
  private:
+  /// Rows that have entries in columns; either may hold an equation more than once.
+  struct Block {
+    std::vector<int> columns;
+    std::vector<int> rows;
+  };
   /// Columns that follow each other and stand in the same blocks, as those of one node mostly do.
   struct Columns {
     mixture_contact::Index first;
     mixture_contact::Index end;
   };
-  mixture_contact::IndexedVector<Columns> alike() const;
-  /// Adds rows to columns; either may hold an equation more than once.
-  void add(const std::vector<int>& columns, std::vector<int> rows);
+  class BlocksOfColumns;
   /// Extends blocks by rows that take the columns of theirs, and adds those that they have in the profile.
   void add_sums(SparseMatrixProfile& profile);
   /// Those equations that are in the matrix.
   std::vector<int> in_matrix(const std::vector<int>& equations) const;
 
-  mixture_contact::IndexedVector<std::vector<int>> blocks_;                        ///< rows, in any order
-  mixture_contact::IndexedVector<std::vector<mixture_contact::Index>> blocks_of_;  ///< per column, ascending
-  std::map<int, std::vector<int>> others_of_;                                      ///< by rows that take their columns
+  int columns_;  ///< of the matrix
+  mixture_contact::IndexedVector<Block> blocks_;
+  std::map<int, std::vector<int>> others_of_;  ///< by rows that take their columns
 };

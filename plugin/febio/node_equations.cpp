@@ -28,19 +28,19 @@ NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, cons
 }
 
 NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side side) const {
-  Surface found;
+  const int fields = core_.effects().nodal_fields();
+  std::vector<int> field_dofs;
+  for (int k = 0; k < fields; ++k) field_dofs.push_back(dofs_.field(side, core_.effects(), k));
   const int count = surface.Nodes();
-  found.fields.resize(core_.effects().nodal_fields(), count);
+  Surface found{&surface, NodeFlags(count, false), Eigen::MatrixXi(Surface::displacements + fields, count)};
   for (int i = 0; i < count; ++i) {
     const FENode& node = surface.Node(i);
-    found.mesh_nodes.push_back(surface.NodeIndex(i));
-    found.is_rigid.push_back(node.m_rid >= 0);
-    found.displacements.push_back(equations_at(node, dofs_.displacements(side, node)));
-    found.rotations.push_back(equations_at(node, dofs_.rotations()));
-    for (int k = 0; k < core_.effects().nodal_fields(); ++k) {
-      const int dof = dofs_.field(side, core_.effects(), k);
-      found.fields(k, i) = mixture_contact::at(node.m_ID, dof);
-    }
+    found.is_rigid[i] = node.m_rid >= 0;
+    const std::array<int, 3> displacements = equations_at(node, dofs_.displacements(side, node));
+    std::copy(displacements.begin(), displacements.end(), found.equations.col(i).begin());
+    for (int k = 0; k < fields; ++k)
+      found.equations(Surface::displacements + k, i) = mixture_contact::at(node.m_ID,
+                                                                           mixture_contact::at(field_dofs, k));
   }
   return found;
 }
@@ -54,8 +54,7 @@ void NodeEquations::for_each_node(const Location& at, const Use& use) const {
 std::vector<int> NodeEquations::nodes(const Location& at) const {
   std::vector<int> nodes;
   nodes.reserve(at.patch.primary.size() + at.patch.secondary.size() + 1);
-  for_each_node(
-      at, [&](const Surface& surface, int node) { nodes.push_back(mixture_contact::at(surface.mesh_nodes, node)); });
+  for_each_node(at, [&](const Surface& surface, int node) { nodes.push_back(surface.mesh_node(node)); });
   if (at.patch.multiplier_node) nodes.push_back(dofs_.multiplier_node());
   return nodes;
 }
@@ -78,9 +77,9 @@ std::vector<int> NodeEquations::equations(const Location& at) const {
   Index n = 0;
   for_each_node(at, [&](const Surface& surface, int node) {
     for (Index i = 0; layout.has_displacements() && i < 3; ++i)
-      mixture_contact::at(ids, layout.displacement(n, i)) = mixture_contact::at(surface.displacements[node], i);
+      mixture_contact::at(ids, layout.displacement(n, i)) = surface.displacement(node, i);
     for (Index k = 0; k < layout.scalar_fields(); ++k)
-      mixture_contact::at(ids, layout.scalar(n, k)) = surface.fields(at.patch.fields[k], node);
+      mixture_contact::at(ids, layout.scalar(n, k)) = surface.field(node, at.patch.fields[k]);
     ++n;
   });
   add_multipliers(at, ids);
@@ -91,7 +90,9 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
   std::vector<int> ids = equations(at);
   if (at.patch.displacements) {
     for_each_node(at, [&](const Surface& surface, int node) {
-      if (surface.is_rigid[node]) ids.insert(ids.end(), surface.rotations[node].begin(), surface.rotations[node].end());
+      if (!surface.is_rigid[node]) return;
+      const std::array<int, 3> rotations = equations_at(surface.surface->Node(node), dofs_.rotations());
+      ids.insert(ids.end(), rotations.begin(), rotations.end());
     });
   }
   for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too

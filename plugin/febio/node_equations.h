@@ -1,5 +1,5 @@
 /// The equations that the unknowns of a contact's nodes have, as they stand when this is made: FEBio numbers them anew
-/// between steps.
+/// between steps, and ambient values take unknowns away within one.
 #pragma once
 
 #include "dof_map.h"
@@ -33,11 +33,15 @@ class NodeEquations {
  private:
   /// Of one surface.
   struct Surface {
-    std::vector<int> mesh_nodes;
+    FEMixtureSurface* surface = nullptr;
     mixture_contact::NodeFlags is_rigid;
-    mixture_contact::IndexedVector<std::array<int, 3>> displacements;
-    mixture_contact::IndexedVector<std::array<int, 3>> rotations;
-    Eigen::MatrixXi fields;  ///< shape (fields, nodes)
+    Eigen::MatrixXi equations;  ///< shape (displacements and fields, nodes)
+
+    int mesh_node(int node) const { return surface->NodeIndex(node); }
+    int displacement(int node, mixture_contact::Index i) const { return equations(i, node); }
+    int field(int node, int field) const { return equations(displacements + field, node); }
+
+    static constexpr int displacements = 3;
   };
   Surface of_surface(FEMixtureSurface& surface, Side side) const;
   /// Calls use(surface, node) for the nodes of a local vector in their order.
