@@ -83,18 +83,17 @@ void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const
   prepare(conditions, parts);
 }
 
-std::vector<double> KeptMatrix::solution(const std::vector<double>& right) const {
-  std::vector<double> changed = newton::applied(operations_, right);
-  std::vector<double> found(right.size());
+std::vector<double> KeptMatrix::solution(std::vector<double> changed) const {
+  std::vector<double> found(changed.size());
   if (!solver_.febio()->GetLinearSolver()->BackSolve(found, changed)) found.clear();
   return found;
 }
 
 std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
-  std::vector<double> found = solution(right);
+  const std::vector<double> changed = newton::applied(operations_, right);
+  std::vector<double> found = solution(changed);
   if (operations_.empty() || found.empty()) return found;
-  const MatrixRows rows(*solver_.febio()->m_pK);
-  if (rows.backward_error(found, newton::applied(operations_, right)) <= largest_backward_error) return found;
+  if (MatrixRows(*solver_.febio()->m_pK).backward_error(found, changed) <= largest_backward_error) return found;
   undo_operations();
   return solution(right);
 }
@@ -115,7 +114,8 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   bool is_solved = true;
   bool is_checked = false;
   const auto solve = [&](const std::vector<double>& right) {
-    std::vector<double> found = std::exchange(is_checked, true) ? solution(right) : checked_solution(right);
+    std::vector<double> found = std::exchange(is_checked, true) ? solution(newton::applied(operations_, right))
+                                                                : checked_solution(right);
     is_solved = is_solved && !found.empty();
     found.resize(right.size());
     return found;

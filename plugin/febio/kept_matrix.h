@@ -65,9 +65,10 @@ class KeptMatrix {
   void begin();
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
-  /// Of a right-hand side that has taken nothing; empty where FEBio cannot solve.
-  std::vector<double> solution(const std::vector<double>& right) const;
-  /// The same of a matrix with rows as they were, where what contacts have done to them has lost pivots.
+  /// Of a right-hand side that has taken what the matrix has; empty where FEBio cannot solve.
+  std::vector<double> solution(std::vector<double> changed) const;
+  /// Of one that has taken nothing. The matrix has rows as they were where what contacts have done to them has lost
+  /// pivots.
   std::vector<double> checked_solution(const std::vector<double>& right);
   /// Factorises the matrix as it is without that, and so do those that follow; says so once.
   void undo_operations();

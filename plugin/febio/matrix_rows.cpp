@@ -130,6 +130,18 @@ void add_terms(CRSSparseMatrix& matrix, const newton::RowOperation& operation, d
     add(sign * term.factor, row_of(matrix, term.row), row_of(matrix, operation.row));
 }
 
+/// By which part of its entries a row, or its right-hand side, is off for a solution.
+double error_of(const Row& row, int offset, const std::vector<double>& solution, double right) {
+  double left = -right;
+  double sizes = std::abs(left);
+  for (int k = 0; k < row.length; ++k) {
+    const double product = row.values[k] * mixture_contact::at(solution, row.columns[k] - offset);
+    left += product;
+    sizes += std::abs(product);
+  }
+  return sizes > 0 ? std::abs(left) / sizes : 0;
+}
+
 /// Rows that follow each other and are one thread's: those of several nodes, which mostly lie together in memory.
 constexpr int rows_together = 64;
 
@@ -165,17 +177,12 @@ std::optional<newton::RowOperation> MatrixRows::eliminate(const std::vector<int>
 void MatrixRows::undo(const newton::RowOperation& operation) const { add_terms(*rows_, operation, -1); }
 
 double MatrixRows::backward_error(const std::vector<double>& solution, const std::vector<double>& right) const {
-  double largest = 0;
-  for (int i = 0; i < rows_->Rows(); ++i) {
-    const Row row = row_of(*rows_, i);
-    double left = -mixture_contact::at(right, i);
-    double sizes = std::abs(left);
-    for (int k = 0; k < row.length; ++k) {
-      const double product = row.values[k] * mixture_contact::at(solution, row.columns[k] - rows_->Offset());
-      left += product;
-      sizes += std::abs(product);
-    }
-    if (sizes > 0) largest = std::max(largest, std::abs(left) / sizes);
-  }
-  return largest;
+  const int rows = rows_->Rows();
+  IndexedVector<double> largest(rows / rows_together + 1, 0.0);
+  in_parallel<1>(largest.count(), [&](Index n) {
+    const int first = indexing::as_int(n) * rows_together;
+    for (int i = first; i < std::min(first + rows_together, rows); ++i)
+      largest[n] = std::max(largest[n], error_of(row_of(*rows_, i), rows_->Offset(), solution, indexing::at(right, i)));
+  });
+  return *std::max_element(largest.begin(), largest.end());
 }

@@ -175,8 +175,11 @@ BOOST_AUTO_TEST_CASE(the_backward_error_is_that_of_the_worst_row) {
   BOOST_TEST(rows.backward_error(solution, right) == 0);
   solution[1] *= 1 + 1e-3;  // 2 x1 - 1e6 x2 = 0 is missed by 1e3, of products that come to 2e6
   BOOST_TEST(rows.backward_error(solution, right) == 1e3 / (2e6 + 1e3), boost::test_tools::tolerance(1e-12));
-  right[0] = 1e-30;  // nothing answers to this
-  BOOST_TEST(rows.backward_error(solution, right) == 1);
+  for (const int unanswered : {0, equations - 1}) {
+    std::vector<double> further = right;
+    indexing::at(further, unanswered) = 1e-30;
+    BOOST_TEST(rows.backward_error(solution, further) == 1);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_row_that_cannot_take_others_is_as_it_was) {

@@ -1,7 +1,5 @@
 #include "mortar/loaded_points.h"
 
-#include "base/in_order.h"
-
 namespace mixture_contact {
 namespace {
 
@@ -89,19 +87,12 @@ std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPa
 
 void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                            const std::function<void(const PointContact&)>& use) {
-  const IndexedVector<FacetPair>& pairs = space.facing().pairs();
-  const auto points_of = [&](Index index) {
-    const FacetPair& pair = pairs[index];
-    std::vector<PointContact> points;
-    if (!space.facing().has_node_among(pair, loads.in_contact)) return points;
-    points.reserve(pair.points.size());
+  // By one thread: several take longer to hand points over than it takes to make them.
+  for (const FacetPair& pair : space.facing().pairs()) {
+    if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
     const LoadedPair loaded(space, pair, loads, fields, dt);
-    for (std::size_t q = 0; q < pair.points.size(); ++q) points.push_back(loaded.point(q));
-    return points;
-  };
-  in_order(pairs.count(), points_of, [&](Index /*pair*/, const std::vector<PointContact>& points) {
-    for (const PointContact& point : points) use(point);
-  });
+    for (std::size_t q = 0; q < pair.points.size(); ++q) use(loaded.point(q));
+  }
 }
 
 }  // namespace mixture_contact
