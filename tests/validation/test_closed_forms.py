@@ -20,6 +20,7 @@ from harness.closed_forms import (
     transient_diffusion,
     two_layer_convection,
 )
+from harness.post import half_ellipse
 
 SLAB = {"height": 2.0, "diffusivity": 5e-4}
 FIRST = composite_slab.Layer(1.0, diffusivity=5e-4, porosity=0.8, solubility=1.0)
@@ -186,6 +187,13 @@ def test_partial_slip_carries_the_tangential_force_within_the_bound(ratio):
     assert np.trapezoid(q, x) == pytest.approx(ratio * np.pi * a * bound / 2.0, rel=1e-5, abs=1e-12)
     assert np.all(q <= bound * np.sqrt(1.0 - (x / a) ** 2) + 1e-15)
     assert q.max() == pytest.approx(cattaneo_mindlin.peak_shear(ratio, bound), rel=1e-3, abs=1e-12)
+
+
+def test_hertz_pressure_is_fitted_by_its_own_half_width_and_peak():
+    a, peak = 2.0, 3.0
+    x = np.linspace(-0.9, 0.7, 7) * a
+    fitted = half_ellipse.through(x, peak * np.sqrt(1.0 - (x / a) ** 2))
+    np.testing.assert_allclose(fitted, (a, peak), rtol=1e-12)
 
 
 def test_partial_slip_leaves_the_stick_zone_undeformed():

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from harness.closed_forms import cattaneo_mindlin, hertz
 from harness.models.partial_slip import COMBINED, FRICTION, RADIUS, THICKNESS
+from harness.post import half_ellipse
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
 
@@ -47,8 +48,7 @@ class Zones:
         left = FRICTION * self.pressure - np.abs(self.shear)
         sticks = left > 1e-3 * self.bound
         middle = float(np.mean(self.x[sticks]))
-        slope, start = np.polyfit((self.x[sticks] - middle) ** 2, left[sticks] ** 2, 1)
-        return float(np.sqrt(-start / slope))
+        return half_ellipse.through(self.x[sticks] - middle, left[sticks]).half_width
 
     @property
     def peak_shear(self) -> float:
@@ -58,11 +58,11 @@ class Zones:
 
     def pressed(self, tolerance: float) -> list[Measure]:
         """Half-width and peak of the pressure against Hertz's, relative: its square falls linearly with x^2 to zero."""
-        slope, start = np.polyfit((self.x - np.mean(self.x)) ** 2, self.pressure**2, 1)
-        width, peak = np.sqrt(-start / slope) / self.half_width, np.sqrt(start) * FRICTION / self.bound
+        half_width, peak = half_ellipse.through(self.x - np.mean(self.x), self.pressure)
+        width, height = half_width / self.half_width, peak * FRICTION / self.bound
         return [
-            Measure("Hertz's line contact, half-width, relative error", float(abs(width - 1.0)), tolerance),
-            Measure("Hertz's line contact, peak pressure, relative error", float(abs(peak - 1.0)), tolerance),
+            Measure("Hertz's line contact, half-width, relative error", abs(width - 1.0), tolerance),
+            Measure("Hertz's line contact, peak pressure, relative error", abs(height - 1.0), tolerance),
         ]
 
     def measures(self, tolerance: float) -> list[Measure]:

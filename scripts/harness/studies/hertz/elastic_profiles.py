@@ -12,6 +12,7 @@ from harness.closed_forms import hertz
 from harness.models import elastic_hertz, partial_slip
 from harness.models.elastic_hertz import ElasticHertz
 from harness.models.partial_slip import PartialSlip
+from harness.post import half_ellipse
 from harness.run.runner import Runner, RunResult
 
 Array = NDArray[np.float64]
@@ -82,8 +83,8 @@ def errors(rows: Sequence[ProfileRow]) -> tuple[float, float]:
     facets within `WITHIN` of the closed form's a.
     """
     place, pressure = np.array([(row.place, row.pressure) for row in rows if row.place < WITHIN * row.radius]).T
-    slope, start = np.polyfit(place**2, pressure**2, 1)
-    return float(np.sqrt(-start / slope) / rows[0].radius - 1.0), float(np.sqrt(start) / rows[0].peak - 1.0)
+    fitted = half_ellipse.through(place, pressure)
+    return fitted.half_width / rows[0].radius - 1.0, fitted.peak / rows[0].peak - 1.0
 
 
 def _force(run: RunResult, nodes: str, step: int) -> float:
