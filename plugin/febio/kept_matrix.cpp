@@ -123,7 +123,8 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution(solve, conditions, right);
   };
-  if (newton::are_empty(parts) && !operations_.empty()) solve(solver.m_R0);
+  const bool solves_anyway = !newton::are_empty(parts) || !conditions.empty();
+  if (!operations_.empty() && !solves_anyway) solve(solver.m_R0);  // to be checked
   newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, left_by_sweeps);
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);

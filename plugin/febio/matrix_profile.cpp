@@ -3,6 +3,7 @@
 #include "contact/base/in_order.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -125,14 +126,14 @@ void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
 /// The blocks that each column stands in.
 class CoupledBlocks::BlocksOfColumns {
  public:
-  BlocksOfColumns(int columns, const IndexedVector<Block>& blocks) : end_(columns, 0) {
+  BlocksOfColumns(int columns, const IndexedVector<Block>& blocks) : first_(columns, 0) {
+    IndexedVector<Index> most(columns, 0);  // a block that has a column twice counts twice
     for (const Block& block : blocks) {
-      for (const int column : block.columns) ++end_[column];
+      for (const int column : block.columns) ++most[column];
     }
-    Index places = 0;
-    for (Index& end : end_) places += std::exchange(end, places);
-    first_ = end_;
-    blocks_.resize(indexing::entries(places));
+    blocks_.resize(indexing::entries(std::accumulate(most.begin(), most.end(), Index{0})));
+    std::exclusive_scan(most.begin(), most.end(), first_.begin(), Index{0});
+    end_ = first_;
     for (Index block = 0; block < blocks.count(); ++block) {
       for (const int column : blocks[block].columns) add(column, block);
     }

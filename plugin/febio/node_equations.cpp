@@ -23,7 +23,7 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
 }  // namespace
 
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
-    : dofs_(dofs), surfaces_(surfaces), core_(core) {
+    : dofs_(dofs), core_(core) {
   for (const Side side : both_sides) of_[side] = of_surface(surfaces[side], side);
 }
 
@@ -91,7 +91,7 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
   if (at.patch.displacements) {
     for_each_node(at, [&](const Surface& surface, int node) {
       if (!surface.is_rigid[node]) return;
-      const std::array<int, 3> rotations = equations_at(surface.surface->Node(node), dofs_.rotations());
+      const std::array<int, 3> rotations = equations_at(surface.febio->Node(node), dofs_.rotations());
       ids.insert(ids.end(), rotations.begin(), rotations.end());
     });
   }
@@ -102,7 +102,7 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
 std::vector<int> NodeEquations::unknowns(Side surface, int node) const {
   std::vector<int> found;
   if (of_[surface].is_rigid[node]) return found;
-  const std::vector<int>& all = surfaces_[surface].Node(node).m_ID;
+  const std::vector<int>& all = of_[surface].febio->Node(node).m_ID;
   std::copy_if(all.begin(), all.end(), std::back_inserter(found), [](int id) { return id >= 0; });
   return found;
 }

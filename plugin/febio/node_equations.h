@@ -33,11 +33,11 @@ class NodeEquations {
  private:
   /// Of one surface.
   struct Surface {
-    FEMixtureSurface* surface = nullptr;
+    FEMixtureSurface* febio = nullptr;
     mixture_contact::NodeFlags is_rigid;
     Eigen::MatrixXi equations;  ///< shape (displacements and fields, nodes)
 
-    int mesh_node(int node) const { return surface->NodeIndex(node); }
+    int mesh_node(int node) const { return febio->NodeIndex(node); }
     int displacement(int node, mixture_contact::Index i) const { return equations(i, node); }
     int field(int node, int field) const { return equations(displacements + field, node); }
 
@@ -50,7 +50,6 @@ class NodeEquations {
   void add_multipliers(const Location& at, std::vector<int>& ids) const;
 
   const DofMap& dofs_;
-  ContactSurfaces& surfaces_;
   const mixture_contact::ContactInterface& core_;
   mixture_contact::PerSide<Surface> of_;
 };
