@@ -4,15 +4,16 @@
 #include "contact/base/parallel.h"
 #include "contact/interface/corrections.h"
 #include "contact/interface/residual_ahead.h"
+#include "host/mixed_form.h"
 #include "matrix_profile.h"
 #include "matrix_requests.h"
 #include "matrix_rows.h"
 #include "rigid_shell_bottoms.h"
-#include "tangent_assembly.h"
 
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -132,14 +133,46 @@ std::vector<newton::Condition> Assembly::conditions(double dt) const {
   const NodeEquations equations(dofs_, surfaces_, core);
   std::vector<newton::Condition> found;
   for (const auto& [side, node] : released_nodes(core))
-    found.push_back(newton::zero_unknown(loads_.of(equations, core, side, {node, std::nullopt, {}})));
+    found.push_back(newton::given_unknown(loads_.of(equations, core, side, {node, std::nullopt, {}}), 0));
+  added_loads(core, dt,
+              [&](Side first, const LoadBlock& load) { found.push_back(condition_of(equations, first, load)); });
+  return found;
+}
+
+std::vector<ReleasableLoad> Assembly::releasable_loads(double dt) const {
+  const ContactInterface& core = contact_.core();
+  const PerSide<VectorXd> tractions = releasable_tractions(core, contact_.fields());
+  std::vector<ReleasableLoad> found;
+  for (const auto& [side, node, equation, of_one] : unknown_tractions_) {
+    const double traction = tractions[side][node];
+    if (std::isfinite(traction))
+      found.push_back({side,
+                       node,
+                       traction,
+                       newton::given_unknown(equation, -traction / of_one),
+                       {{equation, of_one}},
+                       load_unknown_scale * of_one});
+  }
+  const NodeEquations equations(dofs_, surfaces_, core);
   added_loads(core, dt, [&](Side first, const LoadBlock& load) {
-    // As unknowns of their own: with K = -dR/du and z = factor variation.du, K du - work z = R.
-    found.push_back({loads_.of(equations, core, first, load.place),
-                     entries_of(equations.equations({first, load.rows}), -load.work),
-                     entries_of(equations.equations({first, load.place.columns}), load.variation), -1 / load.factor});
+    const double traction = tractions[first][load.place.node];
+    const std::vector<int> columns = equations.equations({first, load.place.columns});
+    if (!std::isfinite(traction) || are_prescribed(columns)) return;
+    newton::Condition released = condition_of(equations, first, load);
+    released.row.clear();
+    released.diagonal = 1;
+    released.value = -traction;
+    found.push_back(
+        {first, load.place.node, traction, std::move(released), entries_of(columns, load.factor * load.variation), 0});
   });
   return found;
+}
+
+newton::Condition Assembly::condition_of(const NodeEquations& equations, Side first, const LoadBlock& load) const {
+  // As an unknown of its own: with K = -dR/du and z = factor variation.du, K du - work z = R.
+  return {loads_.of(equations, contact_.core(), first, load.place),
+          entries_of(equations.equations({first, load.rows}), -load.work),
+          entries_of(equations.equations({first, load.place.columns}), load.variation), -1 / load.factor, 0};
 }
 
 void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {
@@ -152,6 +185,7 @@ void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {
 void Assembly::forget_matrix() {
   beside_.clear();
   unknown_loads_.clear();
+  unknown_tractions_.clear();
 }
 
 void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) {
@@ -173,6 +207,7 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_c
       [&](Side first, const LoadBlock& load) { parts.add_load(first, load); }, add_rows);
   parts.finish(timed);
   unknown_loads_ = parts.unknown_loads();
+  unknown_tractions_ = parts.unknown_tractions();
   has_matrix(contact_.core(), parts.has_loads(), equations.rigid());
 }
 

@@ -7,13 +7,22 @@
 #include "newton/border.h"
 #include "newton/row_operations.h"
 #include "newton/splitting.h"
+#include "tangent_assembly.h"
 
 #include <functional>
 #include <vector>
 
-class FEGlobalMatrix;
 class FEGlobalVector;
-class FELinearSystem;
+
+/// The traction of a node in contact that the matrix of an iteration may release.
+struct ReleasableLoad {
+  mixture_contact::Side surface;
+  int node;
+  double traction;                               ///< as the iteration begins [MPa]
+  newton::Condition released;                    ///< takes it away
+  std::vector<newton::Condition::Entry> change;  ///< what an increment makes of it [MPa]
+  double change_by_release;  ///< the same of the unknown that `released` adds: what it would be were it not released
+};
 
 class Assembly {
  public:
@@ -32,6 +41,9 @@ class Assembly {
   bool residual_change(FEGlobalVector& residual, double dt) const;
   /// What a matrix with the loads of another status lacks: it has loads that are zero, and others are added.
   std::vector<newton::Condition> conditions(double dt) const;
+  /// What it has and may do without, as an iteration begins: tractions of nodes that depend on no prescribed values.
+  std::vector<ReleasableLoad> releasable_loads(double dt) const;
+  const BoundContact& contact() const { return contact_; }
   /// What of it is of nodes that begin the step in contact though they are open.
   void residual_ahead(FEGlobalVector& residual, double dt) const;
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt);
@@ -52,6 +64,9 @@ class Assembly {
   using UseRow = std::function<void(const std::vector<int>& own, const std::vector<int>& others)>;
   void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const;
   Fingerprint couplings() const;
+  /// That a load follows what it depends on, which the matrix does not have.
+  newton::Condition condition_of(const NodeEquations& equations, mixture_contact::Side first,
+                                 const mixture_contact::LoadBlock& load) const;
   /// Whether couplings of a pass stand beside the matrix: where its loads are unknowns, for the same solvers.
   bool splits(mixture_contact::Side first) const { return splits_ && loads_.has(first); }
   /// Those columns of a row that do not.
@@ -68,5 +83,6 @@ class Assembly {
   bool takes_rows_ = false;  ///< whether the matrix takes geometric parts by nodes
   bool splits_ = false;      ///< whether couplings of these stand beside the matrix
   newton::MatrixPart beside_;
-  std::vector<UnknownLoad> unknown_loads_;  ///< of the last tangent
+  std::vector<UnknownLoad> unknown_loads_;          ///< of the last tangent
+  std::vector<UnknownTraction> unknown_tractions_;  ///< alike
 };

@@ -41,6 +41,17 @@ void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
   if (is_another || is_plain) prepare({}, parts);
 }
 
+std::optional<newton::Answer> KeptMatrix::answer(const std::vector<newton::Condition>& conditions) {
+  if (!may_correct_) return std::nullopt;
+  const auto solve = [&](const std::vector<double>& right) { return solution(newton::applied(operations_, right)); };
+  if (free_.empty()) free_ = solve(right_);
+  return border_.answer(solve, conditions, free_);
+}
+
+void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
+  prepare(conditions, parts);
+}
+
 bool KeptMatrix::follow() {
   if (number_ == solver_.febio()->m_ntotref) return false;
   request(false);  // FEBio asks nobody after augmentations: it is there still
@@ -129,7 +140,15 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);
   if (!taken_.empty()) solver.m_R0 = solver.m_R0 - taken_;
-  const bool holds = border_.hold(solve, conditions, solver.m_R0);
+  right_ = solver.m_R0;
+  free_.clear();
+  bool holds = true;
+  if (!conditions.empty()) {
+    free_ = solve(right_);
+    holds = border_.hold(solve, conditions, free_, solver.m_R0);
+    taken_.resize(right_.size());
+    taken_ = taken_ + (right_ - solver.m_R0);
+  }
   may_correct_ = split.converges && holds && is_solved;
 }
 
@@ -151,7 +170,7 @@ void KeptMatrix::take_parts_in() {
         "matrix on they stand in it, which has more entries.");
 }
 
-void KeptMatrix::tried() {
+void KeptMatrix::give_back() {
   if (taken_.empty()) return;
   solver_.febio()->m_R0 += taken_;
   taken_.clear();

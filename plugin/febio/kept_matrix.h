@@ -24,14 +24,19 @@ class KeptMatrix {
   /// FEBio goes on after an iteration: the same of a matrix that it has told nobody of, and of the one it has where
   /// iterations begin with it and without updates.
   void go_on(const newton::MatrixParts& parts, bool begins);
+  /// What it has for its solution with these conditions, parts beside it as they stand; none where that is singular or
+  /// nothing is to be corrected with it.
+  std::optional<newton::Answer> answer(const std::vector<newton::Condition>& conditions);
+  /// FEBio's next solution is to meet these conditions and no others: its right-hand side may have changed.
+  void hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
   /// Whether contacts may add rows of it to others.
   bool takes_operations() const { return !found_.loses_pivots; }
   /// FEBio has formed one to which contacts have done this.
   void take(newton::RowOperations operations) { operations_ = std::move(operations); }
   /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
   void solve();
-  /// A trial has been made of FEBio's solution: its right-hand side is without the parts again.
-  void tried();
+  /// FEBio's right-hand side is its own again: a trial has been made of its solution, or it is about to change.
+  void give_back();
   /// Whether parts have been too large to stand beside it. They are to be in it from now on.
   bool needs_parts() const { return found_.needs_parts; }
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
@@ -87,6 +92,8 @@ class KeptMatrix {
   Found found_;
   newton::RowOperations operations_;
   std::vector<double> taken_;           ///< what the right-hand side is without until there is a trial
+  std::vector<double> right_;           ///< the right-hand side with that taken, but for conditions
+  std::vector<double> free_;            ///< the solution for it, once it is known
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };
 
@@ -96,7 +103,7 @@ class RightHandSide : public newton::Helper {
   static constexpr const char* name = "right-hand side";
   /// Keeps a reference.
   explicit RightHandSide(KeptMatrix& matrix) : matrix_(matrix) {}
-  void try_increment(const std::vector<double>& /*increment*/) override { matrix_.tried(); }
+  void try_increment(const std::vector<double>& /*increment*/) override { matrix_.give_back(); }
 
  private:
   KeptMatrix& matrix_;

@@ -6,6 +6,7 @@
 #include "newton/line_search_guard.h"
 #include "newton/non_negative_concentrations.h"
 #include "newton/predictor.h"
+#include "settling.h"
 
 #include <FEBioMech/FEResidualVector.h>
 #include <FEBioMech/FESolidSolver2.h>
@@ -111,17 +112,17 @@ newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, F
   return operations;
 }
 
-/// What stands beside the matrix for these contacts.
-newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
-  newton::MatrixParts parts;
-  for (const ContactInModel* contact : contacts) parts.push_back(&contact->assembly().beside_matrix());
-  return parts;
-}
-
 /// Whether a step that has failed is tried again.
 bool will_retry(FEModel& fem) {
   const FETimeStepController* const controller = fem.GetCurrentStep()->m_timeController;
   return controller != nullptr && controller->m_nretries < controller->m_maxretries;
+}
+
+/// Reduces penalties where steps fail.
+void reduce_penalties(FEModel& fem, const std::vector<ContactInModel*>& contacts, ReduciblePenalties& reducible) {
+  const auto is_reducible = [](ContactInModel* contact) { return contact->has_reducible_penalty(); };
+  if (!will_retry(fem) || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
+  say(fem, reducible.fail(fem.GetCurrentTime()));
 }
 
 class FEBioArchive : public newton::Archive {
@@ -293,6 +294,7 @@ void ModelContacts::on_callback(unsigned int when) {
     solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
     steps_.matrix_formed();
     matrix_.formed(matrix_parts(contacts));
+    settle_status();
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) {
     steps_.end_iteration();
@@ -305,17 +307,8 @@ void ModelContacts::on_callback(unsigned int when) {
     steps_.end_step();
     matrix_.end_step();
   }
-  if (when == CB_TIMESTEP_FAILED) reduce_penalties();
+  if (when == CB_TIMESTEP_FAILED) reduce_penalties(fem_, contacts, reducible_);
   if (when == CB_SOLVED) say(fem_, reducible_.summary());
-}
-
-// ------------------------------------------------------------ penalties that are reduced where steps fail
-
-void ModelContacts::reduce_penalties() {
-  const std::vector<ContactInModel*> contacts = active();
-  const auto is_reducible = [](ContactInModel* contact) { return contact->has_reducible_penalty(); };
-  if (!will_retry(fem_) || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
-  say(fem_, reducible_.fail(fem_.GetCurrentTime()));
 }
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it
@@ -333,12 +326,14 @@ void ModelContacts::evaluate_residual(Changed what) {
 
 void ModelContacts::correct_residual() {
   evaluate_residual(Changed::loads);
-  std::vector<newton::Condition> conditions;
-  for (const ContactInModel* contact : active()) {
-    const std::vector<newton::Condition> own = contact->assembly().conditions(fem_.GetTime().timeIncrement);
-    conditions.insert(conditions.end(), own.begin(), own.end());
-  }
-  matrix_.correct(conditions, matrix_parts(active()));
+  matrix_.correct(conditions(active(), solver_.time_increment()), matrix_parts(active()));
+  settle_status();
+}
+
+void ModelContacts::settle_status() {
+  const auto may_settle = [&](ContactInModel& contact) { return !steps_.shares_nodes(contact.bound()); };
+  const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
+  settle({active(), may_settle, evaluate_loads, solver_.time_increment()}, matrix_);
 }
 
 MatrixUse ModelContacts::matrix_use() {

@@ -59,7 +59,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
  private:
   std::vector<ContactInModel*> active() const;
   void keep_matrix_if_it_fits();
-  void reduce_penalties();
+  void settle_status();
   void on_callback(unsigned int when);
   static bool call_back(FEModel* fem, unsigned int when, void* contacts);
 

@@ -67,11 +67,6 @@ FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const st
   return stiffness;
 }
 
-/// Whether some equations stand for prescribed values.
-bool are_prescribed(const std::vector<int>& equations) {
-  return std::any_of(equations.begin(), equations.end(), [](int equation) { return newton::is_prescribed(equation); });
-}
-
 /// Equations that stand for prescribed values, and none in place of the others.
 std::vector<int> prescribed_alone(std::vector<int> equations) {
   std::replace_if(
@@ -138,6 +133,10 @@ MatrixBlock taken_out(MatrixBlock& block, const NodeFlags& nodes, const LocalLay
 }
 
 }  // namespace
+
+bool are_prescribed(const std::vector<int>& equations) {
+  return std::any_of(equations.begin(), equations.end(), [](int equation) { return newton::is_prescribed(equation); });
+}
 
 bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained) { return MatrixRows(matrix) && !is_constrained; }
 
@@ -268,7 +267,10 @@ void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& 
   keep(load.rows, {ids.rows, {own}, mixed.column});
   keep(load.rows, {{own}, ids.columns, mixed.row.transpose()});
   keep(load.rows, {{own}, {own}, MatrixXd::Constant(1, 1, mixed.diagonal)});
-  if (!are_prescribed(ids.columns)) return;
+  if (!are_prescribed(ids.columns)) {
+    if (!load.place.field) unknown_tractions_.push_back({rows.first, load.place.node, own, mixed.load});
+    return;
+  }
   // Their increments stand on the right-hand side as they do without mixed form: norms of residuals begin with it.
   assemble(load.rows, element_matrix(load.rows, load.place.columns, equations_.nodes(columns), ids.rows,
                                      prescribed_alone(ids.columns), load.product().values));

@@ -14,6 +14,14 @@ class FEElementMatrix;
 class FEGlobalMatrix;
 class FELinearSystem;
 
+/// A traction that follows from an unknown of the matrix.
+struct UnknownTraction {
+  mixture_contact::Side surface;
+  int node;
+  int equation;
+  double of_one;  ///< unit of the unknown [MPa]
+};
+
 /// Where the parts of one tangent go: straight into the rows of the matrix where FEBio stores it by rows and equations
 /// are free, else through FEBio's own assembly; and loads that have equations in mixed form.
 class TangentAssembly {
@@ -35,6 +43,8 @@ class TangentAssembly {
   void finish(mixture_contact::TaskClock& timed);
   /// On which sides loads are unknowns, but those on rigid bodies.
   mixture_contact::PerSide<bool> has_loads() const;
+  /// The tractions that have been, and depend on no prescribed values.
+  const std::vector<UnknownTraction>& unknown_tractions() const { return unknown_tractions_; }
   /// The loads that have been added as unknowns.
   const std::vector<UnknownLoad>& unknown_loads() const { return unknown_loads_; }
 
@@ -78,7 +88,11 @@ class TangentAssembly {
   bool takes_blocks_;
   std::map<std::optional<int>, Kept> kept_;  ///< by the field of an effect; none: the traction
   std::vector<UnknownLoad> unknown_loads_;
+  std::vector<UnknownTraction> unknown_tractions_;
 };
+
+/// Whether some equations stand for prescribed values.
+bool are_prescribed(const std::vector<int>& equations);
 
 /// Whether a matrix takes blocks of free equations as they are.
 bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained);

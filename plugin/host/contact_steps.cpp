@@ -45,9 +45,12 @@ bool ContactSteps::prepare_step(const void* told) {
 /// Not where a predictor does, which moves the model instead, and not where others hold the same nodes: all that would
 /// close of each would hold more together than there is to hold.
 bool ContactSteps::looks_ahead(const SteppedContact& contact) {
-  if (helpers_.will_predict()) return false;
+  return !helpers_.will_predict() && !shares_nodes(contact);
+}
+
+bool ContactSteps::shares_nodes(const SteppedContact& contact) {
   if (!sharing_) sharing_ = with_common_nodes(model_.active_contacts());
-  return sharing_->count(&contact) == 0;
+  return sharing_->count(&contact) > 0;
 }
 
 Changed ContactSteps::Changes::kind() const {

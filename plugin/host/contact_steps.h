@@ -112,6 +112,8 @@ class ContactSteps {
 
   /// Whether matrices may have further unknowns that follow nodal values.
   bool allow_further_unknowns() const { return !helpers_.multiply_by_matrix(); }
+  /// Whether other active contacts have nodes of this one, too.
+  bool shares_nodes(const SteppedContact& contact);
   /// Whether an iteration has begun at the present state, so that nothing but the matrix is left to do.
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 

@@ -3,5 +3,6 @@
 MixedForm mixed_form(const mixture_contact::LoadBlock& load) {
   // z = scale variation.du/|variation|
   const double length = load.variation.norm();
-  return {(load.factor * length / load_unknown_scale) * load.work, load.variation / length, -1 / load_unknown_scale};
+  const double of_one = load.factor * length / load_unknown_scale;
+  return {of_one * load.work, load.variation / length, -1 / load_unknown_scale, of_one};
 }

@@ -18,6 +18,7 @@ struct MixedForm {
   mixture_contact::VectorXd column;  ///< by z, of the size of LoadBlock::work
   mixture_contact::VectorXd row;     ///< of the equation of z, of the size of LoadBlock::variation; of length 1
   double diagonal = 0;
+  double load = 0;  ///< of z = 1
 };
 
 /// z is in units of du, and so small beside it that the norms of increments which a solver tests for convergence are

@@ -32,7 +32,9 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rig
 
 }  // namespace
 
-Condition zero_unknown(int equation) { return {equation, {{equation, 1.0}}, {{equation, 1.0}}, 0.0}; }
+Condition given_unknown(int equation, double value) {
+  return {equation, {{equation, 1.0}}, {{equation, 1.0}}, 0.0, value};
+}
 
 const std::vector<double>& Border::column(const Solve& solve, const Condition& condition, std::size_t size) {
   const auto known = columns_.find(condition.key);
@@ -51,28 +53,39 @@ Eigen::VectorXd Border::unknowns(const Solve& solve, const std::vector<Condition
     const std::vector<double>& answer = column(solve, at(conditions, i), free.size());
     for (int k = 0; k < count; ++k) answers(k, i) = product(at(conditions, k).row, answer);
     answers(i, i) -= at(conditions, i).diagonal;
-    values[i] = product(at(conditions, i).row, free);
+    values[i] = product(at(conditions, i).row, free) - at(conditions, i).value;
   }
   return solved(answers, values);
 }
 
-bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double>& right) {
+bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
+                  std::vector<double>& right) {
   if (conditions.empty()) return true;
-  const Eigen::VectorXd z = unknowns(solve, conditions, solve(right));
+  const Eigen::VectorXd z = unknowns(solve, conditions, free);
   for (int i = 0; i < z.size(); ++i) add(-z[i], at(conditions, i).column, right);
   return z.size() > 0;
 }
 
 std::vector<double> Border::solution(const Solve& solve, const std::vector<Condition>& conditions,
                                      const std::vector<double>& right) {
-  std::vector<double> x = solve(right);
-  if (conditions.empty()) return x;
-  const Eigen::VectorXd z = unknowns(solve, conditions, x);
+  std::vector<double> free = solve(right);
+  std::optional<Answer> found = answer(solve, conditions, free);
+  return found ? std::move(found->x) : free;
+}
+
+std::optional<Answer> Border::answer(const Solve& solve, const std::vector<Condition>& conditions,
+                                     std::vector<double> free) {
+  Answer found{std::move(free), {}};
+  if (conditions.empty()) return found;
+  const Eigen::VectorXd z = unknowns(solve, conditions, found.x);
+  if (z.size() == 0) return std::nullopt;
   for (int i = 0; i < z.size(); ++i) {
-    const std::vector<double>& answer = column(solve, at(conditions, i), x.size());
-    for (std::size_t n = 0; n < x.size(); ++n) at(x, n) -= z[i] * at(answer, n);
+    const Condition& condition = at(conditions, i);
+    const std::vector<double>& column = this->column(solve, condition, found.x.size());
+    for (std::size_t n = 0; n < found.x.size(); ++n) at(found.x, n) -= z[i] * at(column, n);
+    found.z[condition.key] = z[i];
   }
-  return x;
+  return found;
 }
 
 }  // namespace newton

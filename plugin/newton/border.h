@@ -3,16 +3,17 @@
 /// Each borders the matrix K by a column of C, a column of R and an entry of the diagonal D:
 ///
 ///     | K    C | | x |   | b |
-///     | R^T  D | | z | = | 0 |
+///     | R^T  D | | z | = | d |
 ///
-/// Its x solves K x = b - C z, with (R^T K^-1 C - D) z = R^T K^-1 b. It costs a back substitution for each condition
-/// once, and one for each right-hand side.
+/// Its x solves K x = b - C z, with (R^T K^-1 C - D) z = R^T K^-1 b - d. It costs a back substitution for each
+/// condition once, and one for each right-hand side.
 #pragma once
 
 #include <Eigen/Core>
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace newton {
@@ -27,10 +28,17 @@ struct Condition {
   std::vector<Entry> column;
   std::vector<Entry> row;
   double diagonal = 0;
+  double value = 0;  ///< d
 };
 
-/// An unknown of K that is zero, as if its row and column had been taken out: its key is its equation.
-Condition zero_unknown(int equation);
+/// What a matrix with conditions has for its solution.
+struct Answer {
+  std::vector<double> x;
+  std::map<int, double> z;  ///< by the keys of the conditions
+};
+
+/// An unknown of K that is given, as if its row and column had been taken out: its key is its equation.
+Condition given_unknown(int equation, double value);
 
 class Border {
  public:
@@ -41,12 +49,15 @@ class Border {
   void forget() { columns_.clear(); }
   /// Whether any conditions have been held with it.
   bool has_held() const { return !columns_.empty(); }
-  /// Adds to a right-hand side what holds these conditions, b - C z. Returns false, and adds nothing, where the matrix
-  /// with them is singular.
-  bool hold(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double>& right);
+  /// Adds to a right-hand side b what holds these conditions, b - C z, given K^-1 b. Returns false, and adds nothing,
+  /// where the matrix with them is singular.
+  bool hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
+            std::vector<double>& right);
   /// The solution x with these conditions; the one without them where the matrix with them is singular.
   std::vector<double> solution(const Solve& solve, const std::vector<Condition>& conditions,
                                const std::vector<double>& right);
+  /// The solution with these conditions, given K^-1 b; none where the matrix with them is singular.
+  std::optional<Answer> answer(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double> free);
 
  private:
   /// The z of these conditions, given K^-1 b; empty where the matrix with them is singular.

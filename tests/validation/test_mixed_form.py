@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -49,6 +49,9 @@ SCENES: Mapping[str, BallInSocket] = {
     "augmented": BallInSocket(elements=4, steps=5, params=(Param("laugon", "AUGLAG"),)),
 }
 
+OPENED = "augmented"
+"""Nodes open there as the matrix answers that they pull, and what they carry is no part of the first residual."""
+
 
 def _run(model: str, solver: Solver, folder: Path) -> tuple[Report, str]:
     path = write(model, solver, folder / solver.type)
@@ -68,7 +71,7 @@ def _norms(log: str) -> Mapping[str, np.ndarray]:
     return {name: np.array(values) for name, values in found.items()}
 
 
-def _assert_same_iterations(model: str, folder: Path) -> str:
+def _assert_same_iterations(model: str, folder: Path, norms: Collection[str] = tuple(ATOL)) -> str:
     """Returns the log of the run with loads in mixed form."""
     (mixed, with_unknowns), (products, without) = (_run(model, s, folder) for s in (MIXED, PRODUCTS))
     assert mixed.normal, mixed.errors
@@ -78,14 +81,16 @@ def _assert_same_iterations(model: str, folder: Path) -> str:
     assert mixed == products
     assert min(_equations(with_unknowns)) > max(_equations(without))
     found, expected = _norms(with_unknowns), _norms(without)
-    for name, values in expected.items():
+    for name in norms:
+        values = expected[name]
         np.testing.assert_allclose(found[name], values, rtol=0, atol=ATOL[name] * values.max(), err_msg=name)
     return with_unknowns
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_iterations_are_those_with_products_in_the_matrix(runner, tmp_path, name):
-    log = _assert_same_iterations(SCENES[name].model().text(), tmp_path)
+    norms = ATOL.keys() - {"residual"} if name == OPENED else ATOL
+    log = _assert_same_iterations(SCENES[name].model().text(), tmp_path, norms)
     if name != "two passes":  # loads that face each other may do with one pivot
         assert PIVOTS_LOST not in log
 

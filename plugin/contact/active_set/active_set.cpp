@@ -85,6 +85,19 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, 
   return status;
 }
 
+NodeFlags ActiveSet::opening(const VectorXd& tractions, const NodeFlags& opened) const {
+  double largest = 0;
+  for (Index node = 0; node < opened.count(); ++node) {
+    if (std::isfinite(tractions[node]) && !opened[node]) largest = std::max(largest, std::abs(tractions[node]));
+  }
+  NodeFlags opening = opened;
+  for (Index node = 0; node < opened.count(); ++node) {
+    const bool decides = std::abs(tractions[node]) > options_.negligible_traction * largest;
+    if (decides && changes_[node] <= options_.most_status_changes) opening[node] = tractions[node] > 0;
+  }
+  return opening;
+}
+
 ContactStatus ActiveSet::moved(const NodalLoads& last, const NodalGaps& now) const {
   ContactStatus status{last.in_contact, last.flux_coupled};
   const double least = negligible(last, now);

@@ -84,13 +84,18 @@ class ActiveSet {
   /// by its end, should they move as in the last step, have that status from its first iteration on (see can_expect()).
   /// One that closes too early is pulled there, and opens in the next iteration as any that is pulled.
   NodeFlags expected(const NodalGaps& now, double ahead) const;
-  /// Whether the last step tells what nodes will do. Not with fields, whose exchange may push a node open that would
+  /// Whether it can be told ahead what nodes will do. Not with fields, whose exchange may push a node open that would
   /// close, or the other way round: either may be an equilibrium. Not where the other side has conditions, too: those
   /// of both together would hold more than there is to hold. And nodes that may pull do not open.
   bool can_expect() const;
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
   /// may be off by, so that none below it decides.
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
+  /// Which of the nodes that began an iteration in contact open within it, given what their tractions come to should
+  /// they stay [MPa]; NaN where that is unknown, and for nodes out of contact: these do not. `opened`: those that were
+  /// taken to be open in finding them. Not those whose status keeps changing: at the edge of contact it is the next
+  /// iteration that tells.
+  NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
   /// those that overlap close.
   ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;

@@ -3,6 +3,7 @@
 #include "enforcement/load_difference.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace mixture_contact {
@@ -11,6 +12,11 @@ namespace {
 /// What tractions are off by that an iteration predicts.
 double error_of(const NodalLoads& predicted, const NodalLoads& now) {
   return (predicted.traction - now.traction).cwiseAbs().maxCoeff();
+}
+
+NodeFlags without(NodeFlags nodes, const NodeFlags& others) {
+  for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] && !others[node];
+  return nodes;
 }
 
 bool has_any(const IndexedVector<int>& nodes, const NodeFlags& among) {
@@ -129,6 +135,29 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
     }
   }
   return adds;
+}
+
+VectorXd HeldLinearisation::releasable(const FacingFields& fields) const {
+  VectorXd tractions = VectorXd::Constant(laws_.nodes(), std::numeric_limits<double>::quiet_NaN());
+  if (!is_correctable() || !matrix_.has_loads || !active_set_.can_expect()) return tractions;
+  const NodalLoads now = method_.predicted_loads(*point_, fields);
+  for (Index node = 0; node < tractions.size(); ++node) {
+    if (now.in_contact[node]) tractions[node] = now.traction[node];
+  }
+  return tractions;
+}
+
+NodeFlags HeldLinearisation::opening(const VectorXd& tractions, const NodeFlags& opened) const {
+  const NodeFlags found = active_set_.opening(tractions, opened);
+  return may_take(without(point_->loads.in_contact, found)) ? found : opened;
+}
+
+void HeldLinearisation::open(const NodeFlags& nodes, const FacingFields& fields) {
+  const NodalLoads before = method_.predicted_loads(*point_, fields);
+  point_->loads.in_contact = without(point_->loads.in_contact, nodes);
+  point_->loads.flux_coupled = point_->loads.in_contact;
+  method_.load(point_->loads);
+  change_ = ByWorks{change(before, method_.predicted_loads(*point_, fields))};
 }
 
 IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added) const {

@@ -51,6 +51,14 @@ class HeldLinearisation {
   void has_matrix(HostMatrix matrix);
   /// Nodes that the matrix has in contact and the status has not: their loads do not follow their gaps.
   IndexedVector<int> released() const { return linearised(false, false); }
+  /// Tractions at this state of the nodes in contact that the matrix may release as the iteration begins [MPa]; NaN at
+  /// all others.
+  VectorXd releasable(const FacingFields& fields) const;
+  /// Which of these open (see ActiveSet::opening()); those that have been opened where the matrix may not release as
+  /// many.
+  NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
+  /// Opens nodes: what they carry at this state is what changes as the iteration begins.
+  void open(const NodeFlags& nodes, const FacingFields& fields);
   /// Adds the tangents of loads that the status has and the matrix has not.
   void add_loads(double dt, const AddLoadBlock& add) const;
 

@@ -2,8 +2,13 @@
 
 #include "enforcement/held_linearisation.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace mixture_contact {
 namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Calls use(side, geometry) for each pass.
 template <class Contact, class Use>
@@ -68,6 +73,38 @@ void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
     if (HeldLinearisation* const held = geometry.held())
       held->has_matrix({has_loads[side], rigid[side], rigid[other(side)]});
+  });
+}
+
+PerSide<VectorXd> releasable_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  PerSide<VectorXd> tractions;
+  for (const Side side : both_sides) tractions[side] = VectorXd::Constant(contact.mesh(side).nodes, unknown);
+  for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
+    tractions[side] = held.releasable(seen_from(side, fields));
+  });
+  return tractions;
+}
+
+PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<VectorXd>& tractions,
+                                 const PerSide<NodeFlags>& opened) {
+  PerSide<NodeFlags> found = opened;
+  for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
+    found[side] = held.opening(tractions[side], opened[side]);
+  });
+  return found;
+}
+
+void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = contact.measurements().clock(Task::stiffness);
+  for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
+    HeldLinearisation* const held = geometry.held();
+    if (held == nullptr) return;
+    const NodeFlags& opened = nodes[side];
+    if (std::any_of(opened.begin(), opened.end(), [](bool opens) { return opens; })) {
+      held->open(opened, seen_from(side, fields));
+    } else {
+      held->keep();
+    }
   });
 }
 

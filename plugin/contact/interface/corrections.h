@@ -23,6 +23,15 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
 /// equations of their own.
 void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const PerSide<NodeFlags>& rigid);
 
+/// Tractions of the nodes in contact that the matrix may release as the iteration begins [MPa]; NaN at all others (see
+/// HeldLinearisation::releasable()).
+PerSide<VectorXd> releasable_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+/// Which of these open where tractions come to this at the end of the iteration (see HeldLinearisation::opening()).
+PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<VectorXd>& tractions,
+                                 const PerSide<NodeFlags>& opened);
+/// Opens nodes as an iteration begins, if any (see HeldLinearisation::open()).
+void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, const PerSide<SurfaceFields>& fields);
+
 /// A node whose load the matrix has and the status has not.
 struct ReleasedNode {
   Side side;

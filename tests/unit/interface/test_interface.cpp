@@ -414,6 +414,79 @@ BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_a
   }
 }
 
+/// How many entries of both sides are known.
+Index known(const PerSide<VectorXd>& tractions) {
+  return tractions[Side::primary].array().isFinite().count() + tractions[Side::secondary].array().isFinite().count();
+}
+
+BOOST_AUTO_TEST_CASE(nodes_open_as_an_iteration_begins_where_its_matrix_answers_that_they_pull) {
+  TiltedContact tilted;
+  ContactInterface& contact = *tilted.contact;
+  contact.begin_iteration(tilted.scene.fields);
+  BOOST_TEST(known(releasable_tractions(contact, tilted.scene.fields)) == 0);  // there is no matrix yet
+  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+  PerSide<VectorXd> tractions = releasable_tractions(contact, tilted.scene.fields);
+  const NodalLoads before = tilted.loads();
+  BOOST_TEST(known(tractions) == std::count(before.in_contact.begin(), before.in_contact.end(), true));
+  BOOST_TEST(tractions[Side::primary] == before.traction, boost::test_tools::per_element());
+
+  VectorXd& answered = tractions[Side::primary];
+  answered[0] = 1;
+  answered[1] = std::numeric_limits<double>::quiet_NaN();  // the host cannot tell
+  const double rounding_of_answers = 1e-9 * answered[2];
+  answered[3] = -rounding_of_answers;
+  const PerSide<NodeFlags> opened = opening_nodes(contact, tractions, tilted.scene.nowhere());
+  NodeFlags expected(opened[Side::primary].count(), false);
+  expected[0] = true;
+  BOOST_TEST((opened[Side::primary] == expected));
+  answered[0] = -1;  // should it have opened it would overlap
+  BOOST_TEST((opening_nodes(contact, tractions, opened) == tilted.scene.nowhere()));
+
+  const GlobalLayout layout(tilted.scene);
+  const VectorXd residual = assembled_residual(contact, layout, tilted.scene.fields, dt);
+  open_nodes(contact, opened, tilted.scene.fields);
+  const std::optional<VectorXd> change = changed_residual(contact, layout, tilted.scene.fields);
+  BOOST_REQUIRE(change.has_value());
+  const VectorXd after = assembled_residual(contact, layout, tilted.scene.fields, dt);
+  BOOST_TEST((residual + *change - after).norm() < rounding * residual.norm());
+  BOOST_TEST(change->norm() > 1e-3 * residual.norm());
+  NodalLoads loads = tilted.loads();
+  BOOST_TEST(loads.traction[0] == 0);
+  loads.traction[0] = before.traction[0];
+  BOOST_TEST(loads.traction == before.traction, boost::test_tools::per_element());
+  const std::vector<ReleasedNode> released = released_nodes(contact);
+  BOOST_REQUIRE(released.size() == 1U);
+  BOOST_TEST(released.front().node == 0);
+
+  open_nodes(contact, tilted.scene.nowhere(), tilted.scene.fields);
+  BOOST_TEST(changed_residual(contact, layout, tilted.scene.fields).value().norm() == 0);  // what opened counts once
+}
+
+BOOST_AUTO_TEST_CASE(no_node_opens_as_an_iteration_begins_where_others_decide_with_its_traction) {
+  const auto releasable = [](const Effects& effects, const Settings& settings, bool has_loads) {
+    Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects, settings);
+    const auto contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    has_matrix(*contact, on_both_sides(has_loads), scene.nowhere());
+    return known(releasable_tractions(*contact, scene.fields));
+  };
+  const Settings plain = explicit_settings(3, 2, 5);
+  Settings both = plain;
+  both.two_pass = true;
+  Settings pulling = plain;
+  pulling.gap.tension = true;
+  Effects rubbing = effects_of(false, 0);
+  rubbing.friction_kind = FrictionKind::on_traction;
+  Settings rough = plain;
+  rough.friction.coefficient = 0.3;
+  BOOST_TEST(releasable(effects_of(false, 0), plain, true) > 0);
+  BOOST_TEST(releasable(effects_of(false, 0), plain, false) == 0);
+  BOOST_TEST(releasable(effects_of(true, 0), plain, true) == 0);
+  BOOST_TEST(releasable(effects_of(false, 0), both, true) == 0);
+  BOOST_TEST(releasable(effects_of(false, 0), pulling, true) == 0);
+  BOOST_TEST(releasable(rubbing, rough, true) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(nodes_that_close_are_added_where_the_host_can_and_open_again) {
   for (const bool may_add : {false, true}) {
     TiltedContact tilted;

@@ -36,7 +36,7 @@ const std::vector<double> load{1, -2, 3, 0.5, -1, 2, 4};
 
 std::vector<Condition> zeros(const std::vector<int>& equations) {
   std::vector<Condition> conditions;
-  for (const int equation : equations) conditions.push_back(newton::zero_unknown(equation));
+  for (const int equation : equations) conditions.push_back(newton::given_unknown(equation, 0));
   return conditions;
 }
 
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(unknowns_are_held_at_zero_as_if_the_matrix_had_neither_thei
   Border border;
   const std::vector<int> held{1, 4, 5};
   std::vector<double> right = load;
-  BOOST_TEST(border.hold(system.solver(), zeros(held), right));
+  BOOST_TEST(border.hold(system.solver(), zeros(held), system.solve(right), right));
   const std::vector<double> x = system.solve(right);
   Eigen::MatrixXd without = system.matrix;
   Eigen::VectorXd values = vector(load);
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(conditions_are_held_as_if_the_matrix_had_their_rows_and_col
   std::mt19937 random(6);
   std::vector<Condition> conditions = zeros({2});
   for (const double unit : {1.0, 1e18}) {
-    Condition condition{size + indexing::number_of(conditions), {}, {}, -0.5 * unit};
+    Condition condition{size + indexing::number_of(conditions), {}, {}, -0.5 * unit, 0};
     for (int i = 0; i < size; i += 2) {
       condition.column.push_back({i, unit * test::random_values(1, -1, 1, random)[0]});
       condition.row.push_back({i, test::random_values(1, -1, 1, random)[0]});
@@ -88,21 +88,49 @@ BOOST_AUTO_TEST_CASE(conditions_are_held_as_if_the_matrix_had_their_rows_and_col
   values.head(size) = vector(load);
   const Eigen::VectorXd expected = bordered.partialPivLu().solve(values).head(size);
   std::vector<double> right = load;
-  BOOST_TEST(Border().hold(system.solver(), conditions, right));
+  BOOST_TEST(Border().hold(system.solver(), conditions, system.solve(right), right));
   BOOST_TEST((vector(system.solve(right)) - expected).norm() < test::rounding * expected.norm());
 }
 
 BOOST_AUTO_TEST_CASE(each_condition_costs_a_solution_once_until_there_is_another_matrix) {
   System system(5);
   Border border;
+  const std::vector<double> free = system.solve(load);
   std::vector<double> right = load;
-  border.hold(system.solver(), zeros({0, 2}), right);
+  border.hold(system.solver(), zeros({0, 2}), free, right);
   BOOST_TEST(system.solutions == 3);
-  border.hold(system.solver(), zeros({0, 2, 3}), right);
-  BOOST_TEST(system.solutions == 5);
+  border.hold(system.solver(), zeros({0, 2, 3}), free, right);
+  BOOST_TEST(system.solutions == 4);
   border.forget();
-  border.hold(system.solver(), zeros({0}), right);
-  BOOST_TEST(system.solutions == 7);
+  border.hold(system.solver(), zeros({0}), free, right);
+  BOOST_TEST(system.solutions == 5);
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_that_is_given_leaves_to_its_border_what_its_own_equation_lacks) {
+  System system(11);
+  constexpr double given = -0.3;
+  const std::vector<Condition> conditions{newton::given_unknown(2, given)};
+  const auto answer = Border().answer(system.solver(), conditions, system.solve(load));
+  BOOST_REQUIRE(answer.has_value());
+  const Eigen::VectorXd x = vector(answer->x);
+  BOOST_TEST(std::abs(x[2] - given) < test::rounding * x.norm());
+  Eigen::VectorXd left = vector(load) - system.matrix * x;
+  BOOST_TEST(std::abs(left[2] - answer->z.at(2)) < test::rounding * vector(load).norm());
+  left[2] = 0;
+  BOOST_TEST(left.norm() < test::rounding * vector(load).norm());
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_of_a_border_can_be_given_without_a_row) {
+  System system(12);
+  constexpr double given = 0.7;
+  const Condition condition{size, {{1, -2.0}, {4, 1.0}}, {}, 1, given};
+  const auto answer = Border().answer(system.solver(), {condition}, system.solve(load));
+  BOOST_REQUIRE(answer.has_value());
+  BOOST_TEST(answer->z.at(size) == given);
+  Eigen::VectorXd expected = vector(load);
+  expected[1] += 2 * given;
+  expected[4] -= given;
+  BOOST_TEST((system.matrix * vector(answer->x) - expected).norm() < test::rounding * expected.norm());
 }
 
 BOOST_AUTO_TEST_CASE(the_solution_with_conditions_is_that_of_the_right_hand_side_that_holds_them) {
@@ -112,7 +140,7 @@ BOOST_AUTO_TEST_CASE(the_solution_with_conditions_is_that_of_the_right_hand_side
   const Eigen::VectorXd x = vector(border.solution(system.solver(), conditions, load));
   BOOST_TEST(system.solutions == 3);  // one for each condition, and the last
   std::vector<double> right = load;
-  border.hold(system.solver(), conditions, right);
+  border.hold(system.solver(), conditions, system.solve(right), right);
   const Eigen::VectorXd expected = vector(system.solve(right));
   BOOST_TEST((x - expected).norm() < test::rounding * expected.norm());
 }
@@ -120,7 +148,7 @@ BOOST_AUTO_TEST_CASE(the_solution_with_conditions_is_that_of_the_right_hand_side
 BOOST_AUTO_TEST_CASE(nothing_that_is_held_costs_nothing) {
   System system(7);
   std::vector<double> right = load;
-  BOOST_TEST(Border().hold(system.solver(), {}, right));
+  BOOST_TEST(Border().hold(system.solver(), {}, {}, right));
   BOOST_TEST((right == load));
   BOOST_TEST(system.solutions == 0);
 }
@@ -130,7 +158,8 @@ BOOST_AUTO_TEST_CASE(a_matrix_that_is_singular_with_them_holds_none) {
   system.matrix = Eigen::MatrixXd::Identity(size, size);
   system.matrix.topLeftCorner(2, 2) << 0, 1, 1, 0;  // the first unknown stands in the second equation alone
   std::vector<double> right = load;
-  BOOST_TEST(!Border().hold(system.solver(), zeros({0}), right));
+  BOOST_TEST(!Border().hold(system.solver(), zeros({0}), system.solve(right), right));
+  BOOST_TEST(!Border().answer(system.solver(), zeros({0}), system.solve(right)).has_value());
   BOOST_TEST((right == load));
   BOOST_TEST((Border().solution(system.solver(), zeros({0}), right) == system.solve(right)));
 }

@@ -1,0 +1,30 @@
+/// Which nodes are in contact, as the matrix of an iteration answers.
+///
+/// An iteration begins with the nodes that overlap at its state: more than will be in contact at its end, since each
+/// that closes takes load from those around it. With a factorised matrix the tractions that the iteration ends with are
+/// known. Nodes that pull open, nodes that have been opened and would overlap close again, and the matrix is asked once
+/// more, until all stay: the active set of the linearised problem, by the rule that leads from iteration to iteration
+/// (contact/active_set/active_set.h). Each node that opens costs a back substitution.
+#pragma once
+
+#include "contact_in_model.h"
+#include "kept_matrix.h"
+
+#include <functional>
+#include <vector>
+
+/// What settling needs of a model.
+struct SettledModel {
+  std::vector<ContactInModel*> contacts;                    ///< all that are active
+  std::function<bool(ContactInModel& contact)> may_settle;  ///< not where others have conditions at its nodes
+  std::function<void()> evaluate_residual;                  ///< with loads that have changed
+  double time_increment;                                    ///< [s]
+};
+
+/// Opens nodes that would pull, before FEBio solves. Where they do not settle nothing is opened.
+void settle(const SettledModel& model, KeptMatrix& matrix);
+
+/// What matrices with the loads of another status lack (see Assembly::conditions()).
+std::vector<newton::Condition> conditions(const std::vector<ContactInModel*>& contacts, double dt);
+/// What stands beside the matrix for these contacts.
+newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts);
