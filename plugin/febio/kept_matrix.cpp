@@ -43,13 +43,20 @@ void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
 
 std::optional<newton::Answer> KeptMatrix::answer(const std::vector<newton::Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
-  const auto solve = [&](const std::vector<double>& right) { return solution(newton::applied(operations_, right)); };
-  if (free_.empty()) free_ = solve(right_);
-  return border_.answer(solve, conditions, free_);
+  if (free_.empty()) free_ = solution(solver_.febio()->m_R0);  // there is nothing beside it
+  std::optional<newton::Answer> found = border_.answer([&](const auto& right) { return solution(right); }, conditions,
+                                                       free_);
+  return may_correct_ ? found : std::nullopt;
 }
 
-void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
-  prepare(conditions, parts);
+void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts,
+                      newton::Answer answer) {
+  const auto solve_with_conditions = [&](const std::vector<double>& right) {
+    return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
+  };
+  take(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts, solver_.febio()->m_R0,
+                          left_by_sweeps),
+       conditions);
 }
 
 bool KeptMatrix::follow() {
@@ -94,16 +101,21 @@ void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const
   prepare(conditions, parts);
 }
 
-std::vector<double> KeptMatrix::solution(std::vector<double> changed) const {
+std::vector<double> KeptMatrix::solution_of_changed(std::vector<double> changed) {
   std::vector<double> found(changed.size());
-  if (!solver_.febio()->GetLinearSolver()->BackSolve(found, changed)) found.clear();
-  return found;
+  if (solver_.febio()->GetLinearSolver()->BackSolve(found, changed)) return found;
+  may_correct_ = false;
+  return std::vector<double>(changed.size());
+}
+
+std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
+  return solution_of_changed(newton::applied(operations_, right));
 }
 
 std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
   const std::vector<double> changed = newton::applied(operations_, right);
-  std::vector<double> found = solution(changed);
-  if (operations_.empty() || found.empty()) return found;
+  std::vector<double> found = solution_of_changed(changed);
+  if (operations_.empty() || !may_correct_) return found;
   if (MatrixRows(*solver_.febio()->m_pK).backward_error(found, changed) <= largest_backward_error) return found;
   undo_operations();
   return solution(right);
@@ -121,35 +133,38 @@ void KeptMatrix::undo_operations() {
 }
 
 void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
-  FENewtonSolver& solver = *solver_.febio();
-  bool is_solved = true;
+  const std::vector<double>& right = solver_.febio()->m_R0;
+  may_correct_ = true;
+  free_.clear();
   bool is_checked = false;
-  const auto solve = [&](const std::vector<double>& right) {
-    std::vector<double> found = std::exchange(is_checked, true) ? solution(newton::applied(operations_, right))
-                                                                : checked_solution(right);
-    is_solved = is_solved && !found.empty();
-    found.resize(right.size());
-    return found;
+  const auto solve = [&](const std::vector<double>& each) {
+    return free_ = std::exchange(is_checked, true) ? solution(each) : checked_solution(each);
   };
-  const auto solve_with_conditions = [&](const std::vector<double>& right) {
-    return border_.solution(solve, conditions, right);
+  const auto solve_with_conditions = [&](const std::vector<double>& each) {
+    return border_.solution(solve, conditions, each);
   };
   const bool solves_anyway = !newton::are_empty(parts) || !conditions.empty();
-  if (!operations_.empty() && !solves_anyway) solve(solver.m_R0);  // to be checked
-  newton::Split split = newton::split(solve_with_conditions, parts, solver.m_R0, left_by_sweeps);
+  if (!operations_.empty() && !solves_anyway) solve(right);  // to be checked
+  take(newton::split(solve_with_conditions, parts, right, left_by_sweeps), conditions);
+}
+
+void KeptMatrix::take(newton::Split split, const std::vector<newton::Condition>& conditions) {
+  std::vector<double>& right = solver_.febio()->m_R0;
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);
-  if (!taken_.empty()) solver.m_R0 = solver.m_R0 - taken_;
-  right_ = solver.m_R0;
-  free_.clear();
-  bool holds = true;
+  if (!taken_.empty()) right = right - taken_;
+  split_ = std::move(split);
   if (!conditions.empty()) {
-    free_ = solve(right_);
-    holds = border_.hold(solve, conditions, free_, solver.m_R0);
-    taken_.resize(right_.size());
-    taken_ = taken_ + (right_ - solver.m_R0);
+    std::vector<double> with_conditions = right;
+    free_ = solution(right);
+    const bool holds = border_.hold([&](const auto& each) { return solution(each); }, conditions, free_,
+                                    with_conditions);
+    taken_.resize(right.size());
+    taken_ = taken_ + (right - with_conditions);
+    right = std::move(with_conditions);
+    may_correct_ = may_correct_ && holds;
   }
-  may_correct_ = split.converges && holds && is_solved;
+  may_correct_ = may_correct_ && split_.converges;
 }
 
 void KeptMatrix::solve() {

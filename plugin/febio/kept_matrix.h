@@ -27,8 +27,9 @@ class KeptMatrix {
   /// What it has for its solution with these conditions, parts beside it as they stand; none where that is singular or
   /// nothing is to be corrected with it.
   std::optional<newton::Answer> answer(const std::vector<newton::Condition>& conditions);
-  /// FEBio's next solution is to meet these conditions and no others: its right-hand side may have changed.
-  void hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
+  /// FEBio's next solution is to meet these conditions and no others, and to be what it has answered: the right-hand
+  /// side has changed with the conditions.
+  void hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts, newton::Answer answer);
   /// Whether contacts may add rows of it to others.
   bool takes_operations() const { return !found_.loses_pivots; }
   /// FEBio has formed one to which contacts have done this.
@@ -70,10 +71,14 @@ class KeptMatrix {
   void begin();
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
-  /// Of a right-hand side that has taken what the matrix has; empty where FEBio cannot solve.
-  std::vector<double> solution(std::vector<double> changed) const;
-  /// Of one that has taken nothing. The matrix has rows as they were where what contacts have done to them has lost
-  /// pivots.
+  /// The same, once the right-hand side has been split.
+  void take(newton::Split split, const std::vector<newton::Condition>& conditions);
+  /// Of a right-hand side that has taken what the matrix has; where FEBio cannot solve zero, and nothing may be
+  /// corrected.
+  std::vector<double> solution_of_changed(std::vector<double> changed);
+  /// The same of one that has taken nothing.
+  std::vector<double> solution(const std::vector<double>& right);
+  /// The matrix has rows as they were where what contacts have done to them has lost pivots.
   std::vector<double> checked_solution(const std::vector<double>& right);
   /// Factorises the matrix as it is without that, and so do those that follow; says so once.
   void undo_operations();
@@ -92,8 +97,8 @@ class KeptMatrix {
   Found found_;
   newton::RowOperations operations_;
   std::vector<double> taken_;           ///< what the right-hand side is without until there is a trial
-  std::vector<double> right_;           ///< the right-hand side with that taken, but for conditions
-  std::vector<double> free_;            ///< the solution for it, once it is known
+  newton::Split split_;                 ///< of that the part without conditions
+  std::vector<double> free_;            ///< a solution without conditions, with parts as they stood, if it is known
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };
 

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 using namespace mixture_contact;
 
@@ -78,18 +80,18 @@ class OpeningNodes {
   PerSide<NodeFlags> opened_;
 };
 
-/// Asks the matrix until the nodes stay. Returns whether they do.
-bool settles(std::vector<OpeningNodes>& nodes, KeptMatrix& matrix) {
+/// Asks the matrix until the nodes stay. Returns the answer that they do with; none where they do not.
+std::optional<newton::Answer> settled(std::vector<OpeningNodes>& nodes, KeptMatrix& matrix) {
   for (int answers = 0; answers < most_answers; ++answers) {
     std::vector<newton::Condition> conditions;
     for (const OpeningNodes& of_contact : nodes) of_contact.add_conditions(conditions);
-    const std::optional<newton::Answer> answer = matrix.answer(conditions);
-    if (!answer) return false;
+    std::optional<newton::Answer> answer = matrix.answer(conditions);
+    if (!answer) return std::nullopt;
     bool changed = false;
     for (OpeningNodes& of_contact : nodes) changed = of_contact.follow(*answer) || changed;
-    if (!changed) return true;
+    if (!changed) return answer;
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -114,11 +116,12 @@ void settle(const SettledModel& model, KeptMatrix& matrix) {
   for (ContactInModel* contact : model.contacts)
     nodes.emplace_back(contact->assembly(), model.may_settle(*contact), model.time_increment);
   const auto may_open = [](const OpeningNodes& of_contact) { return of_contact.may_open(); };
-  if (std::none_of(nodes.begin(), nodes.end(), may_open) || !settles(nodes, matrix)) return;
+  if (std::none_of(nodes.begin(), nodes.end(), may_open)) return;
+  std::optional<newton::Answer> answer = settled(nodes, matrix);
   const auto opens = [](const OpeningNodes& of_contact) { return of_contact.any_open(); };
-  if (std::none_of(nodes.begin(), nodes.end(), opens)) return;
+  if (!answer || std::none_of(nodes.begin(), nodes.end(), opens)) return;
   for (const OpeningNodes& of_contact : nodes) of_contact.open();
   matrix.give_back();
   model.evaluate_residual();
-  matrix.hold(conditions(model.contacts, model.time_increment), matrix_parts(model.contacts));
+  matrix.hold(conditions(model.contacts, model.time_increment), matrix_parts(model.contacts), std::move(*answer));
 }

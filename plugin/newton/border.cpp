@@ -68,7 +68,7 @@ bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, 
 
 std::vector<double> Border::solution(const Solve& solve, const std::vector<Condition>& conditions,
                                      const std::vector<double>& right) {
-  std::vector<double> free = solve(right);
+  const std::vector<double> free = solve(right);
   std::optional<Answer> found = answer(solve, conditions, free);
   return found ? std::move(found->x) : free;
 }

@@ -9,9 +9,10 @@
 /// condition once, and one for each right-hand side.
 #pragma once
 
+#include "solve.h"
+
 #include <Eigen/Core>
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -42,9 +43,6 @@ Condition given_unknown(int equation, double value);
 
 class Border {
  public:
-  /// K^-1 times a right-hand side.
-  using Solve = std::function<std::vector<double>(const std::vector<double>& right)>;
-
   /// Another matrix has been factorised.
   void forget() { columns_.clear(); }
   /// Whether any conditions have been held with it.

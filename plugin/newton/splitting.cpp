@@ -64,8 +64,7 @@ double MatrixPart::squares(const std::vector<double>& x) const {
   return sum;
 }
 
-Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
-            const std::vector<double>& right, double tolerance) {
+Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance) {
   if (are_empty(parts)) return {};
   std::vector<double> x = solve(right);
   double change = length(parts, x);
@@ -75,16 +74,27 @@ Split split(const std::function<std::vector<double>(const std::vector<double>& r
     std::vector<double> next = solve(difference(right, made));
     const double next_change = length(parts, difference(next, x));
     if (!std::isfinite(next_change)) return {};  // nothing is known of the part: the host sees for itself
-    if (next_change == 0) return {std::move(made), true};
-    if (next_change >= change) return {std::move(before), false};
+    if (next_change == 0) return {std::move(made), true, std::move(next)};
+    if (next_change >= change) return {std::move(before), false, {}};
     const double reduction = next_change / change;
-    if (reduction > least_reduction) return {std::move(made), false};
+    if (reduction > least_reduction) return {std::move(made), false, {}};
     x = std::move(next);
     before = std::move(made);
     change = next_change;
     // The sweep that is left reduces the error once more.
-    if (change * reduction <= tolerance * length(parts, x)) return {product(parts, x), true};
+    if (change * reduction <= tolerance * length(parts, x)) return {product(parts, x), true, std::move(x), reduction};
   }
+}
+
+Split split_near(const Split& last, std::vector<double> x, const Solve& solve, const MatrixParts& parts,
+                 const std::vector<double>& right, double tolerance) {
+  if (are_empty(parts)) return {};
+  if (last.x.empty()) return split(solve, parts, right, tolerance);
+  // The product of `last` was that of its own x: a sweep with another one would have changed x by so much.
+  const double error = last.reduction * length(parts, difference(x, last.x));
+  const bool is_near = last.reduction * error <= tolerance * length(parts, x);
+  if (!is_near) return split(solve, parts, right, tolerance);
+  return {product(parts, x), true, std::move(x), last.reduction};
 }
 
 }  // namespace newton

@@ -5,9 +5,10 @@
 /// radius of K^-1 D is less than 1: where D is small beside K.
 #pragma once
 
+#include "solve.h"
+
 #include <Eigen/Core>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -46,12 +47,18 @@ bool are_empty(const MatrixParts& parts);
 struct Split {
   std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty for zero
   bool converges = true;        ///< whether each sweep halved the change, at least
+  std::vector<double> x;        ///< that of the product; empty where there is nothing to multiply
+  double reduction = 0;         ///< of what D multiplies of the error of x, by a sweep
 };
 
 /// Solves (K + D) x = b but for its last sweep, which is left to the caller: K x' = b - D x. What D multiplies of x' is
 /// right to `tolerance`, a part of it; where sweeps do not converge it is as it was before the first that made the
 /// change larger, if there is one.
-Split split(const std::function<std::vector<double>(const std::vector<double>& right)>& solve, const MatrixParts& parts,
-            const std::vector<double>& right, double tolerance);
+Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance);
+
+/// The same given x that K has for another right-hand side with the product of `last`, without a sweep where it is near
+/// enough to the x of that.
+Split split_near(const Split& last, std::vector<double> x, const Solve& solve, const MatrixParts& parts,
+                 const std::vector<double>& right, double tolerance);
 
 }  // namespace newton

@@ -24,7 +24,7 @@ struct System {
     const Eigen::VectorXd x = matrix.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(right.data(), size));
     return {x.data(), x.data() + size};
   }
-  Border::Solve solver() {
+  newton::Solve solver() {
     return [this](const std::vector<double>& right) { return solve(right); };
   }
 

@@ -40,7 +40,7 @@ MatrixPart part_of(const Eigen::MatrixXd& values) {
 
 /// The unit matrix, which counts how often it is solved with.
 struct UnitMatrix {
-  std::function<std::vector<double>(const std::vector<double>&)> solver() {
+  newton::Solve solver() {
     return [this](const std::vector<double>& right) {
       ++solutions;
       return right;
@@ -76,6 +76,26 @@ BOOST_AUTO_TEST_CASE(a_small_part_costs_two_solutions) {
   UnitMatrix unit;
   newton::split(unit.solver(), {&part}, load, 1e-2);
   BOOST_TEST(unit.solutions == 2);
+}
+
+BOOST_AUTO_TEST_CASE(another_right_hand_side_costs_no_sweep_where_its_solution_is_near) {
+  constexpr double tolerance = 1e-2;
+  constexpr double factor = 0.3;
+  const Eigen::MatrixXd values = turn(factor);
+  const MatrixPart part = part_of(values);
+  UnitMatrix unit;
+  const Split last = newton::split(unit.solver(), {&part}, load, tolerance);
+  for (const double change : {0.03, 0.3}) {  // beside tolerance/factor^2 = 0.11
+    const Eigen::VectorXd right = vector(load) + change * Eigen::VectorXd::Unit(size, 3) * vector(load).norm();
+    const Eigen::VectorXd x = right - vector(last.product);
+    unit.solutions = 0;
+    const Split split = newton::split_near(last, {x.data(), x.data() + size}, unit.solver(), {&part},
+                                           {right.data(), right.data() + size}, tolerance);
+    BOOST_TEST(split.converges);
+    BOOST_TEST((unit.solutions == 0) == (change < 0.1));
+    const Eigen::VectorXd expected = (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(right);
+    BOOST_TEST((right - vector(split.product) - expected).norm() <= tolerance * expected.norm());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_part_that_sweeps_do_not_converge_for_is_told) {
