@@ -8,6 +8,7 @@
 #include <exception>
 #include <thread>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace mixture_contact {
@@ -15,26 +16,26 @@ namespace mixture_contact {
 /// Results of a loop in groups that follow each other: any thread makes the next group, one thread uses the groups in
 /// ascending order. Few groups are held at once, so that what is used is still in the cache and its memory serves the
 /// groups to come.
-template <class Make, class Use>
+template <class Result, class Workspace, class Fill, class Use>
 class OrderedResults {
  public:
   /// Keeps references.
-  OrderedResults(Index count, int threads, const Make& make, const Use& use)
+  OrderedResults(Index count, int threads, const Result& empty, const Fill& fill, const Use& use)
       : count_(count),
         groups_((count + together - 1) / together),
         held_(std::min<Index>(groups_, groups_per_thread * threads)),
-        results_(held_ * together),
+        results_(held_ * together, empty),
         made_(indexing::entries(held_)),
-        make_(make),
+        fill_(fill),
         use_(use) {}
 
   /// For the one thread that uses results: makes some, too, while there are none to use.
-  void use_all() {
-    run([&] { return used_ < groups_; }, [&] { return use_next() || make_next(); });
+  void use_all(Workspace& own) {
+    run([&] { return used_ < groups_; }, [&] { return use_next() || make_next(own); });
   }
   /// For any other thread.
-  void make_all() {
-    run([&] { return next_ < groups_; }, [&] { return make_next(); });
+  void make_all(Workspace& own) {
+    run([&] { return next_ < groups_; }, [&] { return make_next(own); });
   }
   /// Rethrows one of the exceptions that threads met with.
   void rethrow() const {
@@ -45,8 +46,6 @@ class OrderedResults {
   /// Results of a group, which one thread makes: neighbours in memory.
   static constexpr Index together = 8;
   static constexpr Index groups_per_thread = 4;
-
-  using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;
 
   /// Calls `step`, which tells whether it found something to do, until nothing remains or a thread has failed.
   template <class Remains, class Step>
@@ -61,12 +60,12 @@ class OrderedResults {
   }
 
   /// Makes a group unless all that may be held at once are.
-  bool make_next() {
+  bool make_next(Workspace& own) {
     Index group = next_;
     do {
       if (group >= groups_ || group >= used_ + held_) return false;
     } while (!next_.compare_exchange_weak(group, group + 1));
-    for_each_of(group, [&](Index i, Result& result) { result = make_(i); });
+    for_each_of(group, [&](Index i, Result& result) { fill_(i, result, own); });
     made_of(group) = group + 1;
     return true;
   }
@@ -98,29 +97,48 @@ class OrderedResults {
   std::atomic<Index> used_{0};            ///< how many are
   std::atomic<bool> failed_{false};
   std::exception_ptr thrown_;
-  const Make& make_;
+  const Fill& fill_;
   const Use& use_;
 };
 
-/// Computes make(i) for each i below `count` on several threads, and hands the results on, use(i, make(i)), in
-/// ascending order on the calling thread, while the others go on: sums and calls of a host come in the same order
-/// whatever the number of threads. `use` has no other threads to share its own work with.
-template <class Make, class Use>
-void in_order(Index count, const Make& make, const Use& use) {
+/// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on,
+/// use(i, result), in ascending order on the calling thread, while the others go on: sums and calls of a host come in
+/// the same order whatever the number of threads. Each thread has a copy of the workspace, and results are copies of
+/// the empty one at first, then what others have been used as: what they have of memory serves again. `use` has no
+/// other threads to share its own work with.
+template <class Workspace, class Result, class Fill, class Use>
+void in_order_with(const Workspace& workspace, const Result& empty, Index count, const Fill& fill, const Use& use) {
   const int threads = thread_count();
-  if (threads == 1) return one_by_one(count, make, use);
-  OrderedResults<Make, Use> results(count, threads, make, use);
+  if (threads == 1) {
+    Workspace own = workspace;
+    Result result = empty;
+    for (Index i = 0; i < count; ++i) {
+      fill(i, result, own);
+      use(i, result);
+    }
+    return;
+  }
+  OrderedResults<Result, Workspace, Fill, Use> results(count, threads, empty, fill, use);
 #ifdef _OPENMP
-#pragma omp parallel default(none) shared(results)
+#pragma omp parallel default(none) shared(results, workspace)
 #endif
   {
+    Workspace own = workspace;
 #ifdef _OPENMP
 #pragma omp master
 #endif
-    results.use_all();
-    results.make_all();
+    results.use_all(own);
+    results.make_all(own);
   }
   results.rethrow();
+}
+
+/// The same with results that are made anew: use(i, make(i)).
+template <class Make, class Use>
+void in_order(Index count, const Make& make, const Use& use) {
+  using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;
+  const auto fill = [&](Index i, Result& result, std::monostate& /*none*/) { result = make(i); };
+  in_order_with(std::monostate(), Result(), count, fill, use);
 }
 
 }  // namespace mixture_contact

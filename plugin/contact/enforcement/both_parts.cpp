@@ -16,6 +16,14 @@ NodeFlags in_contact_among(const NodeFlags& nodes, const NodeFlags& in_contact) 
   return both;
 }
 
+/// Has an entry for each pair, and leaves none of those that carry no load.
+void keep_loaded(GeometricParts& parts, const FacingPairs& facing, const NodeFlags& in_contact) {
+  parts.resize(facing.pairs().size());
+  for (Index pair = 0; pair < parts.count(); ++pair) {
+    if (!facing.has_node_among(facing.pairs()[pair], in_contact)) parts[pair].reset();
+  }
+}
+
 /// Makes the parts of pairs that have a changed node but none of those given, whose pairs are made already.
 void make_others(GeometricParts& parts, const MortarSpace& space, const NodeFlags& changed, const NodeFlags& made,
                  const NodalLoads& carried, const FacingFields& fields) {
@@ -79,20 +87,26 @@ NodalLoads geometric_loads(const LinearisationPoint& point) {
 }
 
 GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace& space, const FacingFields& fields,
-                                   std::optional<PastLinearisation> past, double same) {
+                                   std::optional<PastLinearisation> past, double same, GeometricParts memory) {
   const FacingPairs& facing = space.facing();
   const LinearisationSource now(point, space);
   const NodeFlags changed = past ? changed_nodes(*past, point, now, space, same) : NodeFlags(space.nodes(), true);
-  if (std::all_of(changed.begin(), changed.end(), [](bool is) { return is; })) past.reset();
+  if (past && std::all_of(changed.begin(), changed.end(), [](bool is) { return is; })) {
+    memory = std::move(past->geometric.pairs);
+    past.reset();
+  }
   const PerSide<Index> nodes{{fields.primary.position.cols(), fields.secondary.position.cols()}};
   GeometricPart geometric = past ? taken_over(std::move(past->geometric), changed, now, facing, nodes)
-                                 : GeometricPart{GeometricParts(facing.pairs().count()), {}, {}, now};
+                                 : GeometricPart{std::move(memory), {}, {}, now};
   // Both parts are of the same points, whose variations cost more than what is made of them.
   const NodalLoads carried = geometric_loads(point);
   NodalLoads averaged = point.loads;
   averaged.in_contact = in_contact_among(changed, point.loads.in_contact);
+  if (!past) keep_loaded(geometric.pairs, facing, averaged.in_contact);
   point.nodes = linearise(space, averaged, fields, carried, [&](Index pair, const std::vector<VaryingPoint>& points) {
-    geometric.pairs[pair] = geometric_tangent(space, facing.pairs()[pair], points);
+    std::optional<GeometricTangent>& part = geometric.pairs[pair];
+    if (!part) part.emplace();
+    set_geometric_tangent(space, facing.pairs()[pair], points, *part);
   });
   if (past) {
     make_others(geometric.pairs, space, changed, averaged.in_contact, carried, fields);

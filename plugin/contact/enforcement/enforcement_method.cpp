@@ -14,10 +14,16 @@ std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, c
 }
 
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values) {
-  if (space.symmetric()) values = 0.5 * (values + values.transpose()).eval();
-  Patch rows = patch.of_displacements();
-  Patch columns = rows;
-  return {std::move(rows), std::move(columns), std::move(values)};
+  TangentBlock block{patch, {}, std::move(values)};
+  set_traction_block(space, block);
+  return block;
+}
+
+void set_traction_block(const MortarSpace& space, TangentBlock& block) {
+  if (space.symmetric()) block.values = 0.5 * (block.values + block.values.transpose()).eval();
+  block.rows.fields.clear();
+  block.rows.displacements = true;
+  block.columns = block.rows;
 }
 
 }  // namespace mixture_contact

@@ -70,5 +70,7 @@ std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, c
 
 /// A block of tractions by displacements; its symmetric part where that is asked for.
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values);
+/// The same given its values, and for rows the patch.
+void set_traction_block(const MortarSpace& space, TangentBlock& block);
 
 }  // namespace mixture_contact

@@ -75,8 +75,12 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   const bool begins = !point_ && method_.predicts();
   let_go();
   std::optional<PastLinearisation> past = last_.take();
-  if (!begins) past.reset();
-  geometric_ = linearise_both_parts(point, space_, fields, std::move(past), begins ? same_to_linearisation(laws_) : 0);
+  if (begins) {
+    geometric_ = linearise_both_parts(point, space_, fields, std::move(past), same_to_linearisation(laws_));
+  } else {
+    GeometricParts memory = past ? std::move(past->geometric.pairs) : GeometricParts();
+    geometric_ = linearise_both_parts(point, space_, fields, std::nullopt, 0, std::move(memory));
+  }
   vary_trials(laws_, point.loads, point.nodes);
   held_.replaced(point_.emplace(std::move(point)));
 }

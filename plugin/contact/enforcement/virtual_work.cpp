@@ -87,24 +87,32 @@ std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& pat
 
 }  // namespace
 
-GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
-                                   const std::vector<VaryingPoint>& points) {
-  const Patch patch = space.facing().patch(pair);
-  const LocalLayout displacements = patch.displacement_layout();
-  MatrixXd traction = MatrixXd::Zero(displacements.size(), displacements.size());
-  std::vector<TangentBlock> fluxes = flux_blocks(space, patch);
+void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const std::vector<VaryingPoint>& points,
+                           GeometricTangent& tangent) {
+  TangentBlock& traction = tangent.traction;
+  space.facing().set_patch(pair, traction.rows);
+  tangent.fluxes = flux_blocks(space, traction.rows);
+  const Index size = traction.rows.displacement_layout().size();
+  traction.values.setZero(size, size);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
-  for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, traction);
+  for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, traction.values);
   laps.traction();
-  for (Index k = 0; k < count_of(fluxes); ++k) {
-    TangentBlock& block = at(fluxes, k);
+  for (Index k = 0; k < count_of(tangent.fluxes); ++k) {
+    TangentBlock& block = at(tangent.fluxes, k);
     for (const auto& [point, vary] : points) {
       add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), block.columns.layout(),
                        block.values);
     }
-    laps.field(patch.fields[k]);
+    laps.field(traction.rows.fields[k]);
   }
-  return {std::move(fluxes), traction_block(space, patch, std::move(traction))};
+  set_traction_block(space, traction);
+}
+
+GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
+                                   const std::vector<VaryingPoint>& points) {
+  GeometricTangent tangent;
+  set_geometric_tangent(space, pair, points, tangent);
+  return tangent;
 }
 
 void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,

@@ -27,6 +27,9 @@ using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;
 
 GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
                                    const std::vector<VaryingPoint>& points);
+/// The same in the memory of that of another pair.
+void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const std::vector<VaryingPoint>& points,
+                           GeometricTangent& tangent);
 
 /// The same for each of these pairs.
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,

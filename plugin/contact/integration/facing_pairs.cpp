@@ -63,10 +63,19 @@ std::optional<Side> FacingPairs::bearing_side(const FacetPair& pair) const {
 }
 
 Patch FacingPairs::patch(const FacetPair& pair) const {
+  Patch patch;
+  set_patch(pair, patch);
+  return patch;
+}
+
+void FacingPairs::set_patch(const FacetPair& pair, Patch& patch) const {
   const Facet& one = primary_facet(pair);
   const Facet& two = secondary_facet(pair);
-  return {IndexedVector<int>(one.begin(), one.end()), IndexedVector<int>(two.begin(), two.end()),
-          exchanged_fields(pair), std::nullopt, effects_.traction};
+  patch.primary.assign(one.begin(), one.end());
+  patch.secondary.assign(two.begin(), two.end());
+  patch.fields = exchanged_fields(pair);
+  patch.multiplier_node.reset();
+  patch.displacements = effects_.traction;
 }
 
 void FacingPairs::evaluate(const FacetPair& pair, const FacingPositions& x) {

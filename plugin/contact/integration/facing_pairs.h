@@ -45,6 +45,8 @@ class FacingPairs {
   std::optional<Side> bearing_side(const FacetPair& pair) const;
   /// The nodes of both facets with their displacements and exchanged fields.
   Patch patch(const FacetPair& pair) const;
+  /// The same in the memory of those of another pair.
+  void set_patch(const FacetPair& pair, Patch& patch) const;
   /// Nodal values of a field on both facets.
   PairVector values(const FacetPair& pair, int field, const FacingFields& fields) const;
   /// Whether any of the nodes of the primary facet is among those given.

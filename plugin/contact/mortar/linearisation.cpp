@@ -87,22 +87,25 @@ NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patc
   return linear;
 }
 
-PairLinearisation zero_linearisation(const MortarSpace& space, const FacetPair& pair) {
-  PairLinearisation linear;
-  linear.patch = space.facing().patch(pair);
+/// In the memory of another pair's.
+void set_zero(PairLinearisation& linear, const MortarSpace& space, const FacetPair& pair) {
+  space.facing().set_patch(pair, linear.patch);
   const LocalLayout layout = linear.patch.displacement_layout();
   const Index corners = layout.primary_nodes();
-  linear.is_averaged.assign(linear.patch.primary.size(), false);
-  if (linear.patch.displacements) linear.gap_variation.setZero(layout.size(), corners);
-  linear.traction_work = linear.gap_variation;
-  if (!linear.patch.fields.empty()) {
-    const PairLinearisation::Jump none{linear.gap_variation, MatrixXd::Zero(layout.nodes(), corners)};
-    linear.jumps.assign(linear.patch.fields.size(), none);
+  const auto set_no_variation = [&](MatrixXd& variation) {
+    if (linear.patch.displacements) variation.setZero(layout.size(), corners);
+  };
+  linear.is_averaged.fill(corners, false);
+  set_no_variation(linear.gap_variation);
+  set_no_variation(linear.traction_work);
+  linear.jumps.resize(linear.patch.fields.size());
+  for (PairLinearisation::Jump& jump : linear.jumps) {
+    set_no_variation(jump.projection_variation);
+    jump.weights.setZero(layout.nodes(), corners);
   }
-  if (!space.effects().has_friction()) return linear;
-  linear.friction = IndexedVector<PairFriction>(corners);
+  if (!space.effects().has_friction()) return;
+  linear.friction.resize(indexing::entries(corners));
   for (PairFriction& friction : linear.friction) set_zero(friction, layout, space.effects());
-  return linear;
 }
 
 void scatter(const PairFriction& pair, const PairPlaces& place, NodeLinearisation::Friction& sum) {
@@ -158,21 +161,24 @@ struct CornerPoint {
   }
 };
 
-/// For all nodes in contact whose averages are taken over it.
-std::vector<CornerPoint> corner_points(const Facet& facet, const std::vector<VaryingPoint>& points,
-                                       const NodeFlags& in_contact) {
-  std::vector<CornerPoint> found;
-  found.reserve(points.size() * indexing::entries(facet.count()));
-  for (Index q = 0; q < count_of(points); ++q) {
-    const PointContact& contact = at(points, q).contact;
+/// What a thread remembers of a pair, whose memory serves the next one.
+struct PairMemory {
+  std::vector<VaryingPoint> points;
+  std::vector<CornerPoint> corners;  ///< for all nodes in contact whose averages are taken over the pair
+};
+
+void set_corner_points(PairMemory& pair, const Facet& facet, const NodeFlags& in_contact) {
+  pair.corners.clear();
+  for (Index q = 0; q < count_of(pair.points); ++q) {
+    const VaryingPoint& point = at(pair.points, q);
+    const PointContact& contact = point.contact;
     for (Index a = 0; a < facet.count(); ++a) {
       if (!in_contact[facet.node(a)]) continue;
       const double share = contact.loads.weight * contact.psi[a];
       const Eigen::RowVector2d slope = contact.loads.weight * contact.psi_gradient.row(a);
-      if (share != 0 || !slope.isZero(0)) found.push_back({at(points, q), q, a, facet.node(a), share, slope});
+      if (share != 0 || !slope.isZero(0)) pair.corners.push_back({point, q, a, facet.node(a), share, slope});
     }
   }
-  return found;
 }
 
 /// Adds a point's part in the first variation of an average over a node, g_a = INT psi_a g da / A_a:
@@ -316,28 +322,26 @@ void add_sliding(PairLinearisation& linear, const MortarSpace& space, const Face
   }
 }
 
-PairLinearisation linearise_pair(const MortarSpace& space, const FacetPair& pair,
-                                 const std::vector<VaryingPoint>& points, const NodalLoads& loads,
-                                 const FacingFields& fields) {
-  PairLinearisation linear = zero_linearisation(space, pair);
+void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory& memory, const NodalLoads& loads,
+                    const FacingFields& fields, PairLinearisation& linear) {
+  set_zero(linear, space, pair);
   const Patch& patch = linear.patch;
   const LocalLayout layout = patch.displacement_layout();
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
-  const std::vector<CornerPoint> all = corner_points(space.facing().primary_facet(pair), points, loads.in_contact);
-  for (const CornerPoint& at : all) linear.is_averaged[at.corner] = true;
+  set_corner_points(memory, space.facing().primary_facet(pair), loads.in_contact);
+  for (const CornerPoint& at : memory.corners) linear.is_averaged[at.corner] = true;
   if (patch.displacements) {
-    for (const CornerPoint& at : all) add_gap(linear, layout, loads, at);
+    for (const CornerPoint& at : memory.corners) add_gap(linear, layout, loads, at);
     laps.traction();
   }
   if (space.effects().has_friction()) {
-    add_sliding(linear, space, pair, all, fields);
+    add_sliding(linear, space, pair, memory.corners, fields);
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
-    for (const CornerPoint& at : all) add_jump(linear, k, loads, at);
+    for (const CornerPoint& at : memory.corners) add_jump(linear, k, loads, at);
     laps.field(patch.fields[k]);
   }
-  return linear;
 }
 
 /// Displacements of a patch's nodes in the order of patch.of_displacements(), given those of both surfaces.
@@ -417,18 +421,20 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
     if (nodes[node].friction.empty()) return;
     nodes[node].friction.convection = convection_around(space, node, around[node], nodes[node].patch.primary);
   });
-  const auto linear_pair = [&](Index index) {
+  const auto linear_pair = [&](Index index, PairLinearisation& linear, PairMemory& memory) {
     const FacetPair& pair = facing.pairs()[index];
-    if (!facing.has_node_among(pair, loads.in_contact)) return PairLinearisation();
-    const std::vector<VaryingPoint> points = varying_points(space, pair, carried, fields, 1.0);
-    use(index, points);
-    return linearise_pair(space, pair, points, loads, fields);
+    linear.patch.primary.clear();
+    if (!facing.has_node_among(pair, loads.in_contact)) return;
+    set_varying_points(space, pair, carried, fields, 1.0, memory.points);
+    use(index, memory.points);
+    linearise_pair(space, pair, memory, loads, fields, linear);
   };
-  in_order(facing.pairs().count(), linear_pair, [&](Index /*index*/, const PairLinearisation& pair) {
+  const auto sum_at_nodes = [&](Index /*index*/, const PairLinearisation& pair) {
     for (Index a = 0; a < pair.patch.primary.count(); ++a) {
       if (pair.is_averaged[a]) scatter(pair, a, nodes[pair.patch.primary[a]]);
     }
-  });
+  };
+  in_order_with(PairMemory(), PairLinearisation(), facing.pairs().count(), linear_pair, sum_at_nodes);
   in_parallel(nodes.count(), [&](Index node) {
     if (loads.in_contact[node] && !nodes[node].friction.empty()) divide_by_area(nodes[node].friction, loads, node);
   });

@@ -75,13 +75,19 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi) {
   return here;
 }
 
-std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
-                                         const FacingFields& fields, double dt) {
+void set_varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                        const FacingFields& fields, double dt, std::vector<VaryingPoint>& points) {
   const std::vector<PointMotion> motions = space.facing().motions(pair, positions(fields));
-  std::vector<VaryingPoint> points;
+  points.clear();
   points.reserve(pair.points.size());
   const LoadedPair loaded(space, pair, loads, fields, dt);
   for (std::size_t q = 0; q < pair.points.size(); ++q) points.emplace_back(loaded.point(q), motions[q]);
+}
+
+std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                                         const FacingFields& fields, double dt) {
+  std::vector<VaryingPoint> points;
+  set_varying_points(space, pair, loads, fields, dt, points);
   return points;
 }
 

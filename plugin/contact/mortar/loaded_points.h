@@ -51,6 +51,9 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi);
 /// All points of a pair with their variations.
 std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                                          const FacingFields& fields, double dt);
+/// The same in the memory of those of another pair.
+void set_varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                        const FacingFields& fields, double dt, std::vector<VaryingPoint>& points);
 
 /// Calls `use` for every point that carries load, in a fixed order.
 void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
