@@ -31,6 +31,24 @@ std::vector<newton::Condition::Entry> entries_of(const std::vector<int>& equatio
   return entries;
 }
 
+/// The equations of a contact's nodes, gathered where they are asked for.
+class GatheredOnce {
+ public:
+  /// Keeps references.
+  GatheredOnce(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
+      : dofs_(dofs), surfaces_(surfaces), core_(core) {}
+  const NodeEquations& operator()() const {
+    if (!equations_) equations_.emplace(dofs_, surfaces_, core_);
+    return *equations_;
+  }
+
+ private:
+  const DofMap& dofs_;
+  ContactSurfaces& surfaces_;
+  const ContactInterface& core_;
+  mutable std::optional<NodeEquations> equations_;
+};
+
 }  // namespace
 
 void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const {
@@ -130,12 +148,12 @@ bool Assembly::residual_change(FEGlobalVector& residual, double dt) const {
 
 std::vector<newton::Condition> Assembly::conditions(double dt) const {
   const ContactInterface& core = contact_.core();
-  const NodeEquations equations(dofs_, surfaces_, core);
+  const GatheredOnce equations(dofs_, surfaces_, core);
   std::vector<newton::Condition> found;
   for (const auto& [side, node] : released_nodes(core))
-    found.push_back(newton::given_unknown(loads_.of(equations, core, side, {node, std::nullopt, {}}), 0));
+    found.push_back(newton::given_unknown(loads_.of(equations(), core, side, {node, std::nullopt, {}}), 0));
   added_loads(core, dt,
-              [&](Side first, const LoadBlock& load) { found.push_back(condition_of(equations, first, load)); });
+              [&](Side first, const LoadBlock& load) { found.push_back(condition_of(equations(), first, load)); });
   return found;
 }
 
@@ -145,20 +163,16 @@ std::vector<ReleasableLoad> Assembly::releasable_loads(double dt) const {
   std::vector<ReleasableLoad> found;
   for (const auto& [side, node, equation, of_one] : unknown_tractions_) {
     const double traction = tractions[side][node];
-    if (std::isfinite(traction))
-      found.push_back({side,
-                       node,
-                       traction,
-                       newton::given_unknown(equation, -traction / of_one),
-                       {{equation, of_one}},
-                       load_unknown_scale * of_one});
+    if (!std::isfinite(traction)) continue;
+    newton::Condition released = newton::given_unknown(equation, -traction / of_one);
+    found.push_back({side, node, traction, std::move(released), {{equation, of_one}}, load_unknown_scale * of_one});
   }
-  const NodeEquations equations(dofs_, surfaces_, core);
+  const GatheredOnce equations(dofs_, surfaces_, core);
   added_loads(core, dt, [&](Side first, const LoadBlock& load) {
     const double traction = tractions[first][load.place.node];
-    const std::vector<int> columns = equations.equations({first, load.place.columns});
+    const std::vector<int> columns = equations().equations({first, load.place.columns});
     if (!std::isfinite(traction) || are_prescribed(columns)) return;
-    newton::Condition released = condition_of(equations, first, load);
+    newton::Condition released = condition_of(equations(), first, load);
     released.row.clear();
     released.diagonal = 1;
     released.value = -traction;

@@ -44,9 +44,10 @@ void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
 std::optional<newton::Answer> KeptMatrix::answer(const std::vector<newton::Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
   if (free_.empty()) free_ = solution(solver_.febio()->m_R0);  // there is nothing beside it
-  std::optional<newton::Answer> found = border_.answer([&](const auto& right) { return solution(right); }, conditions,
-                                                       free_);
-  return may_correct_ ? found : std::nullopt;
+  const auto solve = [&](const std::vector<double>& right) { return solution(right); };
+  std::optional<newton::Answer> found = border_.answer(solve, conditions, free_);
+  if (!may_correct_) found.reset();
+  return found;
 }
 
 void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts,
@@ -54,9 +55,9 @@ void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const ne
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
   };
-  take(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts, solver_.febio()->m_R0,
-                          left_by_sweeps),
-       conditions);
+  finish(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts, solver_.febio()->m_R0,
+                            left_by_sweeps),
+         conditions);
 }
 
 bool KeptMatrix::follow() {
@@ -145,10 +146,10 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   };
   const bool solves_anyway = !newton::are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) solve(right);  // to be checked
-  take(newton::split(solve_with_conditions, parts, right, left_by_sweeps), conditions);
+  finish(newton::split(solve_with_conditions, parts, right, left_by_sweeps), conditions);
 }
 
-void KeptMatrix::take(newton::Split split, const std::vector<newton::Condition>& conditions) {
+void KeptMatrix::finish(newton::Split split, const std::vector<newton::Condition>& conditions) {
   std::vector<double>& right = solver_.febio()->m_R0;
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);

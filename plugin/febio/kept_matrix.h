@@ -72,7 +72,7 @@ class KeptMatrix {
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
   /// The same, once the right-hand side has been split.
-  void take(newton::Split split, const std::vector<newton::Condition>& conditions);
+  void finish(newton::Split split, const std::vector<newton::Condition>& conditions);
   /// Of a right-hand side that has taken what the matrix has; where FEBio cannot solve zero, and nothing may be
   /// corrected.
   std::vector<double> solution_of_changed(std::vector<double> changed);
@@ -97,7 +97,7 @@ class KeptMatrix {
   Found found_;
   newton::RowOperations operations_;
   std::vector<double> taken_;           ///< what the right-hand side is without until there is a trial
-  newton::Split split_;                 ///< of that the part without conditions
+  newton::Split split_;                 ///< how that was found, but for conditions; its product is taken
   std::vector<double> free_;            ///< a solution without conditions, with parts as they stood, if it is known
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };

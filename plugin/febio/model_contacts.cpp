@@ -331,6 +331,7 @@ void ModelContacts::correct_residual() {
 }
 
 void ModelContacts::settle_status() {
+  if (!adds_up_residuals(*solver_.febio())) return;  // FEBio's solution is not that of its right-hand side alone
   const auto may_settle = [&](ContactInModel& contact) { return !steps_.shares_nodes(contact.bound()); };
   const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
   settle({active(), may_settle, evaluate_loads, solver_.time_increment()}, matrix_);

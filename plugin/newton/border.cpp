@@ -63,14 +63,16 @@ bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, 
   if (conditions.empty()) return true;
   const Eigen::VectorXd z = unknowns(solve, conditions, free);
   for (int i = 0; i < z.size(); ++i) add(-z[i], at(conditions, i).column, right);
+  has_held_ = has_held_ || z.size() > 0;
   return z.size() > 0;
 }
 
 std::vector<double> Border::solution(const Solve& solve, const std::vector<Condition>& conditions,
                                      const std::vector<double>& right) {
-  const std::vector<double> free = solve(right);
+  std::vector<double> free = solve(right);
   std::optional<Answer> found = answer(solve, conditions, free);
-  return found ? std::move(found->x) : free;
+  if (found) free = std::move(found->x);
+  return free;
 }
 
 std::optional<Answer> Border::answer(const Solve& solve, const std::vector<Condition>& conditions,

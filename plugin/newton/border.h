@@ -44,9 +44,9 @@ Condition given_unknown(int equation, double value);
 class Border {
  public:
   /// Another matrix has been factorised.
-  void forget() { columns_.clear(); }
+  void forget() { *this = {}; }
   /// Whether any conditions have been held with it.
-  bool has_held() const { return !columns_.empty(); }
+  bool has_held() const { return has_held_; }
   /// Adds to a right-hand side b what holds these conditions, b - C z, given K^-1 b. Returns false, and adds nothing,
   /// where the matrix with them is singular.
   bool hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
@@ -65,6 +65,7 @@ class Border {
   const std::vector<double>& column(const Solve& solve, const Condition& condition, std::size_t size);
 
   std::map<int, std::vector<double>> columns_;
+  bool has_held_ = false;
 };
 
 }  // namespace newton
