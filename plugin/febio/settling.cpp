@@ -52,9 +52,10 @@ class OpeningNodes {
   /// Opens and closes nodes. Returns whether there were any to.
   bool follow(const newton::Answer& answer) {
     if (!may_open()) return false;
-    PerSide<NodeFlags> before = opening_nodes(core(), tractions(answer), opened_);
-    std::swap(before, opened_);
-    return before != opened_;
+    PerSide<NodeFlags> now = opening_nodes(core(), tractions(answer), opened_);
+    const bool changed = now != opened_;
+    opened_ = std::move(now);
+    return changed;
   }
   /// Has the contact begin the iteration with them.
   void open() const { open_nodes(core(), opened_, assembly_.contact().fields()); }

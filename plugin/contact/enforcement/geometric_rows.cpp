@@ -83,7 +83,7 @@ class PairsAroundNodes {
       const auto own_rows = blocks_[pair]->values.middleRows<R>(R * position_in_pair(pair, number));
       Index n = 0;
       for_each_node(pair, [&](Index other) {
-        row.values.middleCols<3>(3 * places[other]) += own_rows.template middleCols<3>(columns.displacement(n++, 0));
+        row.values.block<R, 3>(0, 3 * places[other]) += own_rows.template middleCols<3>(columns.displacement(n++, 0));
       });
     }
     places.clear(row.columns);
@@ -112,12 +112,13 @@ class PairsAroundNodes {
   IndexedVector<Numbers> around_;  ///< per node
 };
 
-/// What of a row is not weak.
+/// What of R rows is not weak.
+template <int R>
 TangentBlock strong_part(const PairsAroundNodes& pairs, const Row& row, Index number, double weak) {
   const double least = weak * row.values.cwiseAbs().maxCoeff();
   const auto is_weak = [&](Index n) {
     return pairs.side(row.columns[n]) != pairs.side(number) &&
-           row.values.middleCols<3>(3 * n).cwiseAbs().maxCoeff() <= least;
+           row.values.block<R, 3>(0, 3 * n).cwiseAbs().maxCoeff() <= least;
   };
   PerSide<IndexedVector<int>> nodes;
   Numbers kept;  // columns of the row, those of primary nodes first
@@ -128,8 +129,8 @@ TangentBlock strong_part(const PairsAroundNodes& pairs, const Row& row, Index nu
       kept.push_back(n);
     }
   }
-  MatrixXd values(row.values.rows(), 3 * kept.count());
-  for (Index n = 0; n < kept.count(); ++n) values.middleCols<3>(3 * n) = row.values.middleCols<3>(3 * kept[n]);
+  MatrixXd values(R, 3 * kept.count());
+  for (Index n = 0; n < kept.count(); ++n) values.block<R, 3>(0, 3 * n) = row.values.block<R, 3>(0, 3 * kept[n]);
   return {
       pairs.patch(number), {std::move(nodes[Side::primary]), std::move(nodes[Side::secondary]), {}}, std::move(values)};
 }
@@ -142,7 +143,7 @@ NodeRows rows_of(const PairBlocks& blocks, PerSide<Index> nodes, double weak, No
   in_parallel_with(Places(around.nodes()), rows.count(), [&](Index number, Places& places) {
     const bool is_held = rows[number].values.size() > 0;
     if (is_held || !around.has_pairs(number)) return;
-    rows[number] = strong_part(around, around.row<R>(number, places), number, weak);
+    rows[number] = strong_part<R>(around, around.row<R>(number, places), number, weak);
   });
   rows.erase(std::remove_if(rows.begin(), rows.end(), [](const TangentBlock& row) { return row.values.size() == 0; }),
              rows.end());

@@ -274,6 +274,26 @@ BOOST_AUTO_TEST_CASE(what_an_iteration_changes_of_the_residual_is_the_difference
   }
 }
 
+BOOST_AUTO_TEST_CASE(surfaces_that_have_moved_by_rounding_are_not_searched_again) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects_of(false, 0),
+              explicit_settings(3, 2, 5));
+  const auto contact = scene.contact();
+  const auto gap = [&] { return contact->pass(0).space().gaps().gap; };
+  const VectorXd before = gap();
+  const Matrix3Xd there = scene.fields[Side::secondary].position;
+  const double rounding_of_coordinates = std::numeric_limits<double>::epsilon() * there.cwiseAbs().maxCoeff();
+  const auto move_to = [&](double by) {
+    scene.fields[Side::secondary].position.row(2) = there.row(2).array() + by;
+    contact->project(scene.position());
+  };
+  move_to(2 * rounding_of_coordinates);
+  BOOST_TEST((gap() == before));
+  move_to(16 * rounding_of_coordinates);
+  BOOST_TEST((gap() != before));
+  move_to(std::numeric_limits<double>::quiet_NaN());
+  BOOST_TEST(!(gap() == before));
+}
+
 PerSide<bool> on_both_sides(bool is_so) { return {{is_so, is_so}}; }
 
 /// A contact that is linearised where it begins, and has moved from there.
