@@ -5,21 +5,11 @@
 #include "law/openings.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace mixture_contact {
 namespace {
-
-/// Whether positions of nodes are the same but for the rounding of coordinates that displacements are added to. What is
-/// no number is at no place.
-bool is_same_place(const Matrix3Xd& one, const Matrix3Xd& other) {
-  if (one.cols() != other.cols()) return false;
-  if (one == other) return true;
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * one.cwiseAbs().maxCoeff();
-  return ((one - other).array().abs() <= rounding).all();
-}
 
 bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
   const Index fields = effects.scalar_fields();
@@ -122,9 +112,11 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
 
 void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search) {
   const TaskClock timed = measurements_.clock(Task::search);
-  const auto stays = [&](Side side) { return is_same_place(position_[side], position[side]); };
+  const auto same = [&](Side side) {
+    return position_[side].cols() == position[side].cols() && position_[side] == position[side];
+  };
   const bool search_all = search == Search::everywhere;
-  if (stays(Side::primary) && stays(Side::secondary) && (searched_ || !search_all)) return;
+  if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   const bool starts = effects_.traction && position_[Side::primary].cols() == 0;
   position_ = position;
   if (effects_.may_rub() && slips_from_[Side::primary].size() == 0) {

@@ -37,8 +37,7 @@ class ContactInterface {
   /// Whether a projection looks for the facet anew or keeps to the one that a point saw last.
   enum class Search { everywhere, same_facets };
 
-  /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions, or for
-  /// some that differ from them by rounding.
+  /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
   void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
 
   /// Switches the exchange of traction (Effects::traction): off where no node of either surface can move. Takes effect
