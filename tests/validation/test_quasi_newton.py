@@ -37,7 +37,7 @@ def _run(scene: BallInSocket, folder: Path) -> tuple[Report, np.ndarray, str]:
     report = engine.run(path, plugin=engine.required_plugin(), check=False).report
     assert report.normal, report.errors
     history = logdata.read_history(path.parent / model.node_file, model.node_columns)
-    end = np.stack([history[column][-1] for column in ("ux", "uy", "uz")], axis=-1)
+    end = logdata.at_the_end(history, ("ux", "uy", "uz"))
     return report, end, path.with_suffix(".log").read_text()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -61,6 +62,11 @@ class History:
         if abs(self.times[index] - time) > self._resolution:
             raise DataFileError(f"no data at t = {time:g} s; the nearest is at {self.times[index]:g} s")
         return index
+
+
+def at_the_end(history: History, columns: Iterable[str]) -> NDArray[np.float64]:
+    """The last values of some columns, shape (nodes or elements, columns)."""
+    return np.stack([history[column][-1] for column in columns], axis=-1)
 
 
 def read_history(path: Path, columns: tuple[str, ...]) -> History:

@@ -132,7 +132,7 @@ def _state(path: Path) -> State | None:
         return None
     kinds = {column: DISPLACEMENT if column in DISPLACEMENTS else column for column in columns}
     return {
-        kind: np.stack([history[column][-1] for column in columns if kinds[column] == kind], axis=-1)
+        kind: logdata.at_the_end(history, (column for column in columns if kinds[column] == kind))
         for kind in dict.fromkeys(kinds.values())
         if kind not in POSITIONS
     }
