@@ -9,6 +9,7 @@
 #include "matrix_requests.h"
 #include "matrix_rows.h"
 #include "rigid_shell_bottoms.h"
+#include "tangent_assembly.h"
 
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FEGlobalVector.h>

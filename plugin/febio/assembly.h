@@ -7,12 +7,13 @@
 #include "newton/border.h"
 #include "newton/row_operations.h"
 #include "newton/splitting.h"
-#include "tangent_assembly.h"
 
 #include <functional>
 #include <vector>
 
+class FEGlobalMatrix;
 class FEGlobalVector;
+class FELinearSystem;
 
 /// The traction of a node in contact that the matrix of an iteration may release.
 struct ReleasableLoad {

@@ -43,7 +43,7 @@ void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
 
 std::optional<newton::Answer> KeptMatrix::answer(const std::vector<newton::Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
-  if (free_.empty()) free_ = solution(solver_.febio()->m_R0);  // there is nothing beside it
+  if (free_.empty()) free_ = split_.x.empty() ? solution(solver_.febio()->m_R0) : split_.x;
   const auto solve = [&](const std::vector<double>& right) { return solution(right); };
   std::optional<newton::Answer> found = border_.answer(solve, conditions, free_);
   if (!may_correct_) found.reset();
@@ -139,13 +139,13 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   free_.clear();
   bool is_checked = false;
   const auto solve = [&](const std::vector<double>& each) {
-    return free_ = std::exchange(is_checked, true) ? solution(each) : checked_solution(each);
+    return std::exchange(is_checked, true) ? solution(each) : checked_solution(each);
   };
   const auto solve_with_conditions = [&](const std::vector<double>& each) {
     return border_.solution(solve, conditions, each);
   };
   const bool solves_anyway = !newton::are_empty(parts) || !conditions.empty();
-  if (!operations_.empty() && !solves_anyway) solve(right);  // to be checked
+  if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // to be checked
   finish(newton::split(solve_with_conditions, parts, right, left_by_sweeps), conditions);
 }
 

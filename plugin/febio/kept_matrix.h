@@ -98,7 +98,7 @@ class KeptMatrix {
   newton::RowOperations operations_;
   std::vector<double> taken_;           ///< what the right-hand side is without until there is a trial
   newton::Split split_;                 ///< how that was found, but for conditions; its product is taken
-  std::vector<double> free_;            ///< a solution without conditions, with parts as they stood, if it is known
+  std::vector<double> free_;            ///< the solution without conditions, with parts as they stood, once it is known
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };
 

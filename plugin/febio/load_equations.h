@@ -13,6 +13,14 @@ struct UnknownLoad {
   std::vector<int> node;  ///< all equations of its own node
 };
 
+/// A traction that follows from an unknown of the matrix.
+struct UnknownTraction {
+  mixture_contact::Side surface;
+  int node;
+  int equation;
+  double of_one;  ///< unit of the unknown [MPa]
+};
+
 class LoadEquations {
  public:
   using Side = mixture_contact::Side;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,18 +14,6 @@ namespace {
 
 /// How often a matrix is asked at most. The size is a choice: joints of tetrahedra ask for six.
 constexpr int most_answers = 10;
-
-double product(const std::vector<newton::Condition::Entry>& entries, const std::vector<double>& values) {
-  double sum = 0;
-  for (const newton::Condition::Entry& entry : entries) sum += entry.value * at(values, entry.equation);
-  return sum;
-}
-
-bool has_any(const PerSide<NodeFlags>& nodes) {
-  const auto is_one = [](bool is) { return is; };
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [&](const NodeFlags& side) { return std::any_of(side.begin(), side.end(), is_one); });
-}
 
 /// The nodes of a contact that open.
 class OpeningNodes {
@@ -39,7 +26,7 @@ class OpeningNodes {
   }
 
   bool may_open() const { return !loads_.empty(); }
-  bool any_open() const { return has_any(opened_); }
+  bool any_open() const { return std::any_of(opened_.begin(), opened_.end(), any); }
   /// Of the matrix, with the nodes that have been opened so far.
   void add_conditions(std::vector<newton::Condition>& all) const {
     std::map<int, newton::Condition> conditions;
@@ -65,12 +52,11 @@ class OpeningNodes {
   /// At the end of the iteration, of nodes that may open, should they stay [MPa]; NaN at all others.
   PerSide<VectorXd> tractions(const newton::Answer& answer) const {
     PerSide<VectorXd> found;
-    for (const Side side : both_sides)
-      found[side] = VectorXd::Constant(opened_[side].count(), std::numeric_limits<double>::quiet_NaN());
+    for (const Side side : both_sides) found[side] = unknown_values(opened_[side].count());
     for (const ReleasableLoad& load : loads_) {
       const bool is_open = opened_[load.surface][load.node];
       const double by_release = is_open ? load.change_by_release * answer.z.at(load.released.key) : 0;
-      found[load.surface][load.node] = load.traction + product(load.change, answer.x) + by_release;
+      found[load.surface][load.node] = load.traction + newton::product(load.change, answer.x) + by_release;
     }
     return found;
   }

@@ -2,9 +2,9 @@
 ///
 /// An iteration begins with the nodes that overlap at its state: more than will be in contact at its end, since each
 /// that closes takes load from those around it. With a factorised matrix the tractions that the iteration ends with are
-/// known. Nodes that pull open, nodes that have been opened and would overlap close again, and the matrix is asked once
-/// more, until all stay: the active set of the linearised problem, by the rule that leads from iteration to iteration
-/// (contact/active_set/active_set.h). Each node that opens costs a back substitution.
+/// known. Each node that would pull opens, each that has been opened and would overlap closes again, and the matrix is
+/// asked once more, until all stay: the active set of the linearised problem, by the rule that leads from iteration to
+/// iteration (contact/active_set/active_set.h). Each node that opens costs a back substitution.
 #pragma once
 
 #include "contact_in_model.h"

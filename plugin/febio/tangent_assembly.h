@@ -14,14 +14,6 @@ class FEElementMatrix;
 class FEGlobalMatrix;
 class FELinearSystem;
 
-/// A traction that follows from an unknown of the matrix.
-struct UnknownTraction {
-  mixture_contact::Side surface;
-  int node;
-  int equation;
-  double of_one;  ///< unit of the unknown [MPa]
-};
-
 /// Where the parts of one tangent go: straight into the rows of the matrix where FEBio stores it by rows and equations
 /// are free, else through FEBio's own assembly; and loads that have equations in mixed form.
 class TangentAssembly {

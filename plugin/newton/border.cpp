@@ -9,12 +9,6 @@ using indexing::at;
 namespace newton {
 namespace {
 
-double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values) {
-  double sum = 0;
-  for (const Condition::Entry& entry : entries) sum += entry.value * at(values, entry.equation);
-  return sum;
-}
-
 void add(double factor, const std::vector<Condition::Entry>& entries, std::vector<double>& values) {
   for (const Condition::Entry& entry : entries) at(values, entry.equation) += factor * entry.value;
 }
@@ -31,6 +25,12 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rig
 }
 
 }  // namespace
+
+double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values) {
+  double sum = 0;
+  for (const Condition::Entry& entry : entries) sum += entry.value * at(values, entry.equation);
+  return sum;
+}
 
 Condition given_unknown(int equation, double value) {
   return {equation, {{equation, 1.0}}, {{equation, 1.0}}, 0.0, value};
@@ -70,6 +70,7 @@ bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, 
 std::vector<double> Border::solution(const Solve& solve, const std::vector<Condition>& conditions,
                                      const std::vector<double>& right) {
   std::vector<double> free = solve(right);
+  if (conditions.empty()) return free;
   std::optional<Answer> found = answer(solve, conditions, free);
   if (found) free = std::move(found->x);
   return free;

@@ -32,6 +32,9 @@ struct Condition {
   double value = 0;  ///< d
 };
 
+/// Of a vector with the same equations.
+double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values);
+
 /// What a matrix with conditions has for its solution.
 struct Answer {
   std::vector<double> x;

@@ -17,6 +17,8 @@ NodeFlags with_first_change(const NodeFlags& before, const NodeFlags& status) {
   return next;
 }
 
+double largest_of(const NodalLoads& loads) { return loads.traction.cwiseAbs().maxCoeff(); }
+
 /// Whether a node that slides comes out to slide the other way.
 bool slides_back(const NodalLoads& predicted, Index node) {
   return predicted.slips[node] && predicted.friction.trial.col(node).dot(predicted.friction.reference_of(node)) < 0;
@@ -74,7 +76,7 @@ bool ActiveSet::may_open_ahead(const NodeFlags& status, const NodalGaps& now, co
 }
 
 NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, double doubt) const {
-  const double least = std::max(doubt, negligible(predicted, now));
+  const double least = std::max(doubt, negligible(largest_of(predicted), now.size));
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
     const bool sticks = !predicted.slips.empty() && !predicted.slips[node];
@@ -85,14 +87,15 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, 
   return status;
 }
 
-NodeFlags ActiveSet::opening(const VectorXd& tractions, const NodeFlags& opened) const {
+NodeFlags ActiveSet::opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const {
   double largest = 0;
   for (Index node = 0; node < opened.count(); ++node) {
     if (std::isfinite(tractions[node]) && !opened[node]) largest = std::max(largest, std::abs(tractions[node]));
   }
+  const double least = negligible(largest, surface_size);
   NodeFlags opening = opened;
   for (Index node = 0; node < opened.count(); ++node) {
-    const bool decides = std::abs(tractions[node]) > options_.negligible_traction * largest;
+    const bool decides = std::abs(tractions[node]) > least;
     if (decides && changes_[node] <= options_.most_status_changes) opening[node] = tractions[node] > 0;
   }
   return opening;
@@ -100,7 +103,7 @@ NodeFlags ActiveSet::opening(const VectorXd& tractions, const NodeFlags& opened)
 
 ContactStatus ActiveSet::moved(const NodalLoads& last, const NodalGaps& now) const {
   ContactStatus status{last.in_contact, last.flux_coupled};
-  const double least = negligible(last, now);
+  const double least = negligible(largest_of(last), now.size);
   for (Index node = 0; node < laws_.nodes(); ++node) {
     if (!now.faces(node)) status.in_contact[node] = status.flux_coupled[node] = false;
     if (!status.in_contact[node] && closes(now, node, least)) {
@@ -233,9 +236,8 @@ NodeFlags ActiveSet::moved_rubs(const NodalLoads& last, const NodalLoads& now) c
   return rubs;
 }
 
-double ActiveSet::negligible(const NodalLoads& loads, const NodalGaps& now) const {
-  return std::max(options_.negligible_traction * loads.traction.cwiseAbs().maxCoeff(),
-                  laws_.traction_rounding(now.size));
+double ActiveSet::negligible(double largest_traction, double surface_size) const {
+  return std::max(options_.negligible_traction * largest_traction, laws_.traction_rounding(surface_size));
 }
 
 bool ActiveSet::closes(const NodalGaps& now, Index node, double negligible) const {

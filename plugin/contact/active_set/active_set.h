@@ -95,7 +95,7 @@ class ActiveSet {
   /// they stay [MPa]; NaN where that is unknown, and for nodes out of contact: these do not. `opened`: those that were
   /// taken to be open in finding them. Not those whose status keeps changing: at the edge of contact it is the next
   /// iteration that tells.
-  NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
+  NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
   /// those that overlap close.
   ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;
@@ -131,7 +131,7 @@ class ActiveSet {
  private:
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
   /// The traction that counts.
-  double negligible(const NodalLoads& loads, const NodalGaps& now) const;
+  double negligible(double largest_traction, double surface_size) const;
   /// How near to the bound trials do not decide, for nodes at the edge of sliding and for others.
   struct FrictionBands {
     double elsewhere;

@@ -59,4 +59,6 @@ Index position_in(const IndexedVector<T>& list, const T& entry) {
 /// A yes or no per node of a surface.
 using NodeFlags = IndexedVector<bool>;
 
+inline bool any(const NodeFlags& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+
 }  // namespace mixture_contact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace mixture_contact {
 
@@ -11,6 +12,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+/// Values that nothing is known of yet: NaN, which no comparison is true for.
+inline VectorXd unknown_values(Index count) {
+  return VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
+}
 
 /// Largest number of nodes of one facet (quad9), and of a pair of facets.
 inline constexpr int max_facet_nodes = 9;

@@ -3,7 +3,6 @@
 #include "enforcement/load_difference.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace mixture_contact {
@@ -124,7 +123,7 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
   point_->loads.flux_coupled = next.flux_coupled;
   NodalLoads unknown = now;
   unknown.in_contact = unknown_of(next.in_contact);
-  const bool adds = std::any_of(unknown.in_contact.begin(), unknown.in_contact.end(), [](bool is) { return is; });
+  const bool adds = any(unknown.in_contact);
   if (adds) {
     IndexedVector<NodeLinearisation> nodes = linearise(space_, unknown, fields);
     for (Index node = 0; node < nodes.count(); ++node) {
@@ -138,7 +137,7 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
 }
 
 VectorXd HeldLinearisation::releasable(const FacingFields& fields) const {
-  VectorXd tractions = VectorXd::Constant(laws_.nodes(), std::numeric_limits<double>::quiet_NaN());
+  VectorXd tractions = unknown_values(laws_.nodes());
   if (!is_correctable() || !matrix_.has_loads || !active_set_.can_expect()) return tractions;
   const NodalLoads now = method_.predicted_loads(*point_, fields);
   for (Index node = 0; node < tractions.size(); ++node) {
@@ -148,7 +147,7 @@ VectorXd HeldLinearisation::releasable(const FacingFields& fields) const {
 }
 
 NodeFlags HeldLinearisation::opening(const VectorXd& tractions, const NodeFlags& opened) const {
-  const NodeFlags found = active_set_.opening(tractions, opened);
+  const NodeFlags found = active_set_.opening(tractions, opened, point_->loads.size);
   return may_take(without(point_->loads.in_contact, found)) ? found : opened;
 }
 

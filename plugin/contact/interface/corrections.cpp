@@ -2,13 +2,8 @@
 
 #include "enforcement/held_linearisation.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace mixture_contact {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Calls use(side, geometry) for each pass.
 template <class Contact, class Use>
@@ -78,7 +73,7 @@ void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const
 
 PerSide<VectorXd> releasable_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   PerSide<VectorXd> tractions;
-  for (const Side side : both_sides) tractions[side] = VectorXd::Constant(contact.mesh(side).nodes, unknown);
+  for (const Side side : both_sides) tractions[side] = unknown_values(contact.mesh(side).nodes);
   for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
     tractions[side] = held.releasable(seen_from(side, fields));
   });
@@ -99,9 +94,8 @@ void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, cons
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
     HeldLinearisation* const held = geometry.held();
     if (held == nullptr) return;
-    const NodeFlags& opened = nodes[side];
-    if (std::any_of(opened.begin(), opened.end(), [](bool opens) { return opens; })) {
-      held->open(opened, seen_from(side, fields));
+    if (any(nodes[side])) {
+      held->open(nodes[side], seen_from(side, fields));
     } else {
       held->keep();
     }

@@ -9,6 +9,7 @@
 #endif
 
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -87,6 +88,28 @@ BOOST_AUTO_TEST_CASE(each_thread_has_a_workspace_of_its_own) {
       workspace[0] = 7;
     });
     for (Index i = 0; i < found.count(); ++i) BOOST_TEST(found[i] == i + 7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(results_that_are_filled_come_in_order_in_the_memory_of_others) {
+  for (const int threads : {1, 2, 3}) {
+    use_threads(threads);
+    Index next = 0;
+    std::set<const Index*> places;
+    in_order_with(
+        Index{7}, std::vector<Index>(2, 1), 1000,
+        [](Index i, std::vector<Index>& result, Index& workspace) {
+          workspace = i;
+          std::this_thread::yield();
+          result.assign(2, workspace);
+        },
+        [&](Index i, const std::vector<Index>& result) {
+          BOOST_TEST(i == next++);
+          BOOST_TEST((result == std::vector<Index>{i, i}));
+          places.insert(result.data());
+        });
+    BOOST_TEST(next == 1000);
+    BOOST_TEST(places.size() <= 100U);  // a few groups of eight for each thread
   }
 }
 
