@@ -4,9 +4,21 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace mixture_contact {
+namespace {
+
+/// Whether positions of nodes are the same but for the rounding of coordinates that displacements are added to. What is
+/// no number is at no place.
+bool is_same_place(const Matrix3Xd& one, const Matrix3Xd& other) {
+  if (one.cols() != other.cols() || one.cols() == 0) return false;
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * one.cwiseAbs().maxCoeff();
+  return ((one - other).array().abs() <= rounding).all();
+}
+
+}  // namespace
 
 FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                          const Settings& settings)
@@ -16,17 +28,25 @@ FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondar
       finder_(point_finder(primary, secondary, settings)) {}
 
 void FacingPairs::search(const FacingPositions& x, double radius) {
-  radius_ = radius;
   surface_size_ = half_diagonal(x.primary);
+  // Where surfaces have moved by rounding alone overlaps of facets are what they were; gaps change, and a large penalty
+  // makes loads of that.
+  const bool has_overlaps = moves_points() && radius == radius_ && is_same_place(searched_at_.primary, x.primary) &&
+                            is_same_place(searched_at_.secondary, x.secondary);
+  if (has_overlaps) return evaluate_all(x);
+  radius_ = radius;
   keep(finder_->search(x.primary, x.secondary, radius), x);
+  searched_at_ = {x.primary, x.secondary};
 }
 
 void FacingPairs::project_on_same_facets(const FacingPositions& x) {
+  searched_at_ = {};
   keep(finder_->on_same_facets(x.primary, x.secondary), x);
 }
 
 bool FacingPairs::begin_iteration(const FacingPositions& x) {
   const bool finds_more = finder_->begin_iteration();
+  if (finds_more) searched_at_ = {};
   if (finds_more) search(x, radius_);
   return finds_more;
 }
@@ -43,6 +63,10 @@ void FacingPairs::keep(IndexedVector<FacetPair> pairs, const FacingPositions& x)
     points += count_of(pair.points);
   }
   kinematics_.resize(indexing::entries(points));
+  evaluate_all(x);
+}
+
+void FacingPairs::evaluate_all(const FacingPositions& x) {
   in_parallel(pairs_.count(), [&](Index index) { evaluate(pairs_[index], x); });
 }
 
@@ -115,7 +139,8 @@ IndexedVector<std::vector<const FacetPair*>> FacingPairs::around(const NodeFlags
 std::size_t FacingPairs::points() const { return kinematics_.size(); }
 
 std::size_t FacingPairs::memory() const {
-  std::size_t sum = finder_->memory() + bytes(pairs_) + bytes(kinematics_);
+  std::size_t sum = finder_->memory() + bytes(pairs_) + bytes(kinematics_) + bytes(searched_at_.primary) +
+                    bytes(searched_at_.secondary);
   for (const FacetPair& pair : pairs_) sum += bytes(pair.points);
   return sum;
 }

@@ -23,11 +23,15 @@ class FacingPairs {
   bool begin_iteration(const FacingPositions& x);
   void end_iterations() { finder_->end_iterations(); }
   /// Lets only facets with one of these nodes take part, from the next search on.
-  void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
+  void restrict_to(NodeFlags nodes) {
+    restriction_ = std::move(nodes);
+    searched_at_ = {};
+  }
   bool is_restricted() const { return restriction_.has_value(); }
   void clear() {
     pairs_.clear();
     kinematics_.clear();
+    searched_at_ = {};
   }
 
   const SurfaceMesh& primary() const { return primary_; }
@@ -70,6 +74,7 @@ class FacingPairs {
  private:
   void keep(IndexedVector<FacetPair> pairs, const FacingPositions& x);
   void evaluate(const FacetPair& pair, const FacingPositions& x);
+  void evaluate_all(const FacingPositions& x);
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
@@ -79,6 +84,11 @@ class FacingPairs {
   IndexedVector<PointKinematics> kinematics_;  ///< of the points of all pairs; its memory serves the next search
   std::optional<NodeFlags> restriction_;
   double radius_ = 0;  ///< of the last search [mm]
+  struct Positions {
+    Matrix3Xd primary;
+    Matrix3Xd secondary;
+  };
+  Positions searched_at_;  ///< where the pairs were found; empty where another search is due
   double surface_size_ = 0;
 };
 

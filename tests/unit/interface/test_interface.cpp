@@ -274,6 +274,34 @@ BOOST_AUTO_TEST_CASE(what_an_iteration_changes_of_the_residual_is_the_difference
   }
 }
 
+BOOST_AUTO_TEST_CASE(surfaces_that_have_moved_by_rounding_have_other_gaps_at_the_same_points) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects_of(false, 0),
+              explicit_settings(3, 2, 5));
+  scene.settings.integration = Integration::segments;
+  const auto contact = scene.contact();
+  const FacingPairs& facing = contact->pass(0).space().facing();
+  const auto places = [&] {
+    std::vector<double> all;
+    for (const FacetPair& pair : facing.pairs()) {
+      for (const IntegrationPoint& point : pair.points) all.insert(all.end(), {point.xi[0], point.xi[1], point.weight});
+    }
+    return all;
+  };
+  const std::vector<double> before = places();
+  const VectorXd gap = contact->pass(0).space().gaps().gap;
+  const Matrix3Xd there = scene.fields[Side::secondary].position;
+  const double rounding_of_coordinates = std::numeric_limits<double>::epsilon() * there.cwiseAbs().maxCoeff();
+  const auto move_by = [&](double by) {
+    scene.fields[Side::secondary].position = there.array() + by;  // along the surface, too
+    contact->project(scene.position());
+  };
+  move_by(2 * rounding_of_coordinates);
+  BOOST_TEST((places() == before));
+  BOOST_TEST((contact->pass(0).space().gaps().gap != gap));
+  move_by(1e-6);
+  BOOST_TEST((places() != before));
+}
+
 PerSide<bool> on_both_sides(bool is_so) { return {{is_so, is_so}}; }
 
 /// A contact that is linearised where it begins, and has moved from there.
