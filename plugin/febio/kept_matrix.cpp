@@ -23,6 +23,12 @@ constexpr int most_iterations = 50;
 /// off by so much leaves as much to the next one.
 constexpr double left_by_sweeps = 1e-2;
 
+/// The same for an increment of which no sweep shows how far, as a part of FEBio's tolerance on increments: the next
+/// iteration, which would tell, is not to be another one for that.
+constexpr double left_unseen = 0.2;
+/// What is remembered of sweeps is taken to be off by this factor: one right-hand side differs from the next.
+constexpr double remembered = 0.5;
+
 /// Of a solution, by rows. A penalty makes of the error of a gap a load: of a gap that is 1e-5 of the displacements, as
 /// with penalties of 1e5 times the stiffness of the bodies, this is a ten thousandth.
 constexpr double largest_backward_error = 1e-9;
@@ -57,7 +63,7 @@ void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const ne
   };
   finish(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts, solver_.febio()->m_R0,
                             left_by_sweeps),
-         conditions);
+         parts, conditions);
 }
 
 bool KeptMatrix::follow() {
@@ -146,15 +152,18 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   };
   const bool solves_anyway = !newton::are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // to be checked
-  finish(newton::split(solve_with_conditions, parts, right, left_by_sweeps), conditions);
+  const newton::SeenSweeps seen{reduction_, left_unseen * std::min(left_by_sweeps, solver_.increment_tolerance())};
+  finish(newton::split(solve_with_conditions, parts, right, left_by_sweeps, seen), parts, conditions);
 }
 
-void KeptMatrix::finish(newton::Split split, const std::vector<newton::Condition>& conditions) {
+void KeptMatrix::finish(newton::Split split, const newton::MatrixParts& parts,
+                        const std::vector<newton::Condition>& conditions) {
   std::vector<double>& right = solver_.febio()->m_R0;
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);
   if (!taken_.empty()) right = right - taken_;
   split_ = std::move(split);
+  split_parts_ = parts;
   if (!conditions.empty()) {
     std::vector<double> with_conditions = right;
     free_ = solution(right);
@@ -192,6 +201,14 @@ void KeptMatrix::give_back() {
   taken_.clear();
 }
 
+void KeptMatrix::tried(const std::vector<double>& solution) {
+  if (!split_.x.empty() && !split_parts_.empty()) {
+    const double seen = newton::seen_reduction(split_, std::exchange(split_parts_, {}), solution);
+    reduction_ = std::max(seen, remembered * reduction_);
+  }
+  give_back();
+}
+
 void KeptMatrix::reject(mixture_contact::GoesOn with) {
   // With a matrix other nodes may be in contact: quasi-Newton methods would go on with that of those that were.
   if (with == mixture_contact::GoesOn::matrix) return force_next();
@@ -209,7 +226,7 @@ void KeptMatrix::force_next() {
   request(true);  // where a step begins
 }
 
-void KeptMatrix::serialize(DumpStream& ar) { ar & found_.needs_parts & found_.loses_pivots; }
+void KeptMatrix::serialize(DumpStream& ar) { ar & found_.needs_parts & found_.loses_pivots & reduction_; }
 
 void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);

@@ -36,8 +36,10 @@ class KeptMatrix {
   void take(newton::RowOperations operations) { operations_ = std::move(operations); }
   /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
   void solve();
-  /// FEBio's right-hand side is its own again: a trial has been made of its solution, or it is about to change.
+  /// FEBio's right-hand side is its own again: it is about to change.
   void give_back();
+  /// The same: a trial has been made of FEBio's solution.
+  void tried(const std::vector<double>& solution);
   /// Whether parts have been too large to stand beside it. They are to be in it from now on.
   bool needs_parts() const { return found_.needs_parts; }
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
@@ -72,7 +74,7 @@ class KeptMatrix {
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
   /// The same, once the right-hand side has been split.
-  void finish(newton::Split split, const std::vector<newton::Condition>& conditions);
+  void finish(newton::Split split, const newton::MatrixParts& parts, const std::vector<newton::Condition>& conditions);
   /// Of a right-hand side that has taken what the matrix has; where FEBio cannot solve zero, and nothing may be
   /// corrected.
   std::vector<double> solution_of_changed(std::vector<double> changed);
@@ -96,8 +98,10 @@ class KeptMatrix {
   bool may_correct_ = true;    ///< whether conditions can be held with it
   Found found_;
   newton::RowOperations operations_;
-  std::vector<double> taken_;           ///< what the right-hand side is without until there is a trial
-  newton::Split split_;                 ///< how that was found, but for conditions; its product is taken
+  std::vector<double> taken_;                     ///< what the right-hand side is without until there is a trial
+  newton::Split split_;                           ///< how that was found, but for conditions; its product is taken
+  newton::MatrixParts split_parts_;               ///< of that, until there is a trial
+  double reduction_ = newton::unknown_reduction;  ///< of splits, as the last trials have shown it
   std::vector<double> free_;            ///< the solution without conditions, with parts as they stood, once it is known
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };
@@ -108,7 +112,7 @@ class RightHandSide : public newton::Helper {
   static constexpr const char* name = "right-hand side";
   /// Keeps a reference.
   explicit RightHandSide(KeptMatrix& matrix) : matrix_(matrix) {}
-  void try_increment(const std::vector<double>& /*increment*/) override { matrix_.give_back(); }
+  void try_increment(const std::vector<double>& increment) override { matrix_.tried(increment); }
 
  private:
   KeptMatrix& matrix_;

@@ -64,16 +64,19 @@ double MatrixPart::squares(const std::vector<double>& x) const {
   return sum;
 }
 
-Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance) {
+Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance,
+            const SeenSweeps& seen) {
   if (are_empty(parts)) return {};
   std::vector<double> x = solve(right);
   double change = length(parts, x);
+  if (!std::isfinite(change)) return {};  // nothing is known of the part: the host sees for itself
+  if (seen.are_enough()) return {product(parts, x), true, std::move(x), change, seen.reduction};
   std::vector<double> before;  // the product that the present x was solved with
   while (true) {
     std::vector<double> made = product(parts, x);
     std::vector<double> next = solve(difference(right, made));
     const double next_change = length(parts, difference(next, x));
-    if (!std::isfinite(next_change)) return {};  // nothing is known of the part: the host sees for itself
+    if (!std::isfinite(next_change)) return {};
     if (next_change == 0) return {std::move(made), true, std::move(next)};
     if (next_change >= change) return {std::move(before), false, {}};
     const double reduction = next_change / change;
@@ -82,7 +85,8 @@ Split split(const Solve& solve, const MatrixParts& parts, const std::vector<doub
     before = std::move(made);
     change = next_change;
     // The sweep that is left reduces the error once more.
-    if (change * reduction <= tolerance * length(parts, x)) return {product(parts, x), true, std::move(x), reduction};
+    if (change * reduction <= tolerance * length(parts, x))
+      return {product(parts, x), true, std::move(x), change, reduction};
   }
 }
 
@@ -90,11 +94,16 @@ Split split_near(const Split& last, std::vector<double> x, const Solve& solve, c
                  const std::vector<double>& right, double tolerance) {
   if (are_empty(parts)) return {};
   if (last.x.empty()) return split(solve, parts, right, tolerance);
-  // The product of `last` was that of its own x: a sweep with another one would have changed x by so much.
-  const double error = last.reduction * length(parts, difference(x, last.x));
-  const bool is_near = last.reduction * error <= tolerance * length(parts, x);
+  // It was solved with what the x before the last one was multiplied to: another sweep would change it by so much.
+  const double change = last.change + length(parts, difference(x, last.x));
+  const bool is_near = last.reduction * last.reduction * change <= tolerance * length(parts, x);
   if (!is_near) return split(solve, parts, right, tolerance);
-  return {product(parts, x), true, std::move(x), last.reduction};
+  return {product(parts, x), true, std::move(x), change, last.reduction};
+}
+
+double seen_reduction(const Split& split, const MatrixParts& parts, const std::vector<double>& solution) {
+  const double seen = length(parts, difference(solution, split.x)) / split.change;
+  return std::isfinite(seen) ? seen : unknown_reduction;  // of nothing, too
 }
 
 }  // namespace newton

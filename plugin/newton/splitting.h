@@ -48,17 +48,34 @@ struct Split {
   std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty for zero
   bool converges = true;        ///< whether each sweep halved the change, at least
   std::vector<double> x;        ///< that of the product; empty where there is nothing to multiply
-  double reduction = 0;         ///< of what D multiplies of the error of x, by a sweep
+  double change = 0;            ///< what D multiplies of the change of x by the sweep that made it
+  double reduction = 0;         ///< of such a change, by another sweep
+};
+
+/// Of sweeps that nothing is known of.
+inline constexpr double unknown_reduction = 1;
+
+/// What other right-hand sides have shown of sweeps.
+struct SeenSweeps {
+  double reduction = unknown_reduction;
+  double tolerance = 0;  ///< of x, for a split that rests on this
+
+  /// Whether the sweep that is left to the caller is, with the first product D x.
+  bool are_enough() const { return reduction * reduction <= tolerance; }
 };
 
 /// Solves (K + D) x = b but for its last sweep, which is left to the caller: K x' = b - D x. What D multiplies of x' is
-/// right to `tolerance`, a part of it; where sweeps do not converge it is as it was before the first that made the
-/// change larger, if there is one.
-Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance);
+/// right to `tolerance`, a part of it, or to that of what has been `seen`; where sweeps do not converge it is as it was
+/// before the first that made the change larger, if there is one.
+Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance,
+            const SeenSweeps& seen = {});
 
-/// The same given x that K has for another right-hand side with the product of `last`, without a sweep where it is near
-/// enough to the x of that.
+/// The same given x that K has for another right-hand side, solved as the x of `last` was, without a sweep where it is
+/// near enough to that.
 Split split_near(const Split& last, std::vector<double> x, const Solve& solve, const MatrixParts& parts,
                  const std::vector<double>& right, double tolerance);
+
+/// What the sweep that was left of a split has left of the change before it, given the solution that it made.
+double seen_reduction(const Split& split, const MatrixParts& parts, const std::vector<double>& solution);
 
 }  // namespace newton

@@ -18,6 +18,7 @@
 #include <FECore/log.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace newton {
@@ -28,6 +29,17 @@ FEBioSolver::~FEBioSolver() = default;
 FENewtonSolver* FEBioSolver::febio() const {
   FEAnalysis* const step = fem_.GetCurrentStep();
   return step == nullptr ? nullptr : dynamic_cast<FENewtonSolver*>(step->GetFESolver());
+}
+
+double FEBioSolver::increment_tolerance() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const char* name : {"dtol", "ptol", "ctol"}) {  // displacements, pressures, concentrations
+    const FEParam* const parameter = febio()->GetParameter(name);
+    if (parameter == nullptr || parameter->type() != FE_PARAM_DOUBLE) continue;
+    const double tolerance = parameter->value<double>();
+    if (tolerance > 0) smallest = std::min(smallest, tolerance);
+  }
+  return smallest;
 }
 
 // ------------------------------------------------------------ nodal values

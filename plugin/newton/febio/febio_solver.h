@@ -19,6 +19,10 @@ class FEBioSolver : public Solver {
   /// Null where the present step is not solved by Newton's method.
   FENewtonSolver* febio() const;
 
+  /// The smallest of FEBio's tolerances on increments that are tested, each a part of what the step has changed by;
+  /// infinite where none is.
+  double increment_tolerance() const;
+
   bool is_newton() const override { return febio() != nullptr; }
   int nodes() const override;
   std::vector<std::vector<int>> variables() const override;

@@ -78,6 +78,34 @@ BOOST_AUTO_TEST_CASE(a_small_part_costs_two_solutions) {
   BOOST_TEST(unit.solutions == 2);
 }
 
+BOOST_AUTO_TEST_CASE(a_part_that_is_known_to_be_small_costs_one_solution) {
+  constexpr double tolerance = 1e-2;
+  for (const double factor : {0.03, 0.3}) {
+    const Eigen::MatrixXd values = turn(factor);
+    const MatrixPart part = part_of(values);
+    UnitMatrix unit;
+    const Split split = newton::split(unit.solver(), {&part}, load, tolerance, {factor, tolerance});
+    BOOST_TEST((unit.solutions == 1) == (factor < 0.1));
+    const Eigen::VectorXd solution = last_sweep(split);
+    const Eigen::VectorXd
+        expected = (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(vector(load));
+    BOOST_TEST((solution - expected).norm() <= tolerance * expected.norm());
+    const double seen = newton::seen_reduction(split, {&part}, {solution.data(), solution.data() + size});
+    BOOST_TEST(seen == factor, boost::test_tools::tolerance(1e3 * test::rounding));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_reduction_that_cannot_be_seen_is_unknown) {
+  const MatrixPart part = part_of(turn(0.1));
+  UnitMatrix unit;
+  const Split split = newton::split(unit.solver(), {&part}, load, 1e-2);
+  const std::vector<double> broken(size, std::numeric_limits<double>::quiet_NaN());
+  BOOST_TEST(newton::seen_reduction(split, {&part}, broken) == newton::unknown_reduction);
+  const std::vector<double> zero(size);
+  const Split at_rest = newton::split(unit.solver(), {&part}, zero, 1e-2, {0.01, 1e-2});
+  BOOST_TEST(newton::seen_reduction(at_rest, {&part}, zero) == newton::unknown_reduction);
+}
+
 BOOST_AUTO_TEST_CASE(another_right_hand_side_costs_no_sweep_where_its_solution_is_near) {
   constexpr double tolerance = 1e-2;
   constexpr double factor = 0.3;
