@@ -158,29 +158,40 @@ std::vector<newton::Condition> Assembly::conditions(double dt) const {
   return found;
 }
 
-std::vector<ReleasableLoad> Assembly::releasable_loads(double dt) const {
+std::vector<UndecidedLoad> Assembly::undecided_loads(double dt) const {
   const ContactInterface& core = contact_.core();
-  const PerSide<VectorXd> tractions = releasable_tractions(core, contact_.fields());
-  std::vector<ReleasableLoad> found;
+  const PerSide<VectorXd> tractions = undecided_tractions(core, contact_.fields());
+  std::vector<UndecidedLoad> found;
   for (const auto& [side, node, equation, of_one] : unknown_tractions_) {
     const double traction = tractions[side][node];
     if (!std::isfinite(traction)) continue;
     newton::Condition released = newton::given_unknown(equation, -traction / of_one);
-    found.push_back({side, node, traction, std::move(released), {{equation, of_one}}, load_unknown_scale * of_one});
+    found.push_back(
+        {side, node, traction, true, std::move(released), {{equation, of_one}}, load_unknown_scale * of_one});
   }
   const GatheredOnce equations(dofs_, surfaces_, core);
-  added_loads(core, dt, [&](Side first, const LoadBlock& load) {
+  const auto add = [&](Side first, const LoadBlock& load, bool is_in_contact) {
     const double traction = tractions[first][load.place.node];
     const std::vector<int> columns = equations().equations({first, load.place.columns});
     if (!std::isfinite(traction) || are_prescribed(columns)) return;
-    newton::Condition released = condition_of(equations(), first, load);
-    released.row.clear();
-    released.diagonal = 1;
-    released.value = -traction;
-    found.push_back(
-        {first, load.place.node, traction, std::move(released), entries_of(columns, load.factor * load.variation), 0});
-  });
+    newton::Condition changed = condition_of(equations(), first, load);
+    if (is_in_contact) {
+      changed.row.clear();
+      changed.diagonal = 1;
+      changed.value = -traction;
+    } else {
+      changed.value = -traction / load.factor;
+    }
+    found.push_back({first, load.place.node, traction, is_in_contact, std::move(changed),
+                     entries_of(columns, load.factor * load.variation), 0});
+  };
+  added_loads(core, dt, [&](Side first, const LoadBlock& load) { add(first, load, true); });
+  nearing_loads(core, dt, [&](Side first, const LoadBlock& load) { add(first, load, false); });
   return found;
+}
+
+PerSide<Matrix3Xd> Assembly::displacements(const std::vector<double>& increment) const {
+  return NodeEquations(dofs_, surfaces_, contact_.core()).displacements(increment);
 }
 
 newton::Condition Assembly::condition_of(const NodeEquations& equations, Side first, const LoadBlock& load) const {

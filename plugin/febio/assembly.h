@@ -15,14 +15,15 @@ class FEGlobalMatrix;
 class FEGlobalVector;
 class FELinearSystem;
 
-/// The traction of a node in contact that the matrix of an iteration may release.
-struct ReleasableLoad {
+/// The traction of a node whose status the matrix of an iteration may change.
+struct UndecidedLoad {
   mixture_contact::Side surface;
   int node;
-  double traction;                               ///< as the iteration begins [MPa]
-  newton::Condition released;                    ///< takes it away
-  std::vector<newton::Condition::Entry> change;  ///< what an increment makes of it [MPa]
-  double change_by_release;  ///< the same of the unknown that `released` adds: what it would be were it not released
+  double traction;                               ///< as the iteration begins, were it in contact [MPa]
+  bool is_in_contact;                            ///< as the iteration begins
+  newton::Condition changed;                     ///< has the node in the other status
+  std::vector<newton::Condition::Entry> change;  ///< what an increment makes of the traction [MPa]
+  double change_by_condition;                    ///< the same of the unknown that `changed` adds
 };
 
 class Assembly {
@@ -42,8 +43,11 @@ class Assembly {
   bool residual_change(FEGlobalVector& residual, double dt) const;
   /// What a matrix with the loads of another status lacks: it has loads that are zero, and others are added.
   std::vector<newton::Condition> conditions(double dt) const;
-  /// What it has and may do without, as an iteration begins: tractions of nodes that depend on no prescribed values.
-  std::vector<ReleasableLoad> releasable_loads(double dt) const;
+  /// Loads that it may take away and add as an iteration begins: tractions of nodes that depend on no prescribed
+  /// values.
+  std::vector<UndecidedLoad> undecided_loads(double dt) const;
+  /// What an increment moves the nodes of the surfaces by [mm], but those that have no equations of their own.
+  mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   const BoundContact& contact() const { return contact_; }
   /// What of it is of nodes that begin the step in contact though they are open.
   void residual_ahead(FEGlobalVector& residual, double dt) const;

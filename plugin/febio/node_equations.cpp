@@ -107,6 +107,15 @@ std::vector<int> NodeEquations::unknowns(Side surface, int node) const {
   return found;
 }
 
+PerSide<Matrix3Xd> NodeEquations::displacements(const std::vector<double>& increment) const {
+  PerSide<Matrix3Xd> found;
+  for (const Side side : both_sides) {
+    const auto of_equation = [&](int equation) { return equation < 0 ? 0 : mixture_contact::at(increment, equation); };
+    found[side] = of_[side].equations.topRows<Surface::displacements>().unaryExpr(of_equation);
+  }
+  return found;
+}
+
 bool NodeEquations::is_rigid(const Location& at, Index n) const {
   const Side side = n < at.patch.primary.count() ? at.first : other(at.first);
   return of_[side].is_rigid[at.patch.node(n)];

@@ -23,6 +23,8 @@ class NodeEquations {
   std::vector<int> coupled(const Location& at) const;
   /// Those of all degrees of freedom of a node that have one of their own, exchanged or not.
   std::vector<int> unknowns(Side surface, int node) const;
+  /// What an increment moves the nodes of the surfaces by [mm]; zero where they have no equations of their own.
+  mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   /// Whether some nodes belong to rigid bodies, from which they have their equations.
   bool are_rigid(const Location& at) const;
   /// Whether the n-th node of a local vector does.

@@ -43,10 +43,13 @@ struct ActiveSetOptions {
   /// A linearisation that is held serves another iteration where its correction has left less than this part of what
   /// the loads were off by. The size is a choice: corrections that end leave a tenth each.
   double most_left = 0.5;
-  /// Nodes at most whose status may be another one than in the linearisation that a matrix is of: each costs the host a
-  /// back substitution. The size is a choice, above the fifty that a joint of tetrahedra asks for as it is pressed
-  /// together.
+  /// Nodes at most whose status may be another one than in the linearisation that a matrix is of, as its first
+  /// iteration begins: each costs the host a back substitution, for an iteration less. The size is a choice, above the
+  /// fifty that a joint of tetrahedra asks for as it is pressed together.
   Index most_changed = 60;
+  /// The same for an iteration that goes on with the matrix: for another matrix less, which costs fifty of them or
+  /// more. The size is a choice below that.
+  Index most_changed_again = 40;
 };
 
 /// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays so while its load, as the last
@@ -88,6 +91,8 @@ class ActiveSet {
   /// close, or the other way round: either may be an equilibrium. Not where the other side has conditions, too: those
   /// of both together would hold more than there is to hold. And nodes that may pull do not open.
   bool can_expect() const;
+  /// Whether the last step began in contact, so that it tells what contact will do, and not only where it will begin.
+  bool foresees() const { return can_expect() && (laws_.multipliers.opening_before.array() < 0).any(); }
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
   /// may be off by, so that none below it decides.
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;

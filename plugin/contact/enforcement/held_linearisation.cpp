@@ -1,6 +1,7 @@
 #include "enforcement/held_linearisation.h"
 
 #include "enforcement/load_difference.h"
+#include "mortar/gap_changes.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,20 +14,16 @@ double error_of(const NodalLoads& predicted, const NodalLoads& now) {
   return (predicted.traction - now.traction).cwiseAbs().maxCoeff();
 }
 
-NodeFlags without(NodeFlags nodes, const NodeFlags& others) {
-  for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] && !others[node];
-  return nodes;
-}
-
 bool has_any(const IndexedVector<int>& nodes, const NodeFlags& among) {
   return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return among[node]; });
 }
 
 }  // namespace
 
-void HeldLinearisation::replaced(LinearisationPoint& point) {
+void HeldLinearisation::replaced(LinearisationPoint& point, bool begins) {
   ended();
   point_ = &point;
+  begins_ = begins;
 }
 
 void HeldLinearisation::ended() {
@@ -50,8 +47,8 @@ bool HeldLinearisation::is_correctable() const {
   return has_matrix_ && point_->is_linearised() && method_.predicts() && point_->loads.friction.empty();
 }
 
-NodalLoads HeldLinearisation::true_loads(const FacingFields& fields) const {
-  NodalLoads now = space_.averages(space_.gaps(), fields, point_->loads.status());
+NodalLoads HeldLinearisation::true_loads(const FacingFields& fields, ContactStatus status) const {
+  NodalLoads now = space_.averages(space_.gaps(), fields, std::move(status));
   method_.load(now);
   return now;
 }
@@ -66,7 +63,7 @@ double HeldLinearisation::doubt(const NodalLoads& predicted, const NodalLoads& n
   return largest;
 }
 
-bool HeldLinearisation::may_take(const NodeFlags& status) const {
+bool HeldLinearisation::may_take(const NodeFlags& status, Index most) const {
   if (!matrix_.has_loads) return false;
   const auto around = space_.facing().around(unknown_of(status));
   Index changed = 0;
@@ -77,7 +74,7 @@ bool HeldLinearisation::may_take(const NodeFlags& status) const {
     ++changed;
     if (is_of_rigid_bodies(linear.empty() ? space_.node_patch(node, around[node]) : linear.patch)) return false;
   }
-  return changed <= active_set_.options().most_changed;
+  return changed <= most;
 }
 
 NodeFlags HeldLinearisation::unknown_of(const NodeFlags& status) const {
@@ -92,19 +89,20 @@ bool HeldLinearisation::is_of_rigid_bodies(const Patch& patch) const {
 
 bool HeldLinearisation::serves(const FacingFields& fields) const {
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  const NodalLoads now = true_loads(fields);
+  const NodalLoads now = true_loads(fields, point_->loads.status());
   const double error = error_of(predicted, now);
   const ActiveSetOptions& options = active_set_.options();
   const bool comes_nearer = last_error_ == 0 || error <= options.most_left * last_error_ ||
                             !differ(space_, laws_, predicted, now, options.solution_load, fields);
   const NodeFlags status = active_set_.updated(predicted, now, doubt(predicted, now));
-  return comes_nearer && (status == predicted.in_contact || may_take(status));
+  return comes_nearer && (status == predicted.in_contact || may_take(status, options.most_changed_again));
 }
 
 bool HeldLinearisation::correct(const FacingFields& fields) {
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  const NodalLoads now = true_loads(fields);
+  const NodalLoads now = true_loads(fields, point_->loads.status());
   last_error_ = error_of(predicted, now);
+  begins_ = false;
   const bool adds = matrix_.has_loads && change_status(predicted, now, fields);
   point_->loads.gap += now.gap - (adds ? method_.predicted_loads(*point_, fields) : predicted).gap;
   point_->loads.jump += now.jump - predicted.jump;
@@ -121,39 +119,78 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
   if (next.in_contact != predicted.in_contact) last_error_ = 0;
   point_->loads.in_contact = next.in_contact;
   point_->loads.flux_coupled = next.flux_coupled;
-  NodalLoads unknown = now;
-  unknown.in_contact = unknown_of(next.in_contact);
-  const bool adds = any(unknown.in_contact);
-  if (adds) {
-    IndexedVector<NodeLinearisation> nodes = linearise(space_, unknown, fields);
-    for (Index node = 0; node < nodes.count(); ++node) {
-      if (!unknown.in_contact[node]) continue;
-      point_->nodes[node] = std::move(nodes[node]);
-      point_->loads.area[node] = now.area[node];  // it may have faced nothing
-      added_[node] = true;
-    }
-  }
+  const NodeFlags unknown = unknown_of(next.in_contact);
+  const bool adds = any(unknown);
+  if (adds) linearise_more(unknown, fields);
   return adds;
 }
 
-VectorXd HeldLinearisation::releasable(const FacingFields& fields) const {
+void HeldLinearisation::linearise_more(const NodeFlags& nodes, const FacingFields& fields) {
+  const NodalLoads there = true_loads(fields, {nodes, nodes, {}});
+  IndexedVector<NodeLinearisation> linear = linearise(space_, there, fields);
+  for (Index node = 0; node < linear.count(); ++node) {
+    if (!nodes[node]) continue;
+    point_->nodes[node] = std::move(linear[node]);
+    point_->loads.area[node] = there.area[node];  // it may have faced nothing
+    added_[node] = true;
+  }
+}
+
+bool HeldLinearisation::may_decide() const {
+  if (!is_correctable() || !matrix_.has_loads || !active_set_.can_expect()) return false;
+  return !begins_ || !active_set_.foresees();
+}
+
+NodeFlags HeldLinearisation::find_nearing(const FacingPositions& displacements, const FacingFields& fields) {
+  if (!may_decide() || begins_) return NodeFlags(laws_.nodes(), false);
+  NodeFlags apart;
+  for (Index node = 0; node < laws_.nodes(); ++node)
+    apart.push_back(point_->nodes[node].empty() && space_.gaps().faces(node));
+  NodalGaps ahead = space_.gaps();
+  ahead.gap += gap_changes(space_, apart, displacements);
+  NodeFlags found = active_set_.initial(ahead);
+  for (Index node = 0; node < laws_.nodes(); ++node) found[node] = found[node] && apart[node];
+  const auto around = space_.facing().around(found);
+  for (Index node = 0; node < laws_.nodes(); ++node)
+    found[node] = found[node] && !is_of_rigid_bodies(space_.node_patch(node, around[node]));
+  if (!any(found)) return found;
+  linearise_more(found, fields);
+  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
+  for (Index node = 0; node < laws_.nodes(); ++node) {
+    if (found[node]) point_->loads.gap[node] += space_.gaps().gap[node] - predicted.gap[node];
+  }
+  return found;
+}
+
+VectorXd HeldLinearisation::undecided(const FacingFields& fields) const {
   VectorXd tractions = unknown_values(laws_.nodes());
-  if (!is_correctable() || !matrix_.has_loads || !active_set_.can_expect()) return tractions;
+  if (!may_decide()) return tractions;
   const NodalLoads now = method_.predicted_loads(*point_, fields);
   for (Index node = 0; node < tractions.size(); ++node) {
     if (now.in_contact[node]) tractions[node] = now.traction[node];
   }
+  for (const int node : nearing())
+    tractions[node] = laws_.multipliers.traction[node] + laws_.traction_penalty(node) * now.gap[node];
   return tractions;
 }
 
 NodeFlags HeldLinearisation::opening(const VectorXd& tractions, const NodeFlags& opened) const {
   const NodeFlags found = active_set_.opening(tractions, opened, point_->loads.size);
-  return may_take(without(point_->loads.in_contact, found)) ? found : opened;
+  return may_take(status_without(found), active_set_.options().most_changed) ? found : opened;
+}
+
+NodeFlags HeldLinearisation::status_without(const NodeFlags& open) const {
+  NodeFlags status = point_->loads.in_contact;
+  for (const int node : nearing()) status[node] = true;
+  for (Index node = 0; node < status.count(); ++node) status[node] = status[node] && !open[node];
+  return status;
 }
 
 void HeldLinearisation::open(const NodeFlags& nodes, const FacingFields& fields) {
+  NodeFlags status = status_without(nodes);
+  if (status == point_->loads.in_contact) return keep();
   const NodalLoads before = method_.predicted_loads(*point_, fields);
-  point_->loads.in_contact = without(point_->loads.in_contact, nodes);
+  point_->loads.in_contact = std::move(status);
   point_->loads.flux_coupled = point_->loads.in_contact;
   method_.load(point_->loads);
   change_ = ByWorks{change(before, method_.predicted_loads(*point_, fields))};
@@ -169,8 +206,8 @@ IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added)
   return nodes;
 }
 
-void HeldLinearisation::add_loads(double dt, const AddLoadBlock& add) const {
-  for (const int node : added()) {
+void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const {
+  for (const int node : nodes) {
     const NodeTangent tangent = method_.node_tangent(node, point_->nodes[node], point_->loads, {}, dt);
     for (const LoadBlock& load : tangent.loads) add(load);
   }

@@ -26,8 +26,8 @@ class HeldLinearisation {
       : space_(space), laws_(laws), active_set_(active_set), method_(method) {}
 
   // What the geometry tells
-  /// There is another one; keeps a reference.
-  void replaced(LinearisationPoint& point);
+  /// There is another one; keeps a reference. `begins`: of an iteration that none is known before.
+  void replaced(LinearisationPoint& point, bool begins);
   /// There is none any more.
   void ended();
   /// It is that of an iteration which began where loads at the same points were these.
@@ -51,16 +51,29 @@ class HeldLinearisation {
   void has_matrix(HostMatrix matrix);
   /// Nodes that the matrix has in contact and the status has not: their loads do not follow their gaps.
   IndexedVector<int> released() const { return linearised(false, false); }
-  /// Tractions at this state of the nodes in contact that the matrix may release as the iteration begins [MPa]; NaN at
-  /// all others.
-  VectorXd releasable(const FacingFields& fields) const;
-  /// Which of these open (see ActiveSet::opening()); those that have been opened where the matrix may not release as
-  /// many.
+  /// Nodes that the status has and the matrix has not.
+  IndexedVector<int> added() const { return linearised(true, true); }
+  /// Adds the tangents of loads that the matrix has not, of nodes that are linearised.
+  void add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const;
+
+  // Which nodes an iteration begins in contact with, by what the matrix answers
+  /// Whether the matrix may change their status. Not where iterations begin with nodes that are foreseen: more change
+  /// in the next one all the same, and each that changes costs a back substitution.
+  bool may_decide() const;
+  /// Linearises nodes out of contact that overlap once the surfaces have moved by these displacements (see
+  /// gap_changes()). Returns those that were not linearised. None where iterations begin: what they would pull with is
+  /// no part of the residual that hosts compare later ones with.
+  NodeFlags find_nearing(const FacingPositions& displacements, const FacingFields& fields);
+  /// Nodes out of contact that are linearised, and not in the matrix.
+  IndexedVector<int> nearing() const { return linearised(false, true); }
+  /// Tractions at this state of nodes whose status the matrix may change [MPa]: of those in contact that it has, and of
+  /// those that are nearing, were they in contact; NaN at all others.
+  VectorXd undecided(const FacingFields& fields) const;
+  /// Which of these are open (see ActiveSet::opening()); those that have been where the matrix may not change as many.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
-  /// Opens nodes: what they carry at this state is what changes as the iteration begins.
+  /// Opens these nodes and closes all others that are nearing: what that makes of the loads at this state is what
+  /// changes as the iteration begins.
   void open(const NodeFlags& nodes, const FacingFields& fields);
-  /// Adds the tangents of loads that the status has and the matrix has not.
-  void add_loads(double dt, const AddLoadBlock& add) const;
 
   /// Adds what the loads that have changed as the iteration began make of the residual. Returns false, and what has
   /// been added is of no use, where they do not act at the points of those before it.
@@ -77,19 +90,21 @@ class HeldLinearisation {
   struct ByWorks {
     NodalLoads loads;
   };
-  /// Loads of the true averages, with the status that is held.
-  NodalLoads true_loads(const FacingFields& fields) const;
+  /// Loads of the true averages.
+  NodalLoads true_loads(const FacingFields& fields, ContactStatus status) const;
   /// What the tractions of a correction may be off by: it closes what is left of a gap against the stiffness of the
   /// adjoining elements, however large a load the penalty makes of that.
   double doubt(const NodalLoads& predicted, const NodalLoads& now) const;
-  /// Whether this status is another one by nodes that may be released or added.
-  bool may_take(const NodeFlags& status) const;
+  /// Whether this status is another one by nodes that may be released or added, and not by more than `most`.
+  bool may_take(const NodeFlags& status, Index most) const;
   /// Those of a status that have no linearisation.
   NodeFlags unknown_of(const NodeFlags& status) const;
   /// Whether some nodes of a patch have no equations of their own, so that its load is no unknown of the matrix.
   bool is_of_rigid_bodies(const Patch& patch) const;
-  /// Nodes that the status has and the matrix has not.
-  IndexedVector<int> added() const { return linearised(true, true); }
+  /// The status with these nodes open, and all others that are nearing in contact.
+  NodeFlags status_without(const NodeFlags& open) const;
+  /// Linearises further nodes where the surfaces are now.
+  void linearise_more(const NodeFlags& nodes, const FacingFields& fields);
   IndexedVector<int> linearised(bool in_contact, bool is_added) const;
   /// Has the status that loads ask for. Returns whether nodes were added for it.
   bool change_status(const NodalLoads& predicted, const NodalLoads& now, const FacingFields& fields);
@@ -101,6 +116,7 @@ class HeldLinearisation {
   LinearisationPoint* point_ = nullptr;  ///< what the geometry holds
   /// Of the loads as the iteration began, where it is known.
   std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;
+  bool begins_ = false;      ///< whether no iteration has been before that of the matrix
   double last_error_ = 0;    ///< what tractions were off by at the last correction; 0 before any of this status
   bool has_matrix_ = false;  ///< whether the host has a matrix of it
   HostMatrix matrix_;        ///< that

@@ -82,7 +82,7 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
     geometric_ = linearise_both_parts(point, space_, fields, std::nullopt, 0, std::move(memory));
   }
   vary_trials(laws_, point.loads, point.nodes);
-  held_.replaced(point_.emplace(std::move(point)));
+  held_.replaced(point_.emplace(std::move(point)), begins);
 }
 
 const GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) const {

@@ -21,6 +21,12 @@ void for_each_correctable(Contact& contact, const Use& use) {
   });
 }
 
+PerSide<NodeFlags> no_nodes(const ContactInterface& contact) {
+  PerSide<NodeFlags> nodes;
+  for (const Side side : both_sides) nodes[side] = NodeFlags(contact.mesh(side).nodes, false);
+  return nodes;
+}
+
 }  // namespace
 
 bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
@@ -71,11 +77,42 @@ void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const
   });
 }
 
-PerSide<VectorXd> releasable_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+bool may_decide(const ContactInterface& contact) {
+  bool found = false;
+  for_each_correctable(contact,
+                       [&](Side /*side*/, const HeldLinearisation& held) { found = found || held.may_decide(); });
+  return found;
+}
+
+PerSide<NodeFlags> find_nearing_nodes(ContactInterface& contact, const PerSide<Matrix3Xd>& displacements,
+                                      const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = contact.measurements().clock(Task::stiffness);
+  PerSide<NodeFlags> found = no_nodes(contact);
+  for_each_correctable(contact, [&](Side side, HeldLinearisation& held) {
+    found[side] = held.find_nearing(seen_from(side, displacements), seen_from(side, fields));
+  });
+  return found;
+}
+
+PerSide<NodeFlags> nearing_nodes(const ContactInterface& contact) {
+  PerSide<NodeFlags> nodes = no_nodes(contact);
+  for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
+    for (const int node : held.nearing()) nodes[side][node] = true;
+  });
+  return nodes;
+}
+
+void nearing_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add) {
+  for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
+    held.add_loads(held.nearing(), dt, [&](const LoadBlock& load) { add(side, load); });
+  });
+}
+
+PerSide<VectorXd> undecided_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   PerSide<VectorXd> tractions;
   for (const Side side : both_sides) tractions[side] = unknown_values(contact.mesh(side).nodes);
   for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
-    tractions[side] = held.releasable(seen_from(side, fields));
+    tractions[side] = held.undecided(seen_from(side, fields));
   });
   return tractions;
 }
@@ -92,13 +129,7 @@ PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<
 void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::stiffness);
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
-    HeldLinearisation* const held = geometry.held();
-    if (held == nullptr) return;
-    if (any(nodes[side])) {
-      held->open(nodes[side], seen_from(side, fields));
-    } else {
-      held->keep();
-    }
+    if (HeldLinearisation* const held = geometry.held()) held->open(nodes[side], seen_from(side, fields));
   });
 }
 
@@ -112,7 +143,7 @@ std::vector<ReleasedNode> released_nodes(const ContactInterface& contact) {
 
 void added_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add) {
   for_each_correctable(contact, [&](Side side, const HeldLinearisation& held) {
-    held.add_loads(dt, [&](const LoadBlock& load) { add(side, load); });
+    held.add_loads(held.added(), dt, [&](const LoadBlock& load) { add(side, load); });
   });
 }
 

@@ -23,13 +23,23 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
 /// equations of their own.
 void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const PerSide<NodeFlags>& rigid);
 
-/// Tractions of the nodes in contact that the matrix may release as the iteration begins [MPa]; NaN at all others (see
-/// HeldLinearisation::releasable()).
-PerSide<VectorXd> releasable_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
-/// Which of these open where tractions come to this at the end of the iteration (see HeldLinearisation::opening()).
+/// Whether the matrix may change the status of nodes as the iteration begins (see HeldLinearisation::may_decide()).
+bool may_decide(const ContactInterface& contact);
+/// Linearises nodes out of contact that overlap once the surfaces have moved by these displacements [mm] (see
+/// HeldLinearisation::find_nearing()). Returns those that were not linearised.
+PerSide<NodeFlags> find_nearing_nodes(ContactInterface& contact, const PerSide<Matrix3Xd>& displacements,
+                                      const PerSide<SurfaceFields>& fields);
+/// Nodes out of contact that have been.
+PerSide<NodeFlags> nearing_nodes(const ContactInterface& contact);
+/// Calls `add` with the tangents of their loads, should they close.
+void nearing_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);
+/// Tractions of nodes whose status the matrix may change as the iteration begins [MPa]; NaN at all others (see
+/// HeldLinearisation::undecided()).
+PerSide<VectorXd> undecided_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+/// Which of these are open where tractions come to this at the end of the iteration (see HeldLinearisation::opening()).
 PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<VectorXd>& tractions,
                                  const PerSide<NodeFlags>& opened);
-/// Opens nodes as an iteration begins, if any (see HeldLinearisation::open()).
+/// Begins an iteration with these nodes open, of those that are undecided (see HeldLinearisation::open()).
 void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, const PerSide<SurfaceFields>& fields);
 
 /// A node whose load the matrix has and the status has not.

@@ -451,9 +451,9 @@ BOOST_AUTO_TEST_CASE(nodes_open_as_an_iteration_begins_where_its_matrix_answers_
   TiltedContact tilted;
   ContactInterface& contact = *tilted.contact;
   contact.begin_iteration(tilted.scene.fields);
-  BOOST_TEST(known(releasable_tractions(contact, tilted.scene.fields)) == 0);  // there is no matrix yet
+  BOOST_TEST(known(undecided_tractions(contact, tilted.scene.fields)) == 0);  // there is no matrix yet
   has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
-  PerSide<VectorXd> tractions = releasable_tractions(contact, tilted.scene.fields);
+  PerSide<VectorXd> tractions = undecided_tractions(contact, tilted.scene.fields);
   const NodalLoads before = tilted.loads();
   BOOST_TEST(known(tractions) == std::count(before.in_contact.begin(), before.in_contact.end(), true));
   BOOST_TEST(tractions[Side::primary] == before.traction, boost::test_tools::per_element());
@@ -490,13 +490,76 @@ BOOST_AUTO_TEST_CASE(nodes_open_as_an_iteration_begins_where_its_matrix_answers_
   BOOST_TEST(changed_residual(contact, layout, tilted.scene.fields).value().norm() == 0);  // what opened counts once
 }
 
+BOOST_AUTO_TEST_CASE(nodes_close_as_an_iteration_begins_where_its_matrix_answers_that_they_overlap) {
+  TiltedContact tilted;
+  ContactInterface& contact = *tilted.contact;
+  tilted.tilt(much);
+  contact.begin_iteration(tilted.scene.fields);
+  const NodeFlags before = tilted.loads().in_contact;
+  PerSide<Matrix3Xd> back;
+  for (const Side side : both_sides) back[side] = tilted.flat[side].position - tilted.scene.fields[side].position;
+  BOOST_TEST(!may_decide(contact));  // there is no matrix yet
+  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+  BOOST_TEST(may_decide(contact));
+  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));  // where steps begin
+  contact.begin_iteration(tilted.scene.fields);
+  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+
+  const PerSide<NodeFlags> found = find_nearing_nodes(contact, back, tilted.scene.fields);
+  BOOST_TEST((nearing_nodes(contact) == found));
+  const NodeFlags& nearing = found[Side::primary];
+  for (Index node = 0; node < nearing.count(); ++node) BOOST_TEST(nearing[node] == !before[node]);  // all when flat
+  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));   // nothing is new
+  const PerSide<VectorXd> tractions = undecided_tractions(contact, tilted.scene.fields);
+  const NodalLaws& laws = contact.pass(0).laws();
+  const NodalGaps gaps = contact.pass(0).space().gaps();
+  for (Index node = 0; node < nearing.count(); ++node) {
+    if (nearing[node])
+      BOOST_TEST(std::abs(tractions[Side::primary][node] - laws.traction_penalty(node) * gaps.gap[node]) < rounding);
+  }
+  BOOST_TEST((opening_nodes(contact, tractions, found) == found));  // here they would be pulled
+
+  const GlobalLayout layout(tilted.scene);
+  const VectorXd residual = assembled_residual(contact, layout, tilted.scene.fields, dt);
+  open_nodes(contact, found, tilted.scene.fields);
+  BOOST_TEST(changed_residual(contact, layout, tilted.scene.fields).value().norm() == 0);
+  BOOST_TEST(tilted.added().empty());
+  open_nodes(contact, tilted.scene.nowhere(), tilted.scene.fields);
+  const std::optional<VectorXd> change = changed_residual(contact, layout, tilted.scene.fields);
+  BOOST_REQUIRE(change.has_value());
+  const VectorXd after = assembled_residual(contact, layout, tilted.scene.fields, dt);
+  BOOST_TEST((residual + *change - after).norm() < rounding * residual.norm());
+  BOOST_TEST(change->norm() > 1e-3 * residual.norm());
+  BOOST_TEST(tilted.added().size() == std::count(nearing.begin(), nearing.end(), true));
+  tilted.tilt(0);
+  const NodalLoads flat = tilted.loads();
+  for (Index node = 0; node < nearing.count(); ++node) BOOST_TEST(flat.traction[node] < 0);
+}
+
+BOOST_AUTO_TEST_CASE(no_matrix_is_asked_where_a_step_begins_as_the_last_one_foresees) {
+  TiltedContact tilted;
+  ContactInterface& contact = *tilted.contact;
+  const auto may_decide_at_first = [&] {
+    contact.end_iterations();
+    contact.begin_iteration(tilted.scene.fields);
+    has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+    return may_decide(contact);
+  };
+  BOOST_TEST(may_decide_at_first());
+  contact.accept_step(tilted.scene.fields, dt);
+  BOOST_TEST(!may_decide_at_first());
+  contact.begin_iteration(tilted.scene.fields);
+  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+  BOOST_TEST(may_decide(contact));
+}
+
 BOOST_AUTO_TEST_CASE(no_node_opens_as_an_iteration_begins_where_others_decide_with_its_traction) {
   const auto releasable = [](const Effects& effects, const Settings& settings, bool has_loads) {
     Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects, settings);
     const auto contact = scene.contact();
     contact->begin_iteration(scene.fields);
     has_matrix(*contact, on_both_sides(has_loads), scene.nowhere());
-    return known(releasable_tractions(*contact, scene.fields));
+    return known(undecided_tractions(*contact, scene.fields));
   };
   const Settings plain = explicit_settings(3, 2, 5);
   Settings both = plain;

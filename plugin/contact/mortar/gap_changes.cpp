@@ -1,0 +1,38 @@
+#include "mortar/gap_changes.h"
+
+namespace mixture_contact {
+namespace {
+
+/// INT psi_a dg da of a pair.
+FacetVector changes_of_pair(const MortarSpace& space, const FacetPair& pair, const FacingPositions& displacements) {
+  const FacingPairs& facing = space.facing();
+  const FacetCoordinates first = facet_coordinates(facing.primary_facet(pair), displacements.primary);
+  const FacetCoordinates second = facet_coordinates(facing.secondary_facet(pair), displacements.secondary);
+  FacetVector sums = FacetVector::Zero(facing.primary_facet(pair).count());
+  for (std::size_t q = 0; q < pair.points.size(); ++q) {
+    const IntegrationPoint& place = pair.points[q];
+    const PointKinematics& point = facing.kinematics(pair, q);
+    const double change = point.normal.dot(second * point.secondary_shape - first * point.primary_shape);
+    sums += place.weight * point.area * change * space.shape(pair.primary, place.sub_facet, place.xi).value;
+  }
+  return sums;
+}
+
+}  // namespace
+
+VectorXd gap_changes(const MortarSpace& space, const NodeFlags& nodes, const FacingPositions& displacements) {
+  const FacingPairs& facing = space.facing();
+  VectorXd changes = VectorXd::Zero(space.nodes());
+  for (const FacetPair& pair : facing.pairs()) {
+    if (!facing.has_node_among(pair, nodes)) continue;
+    const Facet& facet = facing.primary_facet(pair);
+    const FacetVector sums = changes_of_pair(space, pair, displacements);
+    for (Index a = 0; a < sums.size(); ++a) {
+      const int node = facet.node(a);
+      if (nodes[node]) changes[node] += sums[a] / space.gaps().area[node];
+    }
+  }
+  return changes;
+}
+
+}  // namespace mixture_contact
