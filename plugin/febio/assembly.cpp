@@ -32,6 +32,19 @@ std::vector<newton::Condition::Entry> entries_of(const std::vector<int>& equatio
   return entries;
 }
 
+/// Has a load that the matrix does not have in the other status, given that it follows what it depends on: its traction
+/// as the iteration begins is in the residual where it is in contact, and to be added where it is not.
+newton::Condition changed_condition(newton::Condition follows, double traction, double factor, bool is_in_contact) {
+  if (is_in_contact) {
+    follows.row.clear();
+    follows.diagonal = 1;
+    follows.value = -traction;
+  } else {
+    follows.value = -traction / factor;
+  }
+  return follows;
+}
+
 /// The equations of a contact's nodes, gathered where they are asked for.
 class GatheredOnce {
  public:
@@ -174,15 +187,8 @@ std::vector<UndecidedLoad> Assembly::undecided_loads(double dt) const {
     const double traction = tractions[first][load.place.node];
     const std::vector<int> columns = equations().equations({first, load.place.columns});
     if (!std::isfinite(traction) || are_prescribed(columns)) return;
-    newton::Condition changed = condition_of(equations(), first, load);
-    if (is_in_contact) {
-      changed.row.clear();
-      changed.diagonal = 1;
-      changed.value = -traction;
-    } else {
-      changed.value = -traction / load.factor;
-    }
-    found.push_back({first, load.place.node, traction, is_in_contact, std::move(changed),
+    found.push_back({first, load.place.node, traction, is_in_contact,
+                     changed_condition(condition_of(equations(), first, load), traction, load.factor, is_in_contact),
                      entries_of(columns, load.factor * load.variation), 0});
   };
   added_loads(core, dt, [&](Side first, const LoadBlock& load) { add(first, load, true); });

@@ -1,5 +1,7 @@
 #include "mortar/gap_changes.h"
 
+#include "base/in_order.h"
+
 namespace mixture_contact {
 namespace {
 
@@ -22,16 +24,20 @@ FacetVector changes_of_pair(const MortarSpace& space, const FacetPair& pair, con
 
 VectorXd gap_changes(const MortarSpace& space, const NodeFlags& nodes, const FacingPositions& displacements) {
   const FacingPairs& facing = space.facing();
+  const IndexedVector<FacetPair>& pairs = facing.pairs();
+  const VectorXd& area = space.gaps().area;
   VectorXd changes = VectorXd::Zero(space.nodes());
-  for (const FacetPair& pair : facing.pairs()) {
-    if (!facing.has_node_among(pair, nodes)) continue;
-    const Facet& facet = facing.primary_facet(pair);
-    const FacetVector sums = changes_of_pair(space, pair, displacements);
+  const auto of_pair = [&](Index pair) {
+    return facing.has_node_among(pairs[pair], nodes) ? changes_of_pair(space, pairs[pair], displacements)
+                                                     : FacetVector();
+  };
+  in_order(pairs.count(), of_pair, [&](Index pair, const FacetVector& sums) {
+    const Facet& facet = facing.primary_facet(pairs[pair]);
     for (Index a = 0; a < sums.size(); ++a) {
       const int node = facet.node(a);
-      if (nodes[node]) changes[node] += sums[a] / space.gaps().area[node];
+      if (nodes[node]) changes[node] += sums[a] / area[node];
     }
-  }
+  });
   return changes;
 }
 
