@@ -2,10 +2,10 @@
 ///
 /// An iteration begins with the nodes that overlap at its state: more than will be in contact at its end, since each
 /// that closes takes load from those around it, and without those that come into contact within it. With a factorised
-/// matrix the tractions and gaps that the iteration ends with are known. Each node that would pull opens, each that would
-/// overlap closes, and the matrix is asked once more, until all stay: the active set of the linearised problem, by the
-/// rule that leads from iteration to iteration (contact/active_set/active_set.h). Each node that changes costs a back
-/// substitution.
+/// matrix the tractions and gaps that the iteration ends with are known. Each node that would pull opens, each that
+/// would overlap closes, and the matrix is asked once more, until all stay: the active set of the linearised problem,
+/// by the rule that leads from iteration to iteration (contact/active_set/active_set.h). Each node that changes costs a
+/// back substitution.
 #pragma once
 
 #include "contact_in_model.h"
@@ -22,8 +22,8 @@ struct SettledModel {
   double time_increment;                                    ///< [s]
 };
 
-/// Opens nodes that would pull and closes those that would overlap, before FEBio solves. Where they do not settle nothing
-/// changes.
+/// Opens nodes that would pull and closes those that would overlap, before FEBio solves. Where they do not settle
+/// nothing changes.
 void settle(const SettledModel& model, KeptMatrix& matrix);
 
 /// What matrices with the loads of another status lack (see Assembly::conditions()).
