@@ -1,4 +1,4 @@
-"""Nodes that open within an iteration, as its matrix answers that they would pull."""
+"""Nodes that open and close within an iteration, as its matrix answers that they would pull and overlap."""
 
 from __future__ import annotations
 
