@@ -23,10 +23,11 @@ constexpr int most_iterations = 50;
 /// off by so much leaves as much to the next one.
 constexpr double left_by_sweeps = 1e-2;
 
-/// The same for an increment of which no sweep shows how far, as a part of FEBio's tolerance on increments: the next
-/// iteration, which would tell, is not to be another one for that.
+/// The same where no sweep has shown it, as a part of FEBio's tolerance on increments: such an error is not to be what
+/// keeps an iteration from being the last. The size is a choice.
 constexpr double left_unseen = 0.2;
-/// What is remembered of sweeps is taken to be off by this factor: one right-hand side differs from the next.
+/// How much of what earlier solutions have shown of sweeps still counts beside the last one: they differ from one
+/// right-hand side to the next. The size is a choice.
 constexpr double remembered = 0.5;
 
 /// Of a solution, by rows. A penalty makes of the error of a gap a load: of a gap that is 1e-5 of the displacements, as

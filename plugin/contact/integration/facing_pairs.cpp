@@ -46,7 +46,6 @@ void FacingPairs::project_on_same_facets(const FacingPositions& x) {
 
 bool FacingPairs::begin_iteration(const FacingPositions& x) {
   const bool finds_more = finder_->begin_iteration();
-  if (finds_more) searched_at_ = {};
   if (finds_more) search(x, radius_);
   return finds_more;
 }

@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(changes_along_the_normals_of_flat_surfaces_are_those_of_the
     scene.fields[Side::secondary].position += moved[Side::secondary];
     contact->project(scene.position());
     VectorXd expected = space.gaps().gap - before;
-    BOOST_TEST(expected.cwiseAbs().minCoeff() > 1e-6);
+    BOOST_TEST(expected.cwiseAbs().minCoeff() > 1e6 * rounding);
     expected[0] = 0;
     BOOST_TEST((changes - expected).cwiseAbs().maxCoeff() < rounding);
   }
