@@ -118,14 +118,15 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
 void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add) {
   const FacingPairs& facing = space.facing();
-  const auto residual_of = [&](Index index) -> VectorXd {
+  const auto carries_load = [&](const FacetPair& pair) { return facing.has_node_among(pair, loads.in_contact); };
+  const auto set_residual = [&](Index index, VectorXd& residual, std::monostate& /*none*/) {
     const FacetPair& pair = facing.pairs()[index];
-    if (!facing.has_node_among(pair, loads.in_contact)) return {};
+    if (!carries_load(pair)) return;
     const Facet& facet = facing.primary_facet(pair);
     const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
     const LocalLayout layout(facet.count(), facing.secondary_facet(pair).count(), exchanged.count());
     const FacetLoads nodal = facet_loads(facet, loads, exchanged);
-    VectorXd residual = VectorXd::Zero(layout.size());
+    residual.setZero(layout.size());
     for (std::size_t q = 0; q < pair.points.size(); ++q) {
       const IntegrationPoint& place = pair.points[q];
       const FacetVector psi = space.shape(pair.primary, place.sub_facet, place.xi).value;
@@ -134,16 +135,16 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
       here.time_increment = dt;
       add_residual(facing.kinematics(pair, q), here, layout, residual);
     }
-    return residual;
   };
   std::map<std::vector<int>, NodalResidual> sums;  // by the fields that pairs exchange
-  in_batches(facing.pairs().count(), residual_of, [&](Index index, const VectorXd& residual) {
-    if (residual.size() == 0) return;
+  const auto sum_up = [&](Index index, const VectorXd& residual) {
     const FacetPair& pair = facing.pairs()[index];
+    if (!carries_load(pair)) return;
     const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
     NodalResidual& sum = sums.try_emplace(exchanged, exchanged, fields).first->second;
     sum.add(facing.primary_facet(pair), facing.secondary_facet(pair), residual);
-  });
+  };
+  in_order_with(std::monostate(), VectorXd(), facing.pairs().count(), set_residual, sum_up);
   for (const auto& sum : sums) sum.second.hand_over(add);
 }
 

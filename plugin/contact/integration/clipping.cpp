@@ -27,7 +27,7 @@ void keep_left(Polygon<Number>& polygon, const Place<Number>& from, const Place<
   if (std::all_of(polygon.begin(), polygon.end(), is_kept)) return;
   const Place<Number> edge = to - from;
   const auto side = [&](const Place<Number>& corner) -> Number { return cross(edge, Place<Number>(corner - from)); };
-  Polygon<Number> rest;
+  Polygon<Number> rest(polygon.get_allocator());
   rest.reserve(polygon.size() + 1);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Place<Number>& corner = polygon[i];

@@ -59,9 +59,9 @@ class FacingPairs {
   IndexedVector<std::vector<const FacetPair*>> around(const NodeFlags& nodes) const;
   /// Whether points move over the primary facets as the surfaces move.
   bool moves_points() const { return finder_->moves_points(); }
-  /// How the points of a pair move with the nodes.
-  std::vector<PointMotion> motions(const FacetPair& pair, const FacingPositions& x) const {
-    return finder_->motions(pair, x.primary, x.secondary);
+  /// How the points of a pair move with the nodes: calls `use` for each in their order.
+  void for_each_motion(const FacetPair& pair, const FacingPositions& x, const UseMotion& use) const {
+    finder_->for_each_motion(pair, x.primary, x.secondary, use);
   }
 
   /// Of a point of a pair, where it was found.

@@ -5,6 +5,7 @@
 
 #include <unsupported/Eigen/AutoDiff>
 
+#include <memory_resource>
 #include <type_traits>
 #include <vector>
 
@@ -76,8 +77,8 @@ Eigen::RowVector2d by_corner(const Eigen::AutoDiffScalar<Variation>& number, Ind
   return number.derivatives().template segment<2>(2 * corner).transpose();
 }
 
-/// Corners in counter-clockwise order.
+/// Corners in counter-clockwise order, in memory that is taken from where a polygon is told to.
 template <class Number>
-using Polygon = std::vector<Place<Number>>;
+using Polygon = std::pmr::vector<Place<Number>>;
 
 }  // namespace mixture_contact

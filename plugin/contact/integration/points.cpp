@@ -99,10 +99,11 @@ std::size_t GaussPoints::memory() const {
   return sum;
 }
 
-std::vector<PointMotion> GaussPoints::motions(const FacetPair& pair, const Matrix3Xd& /*x1*/,
-                                              const Matrix3Xd& /*x2*/) const {
+void GaussPoints::for_each_motion(const FacetPair& pair, const Matrix3Xd& /*x1*/, const Matrix3Xd& /*x2*/,
+                                  const UseMotion& use) const {
   const int nodes = node_count(primary_[pair.primary].type) + node_count(secondary_[pair.secondary].type);
-  return std::vector<PointMotion>(pair.points.size(), no_motion(nodes));
+  const PointMotion none = no_motion(nodes);
+  for (Index q = 0; q < count_of(pair.points); ++q) use(none);
 }
 
 IndexedVector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {

@@ -6,6 +6,7 @@
 #include "integration/search.h"
 #include "integration/self_contact.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct FacetPair {
 
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.
 Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
+
+/// Takes the motion of a point.
+using UseMotion = std::function<void(const PointMotion&)>;
 
 /// Finds the integration points of a primary surface and what they are paired with on a secondary one.
 class PointFinder {
@@ -56,11 +60,12 @@ class PointFinder {
   /// Ends the iterations of a step, or those before an augmentation: no point is kept any more.
   virtual void end_iterations() {}
 
-  /// Whether points move over the primary facets as the surfaces move; if not, motions() are none.
+  /// Whether points move over the primary facets as the surfaces move; if not, their motions are none.
   virtual bool moves_points() const = 0;
 
-  /// How the points of a pair, found at these positions, move with them; one entry per point.
-  virtual std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+  /// How the points of a pair, found at these positions, move with them: calls `use` for each in their order.
+  virtual void for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                               const UseMotion& use) const = 0;
 
   /// What it keeps [bytes].
   virtual std::size_t memory() const = 0;
@@ -88,7 +93,8 @@ class GaussPoints : public PointFinder {
   bool begin_iteration() override;
   void end_iterations() override;
   bool moves_points() const override { return false; }
-  std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  void for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                       const UseMotion& use) const override;
   std::size_t memory() const override;
 
  private:

@@ -114,14 +114,14 @@ Directions directions(FacetType type) {
 
 /// Points on the ellipse of inertia.
 template <class Number>
-std::vector<PolygonPoint<Number>> points_of_inertia(const Polygon<Number>& polygon, const Alignment<Number>& aligned) {
+PolygonPoints<Number> points_of_inertia(const Polygon<Number>& polygon, const Alignment<Number>& aligned) {
   const Middle<Number> middle_of = middle(polygon);
   const Symmetric<Number> s = root(covariance(polygon, aligned, middle_of));
   const Place<Number> first = s.xx * aligned.first + s.xy * aligned.second;
   const Place<Number> second = s.xy * aligned.first + s.yy * aligned.second;
   const Directions to = directions(aligned.type);
   const Number area = 0.5 / static_cast<double>(to.cols()) * middle_of.twice_area;
-  std::vector<PolygonPoint<Number>> points;
+  PolygonPoints<Number> points(polygon.get_allocator());
   points.reserve(static_cast<std::size_t>(to.cols()));
   for (Index q = 0; q < to.cols(); ++q) {
     points.push_back({middle_of.centroid + to(0, q) * first + to(1, q) * second, area});
@@ -143,8 +143,8 @@ std::vector<Polygon<Number>> pieces(const Polygon<Number>& polygon) {
 
 /// Points of the rules of triangles and quadrilaterals.
 template <class Number>
-std::vector<PolygonPoint<Number>> points_of_pieces(const Polygon<Number>& polygon, int order) {
-  std::vector<PolygonPoint<Number>> points;
+PolygonPoints<Number> points_of_pieces(const Polygon<Number>& polygon, int order) {
+  PolygonPoints<Number> points(polygon.get_allocator());
   for (const Polygon<Number>& piece : pieces(polygon)) {
     const FacetType type = shape_of(piece);
     for (const QuadraturePoint& q : quadrature(type, order)) {
@@ -169,12 +169,11 @@ Alignment<Number> alignment(const Polygon<Number>& polygon) {
 }
 
 template <class Number>
-std::vector<PolygonPoint<Number>> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned,
-                                                     int order) {
+PolygonPoints<Number> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned, int order) {
   if (order == 2) return points_of_inertia(polygon, aligned);
   if (order > 2) return points_of_pieces(polygon, order);
   const Middle<Number> only = middle(polygon);
-  return {{only.centroid, 0.5 * only.twice_area}};
+  return {{{only.centroid, 0.5 * only.twice_area}}, polygon.get_allocator()};
 }
 
 template <class Number>
@@ -185,7 +184,7 @@ template Align<VaryingNumber<corners_of_pieces>> alignment;
 template Align<VaryingNumber<most_corners>> alignment;
 
 template <class Number>
-using Quadrature = std::vector<PolygonPoint<Number>>(const Polygon<Number>&, const Alignment<Number>&, int);
+using Quadrature = PolygonPoints<Number>(const Polygon<Number>&, const Alignment<Number>&, int);
 template Quadrature<double> polygon_quadrature;
 template Quadrature<VaryingNumber<corners_of_triangles>> polygon_quadrature;
 template Quadrature<VaryingNumber<corners_of_pieces>> polygon_quadrature;

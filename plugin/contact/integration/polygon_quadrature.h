@@ -17,6 +17,9 @@ struct PolygonPoint {
   Number area;  ///< the part of the polygon's area that belongs to it
 };
 
+template <class Number>
+using PolygonPoints = std::pmr::vector<PolygonPoint<Number>>;
+
 /// What the points are aligned with: a triangle (tri3) or quadrilateral (quad4) that the polygon is a part of.
 template <class Number>
 struct Alignment {
@@ -29,7 +32,7 @@ struct Alignment {
 template <class Number>
 Alignment<Number> alignment(const Polygon<Number>& polygon);
 
-/// The points of a polygon that has an area.
+/// The points of a polygon that has an area, in its memory.
 ///
 /// Order 1: the centroid. Order 2: three (triangles) or four points on the ellipse of inertia, which fits times sqrt(2)
 /// within any convex figure (Kannan, Lovasz and Simonovits 1995, Discrete Comput Geom 13:541-559); exact for
@@ -37,7 +40,6 @@ Alignment<Number> alignment(const Polygon<Number>& polygon);
 /// aligned with its sides these are the 2 x 2 Gauss points, of a triangle those of its rule of order 2. From order 3:
 /// the rule of this order on a quadrilateral, or on the triangles around the centroid.
 template <class Number>
-std::vector<PolygonPoint<Number>> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned,
-                                                     int order);
+PolygonPoints<Number> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned, int order);
 
 }  // namespace mixture_contact

@@ -1,6 +1,7 @@
 #include "integration/segments.h"
 
 #include "base/in_order.h"
+#include "base/local_memory.h"
 #include "geometry/quadrature.h"
 #include "integration/polygon_quadrature.h"
 #include "integration/view.h"
@@ -22,6 +23,8 @@ constexpr double coincident_fraction = 1e-9;
 constexpr double negligible_fraction = 1e-8;
 /// How far outside a facet a point may be carried, in parametric coordinates: as far as a neighbour reaches.
 constexpr double reach_outside = 2;
+/// Linear pieces of a facet, at most.
+constexpr std::size_t max_pieces = 6;
 
 /// A facet of a pair with its nodal coordinates.
 struct PlacedFacet {
@@ -62,8 +65,9 @@ Vector3d corner(const PlacedFacet& facet, const Corners& piece, int a) {
 
 /// A part of a facet as it is seen; its corners are numbered on from the first.
 template <class Number>
-Polygon<Number> seen(const View& view, const PlacedFacet& facet, const Corners& piece, int first_corner) {
-  Polygon<Number> polygon;
+Polygon<Number> seen(const View& view, const PlacedFacet& facet, const Corners& piece, int first_corner,
+                     std::pmr::memory_resource* memory) {
+  Polygon<Number> polygon(memory);
   polygon.reserve(piece.size());
   for (int a = 0; a < number_of(piece); ++a) {
     polygon.push_back(corner_place<Number>(view.seen(corner(facet, piece, a)), first_corner + a));
@@ -205,18 +209,26 @@ struct Piece {
 };
 
 template <class Number>
-std::vector<Piece<Number>> pieces_of(const PlacedFacet& facet) {
-  std::vector<Piece<Number>> pieces;
+using Pieces = std::pmr::vector<Piece<Number>>;
+
+template <class Number>
+Pieces<Number> pieces_of(const PlacedFacet& facet, std::pmr::memory_resource* memory) {
+  Pieces<Number> pieces(memory);
   pieces.reserve(sub_facets(facet.type).size());
   for (const SubFacet& part : sub_facets(facet.type)) {
     const View view = view_at(facet.type, facet.x, middle(facet.type, part));
-    Polygon<Number> polygon = seen<Number>(view, facet, part.nodes, 0);
+    Polygon<Number> polygon = seen<Number>(view, facet, part.nodes, 0, memory);
     const double area = twice_area(polygon);
     const Alignment<Number> aligned = alignment(polygon);
     pieces.push_back({part, view, circle_around(facet, part.nodes), std::move(polygon), area, aligned});
   }
   return pieces;
 }
+
+/// What the pieces of a facet take of memory, mostly: with their polygons and what else there is per piece.
+template <class Number>
+constexpr std::size_t bytes_of_pieces = max_pieces * (sizeof(Piece<Number>) +
+                                                      max_piece_corners * sizeof(Place<Number>) + sizeof(ViewTilt));
 
 /// Circles around each of these facets.
 IndexedVector<Circle> circles_around(const IndexedVector<Facet>& facets, const Matrix3Xd& x) {
@@ -228,20 +240,27 @@ IndexedVector<Circle> circles_around(const IndexedVector<Facet>& facets, const M
 
 /// The overlap of a piece with a part of another facet; fewer than three corners where there is none.
 template <class Number>
-Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const Corners& part) {
-  Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.part.nodes));
-  if (twice_area(window) >= 0) return {};  // it faces away
+Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const Corners& part,
+                        std::pmr::memory_resource* memory) {
+  const Polygon<Number> none(memory);
+  Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.part.nodes), memory);
+  if (twice_area(window) >= 0) return none;  // it faces away
   std::reverse(window.begin(), window.end());
   const double coincident = coincident_fraction * std::sqrt(piece.area);
   // What clips is convex: an outline with nodes amid its edges may bend inwards.
   const bool may_bend = number_of(part) > max_piece_corners;
-  Polygon<Number> both = may_bend ? clip(window, piece.polygon, coincident) : clip(piece.polygon, window, coincident);
-  if (both.size() >= 3 && twice_area(both) <= negligible_fraction * piece.area) return {};
+  Polygon<Number> both = may_bend ? clip(std::move(window), piece.polygon, coincident)
+                                  : clip({piece.polygon, memory}, window, coincident);
+  if (both.size() >= 3 && twice_area(both) <= negligible_fraction * piece.area) return none;
   return both;
 }
 
+/// What an overlap takes of memory as it is made, mostly: some polygons of some corners.
+template <class Number>
+constexpr std::size_t bytes_of_overlap = 64 * sizeof(Place<Number>);
+
 /// Whether all pieces of a facet are apart from what is within a circle, as they are seen.
-bool are_apart(const std::vector<Piece<double>>& pieces, const Circle& circle) {
+bool are_apart(const Pieces<double>& pieces, const Circle& circle) {
   return std::all_of(pieces.begin(), pieces.end(),
                      [&](const Piece<double>& piece) { return are_apart(piece.circle, circle, piece.view.normal); });
 }
@@ -249,14 +268,15 @@ bool are_apart(const std::vector<Piece<double>>& pieces, const Circle& circle) {
 /// Calls use(sample) for the points on the overlap of a facet, in pieces, and another one within a circle, in a fixed
 /// order.
 template <class Number, class Use>
-void sample_overlap(const std::vector<Piece<Number>>& pieces, const PlacedFacet& secondary, const Circle& circle,
-                    int order, const Use& use) {
+void sample_overlap(const Pieces<Number>& pieces, const PlacedFacet& secondary, const Circle& circle, int order,
+                    const Use& use) {
   int sub_facet = -1;
   for (const Piece<Number>& piece : pieces) {
     ++sub_facet;
     if (are_apart(piece.circle, circle, piece.view.normal)) continue;
     for_each_window(secondary.type, order, [&](const Corners& window) {
-      const Polygon<Number> both = overlap(piece, secondary, window);
+      LocalMemory<bytes_of_overlap<Number>> memory;
+      const Polygon<Number> both = overlap(piece, secondary, window, memory.resource());
       if (both.size() < 3) return;
       for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece.aligned, order))
         use(Sample<Number>{point, piece.view, piece.part.nodes, window, sub_facet});
@@ -267,12 +287,12 @@ void sample_overlap(const std::vector<Piece<Number>>& pieces, const PlacedFacet&
 /// A facet whose overlaps are sampled, and what is the same for all of them.
 struct SampledFacet {
   PlacedFacet placed;
-  std::vector<Piece<double>> pieces;
+  Pieces<double> pieces;
 };
 
-SampledFacet sampled(const Facet& facet, const Matrix3Xd& x) {
+SampledFacet sampled(const Facet& facet, const Matrix3Xd& x, std::pmr::memory_resource* memory) {
   const PlacedFacet placed{facet.type, facet_coordinates(facet, x)};
-  return {placed, pieces_of<double>(placed)};
+  return {placed, pieces_of<double>(placed, memory)};
 }
 
 /// The points between a facet at x1 and one of the other surface at x2, within a circle; none where not all of them are
@@ -297,22 +317,21 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
   return points;
 }
 
-/// How the points of a pair move with its nodes.
+/// Calls use(motion) for how each of the points of a pair moves with its nodes.
 template <class Number>
-std::vector<PointMotion> motions_of(const FacetPair& pair, const PlacedFacet& primary, const PlacedFacet& secondary,
-                                    int order) {
-  const std::vector<Piece<Number>> pieces = pieces_of<Number>(primary);
-  std::vector<ViewTilt> tilts;
+void for_each_motion_of(const FacetPair& pair, const PlacedFacet& primary, const PlacedFacet& secondary, int order,
+                        const UseMotion& use) {
+  LocalMemory<bytes_of_pieces<Number>> memory;
+  const Pieces<Number> pieces = pieces_of<Number>(primary, memory.resource());
+  std::pmr::vector<ViewTilt> tilts(memory.resource());
   tilts.reserve(pieces.size());
   for (const Piece<Number>& piece : pieces)
     tilts.push_back(view_tilt(piece.view, primary.type, primary.x, middle(primary.type, piece.part)));
-  std::vector<PointMotion> motions;
-  motions.reserve(pair.points.size());
+  auto point = pair.points.begin();
   sample_overlap(pieces, secondary, circle_around(secondary.x), order, [&](const Sample<Number>& sample) {
     const ViewTilt& tilt = at(tilts, sample.sub_facet);
-    motions.push_back(projection_motion(primary, secondary, sample, tilt, pair.points[motions.size()].xi));
+    use(projection_motion(primary, secondary, sample, tilt, (point++)->xi));
   });
-  return motions;
 }
 
 /// Whether the shape functions of a facet are polynomials of the second degree at most, in total.
@@ -410,7 +429,8 @@ IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& 
     IndexedVector<FacetPair> pairs;
     const std::vector<int> others = candidates(f, tree, x1, radius);
     if (others.empty()) return pairs;
-    const SampledFacet facet = sampled(primary_[f], x1);
+    LocalMemory<bytes_of_pieces<double>> memory;
+    const SampledFacet facet = sampled(primary_[f], x1, memory.resource());
     for (const int other : others) {
       FacetPair pair{f, other,
                      points_between(primary_[f], facet, secondary_[other], circles[other], order({f, other}), x1, x2)};
@@ -434,14 +454,16 @@ IndexedVector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Mat
   for (const Facing& facing : paired_) {
     const Facet& one = primary_[facing.primary];
     const Facet& two = secondary_[facing.secondary];
-    auto points = points_between(one, sampled(one, x1), two, circle_around(facet_coordinates(two, x2)), order(facing),
-                                 x1, x2);
+    LocalMemory<bytes_of_pieces<double>> memory;
+    auto points = points_between(one, sampled(one, x1, memory.resource()), two,
+                                 circle_around(facet_coordinates(two, x2)), order(facing), x1, x2);
     if (!points.empty()) found.push_back({facing.primary, facing.secondary, std::move(points)});
   }
   return found;
 }
 
-std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+void Segments::for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                               const UseMotion& use) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
@@ -449,9 +471,10 @@ std::vector<PointMotion> Segments::motions(const FacetPair& pair, const Matrix3X
   const int rule = order({pair.primary, pair.secondary});
   const int corners = number_of(sub_facets(one.type).front().nodes) + window_corners(two.type, rule);
   if (corners <= corners_of_triangles)
-    return motions_of<VaryingNumber<corners_of_triangles>>(pair, primary, secondary, rule);
-  if (corners <= corners_of_pieces) return motions_of<VaryingNumber<corners_of_pieces>>(pair, primary, secondary, rule);
-  return motions_of<VaryingNumber<most_corners>>(pair, primary, secondary, rule);
+    return for_each_motion_of<VaryingNumber<corners_of_triangles>>(pair, primary, secondary, rule, use);
+  if (corners <= corners_of_pieces)
+    return for_each_motion_of<VaryingNumber<corners_of_pieces>>(pair, primary, secondary, rule, use);
+  for_each_motion_of<VaryingNumber<most_corners>>(pair, primary, secondary, rule, use);
 }
 
 }  // namespace mixture_contact

@@ -31,7 +31,8 @@ class Segments : public PointFinder {
   IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   bool moves_points() const override { return true; }
-  std::vector<PointMotion> motions(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  void for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                       const UseMotion& use) const override;
   std::size_t memory() const override { return self_.memory() + paired_.capacity() * sizeof(Facing); }
 
  private:

@@ -77,11 +77,12 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi) {
 
 void set_varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                         const FacingFields& fields, double dt, std::vector<VaryingPoint>& points) {
-  const std::vector<PointMotion> motions = space.facing().motions(pair, positions(fields));
   points.clear();
   points.reserve(pair.points.size());
   const LoadedPair loaded(space, pair, loads, fields, dt);
-  for (std::size_t q = 0; q < pair.points.size(); ++q) points.emplace_back(loaded.point(q), motions[q]);
+  space.facing().for_each_motion(pair, positions(fields), [&](const PointMotion& motion) {
+    points.emplace_back(loaded.point(points.size()), motion);
+  });
 }
 
 std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,

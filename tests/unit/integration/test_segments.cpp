@@ -154,8 +154,10 @@ Vector2d motion_error(const LonePair& lone) {
   const MatrixXd approximate = fine_differences(
       [&](const VectorXd& at) { return weighted(segments.on_same_facets(lone.x1(at), lone.x2(at)).front()); },
       lone.nodes);
-  const MatrixXd motion = weighted_motion(found.front(),
-                                          segments.motions(found.front(), lone.x1(lone.nodes), lone.x2(lone.nodes)));
+  std::vector<PointMotion> motions;
+  segments.for_each_motion(found.front(), lone.x1(lone.nodes), lone.x2(lone.nodes),
+                           [&](const PointMotion& motion) { motions.push_back(motion); });
+  const MatrixXd motion = weighted_motion(found.front(), motions);
   return {(motion - approximate).squaredNorm(), approximate.squaredNorm()};
 }
 
