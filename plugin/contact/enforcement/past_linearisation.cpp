@@ -164,8 +164,9 @@ LinearisationSource::LinearisationSource(const LinearisationPoint& point, const 
   pairs.reserve(space.facing().pairs().size());
   sub_facets.reserve(space.facing().points());
   for (const FacetPair& pair : space.facing().pairs()) {
-    pairs.push_back({pair.primary, pair.secondary, count_of(pair.points)});
-    for (const IntegrationPoint& integration_point : pair.points) sub_facets.push_back(integration_point.sub_facet);
+    pairs.push_back({pair.primary, pair.secondary, pair.points});
+    for (const IntegrationPoint& integration_point : space.facing().points(pair))
+      sub_facets.push_back(integration_point.sub_facet);
   }
 }
 

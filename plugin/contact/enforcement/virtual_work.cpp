@@ -127,8 +127,9 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
     const LocalLayout layout(facet.count(), facing.secondary_facet(pair).count(), exchanged.count());
     const FacetLoads nodal = facet_loads(facet, loads, exchanged);
     residual.setZero(layout.size());
-    for (std::size_t q = 0; q < pair.points.size(); ++q) {
-      const IntegrationPoint& place = pair.points[q];
+    const PointsOfPair points = facing.points(pair);
+    for (Index q = 0; q < points.count(); ++q) {
+      const IntegrationPoint& place = points[q];
       const FacetVector psi = space.shape(pair.primary, place.sub_facet, place.xi).value;
       PointLoads here = loads_at(nodal, psi);
       here.weight = place.weight;

@@ -50,23 +50,21 @@ bool FacingPairs::begin_iteration(const FacingPositions& x) {
   return finds_more;
 }
 
-void FacingPairs::keep(IndexedVector<FacetPair> pairs, const FacingPositions& x) {
-  pairs_ = std::move(pairs);
+void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
   if (restriction_) {
-    const auto apart = [&](const FacetPair& pair) { return !has_node_among(pair, *restriction_); };
-    pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
+    found_.clear();
+    for (const FacetPair& pair : found.pairs()) {
+      if (has_node_among(pair, *restriction_)) found_.add(found, pair);
+    }
+  } else {
+    found_ = std::move(found);
   }
-  Index points = 0;
-  for (FacetPair& pair : pairs_) {
-    pair.first = points;
-    points += count_of(pair.points);
-  }
-  kinematics_.resize(indexing::entries(points));
+  kinematics_.resize(found_.points().size());
   evaluate_all(x);
 }
 
 void FacingPairs::evaluate_all(const FacingPositions& x) {
-  in_parallel(pairs_.count(), [&](Index index) { evaluate(pairs_[index], x); });
+  in_parallel(pairs().count(), [&](Index index) { evaluate(pairs()[index], x); });
 }
 
 IndexedVector<int> FacingPairs::exchanged_fields(const FacetPair& pair) const {
@@ -106,8 +104,9 @@ void FacingPairs::evaluate(const FacetPair& pair, const FacingPositions& x) {
   const Facet& two = secondary_facet(pair);
   const FacetCoordinates x1 = facet_coordinates(one, x.primary);
   const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
-  for (Index q = 0; q < count_of(pair.points); ++q) {
-    const IntegrationPoint& point = at(pair.points, q);
+  const PointsOfPair all = points(pair);
+  for (Index q = 0; q < all.count(); ++q) {
+    const IntegrationPoint& point = all[q];
     kinematics_[pair.first + q] = point_kinematics(shape_functions(one.type, point.xi), x1,
                                                    shape_functions(two.type, point.eta), x2);
   }
@@ -127,7 +126,7 @@ bool FacingPairs::has_node_among(const FacetPair& pair, const NodeFlags& nodes) 
 
 IndexedVector<std::vector<const FacetPair*>> FacingPairs::around(const NodeFlags& nodes) const {
   IndexedVector<std::vector<const FacetPair*>> around(primary_.nodes);
-  for (const FacetPair& pair : pairs_) {
+  for (const FacetPair& pair : pairs()) {
     for (const int node : primary_facet(pair)) {
       if (nodes[node]) around[node].push_back(&pair);
     }
@@ -135,13 +134,9 @@ IndexedVector<std::vector<const FacetPair*>> FacingPairs::around(const NodeFlags
   return around;
 }
 
-std::size_t FacingPairs::points() const { return kinematics_.size(); }
-
 std::size_t FacingPairs::memory() const {
-  std::size_t sum = finder_->memory() + bytes(pairs_) + bytes(kinematics_) + bytes(searched_at_.primary) +
-                    bytes(searched_at_.secondary);
-  for (const FacetPair& pair : pairs_) sum += bytes(pair.points);
-  return sum;
+  return finder_->memory() + found_.memory() + bytes(kinematics_) + bytes(searched_at_.primary) +
+         bytes(searched_at_.secondary);
 }
 
 }  // namespace mixture_contact

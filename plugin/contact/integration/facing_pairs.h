@@ -29,14 +29,15 @@ class FacingPairs {
   }
   bool is_restricted() const { return restriction_.has_value(); }
   void clear() {
-    pairs_.clear();
+    found_.clear();
     kinematics_.clear();
     searched_at_ = {};
   }
 
   const SurfaceMesh& primary() const { return primary_; }
   const Effects& effects() const { return effects_; }
-  const IndexedVector<FacetPair>& pairs() const { return pairs_; }
+  const IndexedVector<FacetPair>& pairs() const { return found_.pairs(); }
+  PointsOfPair points(const FacetPair& pair) const { return found_.points(pair); }
   /// Half the diagonal of the primary surface where the last search was made [mm].
   double surface_size() const { return surface_size_; }
 
@@ -61,18 +62,19 @@ class FacingPairs {
   bool moves_points() const { return finder_->moves_points(); }
   /// How the points of a pair move with the nodes: calls `use` for each in their order.
   void for_each_motion(const FacetPair& pair, const FacingPositions& x, const UseMotion& use) const {
-    finder_->for_each_motion(pair, x.primary, x.secondary, use);
+    finder_->for_each_motion(pair, points(pair), x.primary, x.secondary, use);
   }
 
   /// Of a point of a pair, where it was found.
-  const PointKinematics& kinematics(const FacetPair& pair, std::size_t point) const {
-    return kinematics_[pair.first + static_cast<Index>(point)];
+  const PointKinematics& kinematics(const FacetPair& pair, Index point) const {
+    return kinematics_[pair.first + point];
   }
-  std::size_t points() const;
+  /// Of all pairs.
+  std::size_t points() const { return kinematics_.size(); }
   std::size_t memory() const;
 
  private:
-  void keep(IndexedVector<FacetPair> pairs, const FacingPositions& x);
+  void keep(FacetPairs found, const FacingPositions& x);
   void evaluate(const FacetPair& pair, const FacingPositions& x);
   void evaluate_all(const FacingPositions& x);
 
@@ -80,7 +82,7 @@ class FacingPairs {
   const SurfaceMesh& secondary_;
   const Effects& effects_;
   std::unique_ptr<PointFinder> finder_;
-  IndexedVector<FacetPair> pairs_;
+  FacetPairs found_;
   IndexedVector<PointKinematics> kinematics_;  ///< of the points of all pairs; its memory serves the next search
   std::optional<NodeFlags> restriction_;
   double radius_ = 0;  ///< of the last search [mm]

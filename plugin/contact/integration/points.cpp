@@ -1,5 +1,6 @@
 #include "integration/points.h"
 
+#include "base/bytes.h"
 #include "base/in_order.h"
 #include "geometry/quadrature.h"
 #include "integration/segments.h"
@@ -10,17 +11,65 @@
 namespace mixture_contact {
 namespace {
 
-/// Adds a point to its pair of facets. Points come facet by facet, so only the pairs of the last primary facet count.
-void add_point(IndexedVector<FacetPair>& pairs, int primary, int secondary, const IntegrationPoint& point) {
-  for (auto pair = pairs.rbegin(); pair != pairs.rend() && pair->primary == primary; ++pair) {
-    if (pair->secondary != secondary) continue;
-    pair->points.push_back(point);
-    return;
+/// Points that come facet by facet of the primary surface, by the pair of facets that they lie on.
+class ByPair {
+ public:
+  void add(int primary, int secondary, const IntegrationPoint& point) {
+    if (primary != primary_) finish_facet();
+    primary_ = primary;
+    of_facet_.push_back({secondary, point});
   }
-  pairs.push_back({primary, secondary, {point}});
-}
+  FacetPairs finish() {
+    finish_facet();
+    return std::move(pairs_);
+  }
+
+ private:
+  struct PairedPoint {
+    int secondary;
+    IntegrationPoint point;
+  };
+  /// Makes pairs of the points of a facet, in the order of their first points.
+  void finish_facet() {
+    for (auto first = of_facet_.begin(); first != of_facet_.end();) {
+      pairs_.add_pair(primary_, first->secondary);
+      const auto others = std::stable_partition(
+          first, of_facet_.end(), [&](const PairedPoint& point) { return point.secondary == first->secondary; });
+      for (; first != others; ++first) pairs_.add_point(first->point);
+    }
+    of_facet_.clear();
+  }
+
+  FacetPairs pairs_;
+  int primary_ = 0;
+  std::vector<PairedPoint> of_facet_;
+};
 
 }  // namespace
+
+void FacetPairs::clear() {
+  pairs_.clear();
+  points_.clear();
+}
+
+void FacetPairs::add_point(const IntegrationPoint& point) {
+  points_.push_back(point);
+  ++pairs_.back().points;
+}
+
+void FacetPairs::add(const FacetPairs& others, const FacetPair& pair) {
+  add_pair(pair.primary, pair.secondary);
+  const PointsOfPair of_pair = others.points(pair);
+  points_.insert(points_.end(), of_pair.begin(), of_pair.end());
+  pairs_.back().points = of_pair.count();
+}
+
+void FacetPairs::remove_last_pair() {
+  points_.resize(indexing::entries(pairs_.back().first));
+  pairs_.pop_back();
+}
+
+std::size_t FacetPairs::memory() const { return bytes(pairs_) + bytes(points_); }
 
 Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance) {
   const ShapeFunctions shape = shape_functions(facet.type, xi);
@@ -67,10 +116,9 @@ void GaussPoints::end_iterations() {
   for (ProjectionHistory& history : histories_) history = {history.facet};
 }
 
-IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
-  IndexedVector<FacetPair> pairs;
+FacetPairs GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
   for (ProjectionHistory& history : histories_) history.facet = unpaired;
-  if (!surfaces_within_reach(x1, x2, radius)) return pairs;
+  if (!surfaces_within_reach(x1, x2, radius)) return {};
   moving_.move_to(x2);
   const auto hit_of = [&](Index q) {
     const Point& point = points_[q];
@@ -83,13 +131,14 @@ IndexedVector<FacetPair> GaussPoints::search(const Matrix3Xd& x1, const Matrix3X
     ray.tolerance = widest_miss;
     return facing_hit(histories_[q].last, secondary_, x2, ray);
   };
+  ByPair pairs;
   in_order(points_.count(), hit_of, [&](Index q, const std::optional<SurfaceHit>& hit) {
     const Point& point = points_[q];
     if (!hit) return;
     histories_[q].facet = hit->facet;
-    add_point(pairs, point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
+    pairs.add(point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
-  return pairs;
+  return pairs.finish();
 }
 
 std::size_t GaussPoints::memory() const {
@@ -99,15 +148,15 @@ std::size_t GaussPoints::memory() const {
   return sum;
 }
 
-void GaussPoints::for_each_motion(const FacetPair& pair, const Matrix3Xd& /*x1*/, const Matrix3Xd& /*x2*/,
-                                  const UseMotion& use) const {
+void GaussPoints::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& /*x1*/,
+                                  const Matrix3Xd& /*x2*/, const UseMotion& use) const {
   const int nodes = node_count(primary_[pair.primary].type) + node_count(secondary_[pair.secondary].type);
   const PointMotion none = no_motion(nodes);
-  for (Index q = 0; q < count_of(pair.points); ++q) use(none);
+  for (Index q = 0; q < points.count(); ++q) use(none);
 }
 
-IndexedVector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  IndexedVector<FacetPair> pairs;
+FacetPairs GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  ByPair pairs;
   const auto hit_of = [&](Index q) -> std::optional<RayHit> {
     const ProjectionHistory& history = histories_[q];
     if (history.facet == unpaired) return std::nullopt;
@@ -119,9 +168,9 @@ IndexedVector<FacetPair> GaussPoints::on_same_facets(const Matrix3Xd& x1, const 
   };
   in_order(points_.count(), hit_of, [&](Index q, const std::optional<RayHit>& hit) {
     const Point& point = points_[q];
-    if (hit) add_point(pairs, point.facet, histories_[q].facet, {point.xi, hit->eta, point.weight, point.sub_facet});
+    if (hit) pairs.add(point.facet, histories_[q].facet, {point.xi, hit->eta, point.weight, point.sub_facet});
   });
-  return pairs;
+  return pairs.finish();
 }
 
 }  // namespace mixture_contact

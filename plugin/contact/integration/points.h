@@ -7,6 +7,7 @@
 #include "integration/self_contact.h"
 
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -21,12 +22,50 @@ struct IntegrationPoint {
   int sub_facet = 0;  ///< of the primary facet, that it lies on
 };
 
-/// A facet of the primary surface and one of the secondary surface that faces it, with the points in between.
+/// A facet of the primary surface and one of the secondary surface that faces it.
 struct FacetPair {
   int primary = 0;
   int secondary = 0;
-  std::vector<IntegrationPoint> points;
-  Index first = 0;  ///< of its points, among those of all pairs of FacingPairs
+  Index first = 0;   ///< of the points in between, among those of all pairs
+  Index points = 0;  ///< how many there are
+};
+
+/// The points of a pair, in their order.
+class PointsOfPair {
+ public:
+  /// Those from the first on.
+  PointsOfPair(const IntegrationPoint* first, Index count) : first_(first), count_(count) {}
+
+  const IntegrationPoint* begin() const { return first_; }
+  const IntegrationPoint* end() const { return std::next(first_, count_); }
+  Index count() const { return count_; }
+  const IntegrationPoint& operator[](Index point) const { return *std::next(first_, point); }
+
+ private:
+  const IntegrationPoint* first_;
+  Index count_;
+};
+
+/// Pairs of facets with the points in between.
+class FacetPairs {
+ public:
+  const IndexedVector<FacetPair>& pairs() const { return pairs_; }
+  PointsOfPair points(const FacetPair& pair) const { return {std::next(points_.data(), pair.first), pair.points}; }
+  /// Of all pairs.
+  const IndexedVector<IntegrationPoint>& points() const { return points_; }
+
+  void clear();
+  /// Adds a pair, and another point to the last pair.
+  void add_pair(int primary, int secondary) { pairs_.push_back({primary, secondary, points_.count(), 0}); }
+  void add_point(const IntegrationPoint& point);
+  /// Adds a pair of others with its points.
+  void add(const FacetPairs& others, const FacetPair& pair);
+  void remove_last_pair();
+  std::size_t memory() const;
+
+ private:
+  IndexedVector<FacetPair> pairs_;
+  IndexedVector<IntegrationPoint> points_;  ///< those of one pair after those of the other
 };
 
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.
@@ -47,11 +86,11 @@ class PointFinder {
 
   /// Pairs of facets that face each other within `radius`, in ascending order of the primary facets. Within an
   /// iteration the result depends on the positions alone.
-  virtual IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
+  virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
 
   /// The same without a search: points keep to the facets that the last search() found for them. The result depends on
   /// that search and the positions alone.
-  virtual IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+  virtual FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
 
   /// Begins a Newton iteration where the last search was made. Returns whether a search there would now find more,
   /// since points at the edge of the other surface are kept on it from now on.
@@ -64,8 +103,8 @@ class PointFinder {
   virtual bool moves_points() const = 0;
 
   /// How the points of a pair, found at these positions, move with them: calls `use` for each in their order.
-  virtual void for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
-                               const UseMotion& use) const = 0;
+  virtual void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
+                               const Matrix3Xd& x2, const UseMotion& use) const = 0;
 
   /// What it keeps [bytes].
   virtual std::size_t memory() const = 0;
@@ -87,13 +126,13 @@ class GaussPoints : public PointFinder {
   GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, double tolerance,
               SelfContact self = {});
 
-  IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   /// A point that leaves its facet comes back with it.
-  IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   bool begin_iteration() override;
   void end_iterations() override;
   bool moves_points() const override { return false; }
-  void for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
+  void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;
   std::size_t memory() const override;
 

@@ -295,14 +295,12 @@ SampledFacet sampled(const Facet& facet, const Matrix3Xd& x, std::pmr::memory_re
   return {placed, pieces_of<double>(placed, memory)};
 }
 
-/// The points between a facet at x1 and one of the other surface at x2, within a circle; none where not all of them are
-/// found.
-std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFacet& primary, const Facet& two,
-                                             const Circle& circle, int order, const Matrix3Xd& x1,
-                                             const Matrix3Xd& x2) {
-  if (are_apart(primary.pieces, circle)) return {};
+/// Adds the points between a facet at x1 and one of the other surface at x2, within a circle, to the last pair. Returns
+/// whether there are any and all of them are found.
+bool add_points_between(const Facet& one, const SampledFacet& primary, const Facet& two, const Circle& circle,
+                        int order, const Matrix3Xd& x1, const Matrix3Xd& x2, FacetPairs& pairs) {
+  if (are_apart(primary.pieces, circle)) return false;
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
-  std::vector<IntegrationPoint> points;
   bool complete = true;
   sample_overlap(primary.pieces, secondary, circle, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
@@ -310,16 +308,14 @@ std::vector<IntegrationPoint> points_between(const Facet& one, const SampledFace
     const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
     const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
     if (!hit) return void(complete = false);
-    if (points.empty()) points.reserve(max_piece_corners);  // enough for most overlaps
-    points.push_back({*xi, hit->eta, carried_weight(primary.placed, sample, *xi), sample.sub_facet});
+    pairs.add_point({*xi, hit->eta, carried_weight(primary.placed, sample, *xi), sample.sub_facet});
   });
-  if (!complete) points.clear();
-  return points;
+  return complete && pairs.pairs().back().points > 0;
 }
 
 /// Calls use(motion) for how each of the points of a pair moves with its nodes.
 template <class Number>
-void for_each_motion_of(const FacetPair& pair, const PlacedFacet& primary, const PlacedFacet& secondary, int order,
+void for_each_motion_of(const PointsOfPair& points, const PlacedFacet& primary, const PlacedFacet& secondary, int order,
                         const UseMotion& use) {
   LocalMemory<bytes_of_pieces<Number>> memory;
   const Pieces<Number> pieces = pieces_of<Number>(primary, memory.resource());
@@ -327,7 +323,7 @@ void for_each_motion_of(const FacetPair& pair, const PlacedFacet& primary, const
   tilts.reserve(pieces.size());
   for (const Piece<Number>& piece : pieces)
     tilts.push_back(view_tilt(piece.view, primary.type, primary.x, middle(primary.type, piece.part)));
-  auto point = pair.points.begin();
+  const IntegrationPoint* point = points.begin();
   sample_overlap(pieces, secondary, circle_around(secondary.x), order, [&](const Sample<Number>& sample) {
     const ViewTilt& tilt = at(tilts, sample.sub_facet);
     use(projection_motion(primary, secondary, sample, tilt, (point++)->xi));
@@ -346,8 +342,8 @@ bool share_a_node(const Facet& one, const Facet& two) {
   });
 }
 
-const IntegrationPoint& heaviest(const FacetPair& pair) {
-  return *std::max_element(pair.points.begin(), pair.points.end(),
+const IntegrationPoint& heaviest(const PointsOfPair& points) {
+  return *std::max_element(points.begin(), points.end(),
                            [](const auto& one, const auto& two) { return one.weight < two.weight; });
 }
 
@@ -366,8 +362,8 @@ int Segments::order(const Facing& facing) const {
   return default_segment_order(primary_[facing.primary].type, secondary_[facing.secondary].type);
 }
 
-bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const {
-  const IntegrationPoint& point = heaviest(pair);
+bool Segments::within_reach(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
+                            const Matrix3Xd& x2, double radius) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const Ray ray = normal_ray(one, x1, point.xi, radius, 0);
@@ -375,10 +371,10 @@ bool Segments::within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Ma
   return apart.norm() <= radius && apart.dot(ray.direction) >= -self_.largest_overlap(pair.primary);
 }
 
-bool Segments::opposed(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+bool Segments::opposed(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
+                       const Matrix3Xd& x2) const {
   const double least = self_.opposition();
   if (least == 0) return true;
-  const IntegrationPoint& point = heaviest(pair);
   const Vector3d one = normal_ray(primary_[pair.primary], x1, point.xi, 0, 0).direction;
   const Vector3d two = normal_ray(secondary_[pair.secondary], x2, point.eta, 0, 0).direction;
   return one.dot(two) < -least;
@@ -392,14 +388,13 @@ std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Ma
   return found;
 }
 
-bool Segments::occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
-                        const Matrix3Xd& x2) const {
+bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
-  const IntegrationPoint& point = heaviest(pair);
+  const IntegrationPoint& point = heaviest(all.points(pair));
   const Ray ray = normal_ray(one, x1, point.xi, 0, 0);
   const Vector3d paired = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value;
-  return std::any_of(all.begin(), all.end(), [&](const FacetPair& rival) {
+  return std::any_of(all.pairs().begin(), all.pairs().end(), [&](const FacetPair& rival) {
     const Facet& facet = secondary_[rival.secondary];
     if (share_a_node(facet, two)) return false;
     const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
@@ -407,63 +402,61 @@ bool Segments::occluded(const FacetPair& pair, const IndexedVector<FacetPair>& a
   });
 }
 
-void Segments::remove_occluded(IndexedVector<FacetPair>& pairs, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  std::vector<int> hidden;  // all are judged before any is removed: what is hidden hides others, too
-  for (const FacetPair& pair : pairs) {
-    if (occluded(pair, pairs, x1, x2)) hidden.push_back(pair.secondary);
-  }
-  const auto is_hidden = [&](const FacetPair& pair) {
-    return std::find(hidden.begin(), hidden.end(), pair.secondary) != hidden.end();
-  };
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_hidden), pairs.end());
-}
-
-IndexedVector<FacetPair> Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
-  IndexedVector<FacetPair> found;
+FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
+  FacetPairs found;
   paired_.clear();
   if (!surfaces_within_reach(x1, x2, radius)) return found;
   const FacetTree tree(secondary_, x2, box_margin);
   const IndexedVector<Circle> circles = circles_around(secondary_, x2);
-  const auto pairs_of = [&](Index index) {
-    const int f = static_cast<int>(index);
-    IndexedVector<FacetPair> pairs;
-    const std::vector<int> others = candidates(f, tree, x1, radius);
-    if (others.empty()) return pairs;
-    LocalMemory<bytes_of_pieces<double>> memory;
-    const SampledFacet facet = sampled(primary_[f], x1, memory.resource());
-    for (const int other : others) {
-      FacetPair pair{f, other,
-                     points_between(primary_[f], facet, secondary_[other], circles[other], order({f, other}), x1, x2)};
-      if (!pair.points.empty() && within_reach(pair, x1, x2, radius) && opposed(pair, x1, x2))
-        pairs.push_back(std::move(pair));
-    }
-    remove_occluded(pairs, x1, x2);
-    return pairs;
+  const auto add_near = [&](int facet, int other, const SampledFacet& one, FacetPairs& near) {
+    near.add_pair(facet, other);
+    const FacetPair& pair = near.pairs().back();
+    if (!add_points_between(primary_[facet], one, secondary_[other], circles[other], order({facet, other}), x1, x2,
+                            near))
+      return near.remove_last_pair();
+    const IntegrationPoint& point = heaviest(near.points(pair));
+    if (!within_reach(pair, point, x1, x2, radius) || !opposed(pair, point, x1, x2)) near.remove_last_pair();
   };
-  in_order(primary_.count(), pairs_of, [&](Index /*facet*/, IndexedVector<FacetPair>& pairs) {
-    for (FacetPair& pair : pairs) {
-      paired_.push_back({pair.primary, pair.secondary});
-      found.push_back(std::move(pair));
+  const auto set_visible = [&](Index index, FacetPairs& visible, FacetPairs& near) {
+    visible.clear();
+    near.clear();
+    const int facet = static_cast<int>(index);
+    const std::vector<int> others = candidates(facet, tree, x1, radius);
+    if (others.empty()) return;
+    LocalMemory<bytes_of_pieces<double>> memory;
+    const SampledFacet one = sampled(primary_[facet], x1, memory.resource());
+    for (const int other : others) add_near(facet, other, one, near);
+    // All are judged, whichever are hidden: what is hidden hides others, too.
+    for (const FacetPair& pair : near.pairs()) {
+      if (!occluded(pair, near, x1, x2)) visible.add(near, pair);
     }
-  });
+  };
+  const auto add_all = [&](Index /*facet*/, const FacetPairs& visible) {
+    for (const FacetPair& pair : visible.pairs()) {
+      paired_.push_back({pair.primary, pair.secondary});
+      found.add(visible, pair);
+    }
+  };
+  in_order_with(FacetPairs(), FacetPairs(), primary_.count(), set_visible, add_all);
   return found;
 }
 
-IndexedVector<FacetPair> Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  IndexedVector<FacetPair> found;
+FacetPairs Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  FacetPairs found;
   for (const Facing& facing : paired_) {
     const Facet& one = primary_[facing.primary];
     const Facet& two = secondary_[facing.secondary];
     LocalMemory<bytes_of_pieces<double>> memory;
-    auto points = points_between(one, sampled(one, x1, memory.resource()), two,
-                                 circle_around(facet_coordinates(two, x2)), order(facing), x1, x2);
-    if (!points.empty()) found.push_back({facing.primary, facing.secondary, std::move(points)});
+    found.add_pair(facing.primary, facing.secondary);
+    if (!add_points_between(one, sampled(one, x1, memory.resource()), two, circle_around(facet_coordinates(two, x2)),
+                            order(facing), x1, x2, found))
+      found.remove_last_pair();
   }
   return found;
 }
 
-void Segments::for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
-                               const UseMotion& use) const {
+void Segments::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
+                               const Matrix3Xd& x2, const UseMotion& use) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
@@ -471,10 +464,10 @@ void Segments::for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const
   const int rule = order({pair.primary, pair.secondary});
   const int corners = number_of(sub_facets(one.type).front().nodes) + window_corners(two.type, rule);
   if (corners <= corners_of_triangles)
-    return for_each_motion_of<VaryingNumber<corners_of_triangles>>(pair, primary, secondary, rule, use);
+    return for_each_motion_of<VaryingNumber<corners_of_triangles>>(points, primary, secondary, rule, use);
   if (corners <= corners_of_pieces)
-    return for_each_motion_of<VaryingNumber<corners_of_pieces>>(pair, primary, secondary, rule, use);
-  for_each_motion_of<VaryingNumber<most_corners>>(pair, primary, secondary, rule, use);
+    return for_each_motion_of<VaryingNumber<corners_of_pieces>>(points, primary, secondary, rule, use);
+  for_each_motion_of<VaryingNumber<most_corners>>(points, primary, secondary, rule, use);
 }
 
 }  // namespace mixture_contact

@@ -28,10 +28,10 @@ class Segments : public PointFinder {
   Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
            SelfContact self = {});
 
-  IndexedVector<FacetPair> search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
-  IndexedVector<FacetPair> on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   bool moves_points() const override { return true; }
-  void for_each_motion(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2,
+  void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;
   std::size_t memory() const override { return self_.memory() + paired_.capacity() * sizeof(Facing); }
 
@@ -42,12 +42,12 @@ class Segments : public PointFinder {
   };
   /// The secondary facets that may face a primary one.
   std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const;
-  bool within_reach(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) const;
-  bool opposed(const FacetPair& pair, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
-  bool occluded(const FacetPair& pair, const IndexedVector<FacetPair>& all, const Matrix3Xd& x1,
-                const Matrix3Xd& x2) const;
-  /// Of the pairs of one primary facet.
-  void remove_occluded(IndexedVector<FacetPair>& pairs, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// Of a point of a pair.
+  bool within_reach(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                    double radius) const;
+  bool opposed(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// Whether another one of the pairs of its primary facet lies nearer.
+  bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   int order(const Facing& facing) const;
 
   const IndexedVector<Facet>& primary_;

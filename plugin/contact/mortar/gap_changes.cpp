@@ -11,8 +11,9 @@ FacetVector changes_of_pair(const MortarSpace& space, const FacetPair& pair, con
   const FacetCoordinates first = facet_coordinates(facing.primary_facet(pair), displacements.primary);
   const FacetCoordinates second = facet_coordinates(facing.secondary_facet(pair), displacements.secondary);
   FacetVector sums = FacetVector::Zero(facing.primary_facet(pair).count());
-  for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    const IntegrationPoint& place = pair.points[q];
+  const PointsOfPair points = facing.points(pair);
+  for (Index q = 0; q < points.count(); ++q) {
+    const IntegrationPoint& place = points[q];
     const PointKinematics& point = facing.kinematics(pair, q);
     const double change = point.normal.dot(second * point.secondary_shape - first * point.primary_shape);
     sums += place.weight * point.area * change * space.shape(pair.primary, place.sub_facet, place.xi).value;

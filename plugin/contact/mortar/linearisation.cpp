@@ -257,7 +257,7 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   Eigen::Matrix<double, 3, 2> with_xi = Eigen::Matrix<double, 3, 2>::Zero();
   if (sliding.moves) {
     const Facet& facet = space.facing().primary_facet(pair);
-    with_xi = kinematics.area * slope_over_primary(facets, past, facet.type, indexing::at(pair.points, at.number).xi);
+    with_xi = kinematics.area * slope_over_primary(facets, past, facet.type, space.facing().points(pair)[at.number].xi);
   }
   for (Index column = 0; column < darea.size(); ++column) {
     Vector3d facing = with_eta.lazyProduct(vary.eta.col(column));

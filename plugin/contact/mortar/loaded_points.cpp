@@ -16,8 +16,8 @@ class LoadedPair {
   }
 
   /// That with this number.
-  PointContact point(std::size_t number) const {
-    const IntegrationPoint& place = pair_.points[number];
+  PointContact point(Index number) const {
+    const IntegrationPoint& place = space_.facing().points(pair_)[number];
     PointContact contact(space_.facing(), pair_, number);
     const ShapeFunctions psi = space_.shape(pair_.primary, place.sub_facet, place.xi);
     contact.psi = psi.value;
@@ -78,10 +78,10 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi) {
 void set_varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                         const FacingFields& fields, double dt, std::vector<VaryingPoint>& points) {
   points.clear();
-  points.reserve(pair.points.size());
+  points.reserve(indexing::entries(pair.points));
   const LoadedPair loaded(space, pair, loads, fields, dt);
   space.facing().for_each_motion(pair, positions(fields), [&](const PointMotion& motion) {
-    points.emplace_back(loaded.point(points.size()), motion);
+    points.emplace_back(loaded.point(count_of(points)), motion);
   });
 }
 
@@ -98,7 +98,7 @@ void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, co
   for (const FacetPair& pair : space.facing().pairs()) {
     if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
     const LoadedPair loaded(space, pair, loads, fields, dt);
-    for (std::size_t q = 0; q < pair.points.size(); ++q) use(loaded.point(q));
+    for (Index q = 0; q < pair.points; ++q) use(loaded.point(q));
   }
 }
 

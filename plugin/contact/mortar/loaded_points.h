@@ -13,7 +13,7 @@ namespace mixture_contact {
 /// Everything at one integration point that carries load.
 struct PointContact {
   /// The point of a pair with this number, without its loads.
-  PointContact(const FacingPairs& facing, const FacetPair& of, std::size_t number)
+  PointContact(const FacingPairs& facing, const FacetPair& of, Index number)
       : pair(&of), kinematics(facing.kinematics(of, number)) {}
 
   const FacetPair* pair;

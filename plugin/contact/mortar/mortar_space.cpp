@@ -34,8 +34,9 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   sums.fields = facing.exchanged_fields(pair);
   sums.area.setZero(facing.primary_facet(pair).count());
   sums.jump.setZero(sums.fields.count(), sums.area.size());
-  for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    const IntegrationPoint& place = pair.points[q];
+  const PointsOfPair points = facing.points(pair);
+  for (Index q = 0; q < points.count(); ++q) {
+    const IntegrationPoint& place = points[q];
     const PointKinematics& point = facing.kinematics(pair, q);
     const FacetVector share = place.weight * point.area * space.shape(pair.primary, place.sub_facet, place.xi).value;
     const PairVector h = point.jump_weights();
@@ -79,8 +80,9 @@ void MortarSpace::measure_slips_from(const FacingPositions& past) {
 
 FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
   FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
-  for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    const IntegrationPoint& place = pair.points[q];
+  const PointsOfPair points = facing_.points(pair);
+  for (Index q = 0; q < points.count(); ++q) {
+    const IntegrationPoint& place = points[q];
     const PointKinematics& point = facing_.kinematics(pair, q);
     const FacetVector psi = shape(pair.primary, place.sub_facet, place.xi).value;
     sums.row(0) += place.weight * point.area * psi;
@@ -162,7 +164,8 @@ std::size_t MortarSpace::memory() const {
 bool MortarSpace::is_averaged_over(const FacetPair& pair, Index node) const {
   const Facet& facet = facing_.primary_facet(pair);
   const Index a = std::find(facet.begin(), facet.end(), node) - facet.begin();
-  return std::any_of(pair.points.begin(), pair.points.end(), [&](const IntegrationPoint& point) {
+  const PointsOfPair points = facing_.points(pair);
+  return std::any_of(points.begin(), points.end(), [&](const IntegrationPoint& point) {
     const ShapeFunctions psi = shape(pair.primary, point.sub_facet, point.xi);
     return psi.value[a] != 0 || !psi.gradient.row(a).isZero(0);
   });

@@ -23,8 +23,9 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
   const PastFacets past = past_facets(space, pair);
   sums = {FacetCoordinates::Zero(3, count), FacetCoordinates::Zero(3, count), FacetVector::Zero(count)};
-  for (std::size_t q = 0; q < pair.points.size(); ++q) {
-    const IntegrationPoint& place = pair.points[q];
+  const PointsOfPair points = facing.points(pair);
+  for (Index q = 0; q < points.count(); ++q) {
+    const IntegrationPoint& place = points[q];
     const PointKinematics& point = facing.kinematics(pair, q);
     const FacetVector share = place.weight * space.shape(pair.primary, place.sub_facet, place.xi).value;
     const Vector3d slipped = point.area * slip(point, past.primary, past.secondary);

@@ -27,9 +27,8 @@ struct Squares {
   /// Parametric coordinates along x of what is found; the upper square faces down, and its coordinate runs backwards.
   std::vector<double> seen(double shift) {
     std::vector<double> places;
-    for (const FacetPair& pair : points.search(below.position, shifted(shift), 1)) {
-      for (const IntegrationPoint& point : pair.points) places.push_back(-point.eta[0]);
-    }
+    const FacetPairs found = points.search(below.position, shifted(shift), 1);
+    for (const IntegrationPoint& point : found.points()) places.push_back(-point.eta[0]);
     std::sort(places.begin(), places.end());
     return places;
   }
@@ -53,7 +52,7 @@ BOOST_AUTO_TEST_CASE(a_point_whose_projection_is_lost_twice_in_a_step_is_kept_be
   BOOST_TEST(std::abs(kept.front() + place + 1) <= rounding);  // half a square is a parametric coordinate of 1
   BOOST_TEST(std::abs(kept.back() - place + 1) <= rounding);
   const auto same = squares.points.on_same_facets(squares.below.position, squares.shifted(half));
-  BOOST_TEST(same.front().points.size() == 4);
+  BOOST_TEST(same.pairs().front().points == 4);
   BOOST_TEST(!squares.points.begin_iteration());
   BOOST_TEST(squares.seen(0.75).size() == 2);  // more than half a square beyond the edge they are let go
   squares.points.end_iterations();

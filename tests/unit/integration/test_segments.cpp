@@ -27,19 +27,19 @@ Scene squares(FacetType one, FacetType two, int cells_one, int cells_two, double
   return {facing_grids(one, two, overlap, cells_one, cells_two), effects_of(true, 1), settings};
 }
 
-std::vector<FacetPair> pairs_of(const Scene& scene, int order = 0) {
+FacetPairs pairs_of(const Scene& scene, int order = 0) {
   return Segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, order)
       .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
 }
 
 /// Kinematics at the points of all pairs.
 void for_each_point(
-    const Scene& scene, const std::vector<FacetPair>& pairs,
+    const Scene& scene, const FacetPairs& found,
     const std::function<void(const Facet&, const Facet&, const IntegrationPoint&, const PointKinematics&)>& use) {
-  for (const FacetPair& pair : pairs) {
+  for (const FacetPair& pair : found.pairs()) {
     const Facet& one = scene.mesh[Side::primary].facets[static_cast<std::size_t>(pair.primary)];
     const Facet& two = scene.mesh[Side::secondary].facets[static_cast<std::size_t>(pair.secondary)];
-    for (const IntegrationPoint& point : pair.points) {
+    for (const IntegrationPoint& point : found.points(pair)) {
       use(one, two, point,
           point_kinematics(
               shape_functions(one.type, point.xi), facet_coordinates(one, scene.fields[Side::primary].position),
@@ -124,10 +124,10 @@ struct LonePair {
 };
 
 /// Weights of a pair's points and their places times the weights, which is what integrals take from them.
-VectorXd weighted(const FacetPair& pair) {
-  VectorXd result(3 * static_cast<Index>(pair.points.size()));
+VectorXd weighted(const PointsOfPair& points) {
+  VectorXd result(3 * points.count());
   Index row = 0;
-  for (const IntegrationPoint& point : pair.points) {
+  for (const IntegrationPoint& point : points) {
     result.segment<3>(row) = point.weight * Vector3d(1, point.xi[0], point.xi[1]);
     row += 3;
   }
@@ -135,12 +135,11 @@ VectorXd weighted(const FacetPair& pair) {
 }
 
 /// The variation of weighted() by the motions of the points.
-MatrixXd weighted_motion(const FacetPair& pair, const std::vector<PointMotion>& motions) {
-  MatrixXd result(3 * static_cast<Index>(motions.size()), motions.front().weight.cols());
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const IntegrationPoint& point = pair.points[i];
-    result.middleRows<3>(3 * static_cast<Index>(i)) << motions[i].weight, motions[i].xi + point.xi * motions[i].weight;
-    result.middleRows<3>(3 * static_cast<Index>(i)) *= point.weight;
+MatrixXd weighted_motion(const PointsOfPair& points, const IndexedVector<PointMotion>& motions) {
+  MatrixXd result(3 * motions.count(), motions.front().weight.cols());
+  for (Index i = 0; i < motions.count(); ++i) {
+    result.middleRows<3>(3 * i) << motions[i].weight, motions[i].xi + points[i].xi * motions[i].weight;
+    result.middleRows<3>(3 * i) *= points[i].weight;
   }
   return result;
 }
@@ -149,15 +148,19 @@ MatrixXd weighted_motion(const FacetPair& pair, const std::vector<PointMotion>& 
 /// lengths of their width, of which a few are 1e-3.
 Vector2d motion_error(const LonePair& lone) {
   Segments segments(lone.primary, lone.secondary, 0);
-  const std::vector<FacetPair> found = segments.search(lone.x1(lone.nodes), lone.x2(lone.nodes), 1);
-  if (found.empty()) return {0, 0};
+  const FacetPairs found = segments.search(lone.x1(lone.nodes), lone.x2(lone.nodes), 1);
+  if (found.pairs().empty()) return {0, 0};
+  const FacetPair& pair = found.pairs().front();
   const MatrixXd approximate = fine_differences(
-      [&](const VectorXd& at) { return weighted(segments.on_same_facets(lone.x1(at), lone.x2(at)).front()); },
+      [&](const VectorXd& at) {
+        const FacetPairs moved = segments.on_same_facets(lone.x1(at), lone.x2(at));
+        return weighted(moved.points(moved.pairs().front()));
+      },
       lone.nodes);
-  std::vector<PointMotion> motions;
-  segments.for_each_motion(found.front(), lone.x1(lone.nodes), lone.x2(lone.nodes),
+  IndexedVector<PointMotion> motions;
+  segments.for_each_motion(pair, found.points(pair), lone.x1(lone.nodes), lone.x2(lone.nodes),
                            [&](const PointMotion& motion) { motions.push_back(motion); });
-  const MatrixXd motion = weighted_motion(found.front(), motions);
+  const MatrixXd motion = weighted_motion(found.points(pair), motions);
   return {(motion - approximate).squaredNorm(), approximate.squaredNorm()};
 }
 
@@ -179,11 +182,7 @@ BOOST_AUTO_TEST_CASE(pieces_cover_facing_squares_exactly_whatever_their_division
 }
 
 BOOST_AUTO_TEST_CASE(a_facet_that_is_faced_has_as_many_pieces_as_its_corners_make) {
-  const auto points = [](FacetType one, FacetType two) {
-    std::size_t count = 0;
-    for (const FacetPair& pair : pairs_of(squares(one, two, 3, 2), 2)) count += pair.points.size();
-    return count;
-  };
+  const auto points = [](FacetType one, FacetType two) { return pairs_of(squares(one, two, 3, 2), 2).points().size(); };
   for (const FacetType one : all_facets) {
     BOOST_TEST(points(one, FacetType::tri6) == points(one, FacetType::tri3));
     BOOST_TEST(points(one, FacetType::quad8) == points(one, FacetType::quad4));
@@ -344,13 +343,14 @@ BOOST_AUTO_TEST_CASE(facets_that_face_away_or_lie_behind_others_are_left_out) {
       mesh.facets.push_back(facet);
     }
   }
-  for (const FacetPair& pair : pairs_of(scene)) BOOST_TEST(pair.secondary < static_cast<int>(first.size()));
+  const FacetPairs found = pairs_of(scene);
+  for (const FacetPair& pair : found.pairs()) BOOST_TEST(pair.secondary < static_cast<int>(first.size()));
   BOOST_TEST(pairs_of(scene).size() == 16U);
 }
 
 BOOST_AUTO_TEST_CASE(facets_out_of_reach_are_not_seen) {
   const Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3, -1.5);
-  BOOST_TEST(pairs_of(scene).empty());
+  BOOST_TEST(pairs_of(scene).pairs().empty());
 }
 
 BOOST_AUTO_TEST_CASE(points_on_the_same_facets_are_those_of_the_search) {
@@ -360,12 +360,12 @@ BOOST_AUTO_TEST_CASE(points_on_the_same_facets_are_those_of_the_search) {
   const Matrix3Xd& x1 = scene.fields[Side::primary].position;
   const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
   Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
-  const std::vector<FacetPair> found = segments.search(x1, x2, 1);
-  const std::vector<FacetPair> again = segments.on_same_facets(x1, x2);
-  BOOST_TEST_REQUIRE(found.size() == again.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    BOOST_TEST(found[i].secondary == again[i].secondary);
-    BOOST_TEST(found[i].points.size() == again[i].points.size());
+  const FacetPairs found = segments.search(x1, x2, 1);
+  const FacetPairs again = segments.on_same_facets(x1, x2);
+  BOOST_TEST_REQUIRE(found.pairs().size() == again.pairs().size());
+  for (Index i = 0; i < found.pairs().count(); ++i) {
+    BOOST_TEST(found.pairs()[i].secondary == again.pairs()[i].secondary);
+    BOOST_TEST(found.pairs()[i].points == again.pairs()[i].points);
   }
 }
 

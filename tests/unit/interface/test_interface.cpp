@@ -283,7 +283,8 @@ BOOST_AUTO_TEST_CASE(surfaces_that_have_moved_by_rounding_have_other_gaps_at_the
   const auto places = [&] {
     std::vector<double> all;
     for (const FacetPair& pair : facing.pairs()) {
-      for (const IntegrationPoint& point : pair.points) all.insert(all.end(), {point.xi[0], point.xi[1], point.weight});
+      for (const IntegrationPoint& point : facing.points(pair))
+        all.insert(all.end(), {point.xi[0], point.xi[1], point.weight});
     }
     return all;
   };

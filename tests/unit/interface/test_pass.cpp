@@ -36,7 +36,7 @@ void tangent_of(const ContactPass& pass, const Scene& scene, const std::function
 /// Number of integration points that see the other surface.
 Index points(const ContactPass& pass) {
   Index count = 0;
-  for (const FacetPair& pair : pass.pairs()) count += static_cast<Index>(pair.points.size());
+  for (const FacetPair& pair : pass.pairs()) count += pair.points;
   return count;
 }
 

@@ -87,7 +87,7 @@ double tangent_error(const SlidingStep& step) {
 std::vector<std::array<Index, 3>> pairing(const ContactInterface& contact) {
   std::vector<std::array<Index, 3>> found;
   for (const FacetPair& pair : contact.pass(0).space().facing().pairs())
-    found.push_back({pair.primary, pair.secondary, count_of(pair.points)});
+    found.push_back({pair.primary, pair.secondary, pair.points});
   return found;
 }
 
