@@ -16,16 +16,13 @@ using Interval = SparseMatrixProfile::RowEntry;
 
 bool is_before(const Interval& one, const Interval& two) { return one.start < two.start; }
 
-RowIntervals intervals_of(SparseMatrixProfile::ColumnProfile& column) {
-  RowIntervals intervals;
-  intervals.reserve(indexing::entries(column.size()));
-  for (int i = 0; i < column.size(); ++i) intervals.push_back(column[i]);
-  return intervals;
+void append(SparseMatrixProfile::ColumnProfile& column, RowIntervals& rows) {
+  for (int i = 0; i < column.size(); ++i) rows.push_back(column[i]);
 }
 
-/// The same rows, those that follow each other in one interval, given intervals in the order of their starts.
-RowIntervals joined(RowIntervals ascending) {
-  if (ascending.empty()) return ascending;
+/// Joins intervals that follow each other, given in the order of their starts.
+void join(RowIntervals& ascending) {
+  if (ascending.empty()) return;
   auto last = ascending.begin();
   for (auto next = last + 1; next != ascending.end(); ++next) {
     if (next->start > last->end + 1) {
@@ -35,107 +32,122 @@ RowIntervals joined(RowIntervals ascending) {
     }
   }
   ascending.erase(last + 1, ascending.end());
-  return ascending;
 }
 
-/// The union of two ascending lists.
-RowIntervals merged(const RowIntervals& one, const RowIntervals& two) {
-  RowIntervals both(one.size() + two.size());
+/// The same rows in as few intervals as there can be, ascending.
+void unite(RowIntervals& intervals) {
+  std::sort(intervals.begin(), intervals.end(), is_before);
+  join(intervals);
+}
+
+/// Sets `both` to the union of two ascending lists.
+void set_merged(const RowIntervals& one, const RowIntervals& two, RowIntervals& both) {
+  both.resize(one.size() + two.size());
   std::merge(one.begin(), one.end(), two.begin(), two.end(), both.begin(), is_before);
-  return joined(std::move(both));
+  join(both);
 }
 
-/// The rows of equations in any order.
-RowIntervals intervals_of(std::vector<int> equations) {
-  std::sort(equations.begin(), equations.end());
-  RowIntervals rows;
-  rows.reserve(equations.size());
-  for (const int equation : equations) {
+/// Sets `rows` to those of equations in any order. `sorted`: memory for these.
+void set_intervals(Span<int> equations, std::vector<int>& sorted, RowIntervals& rows) {
+  sorted.assign(equations.begin(), equations.end());
+  std::sort(sorted.begin(), sorted.end());
+  rows.clear();
+  for (const int equation : sorted) {
     if (rows.empty() || equation > rows.back().end + 1) rows.push_back({equation, equation});
     rows.back().end = equation;
   }
-  return rows;
 }
 
 /// The equations that some have rows for in a profile, each once.
-std::vector<int> coupled_with(const std::vector<int>& equations, SparseMatrixProfile& profile) {
+std::vector<int> coupled_with(Span<int> equations, SparseMatrixProfile& profile) {
   RowIntervals all;
-  for (const int equation : equations) {
-    const RowIntervals own = intervals_of(profile.Column(equation));
-    all.insert(all.end(), own.begin(), own.end());
-  }
+  for (const int equation : equations) append(profile.Column(equation), all);
+  unite(all);
   std::vector<int> found;
-  for (const Interval& interval : united(std::move(all))) {
+  for (const Interval& interval : all) {
     for (int row = interval.start; row <= interval.end; ++row) found.push_back(row);
   }
   return found;
 }
 
+/// What a thread remembers of columns, whose memory serves the next ones.
+struct ColumnMemory {
+  RowIntervals rows;
+  RowIntervals present;
+  RowIntervals both;
+};
+
 }  // namespace
 
 RowIntervals united(RowIntervals intervals) {
-  std::sort(intervals.begin(), intervals.end(), is_before);
-  return joined(std::move(intervals));
+  unite(intervals);
+  return intervals;
 }
 
-std::vector<int> CoupledBlocks::in_matrix(const std::vector<int>& equations) const {
-  std::vector<int> found;
-  found.reserve(equations.size());
+void CoupledBlocks::check(int equation) const {
+  if (equation >= columns_)
+    throw std::out_of_range("equation " + std::to_string(equation) + " of " + std::to_string(columns_));
+}
+
+Index CoupledBlocks::list_of(const std::vector<int>& equations) {
   for (const int equation : equations) {
-    if (equation < 0) continue;
-    if (equation >= columns_)
-      throw std::out_of_range("equation " + std::to_string(equation) + " of " + std::to_string(columns_));
-    found.push_back(equation);
+    check(equation);
+    if (equation >= 0) lists_.add_to_next(equation);
   }
-  return found;
+  lists_.end_next();
+  return lists_.count() - 1;
 }
 
 void CoupledBlocks::add(const std::vector<int>& equations) {
-  const std::vector<int> all = in_matrix(equations);
+  const Index all = list_of(equations);
   blocks_.push_back({all, all});
 }
 
 void CoupledBlocks::add_star(int centre, const std::vector<int>& equations) {
-  const std::vector<int> own = in_matrix({centre});
-  std::vector<int> others = in_matrix(equations);
+  const Index own = list_of({centre});
+  const Index others = list_of(equations);
   blocks_.push_back({others, own});
-  others.push_back(centre);
-  blocks_.push_back({own, std::move(others)});
+  blocks_.push_back({own, others});
+  blocks_.push_back({own, own});
 }
 
 void CoupledBlocks::add_rows(const std::vector<int>& rows, const std::vector<int>& columns) {
-  blocks_.push_back({in_matrix(columns), in_matrix(rows)});
+  const Index own = list_of(rows);
+  blocks_.push_back({list_of(columns), own});
 }
 
-void CoupledBlocks::add_sum(int row, const std::vector<int>& others) { others_of_[row] = in_matrix(others); }
+void CoupledBlocks::add_sum(int row, const std::vector<int>& others) { sums_.push_back({row, list_of(others)}); }
 
 void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
-  if (others_of_.empty()) return;
-  IndexedVector<std::vector<int>> sums_of(columns_);  // per row
-  for (const auto& [row, others] : others_of_) {
-    for (const int other : others) sums_of[other].push_back(row);
-  }
+  if (sums_.empty()) return;
+  const Lists<int> sums_of(columns_, [&](const auto& add) {  // per row
+    for (const auto& [row, others] : sums_) {
+      for (const int other : lists_[others]) add(other, row);
+    }
+  });
+  std::vector<int> extended;
   for (Block& block : blocks_) {
-    std::vector<int> more;
-    for (const int row : block.rows) more.insert(more.end(), sums_of[row].begin(), sums_of[row].end());
-    block.rows.insert(block.rows.end(), more.begin(), more.end());
+    const Span<int> rows = lists_[block.rows];
+    extended.assign(rows.begin(), rows.end());
+    for (const int row : rows) extended.insert(extended.end(), sums_of[row].begin(), sums_of[row].end());
+    if (count_of(extended) > rows.count()) block.rows = list_of(extended);
   }
-  for (const auto& [row, others] : others_of_) add_rows({row}, coupled_with(others, profile));
+  for (const auto& [row, others] : sums_) add_rows({row}, coupled_with(lists_[others], profile));
 }
 
 /// The blocks that each column stands in.
 class CoupledBlocks::BlocksOfColumns {
  public:
-  BlocksOfColumns(int columns, const IndexedVector<Block>& blocks) : first_(columns, 0) {
+  BlocksOfColumns(int columns, const Lists<int>& lists, const IndexedVector<Block>& blocks) : first_(columns, 0) {
     IndexedVector<Index> most(columns, 0);  // a block that has a column twice counts twice
     for (const Block& block : blocks) {
-      for (const int column : block.columns) ++most[column];
+      for (const int column : lists[block.columns]) ++most[column];
     }
     blocks_.resize(indexing::entries(std::accumulate(most.begin(), most.end(), Index{0})));
     std::exclusive_scan(most.begin(), most.end(), first_.begin(), Index{0});
     end_ = first_;
     for (Index block = 0; block < blocks.count(); ++block) {
-      for (const int column : blocks[block].columns) add(column, block);
+      for (const int column : lists[blocks[block].columns]) add(column, block);
     }
   }
 
@@ -173,32 +185,38 @@ class CoupledBlocks::BlocksOfColumns {
 
 void CoupledBlocks::insert_into(SparseMatrixProfile& profile) {
   add_sums(profile);
-  const BlocksOfColumns blocks_of(columns_, blocks_);
+  const BlocksOfColumns blocks_of(columns_, lists_, blocks_);
   const IndexedVector<Columns> columns = blocks_of.alike();
-  IndexedVector<RowIntervals> rows_of_block(blocks_.count());
-  in_parallel(blocks_.count(), [&](Index block) { rows_of_block[block] = intervals_of(blocks_[block].rows); });
-  const auto rows_of = [&](Index column) {
-    RowIntervals rows;
-    blocks_of.for_each(column, [&](Index block) {
-      rows.insert(rows.end(), rows_of_block[block].begin(), rows_of_block[block].end());
-    });
-    return united(std::move(rows));
-  };
+  Lists<Interval> rows_of_block;
+  in_order_with(
+      std::vector<int>(), RowIntervals(), blocks_.count(),
+      [&](Index block, RowIntervals& rows, std::vector<int>& sorted) {
+        set_intervals(lists_[blocks_[block].rows], sorted, rows);
+      },
+      [&](Index /*block*/, const RowIntervals& rows) { rows_of_block.add(rows); });
   const auto column_of_profile = [&](Index column) -> SparseMatrixProfile::ColumnProfile& {
     return profile.Column(indexing::as_int(column));
   };
-  const auto united_with_present = [&](Index n) {
-    const RowIntervals rows = rows_of(columns[n].first);
-    IndexedVector<RowIntervals> all;
-    for (Index column = columns[n].first; column < columns[n].end; ++column)
-      all.push_back(merged(intervals_of(column_of_profile(column)), rows));
-    return all;
-  };
-  in_order(columns.count(), united_with_present, [&](Index n, const IndexedVector<RowIntervals>& all) {
-    for (Index i = 0; i < all.count(); ++i) {
-      SparseMatrixProfile::ColumnProfile& present = column_of_profile(columns[n].first + i);
-      present.clear();
-      for (const Interval& interval : all[i]) present.push_back(interval.start, interval.end);
+  const auto unite_with_present = [&](Index n, Lists<Interval>& all, ColumnMemory& own) {
+    own.rows.clear();
+    blocks_of.for_each(columns[n].first, [&](Index block) {
+      own.rows.insert(own.rows.end(), rows_of_block[block].begin(), rows_of_block[block].end());
+    });
+    unite(own.rows);
+    all.clear();
+    for (Index column = columns[n].first; column < columns[n].end; ++column) {
+      own.present.clear();
+      append(column_of_profile(column), own.present);
+      set_merged(own.present, own.rows, own.both);
+      all.add(own.both);
     }
-  });
+  };
+  in_order_with(ColumnMemory(), Lists<Interval>(), columns.count(), unite_with_present,
+                [&](Index n, const Lists<Interval>& all) {
+                  for (Index i = 0; i < all.count(); ++i) {
+                    SparseMatrixProfile::ColumnProfile& present = column_of_profile(columns[n].first + i);
+                    present.clear();
+                    for (const Interval& interval : all[i]) present.push_back(interval.start, interval.end);
+                  }
+                });
 }

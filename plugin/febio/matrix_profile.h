@@ -4,11 +4,10 @@
 /// overlap, a node standing in those of all nodes around it: here each column takes the union of its blocks at once.
 #pragma once
 
-#include "contact/base/indexed_vector.h"
+#include "contact/base/lists.h"
 
 #include <FECore/MatrixProfile.h>
 
-#include <map>
 #include <vector>
 
 /// Rows of a column as FEBio's profile has them: intervals, ascending, none touching the next.
@@ -36,23 +35,31 @@ class CoupledBlocks {
   void insert_into(SparseMatrixProfile& profile);
 
  private:
-  /// Rows that have entries in columns; either may hold an equation more than once.
+  using Index = mixture_contact::Index;
+  /// Rows that have entries in columns, as lists of equations; either may hold one more than once.
   struct Block {
-    std::vector<int> columns;
-    std::vector<int> rows;
+    Index columns;
+    Index rows;
+  };
+  /// A row that takes the columns of others.
+  struct Sum {
+    int row;
+    Index others;  ///< the list of them
   };
   /// Columns that follow each other and stand in the same blocks, as those of one node mostly do.
   struct Columns {
-    mixture_contact::Index first;
-    mixture_contact::Index end;
+    Index first;
+    Index end;
   };
   class BlocksOfColumns;
   /// Extends blocks by rows that take the columns of theirs, and adds those that they have in the profile.
   void add_sums(SparseMatrixProfile& profile);
-  /// Those equations that are in the matrix.
-  std::vector<int> in_matrix(const std::vector<int>& equations) const;
+  /// Keeps a list of those equations that are in the matrix, and returns its number.
+  Index list_of(const std::vector<int>& equations);
+  void check(int equation) const;
 
   int columns_;  ///< of the matrix
+  mixture_contact::Lists<int> lists_;
   mixture_contact::IndexedVector<Block> blocks_;
-  std::map<int, std::vector<int>> others_of_;  ///< by rows that take their columns
+  mixture_contact::IndexedVector<Sum> sums_;
 };

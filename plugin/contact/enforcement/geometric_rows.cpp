@@ -1,5 +1,6 @@
 #include "enforcement/geometric_rows.h"
 
+#include "base/lists.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -33,10 +34,21 @@ class Places {
   Numbers places_;
 };
 
-/// The R rows of a node, in columns for all nodes of the pairs around it.
+/// The R rows of a node, in columns for all nodes of the pairs around it. Its memory serves the next node.
+template <int R>
 struct Row {
+  using Values = Eigen::Matrix<double, R, Eigen::Dynamic>;
+
   Numbers columns;
-  MatrixXd values;  ///< shape (R, 3 columns)
+  Values memory;  ///< of which the first columns are used
+
+  auto values() { return memory.leftCols(3 * columns.count()); }
+  auto values() const { return memory.leftCols(3 * columns.count()); }
+  /// For the columns that there are.
+  void set_zero() {
+    if (memory.cols() < 3 * columns.count()) memory.resize(R, 6 * columns.count());
+    values().setZero();
+  }
 };
 
 /// The blocks of an effect, per pair; null where it has none.
@@ -47,11 +59,13 @@ class PairsAroundNodes {
  public:
   /// Keeps references.
   PairsAroundNodes(const PairBlocks& blocks, PerSide<Index> nodes)
-      : blocks_(blocks), primary_nodes_(nodes[Side::primary]), around_(nodes[Side::primary] + nodes[Side::secondary]) {
-    for (Index pair = 0; pair < blocks.count(); ++pair) {
-      if (blocks[pair] != nullptr) for_each_node(pair, [&](Index number) { around_[number].push_back(pair); });
-    }
-  }
+      : blocks_(blocks),
+        primary_nodes_(nodes[Side::primary]),
+        around_(nodes[Side::primary] + nodes[Side::secondary], [&](const auto& add) {
+          for (Index pair = 0; pair < blocks.count(); ++pair) {
+            if (blocks[pair] != nullptr) for_each_node(pair, [&](Index number) { add(number, pair); });
+          }
+        }) {}
 
   Index nodes() const { return around_.count(); }
   Side side(Index number) const { return number < primary_nodes_ ? Side::primary : Side::secondary; }
@@ -74,20 +88,20 @@ class PairsAroundNodes {
   }
 
   template <int R>
-  Row row(Index number, Places& places) const {
-    Row row;
+  void set_row(Index number, Places& places, Row<R>& row) const {
+    row.columns.clear();
     for (const Index pair : around_[number]) for_each_node(pair, [&](Index other) { places.add(other, row.columns); });
-    row.values.setZero(R, 3 * row.columns.count());
+    row.set_zero();
     for (const Index pair : around_[number]) {
       const LocalLayout columns = blocks_[pair]->columns.layout();
       const auto own_rows = blocks_[pair]->values.middleRows<R>(R * position_in_pair(pair, number));
       Index n = 0;
       for_each_node(pair, [&](Index other) {
-        row.values.block<R, 3>(0, 3 * places[other]) += own_rows.template middleCols<3>(columns.displacement(n++, 0));
+        row.values().template middleCols<3>(3 * places[other]) += own_rows.template middleCols<3>(
+            columns.displacement(n++, 0));
       });
     }
     places.clear(row.columns);
-    return row;
   }
 
  private:
@@ -109,30 +123,47 @@ class PairsAroundNodes {
 
   const PairBlocks& blocks_;
   Index primary_nodes_;
-  IndexedVector<Numbers> around_;  ///< per node
+  Lists<Index> around_;  ///< per node
 };
 
-/// What of R rows is not weak.
+/// What a thread remembers of a row, whose memory serves the next one.
 template <int R>
-TangentBlock strong_part(const PairsAroundNodes& pairs, const Row& row, Index number, double weak) {
-  const double least = weak * row.values.cwiseAbs().maxCoeff();
+struct RowMemory {
+  Places places;
+  Row<R> row;
+  Numbers kept;
+};
+
+/// What of R rows is not weak, columns of primary nodes first. `kept`: memory for their places.
+template <int R>
+TangentBlock strong_part(const PairsAroundNodes& pairs, const Row<R>& row, Index number, double weak, Numbers& kept) {
+  const auto values = row.values();
+  const double least = weak * values.cwiseAbs().maxCoeff();
   const auto is_weak = [&](Index n) {
     return pairs.side(row.columns[n]) != pairs.side(number) &&
-           row.values.block<R, 3>(0, 3 * n).cwiseAbs().maxCoeff() <= least;
+           values.template middleCols<3>(3 * n).cwiseAbs().maxCoeff() <= least;
   };
-  PerSide<IndexedVector<int>> nodes;
-  Numbers kept;  // columns of the row, those of primary nodes first
-  for (const Side side : both_sides) {
+  kept.clear();
+  const auto keep_of = [&](Side side) {
     for (Index n = 0; n < row.columns.count(); ++n) {
-      if (pairs.side(row.columns[n]) != side || is_weak(n)) continue;
-      nodes[side].push_back(pairs.node(row.columns[n]));
-      kept.push_back(n);
+      if (pairs.side(row.columns[n]) == side && !is_weak(n)) kept.push_back(n);
     }
-  }
-  MatrixXd values(R, 3 * kept.count());
-  for (Index n = 0; n < kept.count(); ++n) values.block<R, 3>(0, 3 * n) = row.values.block<R, 3>(0, 3 * kept[n]);
-  return {
-      pairs.patch(number), {std::move(nodes[Side::primary]), std::move(nodes[Side::secondary]), {}}, std::move(values)};
+    return kept.count();
+  };
+  const Index primary = keep_of(Side::primary);
+  keep_of(Side::secondary);
+  const auto secondary = std::next(kept.begin(), primary);
+  const auto nodes_of = [&](auto begin, auto end) {
+    IndexedVector<int> nodes(end - begin);
+    std::transform(begin, end, nodes.begin(), [&](Index n) { return pairs.node(row.columns[n]); });
+    return nodes;
+  };
+  TangentBlock strong{
+      pairs.patch(number), {nodes_of(kept.begin(), secondary), nodes_of(secondary, kept.end()), {}}, MatrixXd()};
+  strong.values.resize(R, 3 * kept.count());
+  for (Index n = 0; n < kept.count(); ++n)
+    strong.values.template middleCols<3>(3 * n) = values.template middleCols<3>(3 * kept[n]);
+  return strong;
 }
 
 template <int R>
@@ -140,10 +171,12 @@ NodeRows rows_of(const PairBlocks& blocks, PerSide<Index> nodes, double weak, No
   const PairsAroundNodes around(blocks, nodes);
   NodeRows rows(around.nodes());
   for (TangentBlock& row : held) rows[around.number(row.rows)] = std::move(row);
-  in_parallel_with(Places(around.nodes()), rows.count(), [&](Index number, Places& places) {
+  const RowMemory<R> memory{Places(around.nodes()), {}, {}};
+  in_parallel_with(memory, rows.count(), [&](Index number, RowMemory<R>& own) {
     const bool is_held = rows[number].values.size() > 0;
     if (is_held || !around.has_pairs(number)) return;
-    rows[number] = strong_part<R>(around, around.row<R>(number, places), number, weak);
+    around.set_row(number, own.places, own.row);
+    rows[number] = strong_part(around, own.row, number, weak, own.kept);
   });
   rows.erase(std::remove_if(rows.begin(), rows.end(), [](const TangentBlock& row) { return row.values.size() == 0; }),
              rows.end());

@@ -124,14 +124,14 @@ bool FacingPairs::has_node_among(const FacetPair& pair, const NodeFlags& nodes) 
   return any_node(primary_facet(pair), nodes);
 }
 
-IndexedVector<std::vector<const FacetPair*>> FacingPairs::around(const NodeFlags& nodes) const {
-  IndexedVector<std::vector<const FacetPair*>> around(primary_.nodes);
-  for (const FacetPair& pair : pairs()) {
-    for (const int node : primary_facet(pair)) {
-      if (nodes[node]) around[node].push_back(&pair);
-    }
-  }
-  return around;
+Lists<const FacetPair*> FacingPairs::around(const NodeFlags& nodes) const {
+  return {primary_.nodes, [&](const auto& add) {
+            for (const FacetPair& pair : pairs()) {
+              for (const int node : primary_facet(pair)) {
+                if (nodes[node]) add(node, &pair);
+              }
+            }
+          }};
 }
 
 std::size_t FacingPairs::memory() const {

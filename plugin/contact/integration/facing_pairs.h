@@ -57,7 +57,7 @@ class FacingPairs {
   /// Whether any of the nodes of the primary facet is among those given.
   bool has_node_among(const FacetPair& pair, const NodeFlags& nodes) const;
   /// For each of the nodes given, the pairs whose primary facet has it.
-  IndexedVector<std::vector<const FacetPair*>> around(const NodeFlags& nodes) const;
+  Lists<const FacetPair*> around(const NodeFlags& nodes) const;
   /// Whether points move over the primary facets as the surfaces move.
   bool moves_points() const { return finder_->moves_points(); }
   /// How the points of a pair move with the nodes: calls `use` for each in their order.

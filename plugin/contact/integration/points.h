@@ -1,6 +1,7 @@
 /// Where the integral over a surface is sampled: integration points, by the pair of facets that they lie on.
 #pragma once
 
+#include "base/lists.h"
 #include "base/settings.h"
 #include "geometry/kinematics.h"
 #include "integration/search.h"
@@ -31,20 +32,7 @@ struct FacetPair {
 };
 
 /// The points of a pair, in their order.
-class PointsOfPair {
- public:
-  /// Those from the first on.
-  PointsOfPair(const IntegrationPoint* first, Index count) : first_(first), count_(count) {}
-
-  const IntegrationPoint* begin() const { return first_; }
-  const IntegrationPoint* end() const { return std::next(first_, count_); }
-  Index count() const { return count_; }
-  const IntegrationPoint& operator[](Index point) const { return *std::next(first_, point); }
-
- private:
-  const IntegrationPoint* first_;
-  Index count_;
-};
+using PointsOfPair = Span<IntegrationPoint>;
 
 /// Pairs of facets with the points in between.
 class FacetPairs {
@@ -70,6 +58,9 @@ class FacetPairs {
 
 /// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.
 Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
+
+/// The pairs of facets around a node.
+using PairsAround = Span<const FacetPair*>;
 
 /// Takes the motion of a point.
 using UseMotion = std::function<void(const PointMotion&)>;

@@ -176,7 +176,7 @@ bool MortarSpace::is_averaged_over(const FacetPair& pair, const NodeFlags& nodes
   return std::any_of(facet.begin(), facet.end(), [&](int node) { return nodes[node] && is_averaged_over(pair, node); });
 }
 
-Patch MortarSpace::node_patch(Index node, const std::vector<const FacetPair*>& pairs) const {
+Patch MortarSpace::node_patch(Index node, const PairsAround& pairs) const {
   Patch patch;
   patch.displacements = effects().traction;
   if (unknown_multipliers_) {

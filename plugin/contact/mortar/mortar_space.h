@@ -58,7 +58,7 @@ class MortarSpace {
   bool is_averaged_over(const FacetPair& pair, const NodeFlags& nodes) const;
   /// The nodes and fields that the averages of a node are taken over, given the pairs around it; with friction also the
   /// nodes of all facets around it, which it convects with.
-  Patch node_patch(Index node, const std::vector<const FacetPair*>& pairs) const;
+  Patch node_patch(Index node, const PairsAround& pairs) const;
   /// What the rows of one field of a patch depend on.
   Patch columns_of(const Patch& patch, int field) const;
   /// Whether the symmetric part of the tangent is wanted.

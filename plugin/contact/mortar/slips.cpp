@@ -38,8 +38,7 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
 
 /// Has the primary facets of pairs around a node used: with their convection there. Returns the sum of the areas.
 template <class Use>
-double for_each_facet_around(const MortarSpace& space, Index node, const std::vector<const FacetPair*>& pairs,
-                             const Use& use) {
+double for_each_facet_around(const MortarSpace& space, Index node, const PairsAround& pairs, const Use& use) {
   double areas = 0;
   int done = -1;
   for (const FacetPair* pair : pairs) {
@@ -116,7 +115,7 @@ void set_convection(NodalFriction& friction, const MortarSpace& space, const Nod
   }
 }
 
-Matrix3Xd convection_around(const MortarSpace& space, Index node, const std::vector<const FacetPair*>& pairs,
+Matrix3Xd convection_around(const MortarSpace& space, Index node, const PairsAround& pairs,
                             const IndexedVector<int>& primary) {
   Matrix3Xd sum = Matrix3Xd::Zero(3, primary.count());
   const auto add = [&](const Facet& facet, const Convection& there) {

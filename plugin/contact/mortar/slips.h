@@ -16,7 +16,7 @@ void set_convection(NodalFriction& friction, const MortarSpace& space, const Nod
 /// F_a = sum_b x_b C_b^T: the mean over the primary facets around a node that face the other surface, weighted with
 /// their areas there when the step began. `pairs`: those around the node; one column per node of `primary`, which holds
 /// all nodes of these facets.
-Matrix3Xd convection_around(const MortarSpace& space, Index node, const std::vector<const FacetPair*>& pairs,
+Matrix3Xd convection_around(const MortarSpace& space, Index node, const PairsAround& pairs,
                             const IndexedVector<int>& primary);
 
 /// Nodes of both facets of a pair, where they were when the step began.
