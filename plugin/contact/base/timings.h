@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace mixture_contact {
@@ -103,26 +104,54 @@ class EffectTimings {
   TimingBreakdown spent_;
 };
 
+/// For how many things of a kind the time of one of them, given by its number, stands: all of them are timed where they
+/// are few, and else some hundreds, whatever their count. 0: another one stands for it.
+inline Index stands_for(Index number, Index count) {
+  constexpr Index enough = 256;
+  const Index each = 1 + count / enough;
+  return number % each == 0 ? each : 0;
+}
+
 /// Charges the work on one pair of facets to effects, on any thread: each call charges what has passed since the last.
 class ScopedTimer {
  public:
-  ScopedTimer(EffectTimings& times, Index fields) : times_(times), spent_(fields) {}
+  /// times: what is charged; stands_for: for how many pairs, of which 0 are not timed.
+  ScopedTimer(EffectTimings& times, Index fields, Index stands_for = 1) : times_(times) {
+    if (stands_for > 0) running_.emplace(fields, static_cast<double>(stands_for));
+  }
   ScopedTimer(const ScopedTimer&) = delete;
   ScopedTimer& operator=(const ScopedTimer&) = delete;
   ScopedTimer(ScopedTimer&&) = delete;
   ScopedTimer& operator=(ScopedTimer&&) = delete;
-  ~ScopedTimer() { times_.add(spent_); }
+  ~ScopedTimer() {
+    if (running_) times_.add(running_->spent);
+  }
 
   /// Work for all effects: left to the clock of the task.
-  void shared() { watch_.lap(); }
-  void traction() { spent_.traction += watch_.lap(); }
-  void friction() { spent_.friction += watch_.lap(); }
-  void field(int k) { spent_.fields[k] += watch_.lap(); }
+  void shared() {
+    if (running_) running_->lap();
+  }
+  void traction() {
+    if (running_) running_->spent.traction += running_->lap();
+  }
+  void friction() {
+    if (running_) running_->spent.friction += running_->lap();
+  }
+  void field(int k) {
+    if (running_) running_->spent.fields[k] += running_->lap();
+  }
 
  private:
+  struct Running {
+    Running(Index fields, double stands_for) : spent(fields), times(stands_for) {}
+    double lap() { return times * watch.lap(); }
+
+    TimingBreakdown spent;
+    double times;
+    Stopwatch watch;
+  };
   EffectTimings& times_;
-  TimingBreakdown spent_;
-  Stopwatch watch_;
+  std::optional<Running> running_;
 };
 
 /// Timings a task from construction to destruction. What has not been charged meanwhile, to an effect or by another

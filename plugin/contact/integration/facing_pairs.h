@@ -3,8 +3,10 @@
 #pragma once
 
 #include "base/patch.h"
+#include "base/timings.h"
 #include "integration/points.h"
 
+#include <iterator>
 #include <optional>
 
 namespace mixture_contact {
@@ -38,6 +40,10 @@ class FacingPairs {
   const Effects& effects() const { return effects_; }
   const IndexedVector<FacetPair>& pairs() const { return found_.pairs(); }
   PointsOfPair points(const FacetPair& pair) const { return found_.points(pair); }
+  /// For how many pairs one of them stands where it is timed; see timings.h.
+  Index stands_for(const FacetPair& pair) const {
+    return mixture_contact::stands_for(std::distance(pairs().data(), &pair), pairs().count());
+  }
   /// Half the diagonal of the primary surface where the last search was made [mm].
   double surface_size() const { return surface_size_; }
 

@@ -59,6 +59,38 @@ BOOST_AUTO_TEST_CASE(what_threads_charge_is_taken_over_once) {
   BOOST_TEST(times.take().total() == 0);
 }
 
+BOOST_AUTO_TEST_CASE(of_many_pairs_some_stand_for_the_others) {
+  for (const Index count : {1, 255, 256, 1000, 100000}) {
+    Index all = 0;
+    Index timed = 0;
+    Index most = 0;
+    for (Index number = 0; number < count; ++number) {
+      const Index each = stands_for(number, count);
+      all += each;
+      timed += each > 0 ? 1 : 0;
+      most = std::max(most, each);
+    }
+    BOOST_TEST(all >= count);
+    BOOST_TEST(all < count + most);
+    BOOST_TEST(timed <= 256);
+    BOOST_TEST((timed == count || timed >= 128));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_time_of_one_that_stands_for_others_counts_for_each) {
+  const auto charged = [](Index stands_for) {
+    EffectTimings times(0);
+    {
+      ScopedTimer laps(times, 0, stands_for);
+      wait();
+      laps.traction();
+    }
+    return times.take().traction;
+  };
+  BOOST_TEST(charged(0) == 0);
+  BOOST_TEST(charged(3) >= 6e-3);
+}
+
 BOOST_AUTO_TEST_CASE(every_task_of_a_contact_is_timed) {
   const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 3), effects_of(true, 1),
                     explicit_settings(3, 2, 5));
