@@ -242,16 +242,15 @@ IndexedVector<Circle> circles_around(const IndexedVector<Facet>& facets, const M
 template <class Number>
 Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const Corners& part,
                         std::pmr::memory_resource* memory) {
-  const Polygon<Number> none(memory);
   Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.part.nodes), memory);
-  if (twice_area(window) >= 0) return none;  // it faces away
+  if (twice_area(window) >= 0) return Polygon<Number>(memory);  // it faces away
   std::reverse(window.begin(), window.end());
   const double coincident = coincident_fraction * std::sqrt(piece.area);
   // What clips is convex: an outline with nodes amid its edges may bend inwards.
   const bool may_bend = number_of(part) > max_piece_corners;
   Polygon<Number> both = may_bend ? clip(std::move(window), piece.polygon, coincident)
                                   : clip({piece.polygon, memory}, window, coincident);
-  if (both.size() >= 3 && twice_area(both) <= negligible_fraction * piece.area) return none;
+  if (both.size() >= 3 && twice_area(both) <= negligible_fraction * piece.area) both.clear();
   return both;
 }
 

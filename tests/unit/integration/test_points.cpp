@@ -67,3 +67,52 @@ BOOST_AUTO_TEST_CASE(points_that_pass_an_edge_once_are_let_go) {
   }
   BOOST_TEST(squares.seen(half).size() == 2);
 }
+
+BOOST_AUTO_TEST_CASE(points_of_a_pair_lie_together_in_whatever_order_they_are_found) {
+  // Nine points of a square, row by row, that face two by two others.
+  const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.1, 1, 2);
+  const GridSurface below = grid_surface(grids[Side::primary], 0);
+  const GridSurface above = grid_surface(grids[Side::secondary], 0);
+  GaussPoints finder(below.mesh.facets, above.mesh.facets, 3, 0.01);
+  const FacetPairs found = finder.search(below.position, above.position, 1);
+  BOOST_TEST(found.pairs().size() == 4);
+  BOOST_TEST(found.points().size() == 9);
+  Index first = 0;
+  for (const FacetPair& pair : found.pairs()) {
+    BOOST_TEST(pair.first == first);
+    BOOST_TEST(pair.points > 0);
+    first += pair.points;
+    const Facet& one = below.mesh.facets[pair.primary];
+    const Facet& two = above.mesh.facets[pair.secondary];
+    for (const IntegrationPoint& point : found.points(pair)) {
+      const Vector3d x1 = facet_coordinates(one, below.position) * shape_functions(one.type, point.xi).value;
+      const Vector3d x2 = facet_coordinates(two, above.position) * shape_functions(two.type, point.eta).value;
+      BOOST_TEST((x1 - x2).head<2>().norm() <= rounding);
+    }
+  }
+  BOOST_TEST(first == 9);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_are_added_and_the_last_one_is_removed_with_its_points) {
+  const auto at = [](double xi) { return IntegrationPoint{{xi, 0}, {0, 0}, 1, 0}; };
+  FacetPairs pairs;
+  pairs.add_pair(3, 7);
+  pairs.add_point(at(1));
+  pairs.add_pair(3, 8);
+  pairs.add_point(at(2));
+  pairs.add_point(at(3));
+  pairs.remove_last_pair();
+  pairs.add_pair(4, 9);
+  pairs.add_point(at(4));
+  FacetPairs others;
+  others.add(pairs, pairs.pairs().back());
+  others.add(pairs, pairs.pairs().front());
+  BOOST_TEST(pairs.points().size() == 2);
+  BOOST_TEST(others.pairs()[0].secondary == 9);
+  BOOST_TEST(others.points(others.pairs()[0])[0].xi[0] == 4);
+  BOOST_TEST(others.pairs()[1].primary == 3);
+  BOOST_TEST(others.points(others.pairs()[1])[0].xi[0] == 1);
+  BOOST_TEST(others.pairs()[1].first == 1);
+  pairs.clear();
+  BOOST_TEST((pairs.pairs().empty() && pairs.points().empty()));
+}
