@@ -94,7 +94,7 @@ void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, cons
   tangent.fluxes = flux_blocks(space, traction.rows);
   const Index size = traction.rows.displacement_layout().size();
   traction.values.setZero(size, size);
-  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), space.facing().stands_for(pair));
+  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
   for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, traction.values);
   laps.traction();
   for (Index k = 0; k < count_of(tangent.fluxes); ++k) {

@@ -40,10 +40,6 @@ class FacingPairs {
   const Effects& effects() const { return effects_; }
   const IndexedVector<FacetPair>& pairs() const { return found_.pairs(); }
   PointsOfPair points(const FacetPair& pair) const { return found_.points(pair); }
-  /// For how many pairs one of them stands where it is timed; see timings.h.
-  Index stands_for(const FacetPair& pair) const {
-    return mixture_contact::stands_for(std::distance(pairs().data(), &pair), pairs().count());
-  }
   /// Half the diagonal of the primary surface where the last search was made [mm].
   double surface_size() const { return surface_size_; }
 
@@ -99,5 +95,10 @@ class FacingPairs {
   Positions searched_at_;  ///< where the pairs were found; empty where another search is due
   double surface_size_ = 0;
 };
+
+/// For how many pairs one of them stands where it is timed.
+inline Index stands_for(const FacingPairs& facing, const FacetPair& pair) {
+  return stands_for(std::distance(facing.pairs().data(), &pair), facing.pairs().count());
+}
 
 }  // namespace mixture_contact

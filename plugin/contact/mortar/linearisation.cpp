@@ -327,7 +327,7 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
   set_zero(linear, space, pair);
   const Patch& patch = linear.patch;
   const LocalLayout layout = patch.displacement_layout();
-  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), space.facing().stands_for(pair));
+  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
   set_corner_points(memory, space.facing().primary_facet(pair), loads.in_contact);
   for (const CornerPoint& at : memory.corners) linear.is_averaged[at.corner] = true;
   if (patch.displacements) {
