@@ -3,7 +3,6 @@
 #include "contact/base/in_order.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,12 +31,6 @@ void join(RowIntervals& ascending) {
     }
   }
   ascending.erase(last + 1, ascending.end());
-}
-
-/// The same rows in as few intervals as there can be, ascending.
-void unite(RowIntervals& intervals) {
-  std::sort(intervals.begin(), intervals.end(), is_before);
-  join(intervals);
 }
 
 /// Sets `both` to the union of two ascending lists.
@@ -70,6 +63,27 @@ std::vector<int> coupled_with(Span<int> equations, SparseMatrixProfile& profile)
   return found;
 }
 
+/// Columns that follow each other and stand in the same blocks, as those of one node mostly do.
+struct Columns {
+  Index first;
+  Index end;
+};
+
+/// Those that stand in any.
+IndexedVector<Columns> alike(const Lists<Index>& blocks_of) {
+  const auto are_alike = [&](Index one, Index other) {
+    return std::equal(blocks_of[one].begin(), blocks_of[one].end(), blocks_of[other].begin(), blocks_of[other].end());
+  };
+  IndexedVector<Columns> found;
+  for (Index column = 0; column < blocks_of.count(); ++column) {
+    if (blocks_of[column].empty()) continue;
+    const bool goes_on = !found.empty() && found.back().end == column && are_alike(column - 1, column);
+    if (!goes_on) found.push_back({column, column});
+    ++found.back().end;
+  }
+  return found;
+}
+
 /// What a thread remembers of columns, whose memory serves the next ones.
 struct ColumnMemory {
   RowIntervals rows;
@@ -79,9 +93,9 @@ struct ColumnMemory {
 
 }  // namespace
 
-RowIntervals united(RowIntervals intervals) {
-  unite(intervals);
-  return intervals;
+void unite(RowIntervals& intervals) {
+  std::sort(intervals.begin(), intervals.end(), is_before);
+  join(intervals);
 }
 
 void CoupledBlocks::check(int equation) const {
@@ -135,73 +149,41 @@ void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
   for (const auto& [row, others] : sums_) add_rows({row}, coupled_with(lists_[others], profile));
 }
 
-/// The blocks that each column stands in.
-class CoupledBlocks::BlocksOfColumns {
- public:
-  BlocksOfColumns(int columns, const Lists<int>& lists, const IndexedVector<Block>& blocks) : first_(columns, 0) {
-    IndexedVector<Index> most(columns, 0);  // a block that has a column twice counts twice
-    for (const Block& block : blocks) {
-      for (const int column : lists[block.columns]) ++most[column];
-    }
-    blocks_.resize(indexing::entries(std::accumulate(most.begin(), most.end(), Index{0})));
-    std::exclusive_scan(most.begin(), most.end(), first_.begin(), Index{0});
-    end_ = first_;
-    for (Index block = 0; block < blocks.count(); ++block) {
-      for (const int column : lists[blocks[block].columns]) add(column, block);
-    }
-  }
+Lists<Index> CoupledBlocks::blocks_of_columns() const {
+  return {columns_, [&](const auto& add) {
+            IndexedVector<Index> last(columns_,
+                                      -1);  // nodes of a body share equations: blocks have them more than once
+            for (Index block = 0; block < blocks_.count(); ++block) {
+              for (const int column : lists_[blocks_[block].columns]) {
+                if (std::exchange(last[column], block) != block) add(column, block);
+              }
+            }
+          }};
+}
 
-  /// Calls use(block) for each, ascending.
-  template <class Use>
-  void for_each(Index column, const Use& use) const {
-    for (Index place = first_[column]; place < end_[column]; ++place) use(blocks_[place]);
-  }
-  IndexedVector<Columns> alike() const {
-    IndexedVector<Columns> found;
-    for (Index column = 0; column < end_.count(); ++column) {
-      if (count(column) == 0) continue;
-      const bool goes_on = !found.empty() && found.back().end == column && are_alike(column - 1, column);
-      if (!goes_on) found.push_back({column, column});
-      ++found.back().end;
-    }
-    return found;
-  }
-
- private:
-  void add(Index column, Index block) {
-    const bool is_there = count(column) > 0 && blocks_[end_[column] - 1] == block;  // nodes of a body share equations
-    if (!is_there) blocks_[end_[column]++] = block;
-  }
-  Index count(Index column) const { return end_[column] - first_[column]; }
-  bool are_alike(Index one, Index other) const {
-    const auto place = [&](Index n) { return blocks_.begin() + n; };
-    return std::equal(place(first_[one]), place(end_[one]), place(first_[other]), place(end_[other]));
-  }
-
-  IndexedVector<Index> first_;   ///< place of a column's first block
-  IndexedVector<Index> end_;     ///< behind its last one
-  IndexedVector<Index> blocks_;  ///< those of one column after those of the other
-};
-
-void CoupledBlocks::insert_into(SparseMatrixProfile& profile) {
-  add_sums(profile);
-  const BlocksOfColumns blocks_of(columns_, lists_, blocks_);
-  const IndexedVector<Columns> columns = blocks_of.alike();
-  Lists<Interval> rows_of_block;
+Lists<Interval> CoupledBlocks::rows_of_blocks() const {
+  Lists<Interval> found;
   in_order_with(
       std::vector<int>(), RowIntervals(), blocks_.count(),
       [&](Index block, RowIntervals& rows, std::vector<int>& sorted) {
         set_intervals(lists_[blocks_[block].rows], sorted, rows);
       },
-      [&](Index /*block*/, const RowIntervals& rows) { rows_of_block.add(rows); });
+      [&](Index /*block*/, const RowIntervals& rows) { found.add(rows); });
+  return found;
+}
+
+void CoupledBlocks::insert_into(SparseMatrixProfile& profile) {
+  add_sums(profile);
+  const Lists<Index> blocks_of = blocks_of_columns();
+  const IndexedVector<Columns> columns = alike(blocks_of);
+  const Lists<Interval> rows_of = rows_of_blocks();
   const auto column_of_profile = [&](Index column) -> SparseMatrixProfile::ColumnProfile& {
     return profile.Column(indexing::as_int(column));
   };
   const auto unite_with_present = [&](Index n, Lists<Interval>& all, ColumnMemory& own) {
     own.rows.clear();
-    blocks_of.for_each(columns[n].first, [&](Index block) {
-      own.rows.insert(own.rows.end(), rows_of_block[block].begin(), rows_of_block[block].end());
-    });
+    for (const Index block : blocks_of[columns[n].first])
+      own.rows.insert(own.rows.end(), rows_of[block].begin(), rows_of[block].end());
     unite(own.rows);
     all.clear();
     for (Index column = columns[n].first; column < columns[n].end; ++column) {

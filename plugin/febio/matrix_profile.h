@@ -13,8 +13,8 @@
 /// Rows of a column as FEBio's profile has them: intervals, ascending, none touching the next.
 using RowIntervals = std::vector<SparseMatrixProfile::RowEntry>;
 
-/// The intervals that cover the same rows as those given in any order, overlapping or not.
-RowIntervals united(RowIntervals intervals);
+/// Makes intervals in any order, overlapping or not, as few as can be and ascending; they cover the same rows.
+void unite(RowIntervals& intervals);
 
 /// Blocks of equations that are coupled.
 class CoupledBlocks {
@@ -46,14 +46,12 @@ class CoupledBlocks {
     int row;
     Index others;  ///< the list of them
   };
-  /// Columns that follow each other and stand in the same blocks, as those of one node mostly do.
-  struct Columns {
-    Index first;
-    Index end;
-  };
-  class BlocksOfColumns;
   /// Extends blocks by rows that take the columns of theirs, and adds those that they have in the profile.
   void add_sums(SparseMatrixProfile& profile);
+  /// Per column of the matrix the blocks that it stands in, ascending, each once.
+  mixture_contact::Lists<Index> blocks_of_columns() const;
+  /// Per block its rows.
+  mixture_contact::Lists<SparseMatrixProfile::RowEntry> rows_of_blocks() const;
   /// Keeps a list of those equations that are in the matrix, and returns its number.
   Index list_of(const std::vector<int>& equations);
   void check(int equation) const;

@@ -54,14 +54,17 @@ void check_as_febio(std::vector<std::vector<int>> present, std::vector<std::vect
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(intervals_are_united) {
-  const RowIntervals result = united({{7, 8}, {0, 1}, {2, 2}, {10, 14}, {11, 12}});
+  RowIntervals result{{7, 8}, {0, 1}, {2, 2}, {10, 14}, {11, 12}};
+  unite(result);
   const std::vector<std::pair<int, int>> expected{{0, 2}, {7, 8}, {10, 14}};
   BOOST_TEST_REQUIRE(result.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     BOOST_TEST(result[i].start == expected[i].first);
     BOOST_TEST(result[i].end == expected[i].second);
   }
-  BOOST_TEST(united({}).empty());
+  RowIntervals none;
+  unite(none);
+  BOOST_TEST(none.empty());
 }
 
 BOOST_AUTO_TEST_CASE(the_profile_is_the_one_that_febio_makes) {

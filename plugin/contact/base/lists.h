@@ -48,7 +48,7 @@ class Lists {
   template <class Entries>
   void add(const Entries& entries) {
     entries_.insert(entries_.end(), entries.begin(), entries.end());
-    first_.push_back(entries_.count());
+    end_next();
   }
   /// Adds an entry to the list that is to be the next one, and ends that list.
   void add_to_next(const T& entry) { entries_.push_back(entry); }

@@ -104,11 +104,11 @@ class EffectTimings {
   TimingBreakdown spent_;
 };
 
-/// For how many things of a kind the time of one of them, given by its number, stands: all of them are timed where they
-/// are few, and else some hundreds, whatever their count. 0: another one stands for it.
+/// For how many things of a kind the time of one of them, given by its number, stands: fewer than `most` are all timed,
+/// of more at least half as many, whatever their count. 0: another one stands for it.
 inline Index stands_for(Index number, Index count) {
-  constexpr Index enough = 256;
-  const Index each = 1 + count / enough;
+  constexpr Index most = 256;
+  const Index each = 1 + count / most;
   return number % each == 0 ? each : 0;
 }
 

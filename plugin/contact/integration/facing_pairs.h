@@ -96,7 +96,7 @@ class FacingPairs {
   double surface_size_ = 0;
 };
 
-/// For how many pairs one of them stands where it is timed.
+/// For how many pairs one of them, not a copy of it, stands where it is timed.
 inline Index stands_for(const FacingPairs& facing, const FacetPair& pair) {
   return stands_for(std::distance(facing.pairs().data(), &pair), facing.pairs().count());
 }
