@@ -32,9 +32,10 @@ class ByPair {
   /// Makes pairs of the points of a facet, in the order of their first points.
   void finish_facet() {
     for (auto first = of_facet_.begin(); first != of_facet_.end();) {
-      pairs_.add_pair(primary_, first->secondary);
-      const auto others = std::stable_partition(
-          first, of_facet_.end(), [&](const PairedPoint& point) { return point.secondary == first->secondary; });
+      const int secondary = first->secondary;
+      pairs_.add_pair(primary_, secondary);
+      const auto others = std::stable_partition(first, of_facet_.end(),
+                                                [&](const PairedPoint& point) { return point.secondary == secondary; });
       for (; first != others; ++first) pairs_.add_point(first->point);
     }
     of_facet_.clear();
