@@ -37,13 +37,6 @@ PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoord
   return point;
 }
 
-PointMotion no_motion(Index nodes) {
-  PointMotion motion;
-  motion.xi.setZero(2, 3 * nodes);
-  motion.weight.setZero(3 * nodes);
-  return motion;
-}
-
 PairVariation<3> area_vector_variation(const Eigen::Matrix<double, 3, 2>& tangents, const FacetGradient& gradient,
                                        Index nodes) {
   PairVariation<3> variation = PairVariation<3>::Zero(3, 3 * nodes);
@@ -64,10 +57,6 @@ Eigen::Matrix<double, 3, 2> area_vector_slope(const Eigen::Matrix<double, 3, 2>&
   return slope;
 }
 
-KinematicVariations kinematic_variations(const PointKinematics& point) {
-  return kinematic_variations(point, no_motion(point.nodes()));
-}
-
 KinematicVariations kinematic_variations(const PointKinematics& point, const PointMotion& motion) {
   const Index primary_nodes = point.primary_nodes();
   const Index columns = 3 * point.nodes();
@@ -79,8 +68,7 @@ KinematicVariations kinematic_variations(const PointKinematics& point, const Poi
   PairVariation<2> slip(2, columns);
   KinematicVariations variations;
   variations.gap.resize(columns);
-  variations.area_vector = area_vector_variation(point.primary_tangents, point.primary_gradient, point.nodes()) +
-                           area_vector_slope(point.primary_tangents, motion.curvature).lazyProduct(motion.xi);
+  variations.area_vector = area_vector_variation(point.primary_tangents, point.primary_gradient, point.nodes());
   variations.xi = motion.xi;
   variations.weight = motion.weight;
   for (Index node = 0; node < point.nodes(); ++node) {
@@ -91,10 +79,13 @@ KinematicVariations kinematic_variations(const PointKinematics& point, const Poi
     const auto gradient = point.primary_gradient.row(node);
     slip.middleCols<3>(3 * node) -= point.gap * gradient.transpose() * n.transpose();
   }
-  const Eigen::RowVector3d bend = n.transpose() * motion.curvature;  // n1.x1,11, n1.x1,22, n1.x1,12
-  Eigen::Matrix2d own = point.primary_tangents.transpose() * point.primary_tangents;
-  own -= point.gap * (Eigen::Matrix2d() << bend[0], bend[2], bend[2], bend[1]).finished();
-  slip += own.lazyProduct(motion.xi);
+  if (!motion.is_none()) {
+    variations.area_vector += area_vector_slope(point.primary_tangents, motion.curvature).lazyProduct(motion.xi);
+    const Eigen::RowVector3d bend = n.transpose() * motion.curvature;  // n1.x1,11, n1.x1,22, n1.x1,12
+    Eigen::Matrix2d own = point.primary_tangents.transpose() * point.primary_tangents;
+    own -= point.gap * (Eigen::Matrix2d() << bend[0], bend[2], bend[2], bend[1]).finished();
+    slip += own.lazyProduct(motion.xi);
+  }
   const Eigen::Matrix2d metric = point.primary_tangents.transpose() * point.secondary_tangents;
   variations.eta = metric.inverse().lazyProduct(slip);
   variations.gap += (n.transpose() * point.secondary_tangents).lazyProduct(variations.eta);

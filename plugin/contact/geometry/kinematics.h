@@ -32,15 +32,15 @@ struct PointKinematics {
 PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1,
                                  const ShapeFunctions& secondary, const FacetCoordinates& x2);
 
-/// How a point's place on the primary facet and its weight vary with the nodal positions of both facets.
+/// How a point's place on the primary facet and its weight vary with the nodal positions of both facets; both empty of
+/// a point that is fixed there.
 struct PointMotion {
   PairVariation<2> xi;                                  ///< d xi_alpha
   PairVariation<1> weight;                              ///< d(weight)/weight
   Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();  ///< columns x1,11, x1,22, x1,12
-};
 
-/// The motion of a point that is fixed on the primary facet: none. `nodes`: of both facets.
-PointMotion no_motion(Index nodes);
+  bool is_none() const { return weight.size() == 0; }
+};
 
 /// Variation of an area vector a = x,1 x x,2 with the nodes of its facet at a fixed place; zero in the columns of
 /// further nodes. `tangents`: x,alpha; `nodes`: how many nodes have columns.
@@ -57,14 +57,14 @@ struct KinematicVariations {
   PairVariation<2> eta;          ///< d eta_beta: how the projected point wanders over the secondary facet
   PairVariation<3> area_vector;  ///< da
   PairVariation<1> area;         ///< d|a|
-  PairVariation<2> xi;           ///< d xi_alpha: how the point wanders over the primary facet
-  PairVariation<1> weight;       ///< d(weight)/weight
+  PairVariation<2> xi;           ///< d xi_alpha: how the point wanders over the primary facet; empty where it does not
+  PairVariation<1> weight;       ///< d(weight)/weight; empty likewise
+
+  /// Whether the point wanders over the primary facet.
+  bool wanders() const { return weight.size() > 0; }
 };
 
 /// Exact variations, from (x2(eta) - x1).x1,alpha = 0 and g = (x2 - x1).n1.
-KinematicVariations kinematic_variations(const PointKinematics& point, const PointMotion& motion);
-
-/// The same for a point that is fixed on the primary facet.
-KinematicVariations kinematic_variations(const PointKinematics& point);
+KinematicVariations kinematic_variations(const PointKinematics& point, const PointMotion& motion = {});
 
 }  // namespace mixture_contact

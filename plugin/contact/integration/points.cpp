@@ -60,9 +60,14 @@ void FacetPairs::add_point(const IntegrationPoint& point) {
 
 void FacetPairs::add(const FacetPairs& others, const FacetPair& pair) {
   add_pair(pair.primary, pair.secondary);
+  pairs_.back().unbroken = pair.unbroken;
   const PointsOfPair of_pair = others.points(pair);
   points_.insert(points_.end(), of_pair.begin(), of_pair.end());
   pairs_.back().points = of_pair.count();
+}
+
+void FacetPairs::set_unbroken() {
+  for (FacetPair& pair : pairs_) pair.unbroken = true;
 }
 
 void FacetPairs::remove_last_pair() {
@@ -79,11 +84,16 @@ Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& x
   return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), reach, tolerance};
 }
 
+void use_no_motion(Index points, const UseMotion& use) {
+  for (Index q = 0; q < points; ++q) use({});
+}
+
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings) {
   SelfContact self(primary, secondary);
   if (settings.integration == Integration::segments) {
-    return std::make_unique<Segments>(primary.facets, secondary.facets, settings.integration_order, std::move(self));
+    return std::make_unique<Segments>(primary.facets, secondary.facets, settings.integration_order, std::move(self),
+                                      EdgeNeighbours(secondary));
   }
   return std::make_unique<GaussPoints>(primary.facets, secondary.facets, settings.integration_order,
                                        settings.search.tolerance, std::move(self));
@@ -149,11 +159,9 @@ std::size_t GaussPoints::memory() const {
   return sum;
 }
 
-void GaussPoints::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& /*x1*/,
+void GaussPoints::for_each_motion(const FacetPair& /*pair*/, const PointsOfPair& points, const Matrix3Xd& /*x1*/,
                                   const Matrix3Xd& /*x2*/, const UseMotion& use) const {
-  const int nodes = node_count(primary_[pair.primary].type) + node_count(secondary_[pair.secondary].type);
-  const PointMotion none = no_motion(nodes);
-  for (Index q = 0; q < points.count(); ++q) use(none);
+  use_no_motion(points.count(), use);
 }
 
 FacetPairs GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {

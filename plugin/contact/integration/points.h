@@ -29,6 +29,10 @@ struct FacetPair {
   int secondary = 0;
   Index first = 0;   ///< of the points in between, among those of all pairs
   Index points = 0;  ///< how many there are
+  /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface goes on across all
+  /// edges that they end at within the facet. What a pair gains as such an edge moves the next one loses: no sum over
+  /// the pairs depends on how their points move.
+  bool unbroken = false;
 };
 
 /// The points of a pair, in their order.
@@ -48,6 +52,8 @@ class FacetPairs {
   void add_point(const IntegrationPoint& point);
   /// Adds a pair of others with its points.
   void add(const FacetPairs& others, const FacetPair& pair);
+  /// Says of all pairs that they are.
+  void set_unbroken();
   void remove_last_pair();
   std::size_t memory() const;
 
@@ -64,6 +70,9 @@ using PairsAround = Span<const FacetPair*>;
 
 /// Takes the motion of a point.
 using UseMotion = std::function<void(const PointMotion&)>;
+
+/// Calls `use` for so many points that do not move.
+void use_no_motion(Index points, const UseMotion& use);
 
 /// Finds the integration points of a primary surface and what they are paired with on a secondary one.
 class PointFinder {
@@ -93,7 +102,8 @@ class PointFinder {
   /// Whether points move over the primary facets as the surfaces move; if not, their motions are none.
   virtual bool moves_points() const = 0;
 
-  /// How the points of a pair, found at these positions, move with them: calls `use` for each in their order.
+  /// How the points of a pair, found at these positions, move with them: calls `use` for each in their order. Those of
+  /// unbroken pairs count as fixed.
   virtual void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
                                const Matrix3Xd& x2, const UseMotion& use) const = 0;
 

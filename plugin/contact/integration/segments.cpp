@@ -329,6 +329,46 @@ void for_each_motion_of(const PointsOfPair& points, const PlacedFacet& primary, 
   });
 }
 
+/// Whether a segment lies over a piece, and not along its outline alone.
+bool lies_over(const Piece<double>& piece, const Vector2d& from, const Vector2d& to) {
+  const double coincident = coincident_fraction * std::sqrt(piece.area);
+  double first = 0;  // of what is left of the segment
+  double last = 1;
+  Vector2d start = piece.polygon.back().value();
+  for (const Place<double>& corner : piece.polygon) {
+    const Vector2d along = corner.value() - start;
+    const auto height = [&](const Vector2d& x) {
+      return (along[0] * (x[1] - start[1]) - along[1] * (x[0] - start[0])) / along.norm();
+    };
+    const double at_from = height(from);
+    const double at_to = height(to);
+    if (at_from <= coincident && at_to <= coincident) return false;
+    if (at_from < 0) first = std::max(first, at_from / (at_from - at_to));
+    if (at_to < 0) last = std::min(last, at_from / (at_from - at_to));
+    start = corner.value();
+  }
+  return last - first > coincident_fraction;
+}
+
+/// Whether the other surface goes on, in other pairs, across each edge that the pairs of a facet of one piece end at.
+bool goes_on(const FacetPairs& of_facet, const Piece<double>& piece, const IndexedVector<Facet>& others,
+             const EdgeNeighbours& neighbours, const Matrix3Xd& x2) {
+  const auto is_paired = [&](int other) {
+    return std::any_of(of_facet.pairs().begin(), of_facet.pairs().end(),
+                       [&](const FacetPair& pair) { return pair.secondary == other; });
+  };
+  return std::all_of(of_facet.pairs().begin(), of_facet.pairs().end(), [&](const FacetPair& pair) {
+    const Facet& facet = others[pair.secondary];
+    for (int corner = 0; corner < facet.count(); ++corner) {
+      const std::optional<int> next = neighbours.across(pair.secondary, corner);
+      if (next && is_paired(*next)) continue;
+      const auto seen = [&](int node) { return piece.view.seen(x2.col(facet.node(node % facet.count()))); };
+      if (lies_over(piece, seen(corner), seen(corner + 1))) return false;
+    }
+    return true;
+  });
+}
+
 /// Whether the shape functions of a facet are polynomials of the second degree at most, in total.
 bool is_quadratic(FacetType type) {
   return type == FacetType::tri3 || type == FacetType::tri6 || type == FacetType::quad4;
@@ -353,12 +393,22 @@ int default_segment_order(FacetType primary, FacetType secondary) {
 }
 
 Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
-                   SelfContact self)
-    : primary_(primary), secondary_(secondary), order_(order), self_(std::move(self)) {}
+                   SelfContact self, EdgeNeighbours neighbours)
+    : primary_(primary),
+      secondary_(secondary),
+      order_(order),
+      self_(std::move(self)),
+      neighbours_(std::move(neighbours)) {}
 
 int Segments::order(const Facing& facing) const {
   if (order_ > 0) return order_;
   return default_segment_order(primary_[facing.primary].type, secondary_[facing.secondary].type);
+}
+
+bool Segments::is_exact(const FacetPair& pair) const {
+  const bool flat = primary_[pair.primary].type == FacetType::tri3 &&
+                    secondary_[pair.secondary].type == FacetType::tri3;
+  return flat && order({pair.primary, pair.secondary}) >= 2;
 }
 
 bool Segments::within_reach(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
@@ -429,6 +479,10 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double rad
     for (const FacetPair& pair : near.pairs()) {
       if (!occluded(pair, near, x1, x2)) visible.add(near, pair);
     }
+    const auto exact = [&](const FacetPair& pair) { return is_exact(pair); };
+    if (std::all_of(visible.pairs().begin(), visible.pairs().end(), exact) &&
+        goes_on(visible, one.pieces.front(), secondary_, neighbours_, x2))
+      visible.set_unbroken();
   };
   const auto add_all = [&](Index /*facet*/, const FacetPairs& visible) {
     for (const FacetPair& pair : visible.pairs()) {
@@ -458,6 +512,7 @@ void Segments::for_each_motion(const FacetPair& pair, const PointsOfPair& points
                                const Matrix3Xd& x2, const UseMotion& use) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
+  if (pair.unbroken) return use_no_motion(points.count(), use);
   const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
   const int rule = order({pair.primary, pair.secondary});

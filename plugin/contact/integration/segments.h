@@ -9,6 +9,7 @@
 #pragma once
 
 #include "integration/clipping.h"
+#include "integration/edge_neighbours.h"
 #include "integration/points.h"
 
 namespace mixture_contact {
@@ -24,16 +25,18 @@ int default_segment_order(FacetType primary, FacetType secondary);
 /// the primary facet.
 class Segments : public PointFinder {
  public:
-  /// order: of the quadrature rule on the pieces; 0: default_segment_order.
-  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
-           SelfContact self = {});
+  /// order: of the quadrature rule on the pieces; 0: default_segment_order. neighbours: of secondary facets.
+  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, SelfContact self = {},
+           EdgeNeighbours neighbours = {});
 
   FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
   FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
   bool moves_points() const override { return true; }
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;
-  std::size_t memory() const override { return self_.memory() + paired_.capacity() * sizeof(Facing); }
+  std::size_t memory() const override {
+    return self_.memory() + neighbours_.memory() + paired_.capacity() * sizeof(Facing);
+  }
 
  private:
   struct Facing {
@@ -49,11 +52,14 @@ class Segments : public PointFinder {
   /// Whether another one of the pairs of its primary facet lies nearer.
   bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   int order(const Facing& facing) const;
+  /// Whether the rule for a pair is exact: both facets are flat, and what is integrated is of the second degree.
+  bool is_exact(const FacetPair& pair) const;
 
   const IndexedVector<Facet>& primary_;
   const IndexedVector<Facet>& secondary_;
   int order_;
   SelfContact self_;
+  EdgeNeighbours neighbours_;
   std::vector<Facing> paired_;  ///< what the last search() found
 };
 

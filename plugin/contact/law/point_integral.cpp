@@ -3,28 +3,27 @@
 namespace mixture_contact {
 namespace {
 
-/// Adds the derivative of h_a F, where h = (N1(xi), -N2(eta)) and F is a force on the primary side: three rows per
-/// node.
+/// Derivative of the weights h = (N1(xi), -N2(eta)) of one node with the nodal positions.
+PairVariation<1> weight_variation(const PointKinematics& point, const KinematicVariations& vary, Index node) {
+  const Index first = point.primary_nodes();
+  if (node >= first) return -point.secondary_gradient.row(node - first).lazyProduct(vary.eta);
+  if (!vary.wanders()) return PairVariation<1>::Zero(vary.eta.cols());
+  return point.primary_gradient.row(node).lazyProduct(vary.xi);
+}
+
+/// Adds the derivative of h_a F, three rows per node, where F is a force on the primary side; `dforce`: of the first
+/// nodes, with those of which alone it varies.
 void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
                        const PairVariation<3>& dforce, MatrixXd& tangent) {
-  const Index first = point.primary_nodes();
   const PairVector h = point.jump_weights();
   for (Index column = 0; column < dforce.cols(); ++column) {
     const Vector3d with_force = dforce.col(column);
-    const auto add = [&](Index node, double dh) {
-      tangent.col(column).segment<3>(3 * node) += h[node] * with_force + dh * force;
-    };
-    for (Index a = 0; a < first; ++a) add(a, point.primary_gradient.row(a).dot(vary.xi.col(column)));
-    for (Index b = 0; first + b < h.size(); ++b)
-      add(first + b, -point.secondary_gradient.row(b).dot(vary.eta.col(column)));
+    for (Index node = 0; node < h.size(); ++node) tangent.col(column).segment<3>(3 * node) += h[node] * with_force;
   }
-}
-
-/// Derivative of the weights h of one node with the nodal positions.
-PairVariation<1> weight_variation(const PointKinematics& point, const KinematicVariations& vary, Index node) {
-  const Index first = point.primary_nodes();
-  if (node < first) return point.primary_gradient.row(node).lazyProduct(vary.xi);
-  return -point.secondary_gradient.row(node - first).lazyProduct(vary.eta);
+  for (Index node = vary.wanders() ? 0 : point.primary_nodes(); node < h.size(); ++node) {
+    const PairVariation<1> dh = weight_variation(point, vary, node);
+    for (Index column = 0; column < dh.cols(); ++column) tangent.col(column).segment<3>(3 * node) += dh[column] * force;
+  }
 }
 
 /// The force of friction on the primary side, w |a| t_T.
@@ -39,11 +38,24 @@ void add_friction_force_variation(const PointKinematics& point, const KinematicV
   const Eigen::Matrix<double, 3, 2> with_xi = loads.weight * point.area * loads.friction_slope;
   const bool varies = !loads.friction_slope.isZero(0);
   for (Index column = 0; column < dforce.cols(); ++column) {
-    const double darea = vary.area[column] + point.area * vary.weight[column];
-    Vector3d change = darea * with_area;
-    if (varies) change += with_xi.lazyProduct(vary.xi.col(column));
+    Vector3d change = vary.area[column] * with_area;
+    if (vary.wanders()) change += point.area * vary.weight[column] * with_area;
+    if (varies && vary.wanders()) change += with_xi.lazyProduct(vary.xi.col(column));
     dforce.col(column) += change;
   }
+}
+
+/// d[w t_n a] = w [(dt_n + t_n dw/w) a + t_n da] with the first nodes, dt_n = t_n' dg + t_n,alpha dxi_alpha: with the
+/// primary ones alone where nothing else turns or moves the force.
+PairVariation<3> normal_force_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                        const PointLoads& loads) {
+  const LawValue& traction = loads.traction;
+  const Index turning = 3 * point.primary_nodes();
+  if (!vary.wanders() && traction.derivative == 0)
+    return loads.weight * traction.value * vary.area_vector.leftCols(turning);
+  PairVariation<1> dtn = traction.derivative * vary.gap;
+  if (vary.wanders()) dtn += loads.traction_slope.transpose() * vary.xi + traction.value * vary.weight;
+  return loads.weight * (point.area_vector.lazyProduct(dtn) + traction.value * vary.area_vector);
 }
 
 }  // namespace
@@ -64,11 +76,7 @@ void add_residual(const PointKinematics& point, const PointLoads& loads, const L
 
 void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           MatrixXd& tangent) {
-  // d[w t_n h_a a] = w [ h_a ((dt_n + t_n dw/w) a + t_n da) + t_n a dh_a ],  dt_n = t_n' dg + t_n,alpha dxi_alpha
-  const PairVariation<1> dtn = loads.traction.derivative * vary.gap + loads.traction_slope.transpose() * vary.xi +
-                               loads.traction.value * vary.weight;
-  PairVariation<3> dforce = loads.weight *
-                            (point.area_vector.lazyProduct(dtn) + loads.traction.value * vary.area_vector);
+  PairVariation<3> dforce = normal_force_variation(point, vary, loads);
   Vector3d force = loads.weight * loads.traction.value * point.area_vector;
   if (loads.has_friction()) {
     add_friction_force_variation(point, vary, loads, dforce);
@@ -83,8 +91,8 @@ void add_flux_tangent(const PointKinematics& point, const KinematicVariations& v
   const PairVector h = point.jump_weights();
   const LawValue& flux = loads.flux[k];
   const double weight = loads.weight * loads.time_increment;
-  PairVariation<1> dq = flux.derivative * jump_variation(point, vary, values) + flux.value * vary.weight;
-  if (loads.flux_slope.rows() > 0) dq += loads.flux_slope.row(k) * vary.xi;
+  PairVariation<1> dq = flux.derivative * jump_variation(point, vary, values);
+  if (vary.wanders()) dq += loads.flux_slope.row(k) * vary.xi + flux.value * vary.weight;
   const PairVariation<1> dflux = weight * (flux.value * vary.area + point.area * dq);
   for (Index node = 0; node < layout.nodes(); ++node) {
     const PairVariation<1> moved = h[node] * dflux +
@@ -98,9 +106,11 @@ void add_flux_tangent(const PointKinematics& point, const KinematicVariations& v
 
 PairVariation<1> jump_variation(const PointKinematics& point, const KinematicVariations& vary,
                                 const PairVector& values) {
-  const Eigen::RowVector2d one = values.head(point.primary_nodes()).transpose() * point.primary_gradient;
   const Eigen::RowVector2d two = values.tail(point.secondary_shape.size()).transpose() * point.secondary_gradient;
-  return one.lazyProduct(vary.xi) - two.lazyProduct(vary.eta);
+  PairVariation<1> variation = -two.lazyProduct(vary.eta);
+  if (!vary.wanders()) return variation;
+  const Eigen::RowVector2d one = values.head(point.primary_nodes()).transpose() * point.primary_gradient;
+  return variation + one.lazyProduct(vary.xi);
 }
 
 }  // namespace mixture_contact

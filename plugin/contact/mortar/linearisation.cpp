@@ -153,11 +153,13 @@ struct CornerPoint {
   double share;              ///< w psi_a
   Eigen::RowVector2d slope;  ///< w psi_a,alpha
 
-  /// w psi_a,alpha dxi_alpha
+  /// w psi_a,alpha dxi_alpha, of a point that wanders
   auto wandering() const { return slope.lazyProduct(point.vary.xi); }
   /// d(w psi_a |a|)
-  auto area_variation() const {
-    return share * point.weighted_area_variation() + point.contact.kinematics.area * wandering();
+  PairVariation<1> area_variation() const {
+    PairVariation<1> variation = share * point.weighted_area_variation();
+    if (point.vary.wanders()) variation += point.contact.kinematics.area * wandering();
+    return variation;
   }
 };
 
@@ -249,8 +251,8 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   const Vector3d r = slip(past);
   const PairVariation<1> darea = at.point.weighted_area_variation();
   SlidingPoint sliding;
-  sliding.moves = space.facing().moves_points();
-  sliding.turning = turning_nodes(space.facing(), kinematics.nodes(), kinematics.primary_nodes());
+  sliding.moves = vary.wanders();
+  sliding.turning = sliding.moves ? kinematics.nodes() : kinematics.primary_nodes();
   sliding.value << kinematics.area * r, kinematics.area_vector;
   sliding.variation.resize(6, darea.size());
   const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slip_slope_with_eta(past);
@@ -276,7 +278,8 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
 /// Adds a point's part of the sums around a node: d(w psi_a y) = w psi_a (dy + y dw/w) + y w psi_a,alpha dxi_alpha.
 void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& sliding) {
   const double share = at.share;
-  const PairVariation<1> wandering = at.wandering();
+  PairVariation<1> wandering;
+  if (sliding.moves) wandering = at.wandering();
   sum.area_variation += at.area_variation();
   sum.work += share * sliding.work;
   const bool has_fluid = sum.pressure_weights.size() > 0;

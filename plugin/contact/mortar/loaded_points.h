@@ -34,7 +34,10 @@ struct VaryingPoint {
   KinematicVariations vary;
 
   /// d|a| + |a| dw/w
-  auto weighted_area_variation() const { return vary.area + contact.kinematics.area * vary.weight; }
+  PairVariation<1> weighted_area_variation() const {
+    if (!vary.wanders()) return vary.area;
+    return vary.area + contact.kinematics.area * vary.weight;
+  }
 };
 
 /// The loads of the nodes of a primary facet.

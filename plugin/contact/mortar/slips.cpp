@@ -153,8 +153,9 @@ double pressure_at(const BearingPressure& pressure, const PointKinematics& point
 
 PairVariation<1> pressure_variation(const BearingPressure& pressure, const PointKinematics& point,
                                     const KinematicVariations& vary) {
-  if (pressure.empty()) return PairVariation<1>::Zero(vary.gap.size());
-  if (pressure.first == 0) return (pressure.value.transpose() * point.primary_gradient).eval().lazyProduct(vary.xi);
+  const bool on_primary = pressure.first == 0;
+  if (pressure.empty() || (on_primary && !vary.wanders())) return PairVariation<1>::Zero(vary.gap.size());
+  if (on_primary) return (pressure.value.transpose() * point.primary_gradient).eval().lazyProduct(vary.xi);
   return (pressure.value.transpose() * point.secondary_gradient).eval().lazyProduct(vary.eta);
 }
 

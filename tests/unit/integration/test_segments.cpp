@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <map>
 #include <numeric>
 
 using namespace test;
@@ -81,6 +83,23 @@ Scene turned_squares(FacetType one, FacetType two, std::mt19937& random) {
 using Function = std::function<VectorXd(const VectorXd&)>;
 
 MatrixXd plain_differences(const Function& function, const VectorXd& x) { return differences(function, x); }
+
+/// A surface of 2 x 2 cells and one of 3 x 3 that is turned over it, and larger or smaller by a factor.
+Scene turned_beneath(FacetType one, FacetType two, double size, std::mt19937& random) {
+  Scene scene = squares(one, two, 2, 3, 0.08);
+  Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+  turn(x2, 0.5);
+  x2.topRows<2>() = (size * (x2.topRows<2>().array() - 0.5) + 0.5).matrix();
+  scene.disturb(0.01, random);
+  return scene;
+}
+
+/// Pairs of a scene whose secondary surface is known.
+FacetPairs pairs_with_neighbours(const Scene& scene, int order = 0) {
+  const SurfaceMesh& two = scene.mesh[Side::secondary];
+  return Segments(scene.mesh[Side::primary].facets, two.facets, order, {}, EdgeNeighbours(two))
+      .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
+}
 
 /// Residual of a scene's contact with the status of its nodes held against its tangent.
 double tangent_error(const Scene& scene, MatrixXd (*difference)(const Function&, const VectorXd&) = plain_differences) {
@@ -398,6 +417,52 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_exact_for_turned_and_partly_covered_surfaces
   turn(scene.fields[Side::secondary].position, 0.5);
   scene.disturb(0.01, random);
   BOOST_TEST(tangent_error(scene) <= difference_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(facets_are_unbroken_where_the_other_surface_covers_them_wholly) {
+  std::mt19937 random(14);
+  for (const double size : {0.7, 1.0, 1.1, 1.6, 2.0}) {
+    const Scene scene = turned_beneath(FacetType::tri3, FacetType::tri3, size, random);
+    const FacetPairs found = pairs_with_neighbours(scene);
+    std::map<int, double> covered;
+    for (const FacetPair& pair : found.pairs()) {
+      for (const IntegrationPoint& point : found.points(pair)) covered[pair.primary] += point.weight;
+    }
+    for (const FacetPair& pair : found.pairs()) {
+      const bool is_covered = covered[pair.primary] > 0.5 * (1 - 1e-9);  // of the parametric domain
+      BOOST_TEST(pair.unbroken == is_covered);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(facets_that_end_together_are_unbroken) {
+  for (const auto& [cells_one, cells_two] : divisions) {
+    const FacetPairs found = pairs_with_neighbours(squares(FacetType::tri3, FacetType::tri3, cells_one, cells_two));
+    for (const FacetPair& pair : found.pairs()) BOOST_TEST(pair.unbroken);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pairs_whose_rule_is_not_exact_count_as_broken) {
+  std::mt19937 random(15);
+  const auto is_any_unbroken = [](const FacetPairs& found) {
+    return std::any_of(found.pairs().begin(), found.pairs().end(), [](const FacetPair& pair) { return pair.unbroken; });
+  };
+  for (const auto& [one, two] : facet_pairs()) {
+    const bool flat = one == FacetType::tri3 && two == FacetType::tri3;
+    BOOST_TEST(is_any_unbroken(pairs_with_neighbours(turned_beneath(one, two, 2, random))) == flat);
+  }
+  const Scene flat = turned_beneath(FacetType::tri3, FacetType::tri3, 2, random);
+  BOOST_TEST(!is_any_unbroken(pairs_with_neighbours(flat, 1)));
+  BOOST_TEST(is_any_unbroken(pairs_with_neighbours(flat, 4)));
+  BOOST_TEST(!is_any_unbroken(pairs_of(flat)));
+}
+
+BOOST_AUTO_TEST_CASE(points_of_unbroken_pairs_may_count_as_fixed) {
+  std::mt19937 random(16);
+  for (const double size : {0.7, 1.1, 2.0}) {
+    const Scene scene = turned_beneath(FacetType::tri3, FacetType::tri3, size, random);
+    BOOST_TEST(tangent_error(scene) <= difference_tolerance);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_ambient_values_from_the_nodes_beyond_it) {

@@ -159,6 +159,22 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_without_fluid_on_segments_a
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_where_points_on_segments_count_as_fixed) {
+  std::mt19937 random(14);
+  for (const Side dry : both_sides) {
+    for (const double coefficient : {10.0, 0.2}) {
+      Scene scene = sliding_scene(FacetType::tri3, FacetType::tri3,
+                                  {coefficient, false, true, 0.2, Integration::segments}, 3);
+      Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+      x2.topRows<2>() = (2 * x2.topRows<2>().array() - 0.5).matrix();
+      for (FieldMask& mask : scene.mesh[dry].permeable) mask = 0;
+      const SlidingStep step(std::move(scene), random);
+      for (const FacetPair& pair : step.contact->pass(0).space().facing().pairs()) BOOST_TEST(pair.unbroken);
+      BOOST_TEST(tangent_error(step) <= 1e-7);
+    }
+  }
+}
+
 /// Only one side has fluid: its pressure is no exchanged field, but friction depends on it.
 BOOST_AUTO_TEST_CASE(the_pressure_of_the_side_that_has_fluid_acts_on_friction) {
   std::mt19937 random(9);

@@ -1,0 +1,31 @@
+/// What lies across the edges of the facets of a surface.
+#pragma once
+
+#include "geometry/surface.h"
+
+#include <array>
+#include <optional>
+
+namespace mixture_contact {
+
+class EdgeNeighbours {
+ public:
+  /// Of a surface of which nothing is known: no facet has any.
+  EdgeNeighbours() = default;
+  /// Keeps a reference.
+  explicit EdgeNeighbours(const SurfaceMesh& mesh);
+
+  /// The facet that a surface goes on with across the edge from a corner of a facet to the next one, where it lets the
+  /// same fields through. Empty where the surface ends or folds, or where more than two facets meet.
+  std::optional<int> across(int facet, int corner) const;
+  std::size_t memory() const;
+
+ private:
+  static constexpr int none = -1;
+  static constexpr std::size_t most_corners = 4;
+
+  const SurfaceMesh* mesh_ = nullptr;
+  IndexedVector<std::array<int, most_corners>> neighbours_;  ///< per facet, by the first corner of the edge
+};
+
+}  // namespace mixture_contact
