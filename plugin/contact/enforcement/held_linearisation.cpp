@@ -213,9 +213,24 @@ void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, co
   }
 }
 
+void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& fields, double dt,
+                                    const AddVector& add) const {
+  // Of nodes in contact the works are known; not those of friction, nor of what flowed where one was let go.
+  const bool has_works = point_->is_linearised() && point_->loads.friction.empty() && fields.primary.scalar.cols() == 0;
+  if (!has_works) return nodal_residual(space_, change.loads, fields, dt, add);
+  linear_residual(point_->nodes, change.loads, fields, dt, add);
+  NodalLoads rest = change.loads;
+  for (Index node = 0; node < rest.traction.size(); ++node) {
+    if (point_->nodes[node].empty()) continue;
+    rest.traction[node] = 0;
+    rest.in_contact[node] = false;
+  }
+  if (any(rest.in_contact)) nodal_residual(space_, rest, fields, dt, add);
+}
+
 bool HeldLinearisation::residual_change(const FacingFields& fields, double dt, const AddVector& add) const {
   if (const auto* at_points = std::get_if<AtPoints>(&change_)) {
-    nodal_residual(space_, at_points->loads, fields, dt, add);
+    residual_of(*at_points, fields, dt, add);
   } else if (const auto* by_works = std::get_if<ByWorks>(&change_)) {
     linear_residual(point_->nodes, by_works->loads, fields, dt, add);
   }

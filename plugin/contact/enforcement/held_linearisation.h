@@ -90,6 +90,8 @@ class HeldLinearisation {
   struct ByWorks {
     NodalLoads loads;
   };
+  /// Of a change of loads at the points of the iteration.
+  void residual_of(const AtPoints& change, const FacingFields& fields, double dt, const AddVector& add) const;
   /// Loads of the true averages.
   NodalLoads true_loads(const FacingFields& fields, ContactStatus status) const;
   /// What the tractions of a correction may be off by: it closes what is left of a gap against the stiffness of the

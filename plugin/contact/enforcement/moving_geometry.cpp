@@ -106,7 +106,7 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {
-  const bool finds_more = space_.change_facing().begin_iteration(x);
+  const bool finds_more = space_.begin_iteration(x);
   if (finds_more && !point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
   return finds_more;

@@ -2,6 +2,7 @@
 
 #include "base/in_order.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -85,6 +86,32 @@ std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& pat
   return blocks;
 }
 
+/// Adds the parts of the tractions at all points of a pair.
+void add_traction_tangents(const FacetPair& pair, const std::vector<VaryingPoint>& points, MatrixXd& tangent) {
+  const bool has_friction = std::any_of(points.begin(), points.end(),
+                                        [](const VaryingPoint& point) { return point.contact.loads.has_friction(); });
+  if (!pair.unbroken || has_friction) {
+    for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, tangent);
+    return;
+  }
+  // Points of flat triangles have all but h and deta in common, in which their parts are linear.
+  PointKinematics resultant = points.front().contact.kinematics;
+  KinematicVariations vary = points.front().vary;
+  resultant.primary_shape.setZero();
+  resultant.secondary_shape.setZero();
+  vary.eta.setZero();
+  for (const auto& [point, varied] : points) {
+    const double force = point.loads.weight * point.loads.traction.value;
+    resultant.primary_shape += force * point.kinematics.primary_shape;
+    resultant.secondary_shape += force * point.kinematics.secondary_shape;
+    vary.eta += force * varied.eta;
+  }
+  PointLoads unit;
+  unit.traction.value = 1;
+  unit.weight = 1;
+  add_traction_tangent(resultant, vary, unit, tangent);
+}
+
 }  // namespace
 
 void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const std::vector<VaryingPoint>& points,
@@ -95,7 +122,7 @@ void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, cons
   const Index size = traction.rows.displacement_layout().size();
   traction.values.setZero(size, size);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
-  for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, traction.values);
+  add_traction_tangents(pair, points, traction.values);
   laps.traction();
   for (Index k = 0; k < count_of(tangent.fluxes); ++k) {
     TangentBlock& block = at(tangent.fluxes, k);

@@ -13,6 +13,10 @@ Eigen::Matrix3d skew(const Vector3d& v) {
   return matrix;
 }
 
+void set_gap(PointKinematics& point, const FacetCoordinates& x1, const FacetCoordinates& x2) {
+  point.gap = (x2 * point.secondary_shape - x1 * point.primary_shape).dot(point.normal);
+}
+
 }  // namespace
 
 PairVector PointKinematics::jump_weights() const {
@@ -33,8 +37,15 @@ PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoord
   point.area_vector = point.primary_tangents.col(0).cross(point.primary_tangents.col(1));
   point.area = point.area_vector.norm();
   point.normal = point.area_vector / point.area;
-  point.gap = (x2 * secondary.value - x1 * primary.value).dot(point.normal);
+  set_gap(point, x1, x2);
   return point;
+}
+
+void move_on_flat_facets(PointKinematics& point, const FacetVector& primary, const FacetCoordinates& x1,
+                         const FacetVector& secondary, const FacetCoordinates& x2) {
+  point.primary_shape = primary;
+  point.secondary_shape = secondary;
+  set_gap(point, x1, x2);
 }
 
 PairVariation<3> area_vector_variation(const Eigen::Matrix<double, 3, 2>& tangents, const FacetGradient& gradient,

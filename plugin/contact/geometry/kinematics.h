@@ -32,6 +32,10 @@ struct PointKinematics {
 PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1,
                                  const ShapeFunctions& secondary, const FacetCoordinates& x2);
 
+/// Moves a point between two tri3, whose slopes are the same everywhere, to where shape functions have these values.
+void move_on_flat_facets(PointKinematics& point, const FacetVector& primary, const FacetCoordinates& x1,
+                         const FacetVector& secondary, const FacetCoordinates& x2);
+
 /// How a point's place on the primary facet and its weight vary with the nodal positions of both facets; both empty of
 /// a point that is fixed there.
 struct PointMotion {

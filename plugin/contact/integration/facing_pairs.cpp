@@ -59,7 +59,7 @@ void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
   } else {
     found_ = std::move(found);
   }
-  kinematics_.resize(found_.points().size());
+  if (kinematics_.count() < found_.points().count()) kinematics_.resize(found_.points().size());
   evaluate_all(x);
 }
 
@@ -104,11 +104,18 @@ void FacingPairs::evaluate(const FacetPair& pair, const FacingPositions& x) {
   const Facet& two = secondary_facet(pair);
   const FacetCoordinates x1 = facet_coordinates(one, x.primary);
   const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
+  const bool flat = one.type == FacetType::tri3 && two.type == FacetType::tri3;
   const PointsOfPair all = points(pair);
   for (Index q = 0; q < all.count(); ++q) {
-    const IntegrationPoint& point = all[q];
-    kinematics_[pair.first + q] = point_kinematics(shape_functions(one.type, point.xi), x1,
-                                                   shape_functions(two.type, point.eta), x2);
+    PointKinematics& here = kinematics_[pair.first + q];
+    const ShapeFunctions primary = shape_functions(one.type, all[q].xi);
+    const ShapeFunctions secondary = shape_functions(two.type, all[q].eta);
+    if (q == 0 || !flat) {
+      here = point_kinematics(primary, x1, secondary, x2);
+    } else {
+      here = kinematics_[pair.first];
+      move_on_flat_facets(here, primary.value, x1, secondary.value, x2);
+    }
   }
 }
 

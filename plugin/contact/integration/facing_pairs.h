@@ -72,7 +72,7 @@ class FacingPairs {
     return kinematics_[pair.first + point];
   }
   /// Of all pairs.
-  std::size_t points() const { return kinematics_.size(); }
+  std::size_t points() const { return found_.points().size(); }
   std::size_t memory() const;
 
  private:
@@ -85,7 +85,7 @@ class FacingPairs {
   const Effects& effects_;
   std::unique_ptr<PointFinder> finder_;
   FacetPairs found_;
-  IndexedVector<PointKinematics> kinematics_;  ///< of the points of all pairs; its memory serves the next search
+  IndexedVector<PointKinematics> kinematics_;  ///< of the points of all pairs, and what serves the next search
   std::optional<NodeFlags> restriction_;
   double radius_ = 0;  ///< of the last search [mm]
   struct Positions {

@@ -337,12 +337,11 @@ bool lies_over(const Piece<double>& piece, const Vector2d& from, const Vector2d&
   Vector2d start = piece.polygon.back().value();
   for (const Place<double>& corner : piece.polygon) {
     const Vector2d along = corner.value() - start;
-    const auto height = [&](const Vector2d& x) {
-      return (along[0] * (x[1] - start[1]) - along[1] * (x[0] - start[0])) / along.norm();
-    };
+    const auto height = [&](const Vector2d& x) { return along[0] * (x[1] - start[1]) - along[1] * (x[0] - start[0]); };
     const double at_from = height(from);
     const double at_to = height(to);
-    if (at_from <= coincident && at_to <= coincident) return false;
+    const double on_line = coincident * along.norm();
+    if (at_from <= on_line && at_to <= on_line) return false;
     if (at_from < 0) first = std::max(first, at_from / (at_from - at_to));
     if (at_to < 0) last = std::min(last, at_from / (at_from - at_to));
     start = corner.value();

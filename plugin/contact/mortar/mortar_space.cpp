@@ -78,6 +78,12 @@ void MortarSpace::measure_slips_from(const FacingPositions& past) {
   });
 }
 
+bool MortarSpace::begin_iteration(const FacingPositions& x) {
+  const bool finds_more = facing_.begin_iteration(x);
+  if (finds_more) gaps_.reset();
+  return finds_more;
+}
+
 FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
   FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
   const PointsOfPair points = facing_.points(pair);
@@ -94,11 +100,12 @@ FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
 void MortarSpace::update_boundary_weights(const FacingPositions& x) {
   // Nodes that a restricted pass is for keep their conditions: there are no others to carry their load.
   if (!redistributes_ || facing_.is_restricted()) return;
-  gaps_.reset();
   IndexedVector<const FacetPair*> unknown;
   for (const FacetPair& pair : facing_.pairs()) {
     if (!weights_.knows(pair.primary)) unknown.push_back(&pair);
   }
+  if (unknown.empty()) return;
+  gaps_.reset();
   std::map<int, FacetGapSums> covered;
   in_order(
       unknown.count(), [&](Index index) { return gap_sums(*unknown[index]); },

@@ -23,6 +23,8 @@ class MortarSpace {
     return facing_;
   }
   const FacingPairs& facing() const { return facing_; }
+  /// Begins an iteration of the pairs. Returns whether more were found.
+  bool begin_iteration(const FacingPositions& x);
   const Effects& effects() const { return facing_.effects(); }
   Index nodes() const { return facing_.primary().nodes; }
 

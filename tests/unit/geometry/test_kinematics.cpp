@@ -120,3 +120,26 @@ BOOST_AUTO_TEST_CASE(an_overlap_is_a_negative_gap) {
   BOOST_TEST((point.area_vector == Vector3d(0, 0, 1)));
   BOOST_TEST(std::abs(point.gap + 0.25) <= rounding);
 }
+
+BOOST_AUTO_TEST_CASE(a_point_moved_on_flat_facets_is_the_one_evaluated_there) {
+  std::mt19937 random(6);
+  for (int sample = 0; sample < samples; ++sample) {
+    FacetCoordinates x1(3, 3);
+    FacetCoordinates x2(3, 3);
+    for (Index node = 0; node < 3; ++node) {
+      x1.col(node) = random_vector(1, random);
+      x2.col(node) = random_vector(1, random);
+    }
+    const auto shapes_at = [](double xi, double eta) { return shape_functions(FacetType::tri3, {xi, eta}); };
+    PointKinematics moved = point_kinematics(shapes_at(0.2, 0.3), x1, shapes_at(0.5, 0.1), x2);
+    const ShapeFunctions primary = shapes_at(0.6, 0.1);
+    const ShapeFunctions secondary = shapes_at(0.1, 0.4);
+    move_on_flat_facets(moved, primary.value, x1, secondary.value, x2);
+    const PointKinematics there = point_kinematics(primary, x1, secondary, x2);
+    BOOST_TEST(moved.gap == there.gap);
+    BOOST_TEST((moved.jump_weights() == there.jump_weights()));
+    BOOST_TEST((moved.primary_tangents == there.primary_tangents));
+    BOOST_TEST((moved.secondary_tangents == there.secondary_tangents));
+    BOOST_TEST((moved.area_vector == there.area_vector));
+  }
+}

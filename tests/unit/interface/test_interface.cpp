@@ -443,6 +443,27 @@ BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_a
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_elastic_nodes_that_open_and_close_change_of_the_residual_is_the_difference_of_two) {
+  TiltedContact tilted;
+  ContactInterface& contact = *tilted.contact;
+  const GlobalLayout layout(tilted.scene);
+  contact.begin_iteration(tilted.scene.fields);
+  std::vector<Index> open;
+  for (const double tilt : {0.3 * much, much, 0.0}) {
+    tilted.tilt(tilt);
+    const VectorXd before = assembled_residual(contact, layout, tilted.scene.fields, dt);
+    contact.begin_iteration(tilted.scene.fields);
+    const std::optional<VectorXd> change = changed_residual(contact, layout, tilted.scene.fields);
+    BOOST_REQUIRE(change.has_value());
+    const VectorXd after = assembled_residual(contact, layout, tilted.scene.fields, dt);
+    BOOST_TEST((before + *change - after).norm() < rounding * before.norm());
+    const NodeFlags status = tilted.loads().in_contact;
+    open.push_back(std::count(status.begin(), status.end(), false));
+  }
+  BOOST_TEST(open[1] > open[0]);
+  BOOST_TEST(open[2] < open[1]);
+}
+
 /// How many entries of both sides are known.
 Index known(const PerSide<VectorXd>& tractions) {
   return tractions[Side::primary].array().isFinite().count() + tractions[Side::secondary].array().isFinite().count();
