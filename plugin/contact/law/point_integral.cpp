@@ -15,14 +15,21 @@ PairVariation<1> weight_variation(const PointKinematics& point, const KinematicV
 /// nodes, with those of which alone it varies.
 void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
                        const PairVariation<3>& dforce, MatrixXd& tangent) {
+  const Index first = point.primary_nodes();
   const PairVector h = point.jump_weights();
-  for (Index column = 0; column < dforce.cols(); ++column) {
-    const Vector3d with_force = dforce.col(column);
-    for (Index node = 0; node < h.size(); ++node) tangent.col(column).segment<3>(3 * node) += h[node] * with_force;
-  }
-  for (Index node = vary.wanders() ? 0 : point.primary_nodes(); node < h.size(); ++node) {
-    const PairVariation<1> dh = weight_variation(point, vary, node);
-    for (Index column = 0; column < dh.cols(); ++column) tangent.col(column).segment<3>(3 * node) += dh[column] * force;
+  for (Index column = 0; column < vary.eta.cols(); ++column) {
+    const bool varies = column < dforce.cols();
+    const Vector3d with_force = varies ? Vector3d(dforce.col(column)) : Vector3d::Zero();
+    const auto add = [&](Index node, double dh) {
+      tangent.col(column).segment<3>(3 * node) += h[node] * with_force + dh * force;
+    };
+    if (vary.wanders()) {
+      for (Index a = 0; a < first; ++a) add(a, point.primary_gradient.row(a).dot(vary.xi.col(column)));
+    } else if (varies) {
+      for (Index a = 0; a < first; ++a) add(a, 0);
+    }
+    for (Index b = 0; first + b < h.size(); ++b)
+      add(first + b, -point.secondary_gradient.row(b).dot(vary.eta.col(column)));
   }
 }
 

@@ -187,8 +187,12 @@ void set_corner_points(PairMemory& pair, const Facet& facet, const NodeFlags& in
 /// dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
 void add_mean_variation(Eigen::Ref<VectorXd> sum, const CornerPoint& at, const PairVariation<1>& variation,
                         double excess, double area) {
-  const double part = at.share * at.point.contact.kinematics.area;
-  sum += (part / area * variation + excess / area * at.area_variation()).transpose();
+  const double size = at.point.contact.kinematics.area;
+  const double change = excess / area;
+  const KinematicVariations& vary = at.point.vary;
+  auto row = sum.transpose();
+  row += at.share * size / area * variation + change * at.share * vary.area;
+  if (vary.wanders()) row += change * size * (at.share * vary.weight + at.wandering());
 }
 
 void add_gap(PairLinearisation& linear, const LocalLayout& layout, const NodalLoads& loads, const CornerPoint& at) {

@@ -28,7 +28,7 @@ class Part(str, Enum):
     """What there is to measure."""
 
     JOINTS = "joints"
-    """A ball in its socket, of tetrahedra, beside FEBio's own interface."""
+    """A ball in its socket, of tetrahedra, and blocks with many facets, beside FEBio's own interface."""
     EFFECTS = "effects"
     """Times at the end of runs with more and more effects, as a bar chart."""
     COMPARISON = "comparison"

@@ -1,0 +1,82 @@
+"""Two blocks of hexahedra with many facets that do not match, pressed together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import InterfaceType
+from harness.models.mesh import Box, Mesh, assemble
+from harness.models.parts import Contact, Control, Curve, Elastic, Param, Solid, TimeStepper, displace, fix
+
+SIZE = 1.0
+"""Of each block along each axis, mm."""
+SOLID = Solid(1.0, 0.1)
+PRESSED = 0.05
+"""mm by which the top comes down over the run."""
+PRIMARY, SECONDARY = "lower-top", "upper-bottom"
+ABOUT = """\
+Two elastic blocks of 1 mm x 1 mm x 1 mm, whose facets do not match. The top of the upper one comes down by
+{pressed:g} mm in {steps} steps."""
+
+
+@dataclass(frozen=True)
+class PressedBlocks:
+    """Choices of the scene.
+
+    Attributes
+    ----------
+    lower, upper : int
+        Elements of the two blocks along x and y.
+    through : int
+        Elements through each block.
+    contact : str
+        Type of the contact.
+    params : tuple of Param
+        Of the contact.
+    steps : int
+        Time steps.
+    """
+
+    lower: int = 50
+    upper: int = 46
+    through: int = 6
+    contact: str = InterfaceType.MIXTURE.value
+    params: tuple[Param, ...] = ()
+    steps: int = 2
+    name: str = "pressed-blocks"
+
+    @property
+    def primary(self) -> str:
+        """Surface that the contact integrates over."""
+        return PRIMARY
+
+    @property
+    def porous(self) -> bool:
+        """They are elastic."""
+        return False
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.CONFORMING
+        stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
+        return Model(
+            self.name,
+            header(self.name, ABOUT.format(pressed=PRESSED, steps=self.steps), interface),
+            "solid",
+            self._mesh(),
+            {"tissue": Elastic(SOLID)},
+            (fix("lower-bottom", "xyz"), fix("upper-top", "xy"), displace("upper-top", "z", -PRESSED, 1)),
+            Control(self.steps, 1.0, reformations=25, stepper=stepper),
+            (Contact(self.contact, "blocks", self.params),),
+            (Curve(((0.0, 0.0), (float(self.steps), 1.0))),),
+        )
+
+    def _mesh(self) -> Mesh:
+        boxes = [self._box("lower", self.lower, -SIZE), self._box("upper", self.upper, 0.0)]
+        return replace(assemble(boxes), pairs={"blocks": (PRIMARY, SECONDARY)})
+
+    def _box(self, name: str, elements: int, bottom: float) -> Box:
+        corner = (-SIZE / 2, -SIZE / 2, bottom)
+        return Box(name, "tissue", corner, (SIZE, SIZE, SIZE), (elements, elements, self.through))
