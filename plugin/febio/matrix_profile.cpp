@@ -151,8 +151,8 @@ void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
 
 Lists<Index> CoupledBlocks::blocks_of_columns() const {
   return {columns_, [&](const auto& add) {
-            IndexedVector<Index> last(columns_,
-                                      -1);  // nodes of a body share equations: blocks have them more than once
+            // Nodes of a body share equations: blocks have them more than once.
+            IndexedVector<Index> last(columns_, -1);
             for (Index block = 0; block < blocks_.count(); ++block) {
               for (const int column : lists_[blocks_[block].columns]) {
                 if (std::exchange(last[column], block) != block) add(column, block);

@@ -216,16 +216,18 @@ void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, co
 void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& fields, double dt,
                                     const AddVector& add) const {
   // Of nodes in contact the works are known; not those of friction, nor of what flowed where one was let go.
-  const bool has_works = point_->is_linearised() && point_->loads.friction.empty() && fields.primary.scalar.cols() == 0;
+  const bool has_works = point_->is_linearised() && point_->loads.friction.empty() &&
+                         laws_.effects().nodal_fields() == 0;
   if (!has_works) return nodal_residual(space_, change.loads, fields, dt, add);
   linear_residual(point_->nodes, change.loads, fields, dt, add);
+  const NodeFlags others = unknown_of(change.loads.in_contact);
+  if (!any(others)) return;
   NodalLoads rest = change.loads;
+  rest.in_contact = others;
   for (Index node = 0; node < rest.traction.size(); ++node) {
-    if (point_->nodes[node].empty()) continue;
-    rest.traction[node] = 0;
-    rest.in_contact[node] = false;
+    if (!others[node]) rest.traction[node] = 0;
   }
-  if (any(rest.in_contact)) nodal_residual(space_, rest, fields, dt, add);
+  nodal_residual(space_, rest, fields, dt, add);
 }
 
 bool HeldLinearisation::residual_change(const FacingFields& fields, double dt, const AddVector& add) const {

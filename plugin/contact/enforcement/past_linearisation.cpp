@@ -47,7 +47,7 @@ bool have_same_points(const LinearisationSource& one, const LinearisationSource&
 double largest_motion(const Matrix3Xd& from, const Matrix3Xd& to) { return largest((to - from).colwise().norm()); }
 
 double shortest_edge(const Facet& facet, const Matrix3Xd& x) {
-  const int corners = is_triangle(facet.type) ? 3 : 4;
+  const int corners = corner_count(facet.type);
   double shortest = std::numeric_limits<double>::infinity();
   for (int a = 0; a < corners; ++a) {
     const Vector3d edge = x.col(facet.node((a + 1) % corners)) - x.col(facet.node(a));

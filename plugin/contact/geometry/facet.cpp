@@ -193,6 +193,10 @@ bool is_triangle(FacetType type) {
   return type == FacetType::tri3 || type == FacetType::tri6 || type == FacetType::tri7;
 }
 
+int corner_count(FacetType type) { return is_triangle(type) ? 3 : 4; }
+
+bool is_flat(FacetType type) { return type == FacetType::tri3; }
+
 int edge_degree(FacetType type) { return type == FacetType::tri3 || type == FacetType::quad4 ? 1 : 2; }
 
 std::optional<FacetType> facet_type(bool triangle, int nodes) {

@@ -19,6 +19,12 @@ int node_count(FacetType type);
 /// Whether the facet is a triangle (else a quadrilateral).
 bool is_triangle(FacetType type);
 
+/// How many corners a facet has: the first nodes of every type.
+int corner_count(FacetType type);
+
+/// Whether a facet is flat wherever its nodes are: its shape functions have the same slopes everywhere.
+bool is_flat(FacetType type);
+
 /// Polynomial degree along an edge: 1 or 2.
 int edge_degree(FacetType type);
 

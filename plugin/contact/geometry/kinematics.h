@@ -32,7 +32,7 @@ struct PointKinematics {
 PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoordinates& x1,
                                  const ShapeFunctions& secondary, const FacetCoordinates& x2);
 
-/// Moves a point between two tri3, whose slopes are the same everywhere, to where shape functions have these values.
+/// Moves a point between two facets that are flat to where shape functions have these values.
 void move_on_flat_facets(PointKinematics& point, const FacetVector& primary, const FacetCoordinates& x1,
                          const FacetVector& secondary, const FacetCoordinates& x2);
 

@@ -58,7 +58,7 @@ VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position) {
 }
 
 double longest_edge(const Facet& facet, const Matrix3Xd& position) {
-  const Index corners = is_triangle(facet.type) ? 3 : 4;  // the first nodes of every type
+  const Index corners = corner_count(facet.type);
   double longest = 0;
   for (Index a = 0; a < corners; ++a) {
     const Vector3d edge = position.col(facet.node((a + 1) % corners)) - position.col(facet.node(a));

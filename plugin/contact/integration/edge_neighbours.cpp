@@ -10,10 +10,8 @@ namespace {
 
 using Edge = std::pair<int, int>;  ///< two nodes, in the order of the facet
 
-int corner_count(const Facet& facet) { return is_triangle(facet.type) ? 3 : 4; }
-
 Edge edge_from(const Facet& facet, int corner) {
-  return {facet.node(corner), facet.node((corner + 1) % corner_count(facet))};
+  return {facet.node(corner), facet.node((corner + 1) % corner_count(facet.type))};
 }
 
 Edge reversed(const Edge& edge) { return {edge.second, edge.first}; }
@@ -25,7 +23,7 @@ EdgeNeighbours::EdgeNeighbours(const SurfaceMesh& mesh) : mesh_(&mesh) {
   const auto for_each_edge = [&](const auto& use) {
     for (int facet = 0; facet < mesh.facets.count(); ++facet) {
       const Facet& of = mesh.facets[facet];
-      for (int corner = 0; corner < corner_count(of); ++corner) use(facet, corner, edge_from(of, corner));
+      for (int corner = 0; corner < corner_count(of.type); ++corner) use(facet, corner, edge_from(of, corner));
     }
   };
   for_each_edge([&](int facet, int /*corner*/, const Edge& edge) { facets_at[edge].push_back(facet); });

@@ -22,10 +22,9 @@ class EdgeNeighbours {
 
  private:
   static constexpr int none = -1;
-  static constexpr std::size_t most_corners = 4;
 
   const SurfaceMesh* mesh_ = nullptr;
-  IndexedVector<std::array<int, most_corners>> neighbours_;  ///< per facet, by the first corner of the edge
+  IndexedVector<std::array<int, 4>> neighbours_;  ///< per facet, by the first corner of the edge
 };
 
 }  // namespace mixture_contact

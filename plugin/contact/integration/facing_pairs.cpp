@@ -104,7 +104,7 @@ void FacingPairs::evaluate(const FacetPair& pair, const FacingPositions& x) {
   const Facet& two = secondary_facet(pair);
   const FacetCoordinates x1 = facet_coordinates(one, x.primary);
   const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
-  const bool flat = one.type == FacetType::tri3 && two.type == FacetType::tri3;
+  const bool flat = is_flat(one.type) && is_flat(two.type);
   const PointsOfPair all = points(pair);
   for (Index q = 0; q < all.count(); ++q) {
     PointKinematics& here = kinematics_[pair.first + q];

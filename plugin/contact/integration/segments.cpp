@@ -405,8 +405,7 @@ int Segments::order(const Facing& facing) const {
 }
 
 bool Segments::is_exact(const FacetPair& pair) const {
-  const bool flat = primary_[pair.primary].type == FacetType::tri3 &&
-                    secondary_[pair.secondary].type == FacetType::tri3;
+  const bool flat = is_flat(primary_[pair.primary].type) && is_flat(secondary_[pair.secondary].type);
   return flat && order({pair.primary, pair.secondary}) >= 2;
 }
 

@@ -225,7 +225,6 @@ struct SlidingPoint {
   Eigen::Matrix<double, 6, 1> value;    ///< y
   PairVariation<6> variation;           ///< dy + y dw/w
   PairVector work;                      ///< |a| h
-  bool moves = false;                   ///< whether the point wanders over the primary facet
   Index turning = 0;                    ///< as NodeLinearisation::Friction has it, of the pair
   double pressure = 0;                  ///< |a| (p~ - p*); without fluid the next two are empty
   PairVariation<1> pressure_variation;  ///< of |a| (p~ - p*) at fixed nodal values, plus it times dw/w
@@ -255,20 +254,19 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   const Vector3d r = slip(past);
   const PairVariation<1> darea = at.point.weighted_area_variation();
   SlidingPoint sliding;
-  sliding.moves = vary.wanders();
-  sliding.turning = sliding.moves ? kinematics.nodes() : kinematics.primary_nodes();
+  sliding.turning = vary.wanders() ? kinematics.nodes() : kinematics.primary_nodes();
   sliding.value << kinematics.area * r, kinematics.area_vector;
   sliding.variation.resize(6, darea.size());
   const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slip_slope_with_eta(past);
   Eigen::Matrix<double, 3, 2> with_xi = Eigen::Matrix<double, 3, 2>::Zero();
-  if (sliding.moves) {
+  if (vary.wanders()) {
     const Facet& facet = space.facing().primary_facet(pair);
     with_xi = kinematics.area * slope_over_primary(facets, past, facet.type, space.facing().points(pair)[at.number].xi);
   }
   for (Index column = 0; column < darea.size(); ++column) {
     Vector3d facing = with_eta.lazyProduct(vary.eta.col(column));
     Vector3d normal = vary.area_vector.col(column);
-    if (sliding.moves) {
+    if (vary.wanders()) {
       facing += with_xi.lazyProduct(vary.xi.col(column));
       normal += vary.weight[column] * kinematics.area_vector;
     }
@@ -282,8 +280,9 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
 /// Adds a point's part of the sums around a node: d(w psi_a y) = w psi_a (dy + y dw/w) + y w psi_a,alpha dxi_alpha.
 void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& sliding) {
   const double share = at.share;
+  const bool wanders = at.point.vary.wanders();
   PairVariation<1> wandering;
-  if (sliding.moves) wandering = at.wandering();
+  if (wanders) wandering = at.wandering();
   sum.area_variation += at.area_variation();
   sum.work += share * sliding.work;
   const bool has_fluid = sum.pressure_weights.size() > 0;
@@ -293,12 +292,12 @@ void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& s
   }
   for (Index n = 0; n < sliding.turning; ++n) {
     Eigen::Matrix<double, 6, 3> change = share * sliding.variation.middleCols<3>(3 * n);
-    if (sliding.moves) change += sliding.value.lazyProduct(wandering.segment<3>(3 * n));
+    if (wanders) change += sliding.value.lazyProduct(wandering.segment<3>(3 * n));
     sum.average_variation.middleCols<3>(3 * n) += change;
   }
   for (Index n = sliding.turning; n < sum.work.size(); ++n)
     sum.average_variation.block<3, 3>(0, 3 * n) += share * sliding.variation.block<3, 3>(0, 3 * n);
-  if (has_fluid && sliding.moves) sum.pressure_variation += sliding.pressure * wandering;
+  if (has_fluid && wanders) sum.pressure_variation += sliding.pressure * wandering;
 }
 
 /// Makes averages of the sums around a node: d(Y/A) = (dY - Y/A dA)/A.

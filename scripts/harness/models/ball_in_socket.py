@@ -82,7 +82,7 @@ class BallInSocket:
     def model(self) -> Model:
         """The model of these choices."""
         mesh, material = self._mesh(), self._material()
-        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.CONFORMING
+        interface = InterfaceType.ours_in([self.contact])
         what = "biphasic tissue" if self.porous else "elastic tissue"
         return Model(
             self.name,

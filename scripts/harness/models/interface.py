@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 
@@ -25,6 +25,11 @@ class InterfaceType(str, Enum):
     """FEBio's interface for traction alone, with tension and friction at need."""
     CONFORMING = "conforming"
     """No interface: the nodes are merged, and what is left is one body."""
+
+    @classmethod
+    def ours_in(cls, contacts: Container[str]) -> InterfaceType:
+        """The plugin's where contacts of these types have one of it, else none."""
+        return cls.MIXTURE if cls.MIXTURE.value in contacts else cls.CONFORMING
 
     @property
     def is_contact(self) -> bool:

@@ -59,7 +59,7 @@ class PressedBlocks:
 
     def model(self) -> Model:
         """The model of these choices."""
-        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.CONFORMING
+        interface = InterfaceType.ours_in([self.contact])
         stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
         return Model(
             self.name,

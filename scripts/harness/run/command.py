@@ -25,7 +25,7 @@ def run(
 ) -> None:
     """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture'."""
     file = febfile.inspect(model)
-    contact = InterfaceType.MIXTURE if InterfaceType.MIXTURE.value in file.contacts else InterfaceType.CONFORMING
+    contact = InterfaceType.ours_in(file.contacts)
     for host in hosts.engines(chosen, contact):
         _run_one(model, file, host, contact is InterfaceType.MIXTURE)
 

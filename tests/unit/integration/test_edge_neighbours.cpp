@@ -8,8 +8,6 @@ using namespace test;
 
 namespace {
 
-int corners(const Facet& facet) { return is_triangle(facet.type) ? 3 : 4; }
-
 /// Edges of a surface's facets with and without a neighbour.
 struct Edges {
   int joint = 0;
@@ -20,7 +18,7 @@ Edges edges_of(const SurfaceMesh& mesh) {
   const EdgeNeighbours neighbours(mesh);
   Edges edges;
   for (int facet = 0; facet < mesh.facets.count(); ++facet) {
-    for (int corner = 0; corner < corners(mesh.facets[facet]); ++corner)
+    for (int corner = 0; corner < corner_count(mesh.facets[facet].type); ++corner)
       ++(neighbours.across(facet, corner) ? edges.joint : edges.free);
   }
   return edges;
@@ -36,13 +34,13 @@ BOOST_AUTO_TEST_CASE(neighbours_share_both_ends_of_an_edge) {
     const EdgeNeighbours neighbours(mesh);
     for (int facet = 0; facet < mesh.facets.count(); ++facet) {
       const Facet& one = mesh.facets[facet];
-      for (int corner = 0; corner < corners(one); ++corner) {
+      for (int corner = 0; corner < corner_count(one.type); ++corner) {
         const std::optional<int> other = neighbours.across(facet, corner);
         if (!other) continue;
         BOOST_TEST(*other != facet);
         const Facet& two = mesh.facets[*other];
-        for (const int node : {one.node(corner), one.node((corner + 1) % corners(one))})
-          BOOST_TEST(std::count(two.begin(), two.begin() + corners(two), node) == 1);
+        for (const int node : {one.node(corner), one.node((corner + 1) % corner_count(one.type))})
+          BOOST_TEST(std::count(two.begin(), two.begin() + corner_count(two.type), node) == 1);
       }
     }
   }

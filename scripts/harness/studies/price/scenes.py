@@ -108,7 +108,7 @@ class Scene:
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()
-        interface = InterfaceType.MIXTURE if self.contact == InterfaceType.MIXTURE.value else InterfaceType.CONFORMING
+        interface = InterfaceType.ours_in([self.contact])
         end = self.control.steps * self.control.step
         return Model(
             name=self.name,
