@@ -33,7 +33,7 @@ void make_others(GeometricParts& parts, const MortarSpace& space, const NodeFlag
     if (!facing.has_node_among(pair, changed) || facing.has_node_among(pair, made)) return;
     parts[index].reset();
     if (facing.has_node_among(pair, carried.in_contact))
-      parts[index] = geometric_tangent(space, pair, varying_points(space, pair, carried, fields, 1.0));
+      parts[index] = geometric_tangent(space, pair, varying_pair(space, pair, carried, fields, 1.0));
   });
 }
 
@@ -103,10 +103,10 @@ GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace&
   NodalLoads averaged = point.loads;
   averaged.in_contact = in_contact_among(changed, point.loads.in_contact);
   if (!past) keep_loaded(geometric.pairs, facing, averaged.in_contact);
-  point.nodes = linearise(space, averaged, fields, carried, [&](Index pair, const std::vector<VaryingPoint>& points) {
+  point.nodes = linearise(space, averaged, fields, carried, [&](Index pair, const VaryingPair& varying) {
     std::optional<GeometricTangent>& part = geometric.pairs[pair];
     if (!part) part.emplace();
-    set_geometric_tangent(space, facing.pairs()[pair], points, *part);
+    set_geometric_tangent(space, facing.pairs()[pair], varying, *part);
   });
   if (past) {
     make_others(geometric.pairs, space, changed, averaged.in_contact, carried, fields);

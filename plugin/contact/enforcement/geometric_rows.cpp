@@ -51,19 +51,23 @@ struct Row {
   }
 };
 
-/// The blocks of an effect, per pair; null where it has none.
-using PairBlocks = IndexedVector<const TangentBlock*>;
+/// What an effect has of a pair: nothing, or a block, whose values are those of flat forces if there are any.
+struct PairPart {
+  const TangentBlock* block = nullptr;
+  const FlatForces* flat = nullptr;
+};
+using PairParts = IndexedVector<PairPart>;
 
 /// The pairs around each node that have a part in an effect.
 class PairsAroundNodes {
  public:
   /// Keeps references.
-  PairsAroundNodes(const PairBlocks& blocks, PerSide<Index> nodes)
-      : blocks_(blocks),
+  PairsAroundNodes(const PairParts& parts, PerSide<Index> nodes)
+      : parts_(parts),
         primary_nodes_(nodes[Side::primary]),
         around_(nodes[Side::primary] + nodes[Side::secondary], [&](const auto& add) {
-          for (Index pair = 0; pair < blocks.count(); ++pair) {
-            if (blocks[pair] != nullptr) for_each_node(pair, [&](Index number) { add(number, pair); });
+          for (Index pair = 0; pair < parts.count(); ++pair) {
+            if (parts[pair].block != nullptr) for_each_node(pair, [&](Index number) { add(number, pair); });
           }
         }) {}
 
@@ -80,7 +84,7 @@ class PairsAroundNodes {
   }
   /// With the fields of the effect.
   Patch patch(Index number) const {
-    Patch alone = blocks_[around_[number].front()]->rows;
+    Patch alone = parts_[around_[number].front()].block->rows;
     alone.primary.clear();
     alone.secondary.clear();
     (side(number) == Side::primary ? alone.primary : alone.secondary).push_back(node(number));
@@ -93,22 +97,39 @@ class PairsAroundNodes {
     for (const Index pair : around_[number]) for_each_node(pair, [&](Index other) { places.add(other, row.columns); });
     row.set_zero();
     for (const Index pair : around_[number]) {
-      const LocalLayout columns = blocks_[pair]->columns.layout();
-      const auto own_rows = blocks_[pair]->values.middleRows<R>(R * position_in_pair(pair, number));
-      Index n = 0;
-      for_each_node(pair, [&](Index other) {
-        row.values().template middleCols<3>(3 * places[other]) += own_rows.template middleCols<3>(
-            columns.displacement(n++, 0));
-      });
+      const PairPart& part = parts_[pair];
+      const Index position = position_in_pair(pair, number);
+      if (part.flat == nullptr) {
+        const Index per_node = part.block->columns.layout().per_node();
+        add(part.block->values.middleRows<R>(R * position), per_node, pair, places, row);
+      } else if constexpr (R == 3) {
+        add_flat(*part.flat, position, pair, places, row);
+      }
     }
     places.clear(row.columns);
   }
 
  private:
+  /// Adds rows that depend on the first nodes of a pair, or all, of whose columns the first are those of displacements.
+  template <int R, class Rows>
+  void add(const Rows& rows, Index per_node, Index pair, const Places& places, Row<R>& row) const {
+    Index column = 0;
+    for_each_node(pair, [&](Index other) {
+      if (column < rows.cols())
+        row.values().template middleCols<3>(3 * places[other]) += rows.template middleCols<3>(column);
+      column += per_node;
+    });
+  }
+  void add_flat(const FlatForces& forces, Index position, Index pair, const Places& places, Row<3>& row) const {
+    constexpr Index corners = 3;
+    if (position < corners) return add(primary_rows(forces, position), 3, pair, places, row);
+    add(secondary_rows(forces, position - corners), 3, pair, places, row);
+  }
+
   template <class Use>
   void for_each_node(Index pair, const Use& use) const {
-    for (const int node : blocks_[pair]->columns.primary) use(node);
-    for (const int node : blocks_[pair]->columns.secondary) use(primary_nodes_ + node);
+    for (const int node : parts_[pair].block->columns.primary) use(node);
+    for (const int node : parts_[pair].block->columns.secondary) use(primary_nodes_ + node);
   }
 
   Index position_in_pair(Index pair, Index number) const {
@@ -121,7 +142,7 @@ class PairsAroundNodes {
     return found;
   }
 
-  const PairBlocks& blocks_;
+  const PairParts& parts_;
   Index primary_nodes_;
   Lists<Index> around_;  ///< per node
 };
@@ -167,8 +188,8 @@ TangentBlock strong_part(const PairsAroundNodes& pairs, const Row<R>& row, Index
 }
 
 template <int R>
-NodeRows rows_of(const PairBlocks& blocks, PerSide<Index> nodes, double weak, NodeRows held) {
-  const PairsAroundNodes around(blocks, nodes);
+NodeRows rows_of(const PairParts& parts, PerSide<Index> nodes, double weak, NodeRows held) {
+  const PairsAroundNodes around(parts, nodes);
   NodeRows rows(around.nodes());
   for (TangentBlock& row : held) rows[around.number(row.rows)] = std::move(row);
   const RowMemory<R> memory{Places(around.nodes()), {}, {}};
@@ -192,23 +213,25 @@ const TangentBlock* flux_of(const GeometricTangent& tangent, int field) {
 
 /// What `of` tells of the pairs that carry load.
 template <class Of>
-PairBlocks blocks_of(const GeometricParts& pairs, const Of& of) {
-  PairBlocks blocks;
-  blocks.reserve(pairs.size());
-  for (const std::optional<GeometricTangent>& pair : pairs) blocks.push_back(pair ? of(*pair) : nullptr);
-  return blocks;
+PairParts parts_of(const GeometricParts& pairs, const Of& of) {
+  PairParts parts;
+  parts.reserve(pairs.size());
+  for (const std::optional<GeometricTangent>& pair : pairs) parts.push_back(pair ? of(*pair) : PairPart());
+  return parts;
 }
 
 }  // namespace
 
 NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak, NodeRows held) {
-  return rows_of<3>(blocks_of(pairs, [](const GeometricTangent& pair) { return &pair.traction; }), nodes, weak,
-                    std::move(held));
+  const auto traction_of = [](const GeometricTangent& pair) -> PairPart {
+    return {&pair.traction, pair.flat ? &*pair.flat : nullptr};
+  };
+  return rows_of<3>(parts_of(pairs, traction_of), nodes, weak, std::move(held));
 }
 
 NodeRows flux_rows(const GeometricParts& pairs, PerSide<Index> nodes, int field, double weak, NodeRows held) {
-  return rows_of<1>(blocks_of(pairs, [&](const GeometricTangent& pair) { return flux_of(pair, field); }), nodes, weak,
-                    std::move(held));
+  const auto flux = [&](const GeometricTangent& pair) -> PairPart { return {flux_of(pair, field), nullptr}; };
+  return rows_of<1>(parts_of(pairs, flux), nodes, weak, std::move(held));
 }
 
 }  // namespace mixture_contact

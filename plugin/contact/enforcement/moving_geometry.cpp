@@ -27,7 +27,7 @@ void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
 /// Hands on the tractions of pairs.
 void add_tractions(const GeometricParts& units, const AddBlock& add) {
   for (const std::optional<GeometricTangent>& unit : units) {
-    if (unit) add(unit->traction);
+    if (unit) add(traction_block(*unit));
   }
 }
 
@@ -284,7 +284,7 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
   for (const FacetPair& pair : space_.facing().pairs()) {
     if (!space_.facing().has_node_among(pair, in_contact)) continue;
     if (all_pairs || !space_.is_averaged_over(pair, in_contact))
-      use_effects(space_, space_.facing().patch(pair), use.patch);
+      use_effects(space_, patch_of(space_.facing(), pair), use.patch);
   }
 }
 

@@ -162,7 +162,7 @@ LinearisationSource::LinearisationSource(const LinearisationPoint& point, const 
       traction(point.geometric_traction),
       flux(point.geometric_flux) {
   pairs.reserve(space.facing().pairs().size());
-  sub_facets.reserve(space.facing().points());
+  sub_facets.reserve(indexing::entries(point_count(space.facing())));
   for (const FacetPair& pair : space.facing().pairs()) {
     pairs.push_back({pair.primary, pair.secondary, pair.points});
     for (const IntegrationPoint& integration_point : space.facing().points(pair))

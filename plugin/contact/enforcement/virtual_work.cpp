@@ -86,60 +86,71 @@ std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& pat
   return blocks;
 }
 
-/// Adds the parts of the tractions at all points of a pair.
-void add_traction_tangents(const FacetPair& pair, const std::vector<VaryingPoint>& points, MatrixXd& tangent) {
-  const bool has_friction = std::any_of(points.begin(), points.end(),
-                                        [](const VaryingPoint& point) { return point.contact.loads.has_friction(); });
-  if (!pair.unbroken || has_friction) {
-    for (const auto& [point, vary] : points) add_traction_tangent(point.kinematics, vary, point.loads, tangent);
-    return;
+/// The parts of the tractions.
+void set_traction_tangent(const VaryingPair& varying, Index size, MatrixXd& tangent) {
+  if (varying.flat) return void(tangent = traction_tangent(varying.flat->forces));
+  tangent.setZero(size, size);
+  for (const auto& [point, vary] : varying.points) add_traction_tangent(point.kinematics, vary, point.loads, tangent);
+}
+
+/// The parts of the fluxes of a field; columns in the order of `layout`, which has one field.
+void add_flux_tangents(const VaryingPair& varying, Index k, const LocalLayout& layout, MatrixXd& tangent) {
+  if (varying.flat) {
+    const auto rows = flux_tangent(varying.flat->pair, varying.flat->vary, varying.flat->flux[k]);
+    for (Index node = 0; node < layout.nodes(); ++node)
+      tangent.middleCols<3>(layout.displacement(node, 0)) += rows.middleCols<3>(3 * node);
   }
-  // Points of flat triangles have all but h and deta in common, in which their parts are linear.
-  PointKinematics resultant = points.front().contact.kinematics;
-  KinematicVariations vary = points.front().vary;
-  resultant.primary_shape.setZero();
-  resultant.secondary_shape.setZero();
-  vary.eta.setZero();
-  for (const auto& [point, varied] : points) {
-    const double force = point.loads.weight * point.loads.traction.value;
-    resultant.primary_shape += force * point.kinematics.primary_shape;
-    resultant.secondary_shape += force * point.kinematics.secondary_shape;
-    vary.eta += force * varied.eta;
+  for (const auto& [point, vary] : varying.points)
+    add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), layout, tangent);
+}
+
+/// Sets the residual of a flat pair, in the order of `layout`.
+void set_flat_residual(const FlatPair& flat, const FacetLoads& nodal, double dt, const LocalLayout& layout,
+                       VectorXd& residual) {
+  residual.resize(layout.size());
+  const FlatVariation forces = traction_residual(flat, nodal.traction);
+  for (Index node = 0; node < layout.nodes(); ++node)
+    residual.segment<3>(layout.displacement(node, 0)) = forces.segment<3>(3 * node);
+  for (Index k = 0; k < layout.scalar_fields(); ++k) {
+    const FlatNodes flows = flux_residual(flat, dt * nodal.flux[k]);
+    for (Index node = 0; node < layout.nodes(); ++node) residual[layout.scalar(node, k)] = flows[node];
   }
-  PointLoads unit;
-  unit.traction.value = 1;
-  unit.weight = 1;
-  add_traction_tangent(resultant, vary, unit, tangent);
 }
 
 }  // namespace
 
-void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const std::vector<VaryingPoint>& points,
+void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying,
                            GeometricTangent& tangent) {
   TangentBlock& traction = tangent.traction;
   space.facing().set_patch(pair, traction.rows);
   tangent.fluxes = flux_blocks(space, traction.rows);
-  const Index size = traction.rows.displacement_layout().size();
-  traction.values.setZero(size, size);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
-  add_traction_tangents(pair, points, traction.values);
+  tangent.flat.reset();
+  traction.values.resize(0, 0);
+  if (varying.flat && !space.symmetric()) {
+    tangent.flat = varying.flat->forces;
+  } else {
+    set_traction_tangent(varying, traction.rows.displacement_layout().size(), traction.values);
+  }
   laps.traction();
   for (Index k = 0; k < count_of(tangent.fluxes); ++k) {
     TangentBlock& block = at(tangent.fluxes, k);
-    for (const auto& [point, vary] : points) {
-      add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), block.columns.layout(),
-                       block.values);
-    }
+    add_flux_tangents(varying, k, block.columns.layout(), block.values);
     laps.field(traction.rows.fields[k]);
   }
   set_traction_block(space, traction);
 }
 
-GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
-                                   const std::vector<VaryingPoint>& points) {
+GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying) {
   GeometricTangent tangent;
-  set_geometric_tangent(space, pair, points, tangent);
+  set_geometric_tangent(space, pair, varying, tangent);
   return tangent;
+}
+
+TangentBlock traction_block(const GeometricTangent& tangent) {
+  TangentBlock block = tangent.traction;
+  if (tangent.flat) block.values = traction_tangent(*tangent.flat);
+  return block;
 }
 
 void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
@@ -153,6 +164,8 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
     const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
     const LocalLayout layout(facet.count(), facing.secondary_facet(pair).count(), exchanged.count());
     const FacetLoads nodal = facet_loads(facet, loads, exchanged);
+    if (const std::optional<FlatPair> flat = space.flat(pair))
+      return set_flat_residual(*flat, nodal, dt, layout, residual);
     residual.setZero(layout.size());
     const PointsOfPair points = facing.points(pair);
     for (Index q = 0; q < points.count(); ++q) {
@@ -198,12 +211,12 @@ void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const
   const IndexedVector<FacetPair>& pairs = space.facing().pairs();
   const auto of_pair = [&](Index index) -> std::optional<GeometricTangent> {
     if (!space.facing().has_node_among(pairs[index], loads.in_contact)) return std::nullopt;
-    return geometric_tangent(space, pairs[index], varying_points(space, pairs[index], loads, fields, dt));
+    return geometric_tangent(space, pairs[index], varying_pair(space, pairs[index], loads, fields, dt));
   };
   in_batches(pairs.count(), of_pair, [&](Index /*index*/, const std::optional<GeometricTangent>& tangent) {
     if (!tangent) return;
     for (const TangentBlock& flux : tangent->fluxes) add(flux);
-    add(tangent->traction);
+    add(traction_block(*tangent));
   });
 }
 

@@ -19,16 +19,19 @@ void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalL
 /// The part of the tangent in which loads stay and the geometry changes, of a pair.
 struct GeometricTangent {
   std::vector<TangentBlock> fluxes;  ///< proportional to the time increment; none in a symmetric tangent
-  TangentBlock traction;             ///< friction included
+  TangentBlock traction;             ///< friction included; without values where `flat` has them
+  std::optional<FlatForces> flat;    ///< of a flat pair, unless the tangent is to be symmetric
 };
+
+/// With its values.
+TangentBlock traction_block(const GeometricTangent& tangent);
 
 /// Of pairs, in their order; none of those that carry no load.
 using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;
 
-GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair,
-                                   const std::vector<VaryingPoint>& points);
+GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying);
 /// The same in the memory of that of another pair.
-void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const std::vector<VaryingPoint>& points,
+void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying,
                            GeometricTangent& tangent);
 
 /// The same for each of these pairs.

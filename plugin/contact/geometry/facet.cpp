@@ -41,7 +41,7 @@ ShapeFunctions sized(FacetType type) {
 
 ShapeFunctions tri3(const Vector2d& xi) {
   ShapeFunctions shape = sized(FacetType::tri3);
-  shape.value << 1 - xi[0] - xi[1], xi[0], xi[1];
+  shape.value = area_coordinates(xi);
   shape.gradient << -1, -1, 1, 0, 0, 1;
   return shape;
 }

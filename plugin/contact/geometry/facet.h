@@ -49,6 +49,9 @@ struct ShapeFunctions {
 /// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
 ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 
+/// Those of a tri3, its area coordinates.
+inline Vector3d area_coordinates(const Vector2d& xi) { return {1 - xi[0] - xi[1], xi[0], xi[1]}; }
+
 /// dN_a/dxi_alpha at a node of the facet, shape (n, 2).
 const FacetGradient& gradient_at_node(FacetType type, int node);
 

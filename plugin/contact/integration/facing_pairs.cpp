@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace mixture_contact {
@@ -60,6 +61,7 @@ void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
     found_ = std::move(found);
   }
   if (kinematics_.count() < found_.points().count()) kinematics_.resize(found_.points().size());
+  if (flat_.count() < pairs().count()) flat_.resize(pairs().size());
   evaluate_all(x);
 }
 
@@ -76,19 +78,6 @@ IndexedVector<int> FacingPairs::exchanged_fields(const FacetPair& pair) const {
   return fields;
 }
 
-std::optional<Side> FacingPairs::bearing_side(const FacetPair& pair) const {
-  if (!effects_.has_bearing_fluid()) return std::nullopt;
-  if (contains(primary_.permeable[pair.primary], effects_.pressure_field())) return Side::primary;
-  if (contains(secondary_.permeable[pair.secondary], effects_.pressure_field())) return Side::secondary;
-  return std::nullopt;
-}
-
-Patch FacingPairs::patch(const FacetPair& pair) const {
-  Patch patch;
-  set_patch(pair, patch);
-  return patch;
-}
-
 void FacingPairs::set_patch(const FacetPair& pair, Patch& patch) const {
   const Facet& one = primary_facet(pair);
   const Facet& two = secondary_facet(pair);
@@ -100,6 +89,13 @@ void FacingPairs::set_patch(const FacetPair& pair, Patch& patch) const {
 }
 
 void FacingPairs::evaluate(const FacetPair& pair, const FacingPositions& x) {
+  if (has_moments(pair)) {
+    FlatMoments moments;
+    for (const IntegrationPoint& point : points(pair)) moments.add(point.weight, point.xi, point.eta);
+    flat_[number_of(pair, pairs())] = flat_pair(moments, facet_coordinates(primary_facet(pair), x.primary),
+                                                facet_coordinates(secondary_facet(pair), x.secondary));
+    return;
+  }
   const Facet& one = primary_facet(pair);
   const Facet& two = secondary_facet(pair);
   const FacetCoordinates x1 = facet_coordinates(one, x.primary);
@@ -142,8 +138,20 @@ Lists<const FacetPair*> FacingPairs::around(const NodeFlags& nodes) const {
 }
 
 std::size_t FacingPairs::memory() const {
-  return finder_->memory() + found_.memory() + bytes(kinematics_) + bytes(searched_at_.primary) +
+  return finder_->memory() + found_.memory() + bytes(kinematics_) + bytes(flat_) + bytes(searched_at_.primary) +
          bytes(searched_at_.secondary);
+}
+
+Patch patch_of(const FacingPairs& facing, const FacetPair& pair) {
+  Patch patch;
+  facing.set_patch(pair, patch);
+  return patch;
+}
+
+Index point_count(const FacingPairs& facing) {
+  const IndexedVector<FacetPair>& pairs = facing.pairs();
+  return std::accumulate(pairs.begin(), pairs.end(), Index{0},
+                         [](Index sum, const FacetPair& pair) { return sum + pair.points; });
 }
 
 }  // namespace mixture_contact

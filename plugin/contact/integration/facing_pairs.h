@@ -4,12 +4,18 @@
 
 #include "base/patch.h"
 #include "base/timings.h"
+#include "geometry/flat_pair.h"
 #include "integration/points.h"
 
 #include <iterator>
 #include <optional>
 
 namespace mixture_contact {
+
+/// Of one of these pairs, not of a copy of it.
+inline Index number_of(const FacetPair& pair, const IndexedVector<FacetPair>& pairs) {
+  return std::distance(pairs.data(), &pair);
+}
 
 class FacingPairs {
  public:
@@ -33,10 +39,12 @@ class FacingPairs {
   void clear() {
     found_.clear();
     kinematics_.clear();
+    flat_.clear();
     searched_at_ = {};
   }
 
   const SurfaceMesh& primary() const { return primary_; }
+  const SurfaceMesh& secondary() const { return secondary_; }
   const Effects& effects() const { return effects_; }
   const IndexedVector<FacetPair>& pairs() const { return found_.pairs(); }
   PointsOfPair points(const FacetPair& pair) const { return found_.points(pair); }
@@ -47,12 +55,7 @@ class FacingPairs {
   const Facet& secondary_facet(const FacetPair& pair) const { return secondary_.facets[pair.secondary]; }
   /// The fields that both facets of a pair let through.
   IndexedVector<int> exchanged_fields(const FacetPair& pair) const;
-  /// The facet whose fluid pressure acts on the friction of a pair: the primary one, else the secondary one, if either
-  /// has fluid.
-  std::optional<Side> bearing_side(const FacetPair& pair) const;
-  /// The nodes of both facets with their displacements and exchanged fields.
-  Patch patch(const FacetPair& pair) const;
-  /// The same in the memory of those of another pair.
+  /// The nodes of both facets with their displacements and exchanged fields, in the memory of those of another pair.
   void set_patch(const FacetPair& pair, Patch& patch) const;
   /// Nodal values of a field on both facets.
   PairVector values(const FacetPair& pair, int field, const FacingFields& fields) const;
@@ -67,16 +70,21 @@ class FacingPairs {
     finder_->for_each_motion(pair, points(pair), x.primary, x.secondary, use);
   }
 
-  /// Of a point of a pair, where it was found.
+  /// Of a point of a pair that is not flat, where it was found.
   const PointKinematics& kinematics(const FacetPair& pair, Index point) const {
     return kinematics_[pair.first + point];
   }
-  /// Of all pairs.
-  std::size_t points() const { return found_.points().size(); }
+  /// An unbroken pair, where it was found; null of any other, and with friction, which points tell alone.
+  const FlatPair* flat(const FacetPair& pair) const {
+    return has_moments(pair) ? &flat_[number_of(pair, pairs())] : nullptr;
+  }
   std::size_t memory() const;
 
  private:
   void keep(FacetPairs found, const FacingPositions& x);
+  bool has_moments(const FacetPair& pair) const {
+    return pair.unbroken && effects_.traction && !effects_.has_friction();
+  }
   void evaluate(const FacetPair& pair, const FacingPositions& x);
   void evaluate_all(const FacingPositions& x);
 
@@ -86,6 +94,7 @@ class FacingPairs {
   std::unique_ptr<PointFinder> finder_;
   FacetPairs found_;
   IndexedVector<PointKinematics> kinematics_;  ///< of the points of all pairs, and what serves the next search
+  IndexedVector<FlatPair> flat_;               ///< per pair, of those that are
   std::optional<NodeFlags> restriction_;
   double radius_ = 0;  ///< of the last search [mm]
   struct Positions {
@@ -96,9 +105,15 @@ class FacingPairs {
   double surface_size_ = 0;
 };
 
-/// For how many pairs one of them, not a copy of it, stands where it is timed.
+/// The nodes of both facets of a pair with their displacements and exchanged fields.
+Patch patch_of(const FacingPairs& facing, const FacetPair& pair);
+
+/// Points of all pairs.
+Index point_count(const FacingPairs& facing);
+
+/// For how many pairs one of them stands where it is timed.
 inline Index stands_for(const FacingPairs& facing, const FacetPair& pair) {
-  return stands_for(std::distance(facing.pairs().data(), &pair), facing.pairs().count());
+  return stands_for(number_of(pair, facing.pairs()), facing.pairs().count());
 }
 
 }  // namespace mixture_contact

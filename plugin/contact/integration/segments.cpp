@@ -294,12 +294,42 @@ SampledFacet sampled(const Facet& facet, const Matrix3Xd& x, std::pmr::memory_re
   return {placed, pieces_of<double>(placed, memory)};
 }
 
+/// A triangle as it is seen along n: places on it are linear in where they are seen.
+class SeenTriangle {
+ public:
+  SeenTriangle(const View& view, const FacetCoordinates& x) : corner_(view.seen(x.col(0))) {
+    Eigen::Matrix2d sides;
+    sides << view.seen(x.col(1)) - corner_, view.seen(x.col(2)) - corner_;
+    inverse_ = sides.inverse();
+  }
+  Vector2d place(const Vector2d& seen) const { return inverse_ * (seen - corner_); }
+
+ private:
+  Vector2d corner_;
+  Eigen::Matrix2d inverse_;
+};
+
+/// Adds the points between triangles, whose normals are those of the view, as add_points_between() does.
+bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet& secondary, const Circle& circle,
+                                  int order, FacetPairs& pairs) {
+  const Piece<double>& piece = primary.pieces.front();
+  const SeenTriangle one(piece.view, primary.placed.x);
+  const SeenTriangle two(piece.view, secondary.x);
+  sample_overlap(primary.pieces, secondary, circle, order, [&](const Sample<double>& sample) {
+    const Vector2d seen = sample.point.place.value();
+    pairs.add_point({one.place(seen), two.place(seen), sample.point.area / piece.area, sample.sub_facet});
+  });
+  return pairs.pairs().back().points > 0;
+}
+
 /// Adds the points between a facet at x1 and one of the other surface at x2, within a circle, to the last pair. Returns
 /// whether there are any and all of them are found.
 bool add_points_between(const Facet& one, const SampledFacet& primary, const Facet& two, const Circle& circle,
                         int order, const Matrix3Xd& x1, const Matrix3Xd& x2, FacetPairs& pairs) {
   if (are_apart(primary.pieces, circle)) return false;
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
+  if (is_flat(one.type) && is_flat(two.type))
+    return add_points_between_triangles(primary, secondary, circle, order, pairs);
   bool complete = true;
   sample_overlap(primary.pieces, secondary, circle, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
@@ -464,8 +494,7 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double rad
     const IntegrationPoint& point = heaviest(near.points(pair));
     if (!within_reach(pair, point, x1, x2, radius) || !opposed(pair, point, x1, x2)) near.remove_last_pair();
   };
-  const auto set_visible = [&](Index index, FacetPairs& visible, FacetPairs& near) {
-    visible.clear();
+  const auto set_visible = [&](Index index, FacetPairs& near, FacetPairs& visible) {
     near.clear();
     const int facet = static_cast<int>(index);
     const std::vector<int> others = candidates(facet, tree, x1, radius);
@@ -474,13 +503,18 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double rad
     const SampledFacet one = sampled(primary_[facet], x1, memory.resource());
     for (const int other : others) add_near(facet, other, one, near);
     // All are judged, whichever are hidden: what is hidden hides others, too.
-    for (const FacetPair& pair : near.pairs()) {
-      if (!occluded(pair, near, x1, x2)) visible.add(near, pair);
+    const auto is_hidden = [&](const FacetPair& pair) { return occluded(pair, near, x1, x2); };
+    if (std::any_of(near.pairs().begin(), near.pairs().end(), is_hidden)) {
+      visible.clear();
+      for (const FacetPair& pair : near.pairs()) {
+        if (!is_hidden(pair)) visible.add(near, pair);
+      }
+      std::swap(near, visible);
     }
     const auto exact = [&](const FacetPair& pair) { return is_exact(pair); };
-    if (std::all_of(visible.pairs().begin(), visible.pairs().end(), exact) &&
-        goes_on(visible, one.pieces.front(), secondary_, neighbours_, x2))
-      visible.set_unbroken();
+    if (std::all_of(near.pairs().begin(), near.pairs().end(), exact) &&
+        goes_on(near, one.pieces.front(), secondary_, neighbours_, x2))
+      near.set_unbroken();
   };
   const auto add_all = [&](Index /*facet*/, const FacetPairs& visible) {
     for (const FacetPair& pair : visible.pairs()) {

@@ -52,7 +52,7 @@ void measure_slips(const std::vector<SidedPass>& passes, const PerSide<Matrix3Xd
 Memory memory_of(const std::vector<SidedPass>& passes) {
   Memory now;
   for (const SidedPass& pass : passes) {
-    now.points += pass.integral->space().facing().points();
+    now.points += indexing::entries(point_count(pass.integral->space().facing()));
     now.bytes += pass.integral->memory();
   }
   return now;

@@ -51,8 +51,19 @@ void BoundaryWeights::restore(LoadCarriers decisions) {
 ShapeFunctions BoundaryWeights::shape(int facet, int sub_facet, const Vector2d& xi) const {
   const FacetType type = facets_[facet].type;
   ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
-  if (!knows(facet) || carriers_[facet].minCoeff() > 0) return psi;
-  return redistributed(type, psi, carriers_[facet]);
+  return redistributes(facet) ? redistributed(type, psi, carriers_[facet]) : psi;
+}
+
+std::optional<MatrixXd> BoundaryWeights::heirs(int facet) const {
+  if (!redistributes(facet)) return std::nullopt;
+  const FacetType type = facets_[facet].type;
+  const Index nodes = facets_[facet].count();
+  MatrixXd heirs(nodes, nodes);
+  for (Index a = 0; a < nodes; ++a) {
+    const ShapeFunctions own{FacetVector::Unit(nodes, a), FacetGradient::Zero(nodes, 2)};
+    heirs.col(a) = redistributed(type, own, carriers_[facet]).value;
+  }
+  return heirs;
 }
 
 }  // namespace mixture_contact

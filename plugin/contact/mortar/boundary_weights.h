@@ -3,6 +3,8 @@
 
 #include "geometry/surface.h"
 
+#include <optional>
+
 namespace mixture_contact {
 
 /// Of what faces one facet, per node of it: INT psi_a da [mm^2] and INT psi_a g da [mm^3], shape (2, n).
@@ -39,10 +41,14 @@ class BoundaryWeights {
   /// from its node a psi_a says next to nothing, and conditions on such averages contradict those of the nodes that
   /// carry the load.
   ShapeFunctions shape(int facet, int sub_facet, const Vector2d& xi) const;
+  /// In which parts the nodes of a linear facet take the shape function of each, one column for each of them; empty
+  /// where each takes its own.
+  std::optional<MatrixXd> heirs(int facet) const;
 
   std::size_t memory() const { return (carriers_.capacity() + settled_.capacity()) * sizeof(FacetVector); }
 
  private:
+  bool redistributes(int facet) const { return knows(facet) && carriers_[facet].minCoeff() == 0; }
   static bool is_known(const LoadCarriers& carriers, int facet) {
     return !carriers.empty() && carriers[facet].size() > 0;
   }

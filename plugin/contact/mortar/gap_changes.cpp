@@ -10,6 +10,10 @@ FacetVector changes_of_pair(const MortarSpace& space, const FacetPair& pair, con
   const FacingPairs& facing = space.facing();
   const FacetCoordinates first = facet_coordinates(facing.primary_facet(pair), displacements.primary);
   const FacetCoordinates second = facet_coordinates(facing.secondary_facet(pair), displacements.secondary);
+  if (const std::optional<FlatPair> flat = space.flat(pair)) {
+    const Vector3d along = flat->area_vector;
+    return flat->moments.secondary * (second.transpose() * along) - flat->moments.primary * (first.transpose() * along);
+  }
   FacetVector sums = FacetVector::Zero(facing.primary_facet(pair).count());
   const PointsOfPair points = facing.points(pair);
   for (Index q = 0; q < points.count(); ++q) {

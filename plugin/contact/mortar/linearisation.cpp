@@ -165,14 +165,14 @@ struct CornerPoint {
 
 /// What a thread remembers of a pair, whose memory serves the next one.
 struct PairMemory {
-  std::vector<VaryingPoint> points;
-  std::vector<CornerPoint> corners;  ///< for all nodes in contact whose averages are taken over the pair
+  VaryingPair varying;
+  std::vector<CornerPoint> corners;  ///< for all nodes in contact whose averages are taken over the points
 };
 
 void set_corner_points(PairMemory& pair, const Facet& facet, const NodeFlags& in_contact) {
   pair.corners.clear();
-  for (Index q = 0; q < count_of(pair.points); ++q) {
-    const VaryingPoint& point = at(pair.points, q);
+  for (Index q = 0; q < count_of(pair.varying.points); ++q) {
+    const VaryingPoint& point = at(pair.varying.points, q);
     const PointContact& contact = point.contact;
     for (Index a = 0; a < facet.count(); ++a) {
       if (!in_contact[facet.node(a)]) continue;
@@ -206,6 +206,25 @@ void add_gap(PairLinearisation& linear, const LocalLayout& layout, const NodalLo
   }
 }
 
+/// Sets the parts of all nodes in contact.
+void set_gaps(PairLinearisation& linear, const VaryingFlatPair& flat, const Facet& facet, const NodalLoads& loads) {
+  const Vector3d weight = flat.pair.weight();
+  for (Index a = 0; a < facet.count(); ++a) {
+    const int node = facet.node(a);
+    if (!loads.in_contact[node] || weight[a] == 0) continue;
+    linear.is_averaged[a] = true;
+    linear.gap_variation.col(a) = mean_gap_variation(flat.pair, flat.vary, a, loads.gap[node] + loads.offset,
+                                                     loads.area[node]);
+    linear.traction_work.col(a) = traction_work(flat.pair, a);
+  }
+}
+
+void add_gaps(PairLinearisation& linear, const PairMemory& memory, const Facet& facet, const NodalLoads& loads) {
+  if (memory.varying.flat) return set_gaps(linear, *memory.varying.flat, facet, loads);
+  const LocalLayout layout = linear.patch.displacement_layout();
+  for (const CornerPoint& at : memory.corners) add_gap(linear, layout, loads, at);
+}
+
 void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const CornerPoint& at) {
   const auto& [contact, vary] = at.point;
   const int field = contact.fields[k];
@@ -217,6 +236,26 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
   add_mean_variation(linear.jumps[k].projection_variation.col(at.corner), at,
                      jump_variation(contact.kinematics, vary, values), h.dot(values) - loads.jump(field, at.node),
                      area);
+}
+
+/// Sets the parts of all nodes in contact.
+void set_jumps(PairLinearisation& linear, Index k, const VaryingFlatPair& flat, const Facet& facet,
+               const NodalLoads& loads) {
+  const int field = linear.patch.fields[k];
+  for (Index a = 0; a < facet.count(); ++a) {
+    const int node = facet.node(a);
+    if (!linear.is_averaged[a]) continue;
+    const double area = loads.flux_area(field, node);
+    linear.jumps[k].weights.col(a) = flat.pair.area / area * flat.pair.jump_weights(a);
+    linear.jumps[k].projection_variation.col(a) = mean_jump_variation(flat.pair, flat.vary, a, flat.values[k],
+                                                                      loads.jump(field, node), area);
+  }
+}
+
+void add_jumps(PairLinearisation& linear, Index k, const PairMemory& memory, const Facet& facet,
+               const NodalLoads& loads) {
+  if (memory.varying.flat) return set_jumps(linear, k, *memory.varying.flat, facet, loads);
+  for (const CornerPoint& at : memory.corners) add_jump(linear, k, loads, at);
 }
 
 /// What friction needs of a point, whichever of its nodes is looked at. The averages around node a are sums of
@@ -332,12 +371,12 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
                     const FacingFields& fields, PairLinearisation& linear) {
   set_zero(linear, space, pair);
   const Patch& patch = linear.patch;
-  const LocalLayout layout = patch.displacement_layout();
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
-  set_corner_points(memory, space.facing().primary_facet(pair), loads.in_contact);
+  const Facet& facet = space.facing().primary_facet(pair);
+  set_corner_points(memory, facet, loads.in_contact);
   for (const CornerPoint& at : memory.corners) linear.is_averaged[at.corner] = true;
   if (patch.displacements) {
-    for (const CornerPoint& at : memory.corners) add_gap(linear, layout, loads, at);
+    add_gaps(linear, memory, facet, loads);
     laps.traction();
   }
   if (space.effects().has_friction()) {
@@ -345,7 +384,7 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
-    for (const CornerPoint& at : memory.corners) add_jump(linear, k, loads, at);
+    add_jumps(linear, k, memory, facet, loads);
     laps.field(patch.fields[k]);
   }
 }
@@ -412,12 +451,12 @@ std::size_t bytes_of(const NodeLinearisation::Friction& friction) {
 
 IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
                                            const FacingFields& fields) {
-  return linearise(space, loads, fields, loads, [](Index, const std::vector<VaryingPoint>&) {});
+  return linearise(space, loads, fields, loads, [](Index, const VaryingPair&) {});
 }
 
 IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
                                            const FacingFields& fields, const NodalLoads& carried,
-                                           const UseVaryingPoints& use) {
+                                           const UseVaryingPair& use) {
   const FacingPairs& facing = space.facing();
   const auto around = facing.around(loads.in_contact);
   IndexedVector<NodeLinearisation> nodes(around.count());
@@ -431,8 +470,8 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
     const FacetPair& pair = facing.pairs()[index];
     linear.patch.primary.clear();
     if (!facing.has_node_among(pair, loads.in_contact)) return;
-    set_varying_points(space, pair, carried, fields, 1.0, memory.points);
-    use(index, memory.points);
+    set_varying_pair(space, pair, carried, fields, 1.0, memory.varying);
+    use(index, memory.varying);
     linearise_pair(space, pair, memory, loads, fields, linear);
   };
   const auto sum_at_nodes = [&](Index /*index*/, const PairLinearisation& pair) {

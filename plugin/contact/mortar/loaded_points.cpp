@@ -17,8 +17,12 @@ class LoadedPair {
 
   /// That with this number.
   PointContact point(Index number) const {
-    const IntegrationPoint& place = space_.facing().points(pair_)[number];
-    PointContact contact(space_.facing(), pair_, number);
+    const FacingPairs& facing = space_.facing();
+    return at(facing.points(pair_)[number], facing.kinematics(pair_, number));
+  }
+  /// At a place; refers to its kinematics.
+  PointContact at(const IntegrationPoint& place, const PointKinematics& kinematics) const {
+    PointContact contact(pair_, kinematics);
     const ShapeFunctions psi = space_.shape(pair_.primary, place.sub_facet, place.xi);
     contact.psi = psi.value;
     contact.psi_gradient = psi.gradient;
@@ -27,7 +31,7 @@ class LoadedPair {
     contact.loads = loads_at(nodal_, contact.psi);
     contact.loads.weight = place.weight;
     contact.loads.time_increment = dt_;
-    set_slopes(contact);
+    if (!pair_.unbroken) set_slopes(contact);
     return contact;
   }
 
@@ -56,6 +60,28 @@ class LoadedPair {
   PairFields values_;
 };
 
+PointKinematics kinematics_at(const IntegrationPoint& place, const FacingPairs& facing, const FacetPair& pair,
+                              const FacingPositions& x) {
+  const Facet& one = facing.primary_facet(pair);
+  const Facet& two = facing.secondary_facet(pair);
+  return point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, x.primary),
+                          shape_functions(two.type, place.eta), facet_coordinates(two, x.secondary));
+}
+
+VaryingFlatPair varying_flat_pair(const MortarSpace& space, const FacetPair& pair, const FlatPair& flat,
+                                  const NodalLoads& loads, const FacingFields& fields, double dt) {
+  const FacingPairs& facing = space.facing();
+  const Facet& facet = facing.primary_facet(pair);
+  const FacetCoordinates x2 = facet_coordinates(facing.secondary_facet(pair), fields.secondary.position);
+  const FlatVariations vary = flat_variations(flat, facet_coordinates(facet, fields.primary.position), x2);
+  VaryingFlatPair varying{flat, vary, flat_forces(flat, vary, facet_values(facet, loads.traction)), {}, {}};
+  for (const int field : facing.exchanged_fields(pair)) {
+    varying.values.push_back(facing.values(pair, field, fields));
+    varying.flux.push_back(dt * facet_values(facet, loads.flux.row(field).transpose()));
+  }
+  return varying;
+}
+
 }  // namespace
 
 FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const IndexedVector<int>& fields) {
@@ -75,9 +101,15 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi) {
   return here;
 }
 
-void set_varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
-                        const FacingFields& fields, double dt, std::vector<VaryingPoint>& points) {
+void set_varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                      const FacingFields& fields, double dt, VaryingPair& varying) {
+  std::vector<VaryingPoint>& points = varying.points;
   points.clear();
+  varying.flat.reset();
+  if (const std::optional<FlatPair> flat = space.flat(pair)) {
+    varying.flat = varying_flat_pair(space, pair, *flat, loads, fields, dt);
+    return;
+  }
   points.reserve(indexing::entries(pair.points));
   const LoadedPair loaded(space, pair, loads, fields, dt);
   space.facing().for_each_motion(pair, positions(fields), [&](const PointMotion& motion) {
@@ -85,11 +117,11 @@ void set_varying_points(const MortarSpace& space, const FacetPair& pair, const N
   });
 }
 
-std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
-                                         const FacingFields& fields, double dt) {
-  std::vector<VaryingPoint> points;
-  set_varying_points(space, pair, loads, fields, dt, points);
-  return points;
+VaryingPair varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                         const FacingFields& fields, double dt) {
+  VaryingPair varying;
+  set_varying_pair(space, pair, loads, fields, dt, varying);
+  return varying;
 }
 
 void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
@@ -98,7 +130,10 @@ void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, co
   for (const FacetPair& pair : space.facing().pairs()) {
     if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
     const LoadedPair loaded(space, pair, loads, fields, dt);
-    for (Index q = 0; q < pair.points; ++q) use(loaded.point(q));
+    for (const IntegrationPoint& place : space.facing().points(pair)) {
+      const PointKinematics kinematics = kinematics_at(place, space.facing(), pair, positions(fields));
+      use(loaded.at(place, kinematics));
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include "mortar/mortar_space.h"
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,8 @@ namespace mixture_contact {
 
 /// Everything at one integration point that carries load.
 struct PointContact {
-  /// The point of a pair with this number, without its loads.
-  PointContact(const FacingPairs& facing, const FacetPair& of, Index number)
-      : pair(&of), kinematics(facing.kinematics(of, number)) {}
+  /// A point of a pair without its loads; refers to both.
+  PointContact(const FacetPair& of, const PointKinematics& at) : pair(&of), kinematics(at) {}
 
   const FacetPair* pair;
   const PointKinematics& kinematics;
@@ -51,12 +51,26 @@ FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const Indexe
 /// The loads where the functions psi_a of a facet have these values; without weight and slopes.
 PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi);
 
-/// All points of a pair with their variations.
-std::vector<VaryingPoint> varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
-                                         const FacingFields& fields, double dt);
-/// The same in the memory of those of another pair.
-void set_varying_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
-                        const FacingFields& fields, double dt, std::vector<VaryingPoint>& points);
+/// A flat pair with its variations and loads.
+struct VaryingFlatPair {
+  FlatPair pair;
+  FlatVariations vary;
+  FlatForces forces;                ///< of its tractions
+  IndexedVector<FlatNodes> values;  ///< per exchanged field: of its nodes
+  IndexedVector<Vector3d> flux;     ///< likewise: of the primary nodes, times the time increment
+};
+
+/// A pair with first variations, by moments or by points.
+struct VaryingPair {
+  std::optional<VaryingFlatPair> flat;
+  std::vector<VaryingPoint> points;  ///< none of a flat pair
+};
+
+VaryingPair varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                         const FacingFields& fields, double dt);
+/// The same in the memory of another pair.
+void set_varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                      const FacingFields& fields, double dt, VaryingPair& varying);
 
 /// Calls `use` for every point that carries load, in a fixed order.
 void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,

@@ -34,6 +34,12 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   sums.fields = facing.exchanged_fields(pair);
   sums.area.setZero(facing.primary_facet(pair).count());
   sums.jump.setZero(sums.fields.count(), sums.area.size());
+  if (const std::optional<FlatPair> flat = space.flat(pair)) {
+    sums.area = flat->area * flat->weight();
+    for (Index k = 0; k < sums.fields.count(); ++k)
+      sums.jump.row(k) = flat->area * flat->jump(facing.values(pair, sums.fields[k], fields));
+    return sums;
+  }
   const PointsOfPair points = facing.points(pair);
   for (Index q = 0; q < points.count(); ++q) {
     const IntegrationPoint& place = points[q];
@@ -84,7 +90,23 @@ bool MortarSpace::begin_iteration(const FacingPositions& x) {
   return finds_more;
 }
 
+std::optional<FlatPair> MortarSpace::flat(const FacetPair& pair) const {
+  const FlatPair* found = facing_.flat(pair);
+  if (found == nullptr) return std::nullopt;
+  FlatPair flat = *found;
+  if (const std::optional<MatrixXd> heirs = weights_.heirs(pair.primary)) {
+    flat.moments = flat.moments.redistributed(*heirs);
+    flat.gap = *heirs * flat.gap;
+  }
+  return flat;
+}
+
 FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
+  if (const std::optional<FlatPair> flat = this->flat(pair)) {
+    FacetGapSums sums(2, 3);
+    sums << flat->area * flat->weight().transpose(), flat->area * flat->gap.transpose();
+    return sums;
+  }
   FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
   const PointsOfPair points = facing_.points(pair);
   for (Index q = 0; q < points.count(); ++q) {

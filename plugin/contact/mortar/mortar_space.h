@@ -40,6 +40,9 @@ class MortarSpace {
     return weights_.shape(primary_facet, sub_facet, xi);
   }
 
+  /// A flat pair with these functions; empty of any other (see FacingPairs::flat).
+  std::optional<FlatPair> flat(const FacetPair& pair) const;
+
   /// Slips are measured from these positions, of an accepted state.
   void measure_slips_from(const FacingPositions& past);
   FacingPositions past() const { return seen_from(Side::primary, past_); }

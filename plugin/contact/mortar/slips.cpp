@@ -36,6 +36,16 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   return sums;
 }
 
+/// The facet whose fluid pressure acts on the friction of a pair: the primary one, else the secondary one, if either
+/// has fluid.
+std::optional<Side> bearing_side(const FacingPairs& facing, const FacetPair& pair) {
+  if (!facing.effects().has_bearing_fluid()) return std::nullopt;
+  const int field = facing.effects().pressure_field();
+  if (contains(facing.primary().permeable[pair.primary], field)) return Side::primary;
+  if (contains(facing.secondary().permeable[pair.secondary], field)) return Side::secondary;
+  return std::nullopt;
+}
+
 /// Has the primary facets of pairs around a node used: with their convection there. Returns the sum of the areas.
 template <class Use>
 double for_each_facet_around(const MortarSpace& space, Index node, const PairsAround& pairs, const Use& use) {
@@ -136,7 +146,7 @@ PastFacets past_facets(const MortarSpace& space, const FacetPair& pair) {
 
 BearingPressure bearing_pressure(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields) {
   const FacingPairs& facing = space.facing();
-  const std::optional<Side> side = facing.bearing_side(pair);
+  const std::optional<Side> side = bearing_side(facing, pair);
   if (!side) return {};
   const int field = space.effects().pressure_field();
   const bool primary = *side == Side::primary;

@@ -1,4 +1,4 @@
-/// Linearising averages, and what else is made of the same points.
+/// Linearising averages, and what else is made of the same pairs.
 #pragma once
 
 #include "mortar/linearisation.h"
@@ -8,13 +8,13 @@
 
 namespace mixture_contact {
 
-/// Takes the points of a pair of facets, given by its index, that carries load.
-using UseVaryingPoints = std::function<void(Index pair, const std::vector<VaryingPoint>& points)>;
+/// Takes a pair of facets that carries load, given by its index.
+using UseVaryingPair = std::function<void(Index pair, const VaryingPair& varying)>;
 
-/// Linearises the averages of the nodes in contact, as linearise() does, and has the points used otherwise, too: once
-/// for each pair that carries load, on several threads. The points carry the loads `carried`, in a time increment of 1.
+/// Linearises the averages of the nodes in contact, as linearise() does, and has the pairs used otherwise, too: once
+/// each that carries load, on several threads. They carry the loads `carried`, in a time increment of 1.
 IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
                                            const FacingFields& fields, const NodalLoads& carried,
-                                           const UseVaryingPoints& use);
+                                           const UseVaryingPair& use);
 
 }  // namespace mixture_contact

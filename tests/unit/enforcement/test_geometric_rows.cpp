@@ -24,7 +24,7 @@ struct Overlap {
     for (Index pair = 0; pair < pairs.count(); ++pair) {
       const FacetPair& facets = facing().pairs()[pair];
       if (facing().has_node_among(facets, loads.in_contact))
-        pairs[pair] = geometric_tangent(space, facets, varying_points(space, facets, loads, fields(), 1));
+        pairs[pair] = geometric_tangent(space, facets, varying_pair(space, facets, loads, fields(), 1));
     }
   }
 
@@ -49,7 +49,7 @@ struct Overlap {
   MatrixXd sum_of_pairs() const {
     MatrixXd sum = zero();
     for (const auto& pair : pairs) {
-      if (pair) add(pair->traction, sum);
+      if (pair) add(traction_block(*pair), sum);
     }
     return sum;
   }

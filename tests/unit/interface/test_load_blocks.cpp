@@ -144,7 +144,7 @@ std::set<Entry> of_facing_facets(const Scene& scene, const ContactInterface& con
   for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
     const Side first = pass == 0 ? Side::primary : Side::secondary;
     for (const FacetPair& pair : contact.pass(pass).pairs()) {
-      const Patch patch = contact.pass(pass).space().facing().patch(pair);
+      const Patch patch = patch_of(contact.pass(pass).space().facing(), pair);
       for (const Index row : layout.entries({first, patch})) {
         for (const Index column : layout.entries({first, patch})) entries.emplace(row, column);
       }

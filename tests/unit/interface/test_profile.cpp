@@ -131,7 +131,7 @@ std::set<Entry> of_facing_facets(const Scene& scene) {
   const MortarSpace& space = contact->pass(0).space();
   std::set<Entry> entries;
   for (const FacetPair& pair : space.facing().pairs()) {
-    const Patch patch = space.facing().patch(pair);
+    const Patch patch = patch_of(space.facing(), pair);
     const auto add_patch = [&](const Patch& part) {
       const std::vector<Index> all = layout.entries({Side::primary, part});
       add(entries, all, all);

@@ -1,0 +1,181 @@
+#include "geometry/flat_pair.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace mixture_contact {
+namespace {
+
+/// x,1 and x,2 of a triangle.
+Eigen::Matrix<double, 3, 2> tangents(const TriangleCoordinates& x) {
+  Eigen::Matrix<double, 3, 2> tangents;
+  tangents << x.col(1) - x.col(0), x.col(2) - x.col(0);
+  return tangents;
+}
+
+/// N_b,alpha of a triangle.
+Eigen::Matrix<double, 3, 2> gradient() { return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished(); }
+
+/// Matrix of the cross product: skew(v) w = v x w.
+Eigen::Matrix3d skew(const Vector3d& v) {
+  return (Eigen::Matrix3d() << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0).finished();
+}
+
+/// Weights h = (sum w psi N1, -sum w psi N2) with one vector each.
+FlatVariation by_nodes(const Vector3d& primary, const Vector3d& secondary, const Vector3d& vector) {
+  FlatVariation result;
+  for (Index b = 0; b < 3; ++b) {
+    result.segment<3>(3 * b) = primary[b] * vector;
+    result.segment<3>(9 + 3 * b) = -secondary[b] * vector;
+  }
+  return result;
+}
+
+/// The variation of the average of y over a node, to which the pair adds sum w psi_c |a| y, dy = `along`.deta +
+/// `by_shape` h.dx; `excess`: sum w psi_c (y - average).
+FlatVariation mean_variation(const FlatPair& pair, const FlatVariations& vary, Index c, const Vector2d& along,
+                             const Vector3d& by_shape, double excess, double nodal_area) {
+  const double share = pair.area / nodal_area;
+  const Vector3d by_gap = share * pair.gap[c] * (vary.tilted * along);
+  FlatVariation variation = by_nodes(pair.moments.primary.row(c), pair.moments.secondary.row(c),
+                                     share * (vary.eta * along + by_shape));
+  for (Index b = 0; b < 3; ++b)
+    variation.segment<3>(3 * b) += excess / nodal_area * vary.area.col(b) - by_gap[b] * pair.normal;
+  return variation;
+}
+
+/// How p_b and l_bc (see FlatForces) are of loads with this sum w l g.
+Eigen::Matrix3d with_place(const FlatVariations& vary) { return vary.eta * gradient().transpose(); }
+Eigen::Matrix3d with_tilt(const FlatVariations& vary, double gap) { return gap * gradient() * vary.tilted.transpose(); }
+
+}  // namespace
+
+void FlatMoments::add(double weight, const Vector2d& xi, const Vector2d& eta) {
+  const Vector3d one = area_coordinates(xi);
+  const Vector3d share = weight * one;
+  primary += share * one.transpose();
+  secondary += share * area_coordinates(eta).transpose();
+}
+
+FlatPair flat_pair(const FlatMoments& moments, const TriangleCoordinates& x1, const TriangleCoordinates& x2) {
+  FlatPair pair{moments};
+  const Eigen::Matrix<double, 3, 2> along = tangents(x1);
+  pair.area_vector = along.col(0).cross(along.col(1));
+  pair.area = pair.area_vector.norm();
+  pair.normal = pair.area_vector / pair.area;
+  pair.gap = moments.secondary * (x2.transpose() * pair.normal) - moments.primary * (x1.transpose() * pair.normal);
+  return pair;
+}
+
+FlatNodes FlatPair::jump_weights(Index c) const {
+  FlatNodes weights;
+  weights << moments.primary.row(c).transpose(), -moments.secondary.row(c).transpose();
+  return weights;
+}
+
+Vector3d FlatPair::jump(const FlatNodes& values) const {
+  return moments.primary * values.head<3>() - moments.secondary * values.tail<3>();
+}
+
+FlatVariations flat_variations(const FlatPair& pair, const TriangleCoordinates& x1, const TriangleCoordinates& x2) {
+  const Eigen::Matrix<double, 3, 2> one = tangents(x1);
+  const Eigen::Matrix<double, 3, 2> two = tangents(x2);
+  const Eigen::Matrix2d inverse = (one.transpose() * two).inverse().transpose();
+  FlatVariations vary;
+  for (Index b = 0; b < 3; ++b) {
+    const Vector3d w = gradient()(b, 1) * one.col(0) - gradient()(b, 0) * one.col(1);
+    vary.area_vector.col(b) = w;
+    vary.area.col(b) = pair.normal.cross(w);
+  }
+  vary.eta = one * inverse;
+  vary.tilted = gradient() * inverse;
+  vary.slope = two.transpose() * pair.normal;
+  return vary;
+}
+
+FlatVariation traction_work(const FlatPair& pair, Index c) {
+  return by_nodes(pair.moments.primary.row(c), pair.moments.secondary.row(c), pair.area_vector);
+}
+
+FlatVariation mean_gap_variation(const FlatPair& pair, const FlatVariations& vary, Index c, double mean,
+                                 double nodal_area) {
+  // dg = n1.(-h dx + x2,beta deta_beta)
+  const double excess = pair.gap[c] - mean * pair.moments.primary.row(c).sum();
+  return mean_variation(pair, vary, c, vary.slope, -pair.normal, excess, nodal_area);
+}
+
+FlatVariation mean_jump_variation(const FlatPair& pair, const FlatVariations& vary, Index c, const FlatNodes& values,
+                                  double mean, double nodal_area) {
+  // djump = -N2,beta.values deta_beta
+  const double excess = pair.jump_weights(c).dot(values) - mean * pair.moments.primary.row(c).sum();
+  const Vector2d along = -gradient().transpose() * values.tail<3>();
+  return mean_variation(pair, vary, c, along, Vector3d::Zero(), excess, nodal_area);
+}
+
+FlatVariation traction_residual(const FlatPair& pair, const Vector3d& traction) {
+  return by_nodes(pair.moments.primary.transpose() * traction, pair.moments.secondary.transpose() * traction,
+                  pair.area_vector);
+}
+
+FlatNodes flux_residual(const FlatPair& pair, const Vector3d& flux) {
+  FlatNodes flows;
+  flows << pair.moments.primary.transpose() * flux, -pair.moments.secondary.transpose() * flux;
+  return pair.area * flows;
+}
+
+Eigen::Matrix<double, 6, 18> flux_tangent(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux) {
+  // The flow at a primary node is Q1_b |a|, at a secondary one -Q2_b |a|, with dQ2 as dR2 of FlatForces.
+  const Vector3d primary = pair.moments.primary.transpose() * flux;
+  const Vector3d secondary = pair.moments.secondary.transpose() * flux;
+  const Eigen::Matrix3d place = with_place(vary);
+  const Eigen::Matrix3d tilt = with_tilt(vary, flux.dot(pair.gap));
+  Eigen::Matrix<double, 6, 18> tangent = Eigen::Matrix<double, 6, 18>::Zero();
+  for (Index b = 0; b < 3; ++b) {
+    for (Index c = 0; c < 3; ++c) {
+      const Vector3d moved = primary[c] * place.col(b) - tilt(b, c) * pair.normal;
+      tangent.block<1, 3>(b, 3 * c) = primary[b] * vary.area.col(c);
+      tangent.block<1, 3>(3 + b, 3 * c) = -secondary[b] * vary.area.col(c) - pair.area * moved;
+      tangent.block<1, 3>(3 + b, 9 + 3 * c) = pair.area * secondary[c] * place.col(b);
+    }
+  }
+  return tangent;
+}
+
+FlatForces flat_forces(const FlatPair& pair, const FlatVariations& vary, const Vector3d& traction) {
+  return {pair.moments.primary.transpose() * traction,
+          pair.moments.secondary.transpose() * traction,
+          pair.area_vector,
+          pair.normal,
+          vary.area_vector,
+          with_place(vary),
+          with_tilt(vary, traction.dot(pair.gap))};
+}
+
+Eigen::Matrix<double, 3, 9> primary_rows(const FlatForces& forces, Index node) {
+  Eigen::Matrix<double, 3, 9> rows;
+  for (Index c = 0; c < 3; ++c) rows.middleCols<3>(3 * c) = skew(forces.primary[node] * forces.with_normal.col(c));
+  return rows;
+}
+
+Eigen::Matrix<double, 3, 18> secondary_rows(const FlatForces& forces, Index node) {
+  Eigen::Matrix<double, 3, 18> rows;
+  const Vector3d place = forces.with_place.col(node);
+  for (Index c = 0; c < 3; ++c) {
+    const Vector3d moved = forces.primary[c] * place - forces.with_tilt(node, c) * forces.normal;
+    rows.middleCols<3>(3 * c) = -skew(forces.secondary[node] * forces.with_normal.col(c)) -
+                                forces.area_vector * moved.transpose();
+    rows.middleCols<3>(9 + 3 * c) = forces.secondary[c] * forces.area_vector * place.transpose();
+  }
+  return rows;
+}
+
+FlatTangent traction_tangent(const FlatForces& forces) {
+  FlatTangent tangent = FlatTangent::Zero();
+  for (Index node = 0; node < 3; ++node) {
+    tangent.block<3, 9>(3 * node, 0) = primary_rows(forces, node);
+    tangent.middleRows<3>(9 + 3 * node) = secondary_rows(forces, node);
+  }
+  return tangent;
+}
+
+}  // namespace mixture_contact

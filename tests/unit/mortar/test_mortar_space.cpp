@@ -1,0 +1,79 @@
+/// Averages over the pairs around nodes: flat pairs say by moments what their points would.
+#include "contact/mortar/mortar_space.h"
+
+#include "surfaces.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace test;
+
+namespace {
+
+Settings on_segments() {
+  Settings settings;
+  settings.integration = Integration::segments;
+  return settings;
+}
+
+/// Two flat surfaces of triangles on each other, not quite parallel, that exchange a field.
+struct FlatScene : Scene {
+  FlatScene()
+      : Scene(facing_grids(FacetType::tri3, FacetType::tri3, 0.05, 3, 4), effects_of(true, 0), on_segments()),
+        space(mesh[Side::primary], mesh[Side::secondary], effects, settings) {
+    std::mt19937 random(3);
+    fields[Side::secondary].position.row(2) += random_values(mesh[Side::secondary].nodes, -0.02, 0.02, random);
+    for (const Side side : both_sides) fields[side].scalar = random_values(mesh[side].nodes, -1, 1, random);
+    space.change_facing().search({fields[Side::primary].position, fields[Side::secondary].position}, 1);
+  }
+
+  FacingFields facing() const { return seen_from(Side::primary, fields); }
+  PointKinematics kinematics(const FacetPair& pair, const IntegrationPoint& place) const {
+    const Facet& one = space.facing().primary_facet(pair);
+    const Facet& two = space.facing().secondary_facet(pair);
+    return point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, facing().primary.position),
+                            shape_functions(two.type, place.eta), facet_coordinates(two, facing().secondary.position));
+  }
+  /// Sums over the points of all pairs with the functions of the space: of 1, of gaps, of jumps.
+  Matrix3Xd sums_of_points() const {
+    Matrix3Xd sums = Matrix3Xd::Zero(3, space.nodes());
+    for (const FacetPair& pair : space.facing().pairs()) {
+      for (const IntegrationPoint& place : space.facing().points(pair)) {
+        const PointKinematics point = kinematics(pair, place);
+        const FacetVector psi = space.shape(pair.primary, place.sub_facet, place.xi).value;
+        const double jump = point.jump_weights().dot(space.facing().values(pair, 0, facing()));
+        for (Index a = 0; a < psi.size(); ++a)
+          sums.col(space.facing().primary_facet(pair).node(a)) += place.weight * point.area * psi[a] *
+                                                                  Vector3d(1, point.gap, jump);
+      }
+    }
+    return sums;
+  }
+
+  MortarSpace space;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(flat_pairs_average_as_their_points_do) {
+  for (const bool redistributes : {false, true}) {
+    FlatScene scene;
+    if (redistributes) {
+      FacetGapSums covered = FacetGapSums::Zero(2, 3);
+      covered.row(0) << 1, 1, 0.1;  // too little of the last node's share for it to carry load
+      scene.space.boundary_weights().decide(0, covered, FacetVector::Ones(3));
+    }
+    BOOST_TEST(scene.space.boundary_weights().heirs(0).has_value() == redistributes);
+    const IndexedVector<FacetPair>& pairs = scene.space.facing().pairs();
+    BOOST_TEST(std::all_of(pairs.begin(), pairs.end(),
+                           [&](const FacetPair& pair) { return scene.space.flat(pair).has_value(); }));
+
+    const NodeFlags all(scene.space.nodes(), true);
+    const NodalLoads loads = scene.space.averages(scene.space.gaps(), scene.facing(), {all, all, {}});
+    const Matrix3Xd sums = scene.sums_of_points();
+    const VectorXd area = sums.row(0);
+    BOOST_TEST((loads.area - area).cwiseAbs().maxCoeff() <= rounding);
+    BOOST_TEST((loads.gap - (sums.row(1).transpose().cwiseQuotient(area))).cwiseAbs().maxCoeff() <= rounding);
+    const VectorXd jump = loads.jump.row(0);
+    BOOST_TEST((jump - sums.row(2).transpose().cwiseQuotient(area)).cwiseAbs().maxCoeff() <= rounding);
+  }
+}
