@@ -264,22 +264,27 @@ bool are_apart(const Pieces<double>& pieces, const Circle& circle) {
                      [&](const Piece<double>& piece) { return are_apart(piece.circle, circle, piece.view.normal); });
 }
 
-/// Calls use(sample) for the points on the overlap of a facet, in pieces, and another one within a circle, in a fixed
-/// order.
+/// Calls use(sample) for the points on the overlap of a piece of a facet, given with its number, and another facet, in
+/// a fixed order.
+template <class Number, class Use>
+void sample_piece(const Piece<Number>& piece, int sub_facet, const PlacedFacet& secondary, int order, const Use& use) {
+  for_each_window(secondary.type, order, [&](const Corners& window) {
+    LocalMemory<bytes_of_overlap<Number>> memory;
+    const Polygon<Number> both = overlap(piece, secondary, window, memory.resource());
+    if (both.size() < 3) return;
+    for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece.aligned, order))
+      use(Sample<Number>{point, piece.view, piece.part.nodes, window, sub_facet});
+  });
+}
+
+/// The same for all pieces of a facet that are not apart from what is within a circle.
 template <class Number, class Use>
 void sample_overlap(const Pieces<Number>& pieces, const PlacedFacet& secondary, const Circle& circle, int order,
                     const Use& use) {
   int sub_facet = -1;
   for (const Piece<Number>& piece : pieces) {
     ++sub_facet;
-    if (are_apart(piece.circle, circle, piece.view.normal)) continue;
-    for_each_window(secondary.type, order, [&](const Corners& window) {
-      LocalMemory<bytes_of_overlap<Number>> memory;
-      const Polygon<Number> both = overlap(piece, secondary, window, memory.resource());
-      if (both.size() < 3) return;
-      for (const PolygonPoint<Number>& point : polygon_quadrature(both, piece.aligned, order))
-        use(Sample<Number>{point, piece.view, piece.part.nodes, window, sub_facet});
-    });
+    if (!are_apart(piece.circle, circle, piece.view.normal)) sample_piece(piece, sub_facet, secondary, order, use);
   }
 }
 
@@ -310,12 +315,12 @@ class SeenTriangle {
 };
 
 /// Adds the points between triangles, whose normals are those of the view, as add_points_between() does.
-bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet& secondary, const Circle& circle,
-                                  int order, FacetPairs& pairs) {
+bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet& secondary, int order,
+                                  FacetPairs& pairs) {
   const Piece<double>& piece = primary.pieces.front();
   const SeenTriangle one(piece.view, primary.placed.x);
   const SeenTriangle two(piece.view, secondary.x);
-  sample_overlap(primary.pieces, secondary, circle, order, [&](const Sample<double>& sample) {
+  sample_piece(piece, 0, secondary, order, [&](const Sample<double>& sample) {
     const Vector2d seen = sample.point.place.value();
     pairs.add_point({one.place(seen), two.place(seen), sample.point.area / piece.area, sample.sub_facet});
   });
@@ -328,8 +333,7 @@ bool add_points_between(const Facet& one, const SampledFacet& primary, const Fac
                         int order, const Matrix3Xd& x1, const Matrix3Xd& x2, FacetPairs& pairs) {
   if (are_apart(primary.pieces, circle)) return false;
   const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
-  if (is_flat(one.type) && is_flat(two.type))
-    return add_points_between_triangles(primary, secondary, circle, order, pairs);
+  if (is_flat(one.type) && is_flat(two.type)) return add_points_between_triangles(primary, secondary, order, pairs);
   bool complete = true;
   sample_overlap(primary.pieces, secondary, circle, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
