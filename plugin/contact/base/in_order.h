@@ -22,9 +22,10 @@ class OrderedResults {
   /// Keeps references.
   OrderedResults(Index count, int threads, const Result& empty, const Fill& fill, const Use& use)
       : count_(count),
-        groups_((count + together - 1) / together),
+        together_(std::clamp<Index>(count / (least_groups_per_thread * threads), least_together, most_together)),
+        groups_((count + together_ - 1) / together_),
         held_(std::min<Index>(groups_, groups_per_thread * threads)),
-        results_(held_ * together, empty),
+        results_(held_ * together_, empty),
         made_(indexing::entries(held_)),
         fill_(fill),
         use_(use) {}
@@ -43,8 +44,11 @@ class OrderedResults {
   }
 
  private:
-  /// Results of a group, which one thread makes: neighbours in memory.
-  static constexpr Index together = 8;
+  /// Results of a group, which one thread makes: neighbours in memory. More take less time to hand over, where there
+  /// are groups enough for threads to end together and the results held are small.
+  static constexpr Index least_together = 8;
+  static constexpr Index most_together = sizeof(Result) <= 256 ? 64 : least_together;
+  static constexpr Index least_groups_per_thread = 16;
   static constexpr Index groups_per_thread = 4;
 
   /// Calls `step`, which tells whether it found something to do, until nothing remains or a thread has failed.
@@ -81,14 +85,15 @@ class OrderedResults {
 
   template <class Call>
   void for_each_of(Index group, const Call& call) {
-    const Index first = group * together;
-    const Index end = std::min(count_, first + together);
+    const Index first = group * together_;
+    const Index end = std::min(count_, first + together_);
     for (Index i = first; i < end; ++i) call(i, results_[i % results_.count()]);
   }
 
   std::atomic<Index>& made_of(Index group) { return at(made_, group % held_); }
 
   Index count_;
+  Index together_;  ///< results of a group
   Index groups_;
   Index held_;  ///< at once
   IndexedVector<Result> results_;

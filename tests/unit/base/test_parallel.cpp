@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(results_that_are_filled_come_in_order_in_the_memory_of_othe
     Index next = 0;
     std::set<const Index*> places;
     in_order_with(
-        Index{7}, std::vector<Index>(2, 1), 1000,
+        Index{7}, std::vector<Index>(2, 1), 10000,
         [](Index i, std::vector<Index>& result, Index& workspace) {
           workspace = i;
           std::this_thread::yield();
@@ -108,8 +108,8 @@ BOOST_AUTO_TEST_CASE(results_that_are_filled_come_in_order_in_the_memory_of_othe
           BOOST_TEST((result == std::vector<Index>{i, i}));
           places.insert(result.data());
         });
-    BOOST_TEST(next == 1000);
-    BOOST_TEST(places.size() <= 100U);  // a few groups of eight for each thread
+    BOOST_TEST(next == 10000);
+    BOOST_TEST(number_of(places) <= 256 * threads);  // four groups of 64 for each thread
   }
 }
 
