@@ -50,7 +50,7 @@ void BoundaryWeights::restore(LoadCarriers decisions) {
 
 ShapeFunctions BoundaryWeights::shape(int facet, int sub_facet, const Vector2d& xi) const {
   const FacetType type = facets_[facet].type;
-  ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
+  const ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
   return redistributes(facet) ? redistributed(type, psi, carriers_[facet]) : psi;
 }
 
