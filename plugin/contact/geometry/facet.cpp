@@ -42,7 +42,7 @@ ShapeFunctions sized(FacetType type) {
 ShapeFunctions tri3(const Vector2d& xi) {
   ShapeFunctions shape = sized(FacetType::tri3);
   shape.value = area_coordinates(xi);
-  shape.gradient << -1, -1, 1, 0, 0, 1;
+  shape.gradient = area_gradient();
   return shape;
 }
 
@@ -302,15 +302,6 @@ bool adjacent(FacetType type, int one, int two) {
   return std::any_of(sub_facets(type).begin(), sub_facets(type).end(), ends_with_both);
 }
 
-/// In which parts the nodes that count take a node's function.
-FacetVector heirs_of(FacetType type, int node, const FacetVector& counts) {
-  if (counts[node] > 0) return FacetVector::Unit(counts.size(), node);
-  const FacetVector beside = FacetVector::NullaryExpr(
-      counts.size(), [&](Index a) { return adjacent(type, node, static_cast<int>(a)) ? counts[a] : 0.0; });
-  const FacetVector& heirs = beside.sum() > 0 ? beside : counts;
-  return heirs / heirs.sum();
-}
-
 }  // namespace
 
 const std::vector<SubFacet>& sub_facets(FacetType type) {
@@ -377,6 +368,14 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
     }
   }
   return psi;
+}
+
+FacetVector heirs_of(FacetType type, int node, const FacetVector& counts) {
+  if (counts[node] > 0) return FacetVector::Unit(counts.size(), node);
+  const FacetVector beside = FacetVector::NullaryExpr(
+      counts.size(), [&](Index a) { return adjacent(type, node, static_cast<int>(a)) ? counts[a] : 0.0; });
+  const FacetVector& heirs = beside.sum() > 0 ? beside : counts;
+  return heirs / heirs.sum();
 }
 
 ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const FacetVector& counts) {

@@ -49,8 +49,11 @@ struct ShapeFunctions {
 /// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
 ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 
-/// Those of a tri3, its area coordinates.
+/// Those of a tri3, its area coordinates, and their derivatives with xi.
 inline Vector3d area_coordinates(const Vector2d& xi) { return {1 - xi[0] - xi[1], xi[0], xi[1]}; }
+inline Eigen::Matrix<double, 3, 2> area_gradient() {
+  return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished();
+}
 
 /// dN_a/dxi_alpha at a node of the facet, shape (n, 2).
 const FacetGradient& gradient_at_node(FacetType type, int node);
@@ -82,6 +85,11 @@ int sub_facet_at(FacetType type, const Vector2d& xi);
 /// and Solberg 2008, Comput Methods Appl Mech Eng 197:555-566). `sub_facet`: that of the place, whose functions go on
 /// beyond it.
 ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
+
+/// In which parts the nodes that count take the function of a node that does not, shape (n): those beside it that do
+/// in equal parts, or where there are none all that do; a node that counts takes its own. `counts`: 1 for nodes that
+/// count, 0 for the others, shape (n).
+FacetVector heirs_of(FacetType type, int node, const FacetVector& counts);
 
 /// Functions psi_a redistributed among the nodes of their facet that count, at least one: each of the others gives its
 /// own, in equal parts, to those beside it that count, or where there are none to all that do. They add up to 1 as

@@ -1,5 +1,7 @@
 #include "geometry/flat_pair.h"
 
+#include "geometry/skew.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -11,14 +13,6 @@ Eigen::Matrix<double, 3, 2> tangents(const TriangleCoordinates& x) {
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << x.col(1) - x.col(0), x.col(2) - x.col(0);
   return tangents;
-}
-
-/// N_b,alpha of a triangle.
-Eigen::Matrix<double, 3, 2> gradient() { return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished(); }
-
-/// Matrix of the cross product: skew(v) w = v x w.
-Eigen::Matrix3d skew(const Vector3d& v) {
-  return (Eigen::Matrix3d() << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0).finished();
 }
 
 /// Weights h = (sum w psi N1, -sum w psi N2) with one vector each.
@@ -45,8 +39,10 @@ FlatVariation mean_variation(const FlatPair& pair, const FlatVariations& vary, I
 }
 
 /// How p_b and l_bc (see FlatForces) are of loads with this sum w l g.
-Eigen::Matrix3d with_place(const FlatVariations& vary) { return vary.eta * gradient().transpose(); }
-Eigen::Matrix3d with_tilt(const FlatVariations& vary, double gap) { return gap * gradient() * vary.tilted.transpose(); }
+Eigen::Matrix3d with_place(const FlatVariations& vary) { return vary.eta * area_gradient().transpose(); }
+Eigen::Matrix3d with_tilt(const FlatVariations& vary, double gap) {
+  return gap * area_gradient() * vary.tilted.transpose();
+}
 
 }  // namespace
 
@@ -83,12 +79,12 @@ FlatVariations flat_variations(const FlatPair& pair, const TriangleCoordinates& 
   const Eigen::Matrix2d inverse = (one.transpose() * two).inverse().transpose();
   FlatVariations vary;
   for (Index b = 0; b < 3; ++b) {
-    const Vector3d w = gradient()(b, 1) * one.col(0) - gradient()(b, 0) * one.col(1);
+    const Vector3d w = area_gradient()(b, 1) * one.col(0) - area_gradient()(b, 0) * one.col(1);
     vary.area_vector.col(b) = w;
     vary.area.col(b) = pair.normal.cross(w);
   }
   vary.eta = one * inverse;
-  vary.tilted = gradient() * inverse;
+  vary.tilted = area_gradient() * inverse;
   vary.slope = two.transpose() * pair.normal;
   return vary;
 }
@@ -108,7 +104,7 @@ FlatVariation mean_jump_variation(const FlatPair& pair, const FlatVariations& va
                                   double mean, double nodal_area) {
   // djump = -N2,beta.values deta_beta
   const double excess = pair.jump_weights(c).dot(values) - mean * pair.moments.primary.row(c).sum();
-  const Vector2d along = -gradient().transpose() * values.tail<3>();
+  const Vector2d along = -area_gradient().transpose() * values.tail<3>();
   return mean_variation(pair, vary, c, along, Vector3d::Zero(), excess, nodal_area);
 }
 

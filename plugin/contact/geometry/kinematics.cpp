@@ -1,17 +1,12 @@
 #include "geometry/kinematics.h"
 
+#include "geometry/skew.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace mixture_contact {
 namespace {
-
-/// Matrix of the cross product: skew(v) w = v x w.
-Eigen::Matrix3d skew(const Vector3d& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return matrix;
-}
 
 void set_gap(PointKinematics& point, const FacetCoordinates& x1, const FacetCoordinates& x2) {
   point.gap = (x2 * point.secondary_shape - x1 * point.primary_shape).dot(point.normal);

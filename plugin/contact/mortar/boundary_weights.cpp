@@ -56,13 +56,9 @@ ShapeFunctions BoundaryWeights::shape(int facet, int sub_facet, const Vector2d& 
 
 std::optional<MatrixXd> BoundaryWeights::heirs(int facet) const {
   if (!redistributes(facet)) return std::nullopt;
-  const FacetType type = facets_[facet].type;
-  const Index nodes = facets_[facet].count();
-  MatrixXd heirs(nodes, nodes);
-  for (Index a = 0; a < nodes; ++a) {
-    const ShapeFunctions own{FacetVector::Unit(nodes, a), FacetGradient::Zero(nodes, 2)};
-    heirs.col(a) = redistributed(type, own, carriers_[facet]).value;
-  }
+  const Facet& of = facets_[facet];
+  MatrixXd heirs(of.count(), of.count());
+  for (int node = 0; node < of.count(); ++node) heirs.col(node) = heirs_of(of.type, node, carriers_[facet]);
   return heirs;
 }
 
