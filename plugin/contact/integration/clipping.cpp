@@ -22,19 +22,22 @@ template <class Number>
 void keep_left(Polygon<Number>& polygon, const Place<Number>& from, const Place<Number>& to, double coincident) {
   const Vector2d along = to.value() - from.value();
   const double on_line = coincident * along.norm();
-  const auto value = [&](const Place<Number>& corner) { return cross_of_values(along, corner.value() - from.value()); };
-  const auto is_kept = [&](const Place<Number>& corner) { return value(corner) >= -on_line; };
-  if (std::all_of(polygon.begin(), polygon.end(), is_kept)) return;
+  std::pmr::vector<double> heights(polygon.get_allocator().resource());
+  heights.reserve(polygon.size());
+  for (const Place<Number>& corner : polygon) heights.push_back(cross_of_values(along, corner.value() - from.value()));
+  const auto is_kept = [&](double height) { return height >= -on_line; };
+  if (std::all_of(heights.begin(), heights.end(), is_kept)) return;
   const Place<Number> edge = to - from;
   const auto side = [&](const Place<Number>& corner) -> Number { return cross(edge, Place<Number>(corner - from)); };
   Polygon<Number> rest(polygon.get_allocator());
   rest.reserve(polygon.size() + 1);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t j = (i + 1) % polygon.size();
     const Place<Number>& corner = polygon[i];
-    const Place<Number>& next = polygon[(i + 1) % polygon.size()];
-    if (is_kept(corner)) rest.push_back(corner);
-    const bool leaves = value(corner) > on_line && value(next) < -on_line;
-    const bool enters = value(corner) < -on_line && value(next) > on_line;
+    const Place<Number>& next = polygon[j];
+    if (is_kept(heights[i])) rest.push_back(corner);
+    const bool leaves = heights[i] > on_line && heights[j] < -on_line;
+    const bool enters = heights[i] < -on_line && heights[j] > on_line;
     if (leaves || enters) rest.push_back(crossing(corner, next, side(corner), side(next)));
   }
   polygon = std::move(rest);
