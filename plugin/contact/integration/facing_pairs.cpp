@@ -61,7 +61,9 @@ void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
     found_ = std::move(found);
   }
   if (kinematics_.count() < found_.points().count()) kinematics_.resize(found_.points().size());
-  if (flat_.count() < pairs().count()) flat_.resize(pairs().size());
+  const bool has_flat = std::any_of(pairs().begin(), pairs().end(),
+                                    [&](const auto& pair) { return has_moments(pair); });
+  if (has_flat && flat_.count() < pairs().count()) flat_.resize(pairs().size());
   evaluate_all(x);
 }
 
