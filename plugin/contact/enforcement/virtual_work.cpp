@@ -86,11 +86,19 @@ std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& pat
   return blocks;
 }
 
-/// The parts of the tractions.
-void set_traction_tangent(const VaryingPair& varying, Index size, MatrixXd& tangent) {
-  if (varying.flat) return void(tangent = traction_tangent(varying.flat->forces));
-  tangent.setZero(size, size);
-  for (const auto& [point, vary] : varying.points) add_traction_tangent(point.kinematics, vary, point.loads, tangent);
+/// Sets the part of the tractions: a flat pair's forces, or values.
+void set_tractions(const MortarSpace& space, const VaryingPair& varying, GeometricTangent& tangent) {
+  MatrixXd& values = tangent.traction.values;
+  tangent.flat.reset();
+  if (varying.flat) {
+    const FlatForces forces = flat_forces(varying.flat->pair, varying.flat->vary, varying.flat->traction);
+    if (space.symmetric()) return void(values = traction_tangent(forces));
+    tangent.flat = forces;
+    return values.resize(0, 0);
+  }
+  const Index size = tangent.traction.rows.displacement_layout().size();
+  values.setZero(size, size);
+  for (const auto& [point, vary] : varying.points) add_traction_tangent(point.kinematics, vary, point.loads, values);
 }
 
 /// The parts of the fluxes of a field; columns in the order of `layout`, which has one field.
@@ -125,13 +133,7 @@ void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, cons
   space.facing().set_patch(pair, traction.rows);
   tangent.fluxes = flux_blocks(space, traction.rows);
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
-  tangent.flat.reset();
-  traction.values.resize(0, 0);
-  if (varying.flat && !space.symmetric()) {
-    tangent.flat = varying.flat->forces;
-  } else {
-    set_traction_tangent(varying, traction.rows.displacement_layout().size(), traction.values);
-  }
+  set_tractions(space, varying, tangent);
   laps.traction();
   for (Index k = 0; k < count_of(tangent.fluxes); ++k) {
     TangentBlock& block = at(tangent.fluxes, k);

@@ -60,12 +60,20 @@ class LoadedPair {
   PairFields values_;
 };
 
-PointKinematics kinematics_at(const IntegrationPoint& place, const FacingPairs& facing, const FacetPair& pair,
-                              const FacingPositions& x) {
+/// Calls use(place, kinematics) for the points of a flat pair, whose kinematics are not kept.
+template <class Use>
+void for_each_flat_point(const FacingPairs& facing, const FacetPair& pair, const FacingPositions& x, const Use& use) {
   const Facet& one = facing.primary_facet(pair);
   const Facet& two = facing.secondary_facet(pair);
-  return point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, x.primary),
-                          shape_functions(two.type, place.eta), facet_coordinates(two, x.secondary));
+  const FacetCoordinates x1 = facet_coordinates(one, x.primary);
+  const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
+  const IntegrationPoint& first = facing.points(pair).front();
+  PointKinematics point = point_kinematics(shape_functions(one.type, first.xi), x1,
+                                           shape_functions(two.type, first.eta), x2);
+  for (const IntegrationPoint& place : facing.points(pair)) {
+    move_on_flat_facets(point, area_coordinates(place.xi), x1, area_coordinates(place.eta), x2);
+    use(place, point);
+  }
 }
 
 VaryingFlatPair varying_flat_pair(const MortarSpace& space, const FacetPair& pair, const FlatPair& flat,
@@ -74,7 +82,7 @@ VaryingFlatPair varying_flat_pair(const MortarSpace& space, const FacetPair& pai
   const Facet& facet = facing.primary_facet(pair);
   const FacetCoordinates x2 = facet_coordinates(facing.secondary_facet(pair), fields.secondary.position);
   const FlatVariations vary = flat_variations(flat, facet_coordinates(facet, fields.primary.position), x2);
-  VaryingFlatPair varying{flat, vary, flat_forces(flat, vary, facet_values(facet, loads.traction)), {}, {}};
+  VaryingFlatPair varying{flat, vary, facet_values(facet, loads.traction), {}, {}};
   for (const int field : facing.exchanged_fields(pair)) {
     varying.values.push_back(facing.values(pair, field, fields));
     varying.flux.push_back(dt * facet_values(facet, loads.flux.row(field).transpose()));
@@ -130,9 +138,11 @@ void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, co
   for (const FacetPair& pair : space.facing().pairs()) {
     if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
     const LoadedPair loaded(space, pair, loads, fields, dt);
-    for (const IntegrationPoint& place : space.facing().points(pair)) {
-      const PointKinematics kinematics = kinematics_at(place, space.facing(), pair, positions(fields));
-      use(loaded.at(place, kinematics));
+    if (space.facing().flat(pair) != nullptr) {
+      for_each_flat_point(space.facing(), pair, positions(fields),
+                          [&](const auto& place, const auto& kinematics) { use(loaded.at(place, kinematics)); });
+    } else {
+      for (Index q = 0; q < pair.points; ++q) use(loaded.point(q));
     }
   }
 }

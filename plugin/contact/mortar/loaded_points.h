@@ -55,7 +55,7 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi);
 struct VaryingFlatPair {
   FlatPair pair;
   FlatVariations vary;
-  FlatForces forces;                ///< of its tractions
+  Vector3d traction;                ///< of the primary nodes
   IndexedVector<FlatNodes> values;  ///< per exchanged field: of its nodes
   IndexedVector<Vector3d> flux;     ///< likewise: of the primary nodes, times the time increment
 };
