@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace mixture_contact {
@@ -51,23 +52,28 @@ struct Row {
   }
 };
 
-/// What an effect has of a pair: nothing, or a block, whose values are those of flat forces if there are any.
-struct PairPart {
-  const TangentBlock* block = nullptr;
-  const FlatForces* flat = nullptr;
-};
-using PairParts = IndexedVector<PairPart>;
+/// What an effect has of each pair; null where it has nothing.
+template <class Tangent>
+using PairParts = IndexedVector<const Tangent*>;
+
+/// How many rows a node has in an effect.
+template <class Tangent>
+constexpr int rows_per_node = decltype(primary_rows(*std::declval<Tangent>().flat, Index()))::RowsAtCompileTime;
 
 /// The pairs around each node that have a part in an effect.
+template <class Tangent>
 class PairsAroundNodes {
  public:
+  static constexpr int rows = rows_per_node<Tangent>;
+
   /// Keeps references.
-  PairsAroundNodes(const PairParts& parts, PerSide<Index> nodes)
+  PairsAroundNodes(const PairParts<Tangent>& parts, PerSide<Index> nodes)
       : parts_(parts),
         primary_nodes_(nodes[Side::primary]),
+        nodes_of_(nodes_of_pairs()),
         around_(nodes[Side::primary] + nodes[Side::secondary], [&](const auto& add) {
           for (Index pair = 0; pair < parts.count(); ++pair) {
-            if (parts[pair].block != nullptr) for_each_node(pair, [&](Index number) { add(number, pair); });
+            for (const Index number : nodes_of_[pair]) add(number, pair);
           }
         }) {}
 
@@ -84,26 +90,28 @@ class PairsAroundNodes {
   }
   /// With the fields of the effect.
   Patch patch(Index number) const {
-    Patch alone = parts_[around_[number].front()].block->rows;
+    Patch alone = parts_[around_[number].front()]->block.rows;
     alone.primary.clear();
     alone.secondary.clear();
     (side(number) == Side::primary ? alone.primary : alone.secondary).push_back(node(number));
     return alone;
   }
 
-  template <int R>
-  void set_row(Index number, Places& places, Row<R>& row) const {
+  void set_row(Index number, Places& places, Row<rows>& row) const {
     row.columns.clear();
-    for (const Index pair : around_[number]) for_each_node(pair, [&](Index other) { places.add(other, row.columns); });
+    for (const Index pair : around_[number]) {
+      for (const Index other : nodes_of_[pair]) places.add(other, row.columns);
+    }
     row.set_zero();
     for (const Index pair : around_[number]) {
-      const PairPart& part = parts_[pair];
-      const Index position = position_in_pair(pair, number);
-      if (part.flat == nullptr) {
-        const Index per_node = part.block->columns.layout().per_node();
-        add(part.block->values.middleRows<R>(R * position), per_node, pair, places, row);
-      } else if constexpr (R == 3) {
-        add_flat(*part.flat, position, pair, places, row);
+      const Tangent& part = *parts_[pair];
+      const Span<Index> nodes = nodes_of_[pair];
+      const Index position = std::distance(nodes.begin(), std::find(nodes.begin(), nodes.end(), number));
+      if (part.flat) {
+        add_flat(*part.flat, position, nodes, places, row);
+      } else {
+        const Index per_node = part.block.columns.layout().per_node();
+        add(part.block.values.template middleRows<rows>(rows * position), per_node, nodes, places, row);
       }
     }
     places.clear(row.columns);
@@ -111,40 +119,39 @@ class PairsAroundNodes {
 
  private:
   /// Adds rows that depend on the first nodes of a pair, or all, of whose columns the first are those of displacements.
-  template <int R, class Rows>
-  void add(const Rows& rows, Index per_node, Index pair, const Places& places, Row<R>& row) const {
+  template <class Rows>
+  static void add(const Rows& part, Index per_node, const Span<Index>& nodes, const Places& places, Row<rows>& row) {
     Index column = 0;
-    for_each_node(pair, [&](Index other) {
-      if (column < rows.cols())
-        row.values().template middleCols<3>(3 * places[other]) += rows.template middleCols<3>(column);
+    for (const Index other : nodes) {
+      if (column < part.cols())
+        row.values().template middleCols<3>(3 * places[other]) += part.template middleCols<3>(column);
       column += per_node;
-    });
+    }
   }
-  void add_flat(const FlatForces& forces, Index position, Index pair, const Places& places, Row<3>& row) const {
+  template <class Flat>
+  static void add_flat(const Flat& flat, Index position, const Span<Index>& nodes, const Places& places,
+                       Row<rows>& row) {
     constexpr Index corners = 3;
-    if (position < corners) return add(primary_rows(forces, position), 3, pair, places, row);
-    add(secondary_rows(forces, position - corners), 3, pair, places, row);
+    if (position < corners) return add(primary_rows(flat, position), 3, nodes, places, row);
+    add(secondary_rows(flat, position - corners), 3, nodes, places, row);
   }
 
-  template <class Use>
-  void for_each_node(Index pair, const Use& use) const {
-    for (const int node : parts_[pair].block->columns.primary) use(node);
-    for (const int node : parts_[pair].block->columns.secondary) use(primary_nodes_ + node);
+  Lists<Index> nodes_of_pairs() const {
+    Lists<Index> nodes;
+    for (const Tangent* part : parts_) {
+      if (part != nullptr) {
+        for (const int node : part->block.columns.primary) nodes.add_to_next(node);
+        for (const int node : part->block.columns.secondary) nodes.add_to_next(primary_nodes_ + node);
+      }
+      nodes.end_next();
+    }
+    return nodes;
   }
 
-  Index position_in_pair(Index pair, Index number) const {
-    Index position = 0;
-    Index found = 0;
-    for_each_node(pair, [&](Index other) {
-      if (other == number) found = position;
-      ++position;
-    });
-    return found;
-  }
-
-  const PairParts& parts_;
+  const PairParts<Tangent>& parts_;
   Index primary_nodes_;
-  Lists<Index> around_;  ///< per node
+  Lists<Index> nodes_of_;  ///< per pair; none of one that has no part
+  Lists<Index> around_;    ///< per node
 };
 
 /// What a thread remembers of a row, whose memory serves the next one.
@@ -156,8 +163,9 @@ struct RowMemory {
 };
 
 /// What of R rows is not weak, columns of primary nodes first. `kept`: memory for their places.
-template <int R>
-TangentBlock strong_part(const PairsAroundNodes& pairs, const Row<R>& row, Index number, double weak, Numbers& kept) {
+template <class Tangent, int R>
+TangentBlock strong_part(const PairsAroundNodes<Tangent>& pairs, const Row<R>& row, Index number, double weak,
+                         Numbers& kept) {
   const auto values = row.values();
   const double least = weak * values.cwiseAbs().maxCoeff();
   const auto is_weak = [&](Index n) {
@@ -187,13 +195,13 @@ TangentBlock strong_part(const PairsAroundNodes& pairs, const Row<R>& row, Index
   return strong;
 }
 
-template <int R>
-NodeRows rows_of(const PairParts& parts, PerSide<Index> nodes, double weak, NodeRows held) {
-  const PairsAroundNodes around(parts, nodes);
+template <class Tangent>
+NodeRows rows_of(const PairParts<Tangent>& parts, PerSide<Index> nodes, double weak, NodeRows held) {
+  const PairsAroundNodes<Tangent> around(parts, nodes);
   NodeRows rows(around.nodes());
   for (TangentBlock& row : held) rows[around.number(row.rows)] = std::move(row);
-  const RowMemory<R> memory{Places(around.nodes()), {}, {}};
-  in_parallel_with(memory, rows.count(), [&](Index number, RowMemory<R>& own) {
+  const RowMemory<PairsAroundNodes<Tangent>::rows> memory{Places(around.nodes()), {}, {}};
+  in_parallel_with(memory, rows.count(), [&](Index number, auto& own) {
     const bool is_held = rows[number].values.size() > 0;
     if (is_held || !around.has_pairs(number)) return;
     around.set_row(number, own.places, own.row);
@@ -205,33 +213,31 @@ NodeRows rows_of(const PairParts& parts, PerSide<Index> nodes, double weak, Node
 }
 
 /// The flux of a field of a pair; null where it has none.
-const TangentBlock* flux_of(const GeometricTangent& tangent, int field) {
-  const auto has_it = [&](const TangentBlock& block) { return block.rows.fields.front() == field; };
+const FluxTangent* flux_of(const GeometricTangent& tangent, int field) {
+  const auto has_it = [&](const FluxTangent& flux) { return flux.block.rows.fields.front() == field; };
   const auto found = std::find_if(tangent.fluxes.begin(), tangent.fluxes.end(), has_it);
   return found == tangent.fluxes.end() ? nullptr : &*found;
 }
 
 /// What `of` tells of the pairs that carry load.
-template <class Of>
-PairParts parts_of(const GeometricParts& pairs, const Of& of) {
-  PairParts parts;
+template <class Tangent, class Of>
+PairParts<Tangent> parts_of(const GeometricParts& pairs, const Of& of) {
+  PairParts<Tangent> parts;
   parts.reserve(pairs.size());
-  for (const std::optional<GeometricTangent>& pair : pairs) parts.push_back(pair ? of(*pair) : PairPart());
+  for (const std::optional<GeometricTangent>& pair : pairs) parts.push_back(pair ? of(*pair) : nullptr);
   return parts;
 }
 
 }  // namespace
 
 NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak, NodeRows held) {
-  const auto traction_of = [](const GeometricTangent& pair) -> PairPart {
-    return {&pair.traction, pair.flat ? &*pair.flat : nullptr};
-  };
-  return rows_of<3>(parts_of(pairs, traction_of), nodes, weak, std::move(held));
+  const auto traction = [](const GeometricTangent& pair) { return &pair.traction; };
+  return rows_of(parts_of<TractionTangent>(pairs, traction), nodes, weak, std::move(held));
 }
 
 NodeRows flux_rows(const GeometricParts& pairs, PerSide<Index> nodes, int field, double weak, NodeRows held) {
-  const auto flux = [&](const GeometricTangent& pair) -> PairPart { return {flux_of(pair, field), nullptr}; };
-  return rows_of<1>(parts_of(pairs, flux), nodes, weak, std::move(held));
+  const auto flux = [&](const GeometricTangent& pair) { return flux_of(pair, field); };
+  return rows_of(parts_of<FluxTangent>(pairs, flux), nodes, weak, std::move(held));
 }
 
 }  // namespace mixture_contact

@@ -16,7 +16,10 @@ void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
   const auto of_pair = [&](Index pair) {
     std::vector<TangentBlock> fluxes;
     if (!units[pair]) return fluxes;
-    for (const TangentBlock& flux : units[pair]->fluxes) fluxes.push_back({flux.rows, flux.columns, dt * flux.values});
+    for (const FluxTangent& flux : units[pair]->fluxes) {
+      fluxes.push_back(with_values(flux));
+      fluxes.back().values *= dt;
+    }
     return fluxes;
   };
   in_batches(units.count(), of_pair, [&](Index /*pair*/, const std::vector<TangentBlock>& fluxes) {
@@ -27,7 +30,7 @@ void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
 /// Hands on the tractions of pairs.
 void add_tractions(const GeometricParts& units, const AddBlock& add) {
   for (const std::optional<GeometricTangent>& unit : units) {
-    if (unit) add(traction_block(*unit));
+    if (unit) add(with_values(unit->traction));
   }
 }
 

@@ -114,8 +114,8 @@ std::size_t bytes_of(const TangentBlock& block) {
 }
 
 std::size_t bytes_of(const GeometricTangent& tangent) {
-  std::size_t sum = bytes(tangent.fluxes) + bytes_of(tangent.traction);
-  for (const TangentBlock& flux : tangent.fluxes) sum += bytes_of(flux);
+  std::size_t sum = bytes(tangent.fluxes) + bytes_of(tangent.traction.block);
+  for (const FluxTangent& flux : tangent.fluxes) sum += bytes_of(flux.block);
   return sum;
 }
 

@@ -73,43 +73,41 @@ class NodalResidual {
   Sums secondary_;
 };
 
-/// Blocks of zeros for the fluxes of a patch; none in a symmetric tangent, where what is left of their part depends on
-/// displacements alone.
-std::vector<TangentBlock> flux_blocks(const MortarSpace& space, const Patch& patch) {
-  std::vector<TangentBlock> blocks;
-  if (space.symmetric()) return blocks;
-  const Index nodes = patch.layout().nodes();
-  for (const int field : patch.fields) {
-    const Patch columns = space.columns_of(patch, field);
-    blocks.push_back({patch.of_field(field, false), columns, MatrixXd::Zero(nodes, columns.layout().size())});
-  }
-  return blocks;
-}
-
-/// Sets the part of the tractions: a flat pair's forces, or values.
-void set_tractions(const MortarSpace& space, const VaryingPair& varying, GeometricTangent& tangent) {
-  MatrixXd& values = tangent.traction.values;
-  tangent.flat.reset();
+/// Sets the part of the tractions.
+void set_tractions(const MortarSpace& space, const VaryingPair& varying, TractionTangent& traction) {
+  MatrixXd& values = traction.block.values;
+  traction.flat.reset();
   if (varying.flat) {
     const FlatForces forces = flat_forces(varying.flat->pair, varying.flat->vary, varying.flat->traction);
     if (space.symmetric()) return void(values = traction_tangent(forces));
-    tangent.flat = forces;
+    traction.flat = forces;
     return values.resize(0, 0);
   }
-  const Index size = tangent.traction.rows.displacement_layout().size();
+  const Index size = traction.block.rows.displacement_layout().size();
   values.setZero(size, size);
   for (const auto& [point, vary] : varying.points) add_traction_tangent(point.kinematics, vary, point.loads, values);
 }
 
-/// The parts of the fluxes of a field; columns in the order of `layout`, which has one field.
-void add_flux_tangents(const VaryingPair& varying, Index k, const LocalLayout& layout, MatrixXd& tangent) {
+/// Sets the part of the k-th flux.
+void set_flux(const VaryingPair& varying, Index k, FluxTangent& flux) {
+  MatrixXd& values = flux.block.values;
+  flux.flat.reset();
   if (varying.flat) {
-    const auto rows = flux_tangent(varying.flat->pair, varying.flat->vary, varying.flat->flux[k]);
-    for (Index node = 0; node < layout.nodes(); ++node)
-      tangent.middleCols<3>(layout.displacement(node, 0)) += rows.middleCols<3>(3 * node);
+    flux.flat = flat_flows(varying.flat->pair, varying.flat->vary, varying.flat->flux[k]);
+    return values.resize(0, 0);
   }
+  const LocalLayout layout = flux.block.columns.layout();
+  values.setZero(layout.nodes(), layout.size());
   for (const auto& [point, vary] : varying.points)
-    add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), layout, tangent);
+    add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), layout, values);
+}
+
+/// Sets the nodes of a patch with one of its fields.
+void set_field(const Patch& patch, int field, bool with_displacements, Patch& of_field) {
+  of_field.primary = patch.primary;
+  of_field.secondary = patch.secondary;
+  of_field.fields.fill(1, field);
+  of_field.displacements = with_displacements;
 }
 
 /// Sets the residual of a flat pair, in the order of `layout`.
@@ -127,18 +125,39 @@ void set_flat_residual(const FlatPair& flat, const FacetLoads& nodal, double dt,
 
 }  // namespace
 
+TangentBlock with_values(const TractionTangent& tangent) {
+  TangentBlock block = tangent.block;
+  if (tangent.flat) block.values = traction_tangent(*tangent.flat);
+  return block;
+}
+
+TangentBlock with_values(const FluxTangent& tangent) {
+  TangentBlock block = tangent.block;
+  if (!tangent.flat) return block;
+  const LocalLayout layout = block.columns.layout();
+  const auto rows = flux_tangent(*tangent.flat);
+  block.values.setZero(layout.nodes(), layout.size());
+  for (Index node = 0; node < layout.nodes(); ++node)
+    block.values.middleCols<3>(layout.displacement(node, 0)) = rows.middleCols<3>(3 * node);
+  return block;
+}
+
 void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying,
                            GeometricTangent& tangent) {
-  TangentBlock& traction = tangent.traction;
+  TangentBlock& traction = tangent.traction.block;
   space.facing().set_patch(pair, traction.rows);
-  tangent.fluxes = flux_blocks(space, traction.rows);
+  // In a symmetric tangent what is left of the fluxes' part depends on displacements alone.
+  tangent.fluxes.resize(space.symmetric() ? 0 : traction.rows.fields.size());
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
-  set_tractions(space, varying, tangent);
+  set_tractions(space, varying, tangent.traction);
   laps.traction();
   for (Index k = 0; k < count_of(tangent.fluxes); ++k) {
-    TangentBlock& block = at(tangent.fluxes, k);
-    add_flux_tangents(varying, k, block.columns.layout(), block.values);
-    laps.field(traction.rows.fields[k]);
+    FluxTangent& flux = at(tangent.fluxes, k);
+    const int field = traction.rows.fields[k];
+    set_field(traction.rows, field, false, flux.block.rows);
+    set_field(traction.rows, field, space.effects().traction, flux.block.columns);
+    set_flux(varying, k, flux);
+    laps.field(field);
   }
   set_traction_block(space, traction);
 }
@@ -147,12 +166,6 @@ GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pa
   GeometricTangent tangent;
   set_geometric_tangent(space, pair, varying, tangent);
   return tangent;
-}
-
-TangentBlock traction_block(const GeometricTangent& tangent) {
-  TangentBlock block = tangent.traction;
-  if (tangent.flat) block.values = traction_tangent(*tangent.flat);
-  return block;
 }
 
 void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
@@ -217,8 +230,8 @@ void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const
   };
   in_batches(pairs.count(), of_pair, [&](Index /*index*/, const std::optional<GeometricTangent>& tangent) {
     if (!tangent) return;
-    for (const TangentBlock& flux : tangent->fluxes) add(flux);
-    add(traction_block(*tangent));
+    for (const FluxTangent& flux : tangent->fluxes) add(with_values(flux));
+    add(with_values(tangent->traction));
   });
 }
 

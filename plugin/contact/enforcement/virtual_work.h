@@ -16,15 +16,24 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
 void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const FacingFields& fields,
                      double dt, const AddVector& add);
 
+/// The geometric part of the tangent of one effect of a pair. `Flat`: FlatForces or FlatFlows.
+template <class Flat>
+struct EffectTangent {
+  TangentBlock block;        ///< without values where `flat` has them
+  std::optional<Flat> flat;  ///< of a flat pair, unless the tangent is to be symmetric
+};
+using TractionTangent = EffectTangent<FlatForces>;
+using FluxTangent = EffectTangent<FlatFlows>;
+
+/// With their values.
+TangentBlock with_values(const TractionTangent& tangent);
+TangentBlock with_values(const FluxTangent& tangent);
+
 /// The part of the tangent in which loads stay and the geometry changes, of a pair.
 struct GeometricTangent {
-  std::vector<TangentBlock> fluxes;  ///< proportional to the time increment; none in a symmetric tangent
-  TangentBlock traction;             ///< friction included; without values where `flat` has them
-  std::optional<FlatForces> flat;    ///< of a flat pair, unless the tangent is to be symmetric
+  TractionTangent traction;         ///< friction included
+  std::vector<FluxTangent> fluxes;  ///< proportional to the time increment; none in a symmetric tangent
 };
-
-/// With its values.
-TangentBlock traction_block(const GeometricTangent& tangent);
 
 /// Of pairs, in their order; none of those that carry no load.
 using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;

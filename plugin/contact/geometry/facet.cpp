@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 namespace mixture_contact {
@@ -386,6 +387,10 @@ ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const Fa
     shared.gradient += heirs * psi.gradient.row(node);
   }
   return shared;
+}
+
+Index number_in(const Facet& facet, Index node) {
+  return std::distance(facet.begin(), std::find(facet.begin(), facet.end(), node));
 }
 
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions) {

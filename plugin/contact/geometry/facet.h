@@ -109,6 +109,9 @@ struct Facet {
   const int* end() const { return nodes.data() + count(); }
 };
 
+/// Which of a facet's nodes one of the surface is, in node order.
+Index number_in(const Facet& facet, Index node);
+
 /// Columns of a per-node array that belong to a facet's nodes, shape (3, n).
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions);
 

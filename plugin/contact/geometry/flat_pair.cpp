@@ -119,20 +119,36 @@ FlatNodes flux_residual(const FlatPair& pair, const Vector3d& flux) {
   return pair.area * flows;
 }
 
-Eigen::Matrix<double, 6, 18> flux_tangent(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux) {
-  // The flow at a primary node is Q1_b |a|, at a secondary one -Q2_b |a|, with dQ2 as dR2 of FlatForces.
-  const Vector3d primary = pair.moments.primary.transpose() * flux;
-  const Vector3d secondary = pair.moments.secondary.transpose() * flux;
-  const Eigen::Matrix3d place = with_place(vary);
-  const Eigen::Matrix3d tilt = with_tilt(vary, flux.dot(pair.gap));
+FlatFlows flat_flows(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux) {
+  return {pair.moments.primary.transpose() * flux,
+          pair.moments.secondary.transpose() * flux,
+          pair.area,
+          pair.normal,
+          vary.area,
+          with_place(vary),
+          with_tilt(vary, flux.dot(pair.gap))};
+}
+
+Eigen::Matrix<double, 1, 9> primary_rows(const FlatFlows& flows, Index node) {
+  return flows.primary[node] * flows.with_area.reshaped().transpose();
+}
+
+Eigen::Matrix<double, 1, 18> secondary_rows(const FlatFlows& flows, Index node) {
+  Eigen::Matrix<double, 1, 18> rows;
+  const Vector3d place = flows.area * flows.with_place.col(node);
+  for (Index c = 0; c < 3; ++c) {
+    const Vector3d moved = flows.primary[c] * place - flows.area * flows.with_tilt(node, c) * flows.normal;
+    rows.segment<3>(3 * c) = -(flows.secondary[node] * flows.with_area.col(c) + moved).transpose();
+    rows.segment<3>(9 + 3 * c) = flows.secondary[c] * place.transpose();
+  }
+  return rows;
+}
+
+Eigen::Matrix<double, 6, 18> flux_tangent(const FlatFlows& flows) {
   Eigen::Matrix<double, 6, 18> tangent = Eigen::Matrix<double, 6, 18>::Zero();
-  for (Index b = 0; b < 3; ++b) {
-    for (Index c = 0; c < 3; ++c) {
-      const Vector3d moved = primary[c] * place.col(b) - tilt(b, c) * pair.normal;
-      tangent.block<1, 3>(b, 3 * c) = primary[b] * vary.area.col(c);
-      tangent.block<1, 3>(3 + b, 3 * c) = -secondary[b] * vary.area.col(c) - pair.area * moved;
-      tangent.block<1, 3>(3 + b, 9 + 3 * c) = pair.area * secondary[c] * place.col(b);
-    }
+  for (Index node = 0; node < 3; ++node) {
+    tangent.block<1, 9>(node, 0) = primary_rows(flows, node);
+    tangent.row(3 + node) = secondary_rows(flows, node);
   }
   return tangent;
 }

@@ -76,8 +76,30 @@ FlatVariation traction_residual(const FlatPair& pair, const Vector3d& traction);
 /// The flows at the nodes of fluxes q_c of the primary nodes, times a time increment: sum w |a| q h.
 FlatNodes flux_residual(const FlatPair& pair, const Vector3d& flux);
 
-/// Their exact derivative with the positions, the fluxes held, one row per node.
-Eigen::Matrix<double, 6, 18> flux_tangent(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux);
+/// What the derivative of these flows with the positions, the fluxes held, is made of: Q1_b |a| at a primary node and
+/// -Q2_b |a| at a secondary one, where Q1_b = sum w q N1_b, Q2_b = sum w q N2_b.
+struct FlatFlows {
+  Vector3d primary;           ///< Q1_b
+  Vector3d secondary;         ///< Q2_b
+  double area;                ///< |a|
+  Vector3d normal;            ///< n1
+  Eigen::Matrix3d with_area;  ///< columns m_b, as FlatVariations::area
+  // dQ2_b as dR2_b of FlatForces
+  Eigen::Matrix3d with_place;
+  Eigen::Matrix3d with_tilt;
+};
+
+FlatFlows flat_flows(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux);
+
+/// The exact derivative of the flow at a primary node with the positions of the primary nodes, on which alone it
+/// depends.
+Eigen::Matrix<double, 1, 9> primary_rows(const FlatFlows& flows, Index node);
+
+/// That of the flow at a secondary node with the positions of all.
+Eigen::Matrix<double, 1, 18> secondary_rows(const FlatFlows& flows, Index node);
+
+/// All rows, one per node.
+Eigen::Matrix<double, 6, 18> flux_tangent(const FlatFlows& flows);
 
 /// What the derivative of these forces, (2.6), the tractions held, is made of: R1_b a at a primary node and -R2_b a at
 /// a secondary one, where R1_b = sum w t_n N1_b, R2_b = sum w t_n N2_b.

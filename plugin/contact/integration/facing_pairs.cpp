@@ -60,11 +60,24 @@ void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
   } else {
     found_ = std::move(found);
   }
-  if (kinematics_.count() < found_.points().count()) kinematics_.resize(found_.points().size());
-  const bool has_flat = std::any_of(pairs().begin(), pairs().end(),
-                                    [&](const auto& pair) { return has_moments(pair); });
-  if (has_flat && flat_.count() < pairs().count()) flat_.resize(pairs().size());
+  make_room();
   evaluate_all(x);
+}
+
+void FacingPairs::make_room() {
+  Index kept = 0;
+  bool has_flat = false;
+  first_kept_.clear();
+  for (const FacetPair& pair : pairs()) {
+    first_kept_.push_back(kept);
+    if (has_moments(pair)) {
+      has_flat = true;
+    } else {
+      kept += pair.points;
+    }
+  }
+  if (kinematics_.count() < kept) kinematics_.resize(indexing::entries(kept));
+  if (has_flat && flat_.count() < pairs().count()) flat_.resize(pairs().size());
 }
 
 void FacingPairs::evaluate_all(const FacingPositions& x) {
@@ -104,14 +117,15 @@ void FacingPairs::evaluate(const FacetPair& pair, const FacingPositions& x) {
   const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
   const bool flat = is_flat(one.type) && is_flat(two.type);
   const PointsOfPair all = points(pair);
+  const Index first = first_kept_[number_of(pair, pairs())];
   for (Index q = 0; q < all.count(); ++q) {
-    PointKinematics& here = kinematics_[pair.first + q];
+    PointKinematics& here = kinematics_[first + q];
     const ShapeFunctions primary = shape_functions(one.type, all[q].xi);
     const ShapeFunctions secondary = shape_functions(two.type, all[q].eta);
     if (q == 0 || !flat) {
       here = point_kinematics(primary, x1, secondary, x2);
     } else {
-      here = kinematics_[pair.first];
+      here = kinematics_[first];
       move_on_flat_facets(here, primary.value, x1, secondary.value, x2);
     }
   }
@@ -140,8 +154,8 @@ Lists<const FacetPair*> FacingPairs::around(const NodeFlags& nodes) const {
 }
 
 std::size_t FacingPairs::memory() const {
-  return finder_->memory() + found_.memory() + bytes(kinematics_) + bytes(flat_) + bytes(searched_at_.primary) +
-         bytes(searched_at_.secondary);
+  return finder_->memory() + found_.memory() + bytes(kinematics_) + bytes(first_kept_) + bytes(flat_) +
+         bytes(searched_at_.primary) + bytes(searched_at_.secondary);
 }
 
 Patch patch_of(const FacingPairs& facing, const FacetPair& pair) {

@@ -39,6 +39,7 @@ class FacingPairs {
   void clear() {
     found_.clear();
     kinematics_.clear();
+    first_kept_.clear();
     flat_.clear();
     searched_at_ = {};
   }
@@ -72,7 +73,7 @@ class FacingPairs {
 
   /// Of a point of a pair that is not flat, where it was found.
   const PointKinematics& kinematics(const FacetPair& pair, Index point) const {
-    return kinematics_[pair.first + point];
+    return kinematics_[first_kept_[number_of(pair, pairs())] + point];
   }
   /// An unbroken pair, where it was found; null of any other, and with friction, which points tell alone.
   const FlatPair* flat(const FacetPair& pair) const {
@@ -82,6 +83,7 @@ class FacingPairs {
 
  private:
   void keep(FacetPairs found, const FacingPositions& x);
+  void make_room();
   bool has_moments(const FacetPair& pair) const {
     return pair.unbroken && effects_.traction && !effects_.has_friction();
   }
@@ -93,8 +95,10 @@ class FacingPairs {
   const Effects& effects_;
   std::unique_ptr<PointFinder> finder_;
   FacetPairs found_;
-  IndexedVector<PointKinematics> kinematics_;  ///< of the points of all pairs, and what serves the next search
-  IndexedVector<FlatPair> flat_;               ///< per pair, of those that are
+  IndexedVector<PointKinematics>
+      kinematics_;                   ///< of points of pairs that are not flat, and what serves the next search
+  IndexedVector<Index> first_kept_;  ///< per pair: of its points, among those
+  IndexedVector<FlatPair> flat_;     ///< per pair, of those that are
   std::optional<NodeFlags> restriction_;
   double radius_ = 0;  ///< of the last search [mm]
   struct Positions {

@@ -6,18 +6,26 @@
 #include "mortar/varying_pairs.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace mixture_contact {
 namespace {
 
 /// Where the nodes of a pair of facets stand in a larger patch.
 using PairPlaces = Eigen::Matrix<Index, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
-PairPlaces dof_map(const Patch& pair, const Patch& patch) {
-  PairPlaces map(pair.layout().nodes());
+template <class Nodes>
+PairPlaces dof_map(const Nodes& primary, const Nodes& secondary, const Patch& patch) {
+  PairPlaces map(std::distance(primary.begin(), primary.end()) + std::distance(secondary.begin(), secondary.end()));
   Index n = 0;
-  for (const int node : pair.primary) map[n++] = position_in(patch.primary, node);
-  for (const int node : pair.secondary) map[n++] = patch.primary.count() + position_in(patch.secondary, node);
+  for (const int node : primary) map[n++] = position_in(patch.primary, node);
+  for (const int node : secondary) map[n++] = patch.primary.count() + position_in(patch.secondary, node);
   return map;
+}
+
+/// Adds what a pair has of a variation, its nodes in their order.
+template <class Part>
+void add_variation(VectorXd& sum, const Eigen::MatrixBase<Part>& part, const PairPlaces& place) {
+  for (Index n = 0; n < place.size(); ++n) sum.segment<3>(3 * place[n]) += part.template segment<3>(3 * n);
 }
 
 /// What friction has of a pair around one node of its primary facet, as NodeLinearisation::Friction has it.
@@ -125,21 +133,16 @@ void scatter(const PairFriction& pair, const PairPlaces& place, NodeLinearisatio
 
 /// Adds what a pair of facets has around a node of its primary facet to the node's own.
 void scatter(const PairLinearisation& pair, Index corner, NodeLinearisation& sum) {
-  const PairPlaces place = dof_map(pair.patch, sum.patch);
-  const LocalLayout layout = sum.patch.displacement_layout();
-  const LocalLayout own = pair.patch.displacement_layout();
-  const auto add_variation = [&](VectorXd& variation, const MatrixXd& part) {
-    if (!sum.patch.displacements) return;
-    for (Index n = 0; n < place.size(); ++n) {
-      variation.segment<3>(layout.displacement(place[n], 0)) += part.col(corner).segment<3>(own.displacement(n, 0));
-    }
+  const PairPlaces place = dof_map(pair.patch.primary, pair.patch.secondary, sum.patch);
+  const auto add = [&](VectorXd& variation, const MatrixXd& part) {
+    if (sum.patch.displacements) add_variation(variation, part.col(corner), place);
   };
-  add_variation(sum.gap_variation, pair.gap_variation);
-  add_variation(sum.traction_work, pair.traction_work);
+  add(sum.gap_variation, pair.gap_variation);
+  add(sum.traction_work, pair.traction_work);
   if (!sum.friction.empty()) scatter(pair.friction[corner], place, sum.friction);
   for (Index f = 0; f < pair.patch.fields.count(); ++f) {
     NodeLinearisation::Jump& jump = sum.jumps[position_in(sum.patch.fields, pair.patch.fields[f])];
-    add_variation(jump.projection_variation, pair.jumps[f].projection_variation);
+    add(jump.projection_variation, pair.jumps[f].projection_variation);
     for (Index n = 0; n < place.size(); ++n) jump.weights[place[n]] += pair.jumps[f].weights(n, corner);
   }
 }
@@ -206,25 +209,6 @@ void add_gap(PairLinearisation& linear, const LocalLayout& layout, const NodalLo
   }
 }
 
-/// Sets the parts of all nodes in contact.
-void set_gaps(PairLinearisation& linear, const VaryingFlatPair& flat, const Facet& facet, const NodalLoads& loads) {
-  const Vector3d weight = flat.pair.weight();
-  for (Index a = 0; a < facet.count(); ++a) {
-    const int node = facet.node(a);
-    if (!loads.in_contact[node] || weight[a] == 0) continue;
-    linear.is_averaged[a] = true;
-    linear.gap_variation.col(a) = mean_gap_variation(flat.pair, flat.vary, a, loads.gap[node] + loads.offset,
-                                                     loads.area[node]);
-    linear.traction_work.col(a) = traction_work(flat.pair, a);
-  }
-}
-
-void add_gaps(PairLinearisation& linear, const PairMemory& memory, const Facet& facet, const NodalLoads& loads) {
-  if (memory.varying.flat) return set_gaps(linear, *memory.varying.flat, facet, loads);
-  const LocalLayout layout = linear.patch.displacement_layout();
-  for (const CornerPoint& at : memory.corners) add_gap(linear, layout, loads, at);
-}
-
 void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const CornerPoint& at) {
   const auto& [contact, vary] = at.point;
   const int field = contact.fields[k];
@@ -236,26 +220,6 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
   add_mean_variation(linear.jumps[k].projection_variation.col(at.corner), at,
                      jump_variation(contact.kinematics, vary, values), h.dot(values) - loads.jump(field, at.node),
                      area);
-}
-
-/// Sets the parts of all nodes in contact.
-void set_jumps(PairLinearisation& linear, Index k, const VaryingFlatPair& flat, const Facet& facet,
-               const NodalLoads& loads) {
-  const int field = linear.patch.fields[k];
-  for (Index a = 0; a < facet.count(); ++a) {
-    const int node = facet.node(a);
-    if (!linear.is_averaged[a]) continue;
-    const double area = loads.flux_area(field, node);
-    linear.jumps[k].weights.col(a) = flat.pair.area / area * flat.pair.jump_weights(a);
-    linear.jumps[k].projection_variation.col(a) = mean_jump_variation(flat.pair, flat.vary, a, flat.values[k],
-                                                                      loads.jump(field, node), area);
-  }
-}
-
-void add_jumps(PairLinearisation& linear, Index k, const PairMemory& memory, const Facet& facet,
-               const NodalLoads& loads) {
-  if (memory.varying.flat) return set_jumps(linear, k, *memory.varying.flat, facet, loads);
-  for (const CornerPoint& at : memory.corners) add_jump(linear, k, loads, at);
 }
 
 /// What friction needs of a point, whichever of its nodes is looked at. The averages around node a are sums of
@@ -376,7 +340,8 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
   set_corner_points(memory, facet, loads.in_contact);
   for (const CornerPoint& at : memory.corners) linear.is_averaged[at.corner] = true;
   if (patch.displacements) {
-    add_gaps(linear, memory, facet, loads);
+    const LocalLayout layout = patch.displacement_layout();
+    for (const CornerPoint& at : memory.corners) add_gap(linear, layout, loads, at);
     laps.traction();
   }
   if (space.effects().has_friction()) {
@@ -384,8 +349,46 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
     laps.friction();
   }
   for (Index k = 0; k < patch.fields.count(); ++k) {
-    add_jumps(linear, k, memory, facet, loads);
+    for (const CornerPoint& at : memory.corners) add_jump(linear, k, loads, at);
     laps.field(patch.fields[k]);
+  }
+}
+
+/// Adds what a flat pair has around a node, the c-th of its primary facet.
+void add_flat(NodeLinearisation& sum, const MortarSpace& space, const FacetPair& pair, const FlatPair& flat, Index c,
+              const NodalLoads& loads, const FacingFields& fields) {
+  const FacingPairs& facing = space.facing();
+  const Facet& one = facing.primary_facet(pair);
+  const Facet& two = facing.secondary_facet(pair);
+  const int node = one.node(c);
+  ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(facing, pair));
+  const PairPlaces place = dof_map(one, two, sum.patch);
+  const FlatVariations vary = flat_variations(flat, facet_coordinates(one, fields.primary.position),
+                                              facet_coordinates(two, fields.secondary.position));
+  add_variation(sum.gap_variation, mean_gap_variation(flat, vary, c, loads.gap[node] + loads.offset, loads.area[node]),
+                place);
+  add_variation(sum.traction_work, traction_work(flat, c), place);
+  laps.traction();
+  for (const int field : facing.exchanged_fields(pair)) {
+    const double area = loads.flux_area(field, node);
+    NodeLinearisation::Jump& jump = sum.jumps[position_in(sum.patch.fields, field)];
+    const FlatNodes weights = flat.area / area * flat.jump_weights(c);
+    for (Index n = 0; n < place.size(); ++n) jump.weights[place[n]] += weights[n];
+    add_variation(jump.projection_variation,
+                  mean_jump_variation(flat, vary, c, facing.values(pair, field, fields), loads.jump(field, node), area),
+                  place);
+    laps.field(field);
+  }
+}
+
+/// Those of all flat pairs around a node in contact.
+void add_flat_pairs(NodeLinearisation& sum, const MortarSpace& space, const PairsAround& pairs, int node,
+                    const NodalLoads& loads, const FacingFields& fields) {
+  for (const FacetPair* pair : pairs) {
+    const std::optional<FlatPair> flat = space.flat(*pair);
+    if (!flat) continue;
+    const Index c = number_in(space.facing().primary_facet(*pair), node);
+    if (flat->weight()[c] != 0) add_flat(sum, space, *pair, *flat, c, loads, fields);
   }
 }
 
@@ -472,7 +475,7 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
     if (!facing.has_node_among(pair, loads.in_contact)) return;
     set_varying_pair(space, pair, carried, fields, 1.0, memory.varying);
     use(index, memory.varying);
-    linearise_pair(space, pair, memory, loads, fields, linear);
+    if (!memory.varying.flat) linearise_pair(space, pair, memory, loads, fields, linear);
   };
   const auto sum_at_nodes = [&](Index /*index*/, const PairLinearisation& pair) {
     for (Index a = 0; a < pair.patch.primary.count(); ++a) {
@@ -481,7 +484,9 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
   };
   in_order_with(PairMemory(), PairLinearisation(), facing.pairs().count(), linear_pair, sum_at_nodes);
   in_parallel(nodes.count(), [&](Index node) {
-    if (loads.in_contact[node] && !nodes[node].friction.empty()) divide_by_area(nodes[node].friction, loads, node);
+    if (!loads.in_contact[node]) return;
+    add_flat_pairs(nodes[node], space, around[node], indexing::as_int(node), loads, fields);
+    if (!nodes[node].friction.empty()) divide_by_area(nodes[node].friction, loads, node);
   });
   return nodes;
 }

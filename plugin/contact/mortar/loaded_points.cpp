@@ -82,11 +82,9 @@ VaryingFlatPair varying_flat_pair(const MortarSpace& space, const FacetPair& pai
   const Facet& facet = facing.primary_facet(pair);
   const FacetCoordinates x2 = facet_coordinates(facing.secondary_facet(pair), fields.secondary.position);
   const FlatVariations vary = flat_variations(flat, facet_coordinates(facet, fields.primary.position), x2);
-  VaryingFlatPair varying{flat, vary, facet_values(facet, loads.traction), {}, {}};
-  for (const int field : facing.exchanged_fields(pair)) {
-    varying.values.push_back(facing.values(pair, field, fields));
+  VaryingFlatPair varying{flat, vary, facet_values(facet, loads.traction), {}};
+  for (const int field : facing.exchanged_fields(pair))
     varying.flux.push_back(dt * facet_values(facet, loads.flux.row(field).transpose()));
-  }
   return varying;
 }
 

@@ -55,9 +55,8 @@ PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi);
 struct VaryingFlatPair {
   FlatPair pair;
   FlatVariations vary;
-  Vector3d traction;                ///< of the primary nodes
-  IndexedVector<FlatNodes> values;  ///< per exchanged field: of its nodes
-  IndexedVector<Vector3d> flux;     ///< likewise: of the primary nodes, times the time increment
+  Vector3d traction;             ///< of the primary nodes
+  IndexedVector<Vector3d> flux;  ///< likewise, per exchanged field, times the time increment
 };
 
 /// A pair with first variations, by moments or by points.

@@ -192,7 +192,7 @@ std::size_t MortarSpace::memory() const {
 
 bool MortarSpace::is_averaged_over(const FacetPair& pair, Index node) const {
   const Facet& facet = facing_.primary_facet(pair);
-  const Index a = std::find(facet.begin(), facet.end(), node) - facet.begin();
+  const Index a = number_in(facet, node);
   const PointsOfPair points = facing_.points(pair);
   return std::any_of(points.begin(), points.end(), [&](const IntegrationPoint& point) {
     const ShapeFunctions psi = shape(pair.primary, point.sub_facet, point.xi);

@@ -55,7 +55,7 @@ double for_each_facet_around(const MortarSpace& space, Index node, const PairsAr
     if (pair->primary == done) continue;  // pairs come in the order of their primary facets
     done = pair->primary;
     const Facet& facet = space.facing().primary_facet(*pair);
-    const Index corner = std::find(facet.begin(), facet.end(), node) - facet.begin();
+    const Index corner = number_in(facet, node);
     const Convection& there = space.convections(pair->primary)[corner];
     use(facet, there);
     areas += there.area;

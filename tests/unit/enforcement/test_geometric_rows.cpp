@@ -49,7 +49,7 @@ struct Overlap {
   MatrixXd sum_of_pairs() const {
     MatrixXd sum = zero();
     for (const auto& pair : pairs) {
-      if (pair) add(traction_block(*pair), sum);
+      if (pair) add(with_values(pair->traction), sum);
     }
     return sum;
   }
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(rows_of_a_flux_are_the_sum_of_pairs) {
   for (int field = 0; field < 2; ++field) {
     MatrixXd pairs = overlap.zero();
     for (const auto& pair : overlap.pairs) {
-      if (pair) overlap.add(mixture_contact::at(pair->fluxes, field), pairs);
+      if (pair) overlap.add(with_values(mixture_contact::at(pair->fluxes, field)), pairs);
     }
     BOOST_TEST(pairs.norm() > 0);
     const MatrixXd rows = overlap.sum(flux_rows(overlap.pairs, overlap.nodes(), field, 0));

@@ -79,7 +79,10 @@ bool are_equal(const NodeRows& one, const NodeRows& other) {
 
 bool are_equal(const std::optional<GeometricTangent>& one, const std::optional<GeometricTangent>& other) {
   if (!one || !other) return one.has_value() == other.has_value();
-  return are_equal(one->traction, other->traction) && are_equal(NodeRows(one->fluxes), NodeRows(other->fluxes));
+  return are_equal(with_values(one->traction), with_values(other->traction)) &&
+         std::equal(
+             one->fluxes.begin(), one->fluxes.end(), other->fluxes.begin(), other->fluxes.end(),
+             [](const FluxTangent& a, const FluxTangent& b) { return are_equal(with_values(a), with_values(b)); });
 }
 
 /// Whether all entries of two linearisations are equal to the digit.
