@@ -38,10 +38,9 @@ FlatVariation mean_variation(const FlatPair& pair, const FlatVariations& vary, I
   return variation;
 }
 
-/// How p_b and l_bc (see FlatForces) are of loads with this sum w l g.
-Eigen::Matrix3d with_place(const FlatVariations& vary) { return vary.eta * area_gradient().transpose(); }
-Eigen::Matrix3d with_tilt(const FlatVariations& vary, double gap) {
-  return gap * area_gradient() * vary.tilted.transpose();
+FlatSums flat_sums(const FlatPair& pair, const FlatVariations& vary, const Vector3d& loads) {
+  return {pair.moments.primary.transpose() * loads, pair.moments.secondary.transpose() * loads, pair.normal,
+          vary.eta * area_gradient().transpose(), loads.dot(pair.gap) * area_gradient() * vary.tilted.transpose()};
 }
 
 }  // namespace
@@ -120,26 +119,19 @@ FlatNodes flux_residual(const FlatPair& pair, const Vector3d& flux) {
 }
 
 FlatFlows flat_flows(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux) {
-  return {pair.moments.primary.transpose() * flux,
-          pair.moments.secondary.transpose() * flux,
-          pair.area,
-          pair.normal,
-          vary.area,
-          with_place(vary),
-          with_tilt(vary, flux.dot(pair.gap))};
+  return {flat_sums(pair, vary, flux), pair.area, vary.area};
 }
 
 Eigen::Matrix<double, 1, 9> primary_rows(const FlatFlows& flows, Index node) {
-  return flows.primary[node] * flows.with_area.reshaped().transpose();
+  return flows.fluxes.primary[node] * flows.with_area.reshaped().transpose();
 }
 
 Eigen::Matrix<double, 1, 18> secondary_rows(const FlatFlows& flows, Index node) {
+  const FlatSums& sums = flows.fluxes;
   Eigen::Matrix<double, 1, 18> rows;
-  const Vector3d place = flows.area * flows.with_place.col(node);
   for (Index c = 0; c < 3; ++c) {
-    const Vector3d moved = flows.primary[c] * place - flows.area * flows.with_tilt(node, c) * flows.normal;
-    rows.segment<3>(3 * c) = -(flows.secondary[node] * flows.with_area.col(c) + moved).transpose();
-    rows.segment<3>(9 + 3 * c) = flows.secondary[c] * place.transpose();
+    rows.segment<3>(3 * c) = -sums.secondary[node] * flows.with_area.col(c) - flows.area * sums.with_primary(node, c);
+    rows.segment<3>(9 + 3 * c) = -flows.area * sums.with_secondary(node, c);
   }
   return rows;
 }
@@ -154,29 +146,23 @@ Eigen::Matrix<double, 6, 18> flux_tangent(const FlatFlows& flows) {
 }
 
 FlatForces flat_forces(const FlatPair& pair, const FlatVariations& vary, const Vector3d& traction) {
-  return {pair.moments.primary.transpose() * traction,
-          pair.moments.secondary.transpose() * traction,
-          pair.area_vector,
-          pair.normal,
-          vary.area_vector,
-          with_place(vary),
-          with_tilt(vary, traction.dot(pair.gap))};
+  return {flat_sums(pair, vary, traction), pair.area_vector, vary.area_vector};
 }
 
 Eigen::Matrix<double, 3, 9> primary_rows(const FlatForces& forces, Index node) {
   Eigen::Matrix<double, 3, 9> rows;
-  for (Index c = 0; c < 3; ++c) rows.middleCols<3>(3 * c) = skew(forces.primary[node] * forces.with_normal.col(c));
+  for (Index c = 0; c < 3; ++c)
+    rows.middleCols<3>(3 * c) = skew(forces.tractions.primary[node] * forces.with_normal.col(c));
   return rows;
 }
 
 Eigen::Matrix<double, 3, 18> secondary_rows(const FlatForces& forces, Index node) {
+  const FlatSums& sums = forces.tractions;
   Eigen::Matrix<double, 3, 18> rows;
-  const Vector3d place = forces.with_place.col(node);
   for (Index c = 0; c < 3; ++c) {
-    const Vector3d moved = forces.primary[c] * place - forces.with_tilt(node, c) * forces.normal;
-    rows.middleCols<3>(3 * c) = -skew(forces.secondary[node] * forces.with_normal.col(c)) -
-                                forces.area_vector * moved.transpose();
-    rows.middleCols<3>(9 + 3 * c) = forces.secondary[c] * forces.area_vector * place.transpose();
+    rows.middleCols<3>(3 * c) = -skew(sums.secondary[node] * forces.with_normal.col(c)) -
+                                forces.area_vector * sums.with_primary(node, c).transpose();
+    rows.middleCols<3>(9 + 3 * c) = -forces.area_vector * sums.with_secondary(node, c).transpose();
   }
   return rows;
 }

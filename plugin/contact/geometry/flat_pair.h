@@ -76,17 +76,28 @@ FlatVariation traction_residual(const FlatPair& pair, const Vector3d& traction);
 /// The flows at the nodes of fluxes q_c of the primary nodes, times a time increment: sum w |a| q h.
 FlatNodes flux_residual(const FlatPair& pair, const Vector3d& flux);
 
-/// What the derivative of these flows with the positions, the fluxes held, is made of: Q1_b |a| at a primary node and
-/// -Q2_b |a| at a secondary one, where Q1_b = sum w q N1_b, Q2_b = sum w q N2_b.
+/// Sums of loads l_c of the primary nodes over the points, which forces and flows at the nodes are made of, with their
+/// derivatives.
+struct FlatSums {
+  Vector3d primary;    ///< S1_b = sum w l N1_b
+  Vector3d secondary;  ///< S2_b = sum w l N2_b
+  Vector3d normal;     ///< n1
+  // dS2_b = p_b.(sum_c S1_c dx1_c - sum_c S2_c dx2_c) - sum_c t_bc n1.dx1_c
+  Eigen::Matrix3d with_place;  ///< columns p_b = N2_b,beta T_beta
+  Eigen::Matrix3d with_tilt;   ///< t_bc = N2_b,beta k_c,beta sum w l g
+
+  /// dS2_b/dx1_c
+  Vector3d with_primary(Index b, Index c) const { return primary[c] * with_place.col(b) - with_tilt(b, c) * normal; }
+  /// dS2_b/dx2_c
+  Vector3d with_secondary(Index b, Index c) const { return -secondary[c] * with_place.col(b); }
+};
+
+/// What the derivative of these flows with the positions, the fluxes held, is made of: S1_b |a| at a primary node and
+/// -S2_b |a| at a secondary one.
 struct FlatFlows {
-  Vector3d primary;           ///< Q1_b
-  Vector3d secondary;         ///< Q2_b
+  FlatSums fluxes;
   double area;                ///< |a|
-  Vector3d normal;            ///< n1
   Eigen::Matrix3d with_area;  ///< columns m_b, as FlatVariations::area
-  // dQ2_b as dR2_b of FlatForces
-  Eigen::Matrix3d with_place;
-  Eigen::Matrix3d with_tilt;
 };
 
 FlatFlows flat_flows(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux);
@@ -101,17 +112,12 @@ Eigen::Matrix<double, 1, 18> secondary_rows(const FlatFlows& flows, Index node);
 /// All rows, one per node.
 Eigen::Matrix<double, 6, 18> flux_tangent(const FlatFlows& flows);
 
-/// What the derivative of these forces, (2.6), the tractions held, is made of: R1_b a at a primary node and -R2_b a at
-/// a secondary one, where R1_b = sum w t_n N1_b, R2_b = sum w t_n N2_b.
+/// What the derivative of these forces, (2.6), the tractions held, is made of: S1_b a at a primary node and -S2_b a at
+/// a secondary one.
 struct FlatForces {
-  Vector3d primary;             ///< R1_b
-  Vector3d secondary;           ///< R2_b
+  FlatSums tractions;
   Vector3d area_vector;         ///< a
-  Vector3d normal;              ///< n1
   Eigen::Matrix3d with_normal;  ///< columns w_b, as FlatVariations::area_vector
-  // dR2_b = p_b.(sum_c R1_c dx1_c - sum_c R2_c dx2_c) - sum_c l_bc n1.dx1_c
-  Eigen::Matrix3d with_place;  ///< columns p_b = N2_b,beta T_beta
-  Eigen::Matrix3d with_tilt;   ///< l_bc = N2_b,beta k_c,beta sum w t_n g
 };
 
 FlatForces flat_forces(const FlatPair& pair, const FlatVariations& vary, const Vector3d& traction);

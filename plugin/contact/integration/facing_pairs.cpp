@@ -19,6 +19,16 @@ bool is_same_place(const Matrix3Xd& one, const Matrix3Xd& other) {
   return ((one - other).array().abs() <= rounding).all();
 }
 
+/// Per pair the place of its first point among those of the pairs that `counts` tells; behind them all, how many there
+/// are.
+template <class Counts>
+IndexedVector<Index> first_points(const IndexedVector<FacetPair>& pairs, const Counts& counts) {
+  IndexedVector<Index> places(1, 0);
+  places.reserve(pairs.size() + 1);
+  for (const FacetPair& pair : pairs) places.push_back(places.back() + (counts(pair) ? pair.points : 0));
+  return places;
+}
+
 }  // namespace
 
 FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
@@ -60,24 +70,12 @@ void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
   } else {
     found_ = std::move(found);
   }
-  make_room();
-  evaluate_all(x);
-}
-
-void FacingPairs::make_room() {
-  Index kept = 0;
-  bool has_flat = false;
-  first_kept_.clear();
-  for (const FacetPair& pair : pairs()) {
-    first_kept_.push_back(kept);
-    if (has_moments(pair)) {
-      has_flat = true;
-    } else {
-      kept += pair.points;
-    }
-  }
+  first_kept_ = first_points(pairs(), [&](const FacetPair& pair) { return !has_moments(pair); });
+  const Index kept = first_kept_.back();
   if (kinematics_.count() < kept) kinematics_.resize(indexing::entries(kept));
+  const bool has_flat = kept < found_.points().count();
   if (has_flat && flat_.count() < pairs().count()) flat_.resize(pairs().size());
+  evaluate_all(x);
 }
 
 void FacingPairs::evaluate_all(const FacingPositions& x) {

@@ -83,7 +83,6 @@ class FacingPairs {
 
  private:
   void keep(FacetPairs found, const FacingPositions& x);
-  void make_room();
   bool has_moments(const FacetPair& pair) const {
     return pair.unbroken && effects_.traction && !effects_.has_friction();
   }
@@ -97,7 +96,7 @@ class FacingPairs {
   FacetPairs found_;
   IndexedVector<PointKinematics>
       kinematics_;                   ///< of points of pairs that are not flat, and what serves the next search
-  IndexedVector<Index> first_kept_;  ///< per pair: of its points, among those
+  IndexedVector<Index> first_kept_;  ///< per pair the place of its first point among those
   IndexedVector<FlatPair> flat_;     ///< per pair, of those that are
   std::optional<NodeFlags> restriction_;
   double radius_ = 0;  ///< of the last search [mm]
