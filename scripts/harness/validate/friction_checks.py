@@ -87,7 +87,7 @@ def augmented_stick(runner: Runner, kind: Kind) -> list[Measure]:
     """The same with the augmented Lagrangian to 1e-9."""
     extra = (Param("fric_coeff", sheared_blocks.FRICTION),)
     settings = ContactSettings(laugon="AUGLAG", tolerance=1e-9, maxaug=50, extra=extra)
-    split, reference = sheared_pair(runner, kind, settings, newton=1e-12)
+    split, reference = sheared_pair(runner, kind, settings, newton=1e-11)
     note = f"{split.report.augmentations} augmentations"
     return [Measure(f"Stick, {kind.value}, AUGLAG", displaced(split, reference), AUGMENTED_BAR, note=note)]
 
