@@ -1,7 +1,7 @@
 #include "assembly.h"
 
 #include "columns_beside.h"
-#include "contact/base/parallel.h"
+#include "contact/base/in_order.h"
 #include "contact/interface/corrections.h"
 #include "contact/interface/residual_ahead.h"
 #include "host/mixed_form.h"
@@ -68,16 +68,15 @@ class GatheredOnce {
 void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const {
   const ContactInterface& core = contact_.core();
   const NodeEquations equations(dofs_, surfaces_, core);
-  ContactInterface::UseRow use_rows;
+  ContactInterface::UseRows use_rows;
   if (takes_rows_)
-    use_rows = [&](Side first, const TangentBlock& row) {
-      Patch rows = row.rows;
-      const bool is_rigid = equations.are_rigid({first, rows});
-      rows.displacements = rows.displacements || is_rigid;  // FEBio couples a body by all that its nodes have
-      const std::vector<int> own = equations.coupled({first, rows});
-      const std::vector<int> others = equations.coupled({first, in_matrix(equations, first, row)});
-      use_row(own, others);
-      if (is_rigid || equations.are_rigid({first, row.columns})) use_row(others, own);  // and both ways
+    use_rows = [&](Side first, const IndexedVector<TangentBlock>& rows) {
+      in_order(
+          rows.count(), [&](Index n) { return coupled_row(equations, first, rows[n]); },
+          [&](Index /*n*/, const CoupledRow& row) {
+            use_row(row.own, row.others);
+            if (row.both_ways) use_row(row.others, row.own);
+          });
     };
   core.for_each_coupling([&](const Location& place) { use_block(equations.coupled(place)); },
                          [&](Side first, const LoadPlace& load) {
@@ -90,6 +89,14 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
                            }
                          },
                          use_rows);
+}
+
+Assembly::CoupledRow Assembly::coupled_row(const NodeEquations& equations, Side first, const TangentBlock& row) const {
+  Patch rows = row.rows;
+  const bool is_rigid = equations.are_rigid({first, rows});
+  rows.displacements = rows.displacements || is_rigid;  // FEBio couples a body by all that its nodes have, both ways
+  return {equations.coupled({first, rows}), equations.coupled({first, in_matrix(equations, first, row)}),
+          is_rigid || equations.are_rigid({first, row.columns})};
 }
 
 Fingerprint Assembly::couplings() const {

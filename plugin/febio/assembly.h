@@ -68,6 +68,14 @@ class Assembly {
   /// With the equations of a node, and those of what it depends on.
   using UseRow = std::function<void(const std::vector<int>& own, const std::vector<int>& others)>;
   void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const;
+  /// What a row of the tangent couples.
+  struct CoupledRow {
+    std::vector<int> own;     ///< equations of the node
+    std::vector<int> others;  ///< those that the matrix has in its rows
+    bool both_ways = false;   ///< whether those have its equations in their rows, too
+  };
+  CoupledRow coupled_row(const NodeEquations& equations, mixture_contact::Side first,
+                         const mixture_contact::TangentBlock& row) const;
   Fingerprint couplings() const;
   /// That a load follows what it depends on, which the matrix does not have.
   newton::Condition condition_of(const NodeEquations& equations, mixture_contact::Side first,

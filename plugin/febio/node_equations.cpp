@@ -1,5 +1,6 @@
 #include "node_equations.h"
 
+#include "contact/base/parallel.h"
 #include "contact/interface/multipliers.h"
 #include "newton/solver.h"
 
@@ -32,16 +33,16 @@ NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side
   std::vector<int> field_dofs;
   for (int k = 0; k < fields; ++k) field_dofs.push_back(dofs_.field(side, core_.effects(), k));
   const int count = surface.Nodes();
-  Surface found{&surface, NodeFlags(count, false), Eigen::MatrixXi(Surface::displacements + fields, count)};
-  for (int i = 0; i < count; ++i) {
-    const FENode& node = surface.Node(i);
-    found.is_rigid[i] = node.m_rid >= 0;
+  Surface found{&surface, IndexedVector<int>(count), Eigen::MatrixXi(Surface::displacements + fields, count)};
+  in_parallel(count, [&](Index i) {
+    const FENode& node = surface.Node(indexing::as_int(i));
+    found.body[i] = node.m_rid;
     const std::array<int, 3> displacements = equations_at(node, dofs_.displacements(side, node));
     std::copy(displacements.begin(), displacements.end(), found.equations.col(i).begin());
     for (int k = 0; k < fields; ++k)
       found.equations(Surface::displacements + k, i) = mixture_contact::at(node.m_ID,
                                                                            mixture_contact::at(field_dofs, k));
-  }
+  });
   return found;
 }
 
@@ -90,7 +91,7 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
   std::vector<int> ids = equations(at);
   if (at.patch.displacements) {
     for_each_node(at, [&](const Surface& surface, int node) {
-      if (!surface.is_rigid[node]) return;
+      if (!surface.is_rigid(node)) return;
       const std::array<int, 3> rotations = equations_at(surface.febio->Node(node), dofs_.rotations());
       ids.insert(ids.end(), rotations.begin(), rotations.end());
     });
@@ -101,7 +102,7 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
 
 std::vector<int> NodeEquations::unknowns(Side surface, int node) const {
   std::vector<int> found;
-  if (of_[surface].is_rigid[node]) return found;
+  if (of_[surface].is_rigid(node)) return found;
   const std::vector<int>& all = of_[surface].febio->Node(node).m_ID;
   std::copy_if(all.begin(), all.end(), std::back_inserter(found), [](int id) { return id >= 0; });
   return found;
@@ -118,15 +119,19 @@ PerSide<Matrix3Xd> NodeEquations::displacements(const std::vector<double>& incre
 
 bool NodeEquations::is_rigid(const Location& at, Index n) const {
   const Side side = n < at.patch.primary.count() ? at.first : other(at.first);
-  return of_[side].is_rigid[at.patch.node(n)];
+  return of_[side].is_rigid(at.patch.node(n));
 }
 
 PerSide<NodeFlags> NodeEquations::rigid() const {
-  return {{of_[Side::primary].is_rigid, of_[Side::secondary].is_rigid}};
+  PerSide<NodeFlags> found;
+  for (const Side side : both_sides) {
+    for (const int body : of_[side].body) found[side].push_back(body >= 0);
+  }
+  return found;
 }
 
 bool NodeEquations::are_rigid(const Location& at) const {
   bool found = false;
-  for_each_node(at, [&](const Surface& surface, int node) { found = found || surface.is_rigid[node]; });
+  for_each_node(at, [&](const Surface& surface, int node) { found = found || surface.is_rigid(node); });
   return found;
 }

@@ -36,9 +36,10 @@ class NodeEquations {
   /// Of one surface.
   struct Surface {
     FEMixtureSurface* febio = nullptr;
-    mixture_contact::NodeFlags is_rigid;
-    Eigen::MatrixXi equations;  ///< shape (displacements and fields, nodes)
+    mixture_contact::IndexedVector<int> body;  ///< the rigid one that each node belongs to; negative for none
+    Eigen::MatrixXi equations;                 ///< shape (displacements and fields, nodes)
 
+    bool is_rigid(int node) const { return body[node] >= 0; }
     int mesh_node(int node) const { return febio->NodeIndex(node); }
     int displacement(int node, mixture_contact::Index i) const { return equations(i, node); }
     int field(int node, int field) const { return equations(displacements + field, node); }

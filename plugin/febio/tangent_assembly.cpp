@@ -271,9 +271,10 @@ void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& 
     if (!load.place.field) unknown_tractions_.push_back({rows.first, load.place.node, own, mixed.load});
     return;
   }
-  // Their increments stand on the right-hand side as they do without mixed form: norms of residuals begin with it.
-  assemble(load.rows, element_matrix(load.rows, load.place.columns, equations_.nodes(columns), ids.rows,
-                                     prescribed_alone(ids.columns), load.product().values));
+  // Their increments stand on the right-hand side as they do without mixed form: norms of residuals begin with it. In
+  // the matrix they have no entries that would come after those kept.
+  system_.Assemble(element_matrix(load.rows, load.place.columns, equations_.nodes(columns), ids.rows,
+                                  prescribed_alone(ids.columns), load.product().values));
 }
 
 void TangentAssembly::finish(TaskClock& timed) {

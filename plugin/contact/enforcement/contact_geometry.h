@@ -17,7 +17,7 @@ struct TangentParts {
 struct Couplings {
   UsePatch patch;
   UseLoad load;  ///< what couples through a load alone, where tangents consist of load blocks; empty: all are patches
-  UseRow row;    ///< what couples by geometric parts that are held; empty: all are patches
+  UseRows rows;  ///< what couples by geometric parts that are held; empty: all are patches
 };
 
 class HeldLinearisation;

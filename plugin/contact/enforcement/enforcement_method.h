@@ -16,7 +16,8 @@ using AddRows = std::function<void(const IndexedVector<TangentBlock>&, double fa
 using UsePatch = std::function<void(const Patch&)>;
 using AddLoadBlock = std::function<void(const LoadBlock&)>;
 using UseLoad = std::function<void(const LoadPlace&)>;
-using UseRow = std::function<void(const TangentBlock&)>;
+/// Blocks of one effect, each with the rows of one node.
+using UseRows = std::function<void(const IndexedVector<TangentBlock>&)>;
 
 /// Of the loads at a node, and of its equations: the sum of all its parts.
 struct NodeTangent {

@@ -279,9 +279,9 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
     for_each_node_patch(space_, in_contact, use_around);
   }
   // The change of the geometry couples the nodes of a pair also where no load at a node does.
-  if (geometric_ && use.row) {
-    for (const NodeRows& flux : geometric_->fluxes) std::for_each(flux.begin(), flux.end(), use.row);
-    return void(std::for_each(geometric_->tractions.begin(), geometric_->tractions.end(), use.row));
+  if (geometric_ && use.rows) {
+    std::for_each(geometric_->fluxes.begin(), geometric_->fluxes.end(), use.rows);
+    return use.rows(geometric_->tractions);
   }
   const bool all_pairs = space_.has_unknown_multipliers() || takes_loads(method_, use);
   for (const FacetPair& pair : space_.facing().pairs()) {

@@ -3,6 +3,7 @@
 #include "base/in_order.h"
 #include "base/local_memory.h"
 #include "geometry/quadrature.h"
+#include "integration/circle.h"
 #include "integration/polygon_quadrature.h"
 #include "integration/view.h"
 
@@ -169,32 +170,10 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
   return motion;
 }
 
-/// Half the size of a facet: the largest distance of a node from a point.
-double radius_around(const FacetCoordinates& x, const Vector3d& centre) {
-  return (x.colwise() - centre).colwise().norm().maxCoeff();
-}
-
-/// A circle around a facet or a part of it: what does not meet it does not meet the part.
-struct Circle {
-  Vector3d centre{0, 0, 0};
-  double radius = 0;
-};
-
-Circle circle_around(const FacetCoordinates& x) {
-  const Vector3d centre = x.rowwise().mean();
-  return {centre, radius_around(x, centre)};
-}
-
-Circle circle_around(const PlacedFacet& facet, const Corners& piece) {
+Circle circle_of(const PlacedFacet& facet, const Corners& piece) {
   FacetCoordinates corners(3, number_of(piece));
   for (int a = 0; a < number_of(piece); ++a) corners.col(a) = corner(facet, piece, a);
   return circle_around(corners);
-}
-
-/// Whether two circles are apart, seen along n, by more than rounding.
-bool are_apart(const Circle& one, const Circle& two, const Vector3d& n) {
-  const double reach = (1 + 1e-6) * (one.radius + two.radius);
-  return (two.centre - one.centre).cross(n).squaredNorm() > reach * reach;
 }
 
 /// A linear piece of the primary facet as it is seen, which others are clipped against.
@@ -220,7 +199,7 @@ Pieces<Number> pieces_of(const PlacedFacet& facet, std::pmr::memory_resource* me
     Polygon<Number> polygon = seen<Number>(view, facet, part.nodes, 0, memory);
     const double area = twice_area(polygon);
     const Alignment<Number> aligned = alignment(polygon);
-    pieces.push_back({part, view, circle_around(facet, part.nodes), std::move(polygon), area, aligned});
+    pieces.push_back({part, view, circle_of(facet, part.nodes), std::move(polygon), area, aligned});
   }
   return pieces;
 }
@@ -229,14 +208,6 @@ Pieces<Number> pieces_of(const PlacedFacet& facet, std::pmr::memory_resource* me
 template <class Number>
 constexpr std::size_t bytes_of_pieces = max_pieces * (sizeof(Piece<Number>) +
                                                       max_piece_corners * sizeof(Place<Number>) + sizeof(ViewTilt));
-
-/// Circles around each of these facets.
-IndexedVector<Circle> circles_around(const IndexedVector<Facet>& facets, const Matrix3Xd& x) {
-  IndexedVector<Circle> circles(facets.count());
-  in_parallel(facets.count(),
-              [&](Index index) { circles[index] = circle_around(facet_coordinates(facets[index], x)); });
-  return circles;
-}
 
 /// The overlap of a piece with a part of another facet; fewer than three corners where there is none.
 template <class Number>
@@ -469,7 +440,8 @@ std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Ma
   return found;
 }
 
-bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                        const IndexedVector<Circle>& circles) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const IntegrationPoint& point = heaviest(all.points(pair));
@@ -477,6 +449,7 @@ bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const Matr
   const Vector3d paired = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value;
   return std::any_of(all.pairs().begin(), all.pairs().end(), [&](const FacetPair& rival) {
     const Facet& facet = secondary_[rival.secondary];
+    if (is_flat(facet.type) && is_passed(circles[rival.secondary], ray.origin, ray.direction)) return false;
     if (share_a_node(facet, two)) return false;
     const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
     return hit && std::abs(hit->gap) < (paired - ray.origin).norm();
@@ -507,7 +480,7 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double rad
     const SampledFacet one = sampled(primary_[facet], x1, memory.resource());
     for (const int other : others) add_near(facet, other, one, near);
     // All are judged, whichever are hidden: what is hidden hides others, too.
-    const auto is_hidden = [&](const FacetPair& pair) { return occluded(pair, near, x1, x2); };
+    const auto is_hidden = [&](const FacetPair& pair) { return occluded(pair, near, x1, x2, circles); };
     if (std::any_of(near.pairs().begin(), near.pairs().end(), is_hidden)) {
       visible.clear();
       for (const FacetPair& pair : near.pairs()) {

@@ -14,6 +14,8 @@
 
 namespace mixture_contact {
 
+struct Circle;
+
 /// Order of the rule on the pieces where the user gives none: 2 where the shape functions of both facets have no term
 /// beyond the second degree (tri3, tri6, quad4), else 3. With it a uniform load is exact on flat triangles and
 /// parallelograms; psi times an affine gap with 4.
@@ -49,8 +51,9 @@ class Segments : public PointFinder {
   bool within_reach(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
                     double radius) const;
   bool opposed(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
-  /// Whether another one of the pairs of its primary facet lies nearer.
-  bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// Whether another one of the pairs of its primary facet lies nearer; `circles`: around secondary facets.
+  bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                const IndexedVector<Circle>& circles) const;
   int order(const Facing& facing) const;
   /// Whether the rule for a pair is exact: both facets are flat, and what is integrated is of the second degree.
   bool is_exact(const FacetPair& pair) const;

@@ -219,15 +219,17 @@ void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, 
 }
 
 void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load,
-                                         const UseRow& use_row) const {
+                                         const UseRows& use_rows) const {
   TaskClock timed = measurements_.clock(Task::stiffness);
   for (const SidedPass& pass : passes_) {
     Couplings couplings;
     couplings.patch = [&](const Patch& patch) { timed.in_host(patch, [&] { use({pass.side, patch}); }); };
     if (use_load)
       couplings.load = [&](const LoadPlace& load) { timed.in_host(load.columns, [&] { use_load(pass.side, load); }); };
-    if (use_row)
-      couplings.row = [&](const TangentBlock& row) { timed.in_host(row.rows, [&] { use_row(pass.side, row); }); };
+    if (use_rows)
+      couplings.rows = [&](const IndexedVector<TangentBlock>& rows) {
+        if (!rows.empty()) timed.in_host(rows.front().rows, [&] { use_rows(pass.side, rows); });
+      };
     pass.integral->for_each_coupling(couplings);
   }
 }

@@ -24,7 +24,7 @@ class ContactInterface {
   using AddLoadTangent = std::function<void(Side first, const LoadBlock&)>;
   using UseLocation = std::function<void(const Location&)>;
   using UseLoadPlace = std::function<void(Side first, const LoadPlace&)>;
-  using UseRow = std::function<void(Side first, const TangentBlock&)>;
+  using UseRows = std::function<void(Side first, const IndexedVector<TangentBlock>&)>;
 
   /// Throws std::invalid_argument for two passes with unknown multipliers: twice as many conditions as can be met.
   ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings);
@@ -62,8 +62,8 @@ class ContactInterface {
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
                const AddLoadTangent& add_load = {}, const AddRows& add_rows = {}) const;
   /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`, and
-  /// those of rows by way of `use_row`.
-  void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}, const UseRow& use_row = {}) const;
+  /// those of rows by way of `use_rows`.
+  void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}, const UseRows& use_rows = {}) const;
 
   /// Takes a state over as that which the next step begins with: its tractions, which nodes are flux-coupled, and with
   /// friction the positions that slips are measured from; then iterations end with it, too. The step took dt [s].

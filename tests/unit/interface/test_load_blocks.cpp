@@ -193,9 +193,12 @@ BOOST_AUTO_TEST_CASE(couplings_hold_what_rows_and_the_rest_fill) {
     const RowsAndRest parts = rows_and_rest(scene, *contact);
     const GlobalLayout layout(scene);
     std::set<Entry> coupled;
-    contact->for_each_coupling(
-        [&](const Location& at) { insert(coupled, layout, at, at); }, [](Side /*first*/, const LoadPlace& /*load*/) {},
-        [&](Side first, const TangentBlock& row) { insert(coupled, layout, {first, row.rows}, {first, row.columns}); });
+    contact->for_each_coupling([&](const Location& at) { insert(coupled, layout, at, at); },
+                               [](Side /*first*/, const LoadPlace& /*load*/) {},
+                               [&](Side first, const IndexedVector<TangentBlock>& rows) {
+                                 for (const TangentBlock& row : rows)
+                                   insert(coupled, layout, {first, row.rows}, {first, row.columns});
+                               });
     BOOST_TEST((parts.rows > 0) == scene.effects.traction);
     BOOST_TEST(std::includes(coupled.begin(), coupled.end(), parts.by_rows.begin(), parts.by_rows.end()));
   }
