@@ -1,5 +1,7 @@
 #include "geometry/projection.h"
 
+#include "geometry/circle.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -73,8 +75,7 @@ bool passes_by(FacetType type, const FacetCoordinates& x, const Vector3d& origin
   const std::optional<ControlNet> net = control_net(type, x, tolerance);
   if (!net) return false;
   const Vector3d centre = net->points.rowwise().mean();
-  const double reach = (1 + 1e-6) * net->most * (net->points.colwise() - centre).colwise().norm().maxCoeff();
-  return (centre - origin).cross(direction).norm() > reach;
+  return is_passed({centre, net->most * radius_around(net->points, centre)}, origin, direction);
 }
 
 /// Whether the facet's normals at all nodes are on one side of a direction. A line along it then meets the facet at

@@ -2,8 +2,8 @@
 
 #include "base/in_order.h"
 #include "base/local_memory.h"
+#include "geometry/circle.h"
 #include "geometry/quadrature.h"
-#include "integration/circle.h"
 #include "integration/polygon_quadrature.h"
 #include "integration/view.h"
 

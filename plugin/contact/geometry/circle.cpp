@@ -1,4 +1,4 @@
-#include "integration/circle.h"
+#include "geometry/circle.h"
 
 #include "base/parallel.h"
 

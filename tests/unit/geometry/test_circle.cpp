@@ -1,4 +1,4 @@
-#include "contact/integration/circle.h"
+#include "contact/geometry/circle.h"
 
 #include "contact/geometry/projection.h"
 #include "surfaces.h"
