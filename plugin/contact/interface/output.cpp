@@ -1,86 +1,28 @@
 #include "interface/output.h"
 
-#include <iterator>
-#include <numeric>
-#include <utility>
+#include "interface/output_sums.h"
 
 namespace mixture_contact {
 namespace {
 
-/// Area of a point in contact, shared among the nodes of its facet on the surface that is integrated over, or on the
-/// other [mm^2].
-FacetVector area_of_nodes(const PointContact& contact, bool integrated) {
-  const PointKinematics& point = contact.kinematics;
-  const FacetVector shape = (integrated ? point.primary_shape : point.secondary_shape).cwiseAbs();
-  return contact.loads.weight * point.area / shape.sum() * shape;
-}
-
 VectorXd inverse_or_zero(const VectorXd& values) { return (values.array() > 0).select(values.array().inverse(), 0.0); }
-
-/// The facet of one side that a point lies on, or faces; `integrated`: whether its pass integrates over that side.
-const Facet& facet_at(const PointContact& contact, const SurfaceMesh& mesh, bool integrated) {
-  return mesh.facets[integrated ? contact.pair->primary : contact.pair->secondary];
-}
 
 /// Area in contact that belongs to each node of a side, given that of each pass: two full passes cover the same area,
 /// each with the errors of its own integration; a restricted pass covers what the first one leaves, and its edge.
-VectorXd tributary_area_of(const std::vector<VectorXd>& areas, bool two_pass) {
-  const VectorXd& first = areas.front();
-  const VectorXd& second = areas.back();  // the same where there is one pass
+VectorXd tributary_area_of(const VectorXd& first, const VectorXd& second, bool two_pass) {
   if (!two_pass) return first.cwiseMax(second);
   const auto both = first.array() > 0 && second.array() > 0;
   return both.select(0.5 * (first + second), first + second);
 }
 
-/// Adds what a point says about the nodes of its facet on one side, weighted with their shares of its area.
-void add_point(const PointContact& contact, const Facet& facet, const FacetVector& shares, double sign,
-               NodalOutput& out) {
-  const PairVector h = contact.kinematics.jump_weights();
-  for (Index a = 0; a < shares.size(); ++a) {
-    const int node = facet.node(a);
-    out.gap[node] += shares[a] * contact.kinematics.gap;
-    out.pressure[node] -= shares[a] * contact.loads.traction.value;
-    for (Index k = 0; k < contact.fields.count(); ++k) {
-      out.flux(contact.fields[k], node) += sign * shares[a] * contact.loads.flux[k].value;
-      out.jump(contact.fields[k], node) += sign * shares[a] * h.dot(contact.values.col(k));
-    }
-  }
-}
-
-void set_zero(FrictionOutput& out, Index nodes) {
-  out.traction = out.slip = Matrix3Xd::Zero(3, nodes);
-  out.bound = out.fluid = out.status = VectorXd::Zero(nodes);
-}
-
-/// Sums up, as add_point() does, friction and how much of the contact slides; `share` of each node.
-void add_sliding(const PointContact& contact, const Facet& primary, const SlidingNodes& nodes, const Facet& facet,
-                 const FacetVector& shares, double sign, FrictionOutput& out) {
-  const Vector3d slip = sign * facet_coordinates(primary, nodes.slip) * contact.psi;
-  const double bound = contact.psi.dot(facet_values(primary, nodes.bound));
-  const double fluid = contact.psi.dot(facet_values(primary, nodes.fluid));
-  const double slips = contact.psi.dot(facet_values(primary, nodes.slips));
-  for (Index a = 0; a < shares.size(); ++a) {
-    const int node = facet.node(a);
-    out.traction.col(node) += sign * shares[a] * contact.loads.friction;
-    out.slip.col(node) += shares[a] * slip;
-    out.bound[node] += shares[a] * bound;
-    out.fluid[node] += shares[a] * fluid;
-    out.status[node] += shares[a] * slips;
-  }
-}
-
-/// Divides what has been summed up by areas; `per_area`: of loads, as divide_by_areas() has it. A node slides where
-/// more than half of the contact around it does.
-void divide_by_areas(FrictionOutput& out, const VectorXd& areas, const VectorXd& per_area) {
-  const VectorXd mean = inverse_or_zero(areas);
-  out.traction = out.traction * per_area.asDiagonal();
-  out.slip = out.slip * mean.asDiagonal();
-  out.bound.array() *= per_area.array();
-  out.fluid.array() *= mean.array();
+/// A node slides where more than half of the contact around it does.
+VectorXd status_of(const VectorXd& slips, const VectorXd& areas) {
+  VectorXd status(areas.size());
   for (Index node = 0; node < areas.size(); ++node) {
-    const Sliding sliding = out.status[node] > 0.5 * areas[node] ? Sliding::slips : Sliding::sticks;
-    out.status[node] = static_cast<double>(areas[node] > 0 ? sliding : Sliding::open);
+    const Sliding sliding = slips[node] > 0.5 * areas[node] ? Sliding::slips : Sliding::sticks;
+    status[node] = static_cast<double>(areas[node] > 0 ? sliding : Sliding::open);
   }
+  return status;
 }
 
 /// Nodes of the surface that a pass integrates over have a status of their own.
@@ -91,134 +33,86 @@ void take_status(const SlidingNodes& nodes, FrictionOutput& out) {
   }
 }
 
-/// Divides what has been summed up by the areas that it has been weighted with. Gaps are those of the surfaces,
-/// whatever the offset at which they touch.
-void divide_by_areas(NodalOutput& out, const VectorXd& of_all_passes, double offset) {
-  const VectorXd mean = inverse_or_zero(of_all_passes);
-  out.gap = (of_all_passes.array() > 0).select(out.gap.array() * mean.array() - offset, 0.0);
-  out.jump = out.jump * mean.asDiagonal();
-  // Passes that cover the same area share its load: each integrates a part of it.
-  const VectorXd per_area = inverse_or_zero(out.tributary_area);
-  out.pressure.array() *= per_area.array();
-  out.flux = out.flux * per_area.asDiagonal();
-}
-
-NodalOutput zero_output(const ContactInterface& contact, Side side) {
-  const Index nodes = contact.mesh(side).nodes;
-  const VectorXd none = VectorXd::Zero(nodes);
-  const MatrixXd no_fields = MatrixXd::Zero(contact.effects().scalar_fields(), nodes);
-  NodalOutput out{none, none, no_fields, no_fields, none, {}};
-  if (contact.effects().has_friction()) set_zero(out.friction, nodes);
-  return out;
-}
-
-/// Of each pass; none without friction.
-std::vector<SlidingNodes> sliding_nodes(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
-  std::vector<SlidingNodes> nodes;
-  for (std::size_t pass = 0; contact.effects().has_friction() && pass < contact.passes(); ++pass)
-    nodes.push_back(sliding_nodes(contact.pass(pass), seen_from(both_sides.at(pass), fields)));
-  return nodes;
-}
-
-/// What all points of all passes say, each of them asked once.
-class OutputSums {
+/// What passes say of a surface.
+class SideSums {
  public:
-  OutputSums(const ContactInterface& contact, const PerSide<SurfaceFields>& fields)
-      : contact_(contact), sliding_(sliding_nodes(contact, fields)) {
-    out_.balance.flow = VectorXd::Zero(contact.effects().scalar_fields());
-    for (const Side side : both_sides) {
-      out_.nodes[side] = zero_output(contact, side);
-      areas_[side].assign(contact.passes(), VectorXd::Zero(contact.mesh(side).nodes));
+  SideSums(const ContactInterface& contact, Side side, const std::vector<OutputSums>& passes)
+      : rows_(contact.effects()), sums_(MatrixXd::Zero(rows_.count(), contact.mesh(side).nodes)) {
+    std::vector<VectorXd> areas;
+    for (std::size_t pass = 0; pass < passes.size(); ++pass) {
+      const bool is_integrated = both_sides.at(pass) == side;
+      const MatrixXd& of_pass = is_integrated ? passes[pass].integrated : passes[pass].facing;
+      areas.emplace_back(of_pass.row(OutputRows::area));
+      sums_.topRows(rows_.turning()) += of_pass.topRows(rows_.turning());
+      const Index turned = rows_.count() - rows_.turning();
+      sums_.bottomRows(turned) += (is_integrated ? 1.0 : -1.0) * of_pass.bottomRows(turned);
     }
+    tributary_area_ = tributary_area_of(areas.front(), areas.back(), contact.settings().two_pass);
   }
 
-  void add(std::size_t pass, const PointContact& point) {
-    const Side integrated = both_sides.at(pass);
-    add_balance(point, integrated == Side::primary ? 1.0 : -1.0);
-    for (const Side side : both_sides) add_nodes(side, pass, point, integrated == side);
+  VectorXd flow() const { return sums_.middleRows(rows_.flux(), rows_.fields()).rowwise().sum(); }
+  Vector3d friction() const {
+    return rows_.has_friction() ? Vector3d(sums_.middleRows<3>(rows_.traction()).rowwise().sum()) : Vector3d::Zero();
   }
 
-  InterfaceOutput divided() {
-    const bool two_pass = contact_.settings().two_pass;
-    for (const Side side : both_sides) {
-      NodalOutput& out = out_.nodes[side];
-      const std::vector<VectorXd>& areas = areas_[side];
-      out.tributary_area = tributary_area_of(areas, two_pass);
-      const VectorXd of_all_passes = std::accumulate(std::next(areas.begin()), areas.end(), areas.front());
-      divide_by_areas(out, of_all_passes, contact_.pass(0).space().offset());
-      if (sliding_.empty()) continue;
-      divide_by_areas(out.friction, of_all_passes, inverse_or_zero(out.tributary_area));
-      if (static_cast<int>(side) < number_of(sliding_)) take_status(at(sliding_, side), out.friction);
-    }
-    out_.balance.area = out_.nodes[Side::primary].tributary_area.sum();
-    out_.balance.force += out_.balance.friction;
-    for (const SlidingNodes& nodes : sliding_) out_.balance.dissipation += nodes.dissipation;
-    return std::move(out_);
+  /// Divides the sums by the areas that they are weighted with. Gaps are those of the surfaces, whatever the offset at
+  /// which they touch. Passes that cover the same area share its load: each integrates a part of it.
+  NodalOutput divided(double offset) const {
+    const VectorXd areas = sums_.row(OutputRows::area);
+    const VectorXd mean = inverse_or_zero(areas);
+    const VectorXd per_area = inverse_or_zero(tributary_area_);
+    NodalOutput out;
+    out.gap = (areas.array() > 0).select(mean.array() * row(OutputRows::gap).array() - offset, 0.0);
+    out.pressure = per_area.cwiseProduct(row(OutputRows::pressure));
+    out.flux = sums_.middleRows(rows_.flux(), rows_.fields()) * per_area.asDiagonal();
+    out.jump = sums_.middleRows(rows_.jump(), rows_.fields()) * mean.asDiagonal();
+    out.tributary_area = tributary_area_;
+    if (!rows_.has_friction()) return out;
+    out.friction.traction = sums_.middleRows<3>(rows_.traction()) * per_area.asDiagonal();
+    out.friction.slip = sums_.middleRows<3>(rows_.slip()) * mean.asDiagonal();
+    out.friction.bound = per_area.cwiseProduct(row(OutputRows::bound));
+    out.friction.fluid = mean.cwiseProduct(row(OutputRows::fluid));
+    out.friction.status = status_of(row(OutputRows::slips), areas);
+    return out;
   }
 
  private:
-  /// `sign`: 1 where the pass integrates over the primary surface, else -1.
-  void add_balance(const PointContact& point, double sign) {
-    Balance& balance = out_.balance;
-    const double weight = point.loads.weight;
-    balance.force += sign * weight * point.loads.traction.value * point.kinematics.area_vector;
-    for (Index k = 0; k < point.fields.count(); ++k)
-      balance.flow[point.fields[k]] += sign * weight * point.kinematics.area * point.loads.flux[k].value;
-    if (!sliding_.empty()) balance.friction += sign * weight * point.kinematics.area * point.loads.friction;
-  }
+  VectorXd row(Index number) const { return sums_.row(number); }
 
-  void add_nodes(Side side, std::size_t pass, const PointContact& point, bool integrated) {
-    const Facet& facet = facet_at(point, contact_.mesh(side), integrated);
-    const FacetVector shares = area_of_nodes(point, integrated);
-    VectorXd& area = at(areas_[side], pass);
-    for (Index a = 0; a < shares.size(); ++a) area[facet.node(a)] += shares[a];
-    const double sign = integrated ? 1.0 : -1.0;
-    add_point(point, facet, shares, sign, out_.nodes[side]);
-    if (sliding_.empty()) return;
-    const Facet& primary = contact_.pass(pass).space().facing().primary_facet(*point.pair);
-    add_sliding(point, primary, at(sliding_, pass), facet, shares, sign, out_.nodes[side].friction);
-  }
-
-  const ContactInterface& contact_;
-  std::vector<SlidingNodes> sliding_;  ///< of each pass; none without friction
-  InterfaceOutput out_;
-  PerSide<std::vector<VectorXd>> areas_;  ///< of each pass, per node
+  OutputRows rows_;
+  MatrixXd sums_;  ///< as this surface has them
+  VectorXd tributary_area_;
 };
 
 }  // namespace
 
-SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields) {
-  const NodalLoads loads = pass.nodal_loads(fields);
-  const NodalFriction& friction = loads.friction;
-  SlidingNodes nodes;
-  if (friction.empty()) return nodes;
-  const Index count = loads.gap.size();
-  nodes.slip = Matrix3Xd::Zero(3, count);
-  nodes.fluid = nodes.in_contact = nodes.slips = VectorXd::Zero(count);
-  nodes.bound = friction.bound;
-  for (Index node = 0; node < count; ++node) {
-    if (!loads.in_contact[node]) continue;
-    const Vector3d n = friction.normal(node);
-    const Vector3d carried = friction.convection[node] * friction.slip.col(node);
-    nodes.slip.col(node) = carried - n * n.dot(carried);
-    nodes.in_contact[node] = 1;
-    if (friction.pressure.size() > 0) nodes.fluid[node] = friction.pressure[node];
-    if (!loads.slips[node]) continue;
-    nodes.slips[node] = 1;
-    nodes.dissipation += loads.area[node] *
-                         dissipated(friction.trial.col(node), friction.bound[node], pass.laws().friction_penalty(node));
-  }
-  return nodes;
-}
-
 InterfaceOutput output(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::output);
-  OutputSums sums(contact, fields);
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
-    contact.pass(pass).for_each_contact(seen_from(both_sides.at(pass), fields), 1.0,
-                                        [&](const PointContact& point) { sums.add(pass, point); });
+  InterfaceOutput out;
+  std::vector<OutputSums> passes;
+  std::vector<SlidingNodes> sliding;
+  for (std::size_t number = 0; number < contact.passes(); ++number) {
+    const ContactPass& pass = contact.pass(number);
+    const FacingFields facing = seen_from(both_sides.at(number), fields);
+    const NodalLoads loads = pass.nodal_loads(facing);
+    sliding.push_back(sliding_nodes(pass.laws(), loads));
+    passes.push_back(sums_of({pass.space(), loads, sliding.back(), facing}));
+    out.balance.force += (number == 0 ? 1.0 : -1.0) * passes.back().force;
+    out.balance.dissipation += sliding.back().dissipation;
   }
-  return sums.divided();
+  for (const Side side : both_sides) {
+    const SideSums sums(contact, side, passes);
+    out.nodes[side] = sums.divided(contact.pass(0).space().offset());
+    if (side == Side::primary) {
+      out.balance.flow = sums.flow();
+      out.balance.friction = sums.friction();
+      out.balance.area = out.nodes[side].tributary_area.sum();
+    }
+    const auto own = static_cast<std::size_t>(side);
+    if (own < sliding.size() && !sliding[own].empty()) take_status(sliding[own], out.nodes[side].friction);
+  }
+  out.balance.force += out.balance.friction;
+  return out;
 }
 
 }  // namespace mixture_contact

@@ -49,19 +49,6 @@ struct NodalOutput {
   }
 };
 
-/// What a pass's nodes say about friction, as it is interpolated between them; empty without friction.
-struct SlidingNodes {
-  Matrix3Xd slip;  ///< in the present tangent plane
-  VectorXd bound;
-  VectorXd fluid;
-  VectorXd in_contact;  ///< 1 or 0
-  VectorXd slips;       ///< 1 or 0
-  double dissipation = 0;
-
-  bool empty() const { return bound.size() == 0; }
-};
-SlidingNodes sliding_nodes(const ContactPass& pass, const FacingFields& fields);
-
 /// All of it, at a state that is projected.
 struct InterfaceOutput {
   Balance balance;

@@ -66,11 +66,6 @@ void ContactPass::forget() {
   geometry_ = make_geometry();
 }
 
-void ContactPass::for_each_contact(const FacingFields& fields, double dt,
-                                   const std::function<void(const PointContact&)>& use) const {
-  for_each_loaded_point(space_, nodal_loads(fields), fields, dt, use);
-}
-
 void ContactPass::residual(const FacingFields& fields, double dt, const AddVector& add) const {
   geometry_->residual(fields, dt, add);
 }

@@ -4,7 +4,6 @@
 #include "active_set/active_set.h"
 #include "enforcement/contact_geometry.h"
 #include "enforcement/unknown_multipliers.h"
-#include "mortar/loaded_points.h"
 
 namespace mixture_contact {
 
@@ -77,10 +76,6 @@ class ContactPass {
   /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps
   /// counts only then.
   bool is_solution(const FacingFields& fields) const { return geometry_->is_solution(fields); }
-
-  /// Calls `use` for every point that carries load, in a fixed order.
-  void for_each_contact(const FacingFields& fields, double dt,
-                        const std::function<void(const PointContact&)>& use) const;
 
   /// What the laws say at the nodes.
   NodalLoads nodal_loads(const FacingFields& fields) const { return geometry_->loads(fields); }

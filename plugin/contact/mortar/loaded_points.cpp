@@ -17,12 +17,8 @@ class LoadedPair {
 
   /// That with this number.
   PointContact point(Index number) const {
-    const FacingPairs& facing = space_.facing();
-    return at(facing.points(pair_)[number], facing.kinematics(pair_, number));
-  }
-  /// At a place; refers to its kinematics.
-  PointContact at(const IntegrationPoint& place, const PointKinematics& kinematics) const {
-    PointContact contact(pair_, kinematics);
+    const IntegrationPoint& place = space_.facing().points(pair_)[number];
+    PointContact contact(pair_, space_.facing().kinematics(pair_, number));
     const ShapeFunctions psi = space_.shape(pair_.primary, place.sub_facet, place.xi);
     contact.psi = psi.value;
     contact.psi_gradient = psi.gradient;
@@ -59,22 +55,6 @@ class LoadedPair {
   FacetLoads nodal_;
   PairFields values_;
 };
-
-/// Calls use(place, kinematics) for the points of a flat pair, whose kinematics are not kept.
-template <class Use>
-void for_each_flat_point(const FacingPairs& facing, const FacetPair& pair, const FacingPositions& x, const Use& use) {
-  const Facet& one = facing.primary_facet(pair);
-  const Facet& two = facing.secondary_facet(pair);
-  const FacetCoordinates x1 = facet_coordinates(one, x.primary);
-  const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
-  const IntegrationPoint& first = facing.points(pair).front();
-  PointKinematics point = point_kinematics(shape_functions(one.type, first.xi), x1,
-                                           shape_functions(two.type, first.eta), x2);
-  for (const IntegrationPoint& place : facing.points(pair)) {
-    move_on_flat_facets(point, area_coordinates(place.xi), x1, area_coordinates(place.eta), x2);
-    use(place, point);
-  }
-}
 
 VaryingFlatPair varying_flat_pair(const MortarSpace& space, const FacetPair& pair, const FlatPair& flat,
                                   const NodalLoads& loads, const FacingFields& fields, double dt) {
@@ -130,19 +110,10 @@ VaryingPair varying_pair(const MortarSpace& space, const FacetPair& pair, const 
   return varying;
 }
 
-void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
-                           const std::function<void(const PointContact&)>& use) {
-  // By one thread: several take longer to hand points over than it takes to make them.
-  for (const FacetPair& pair : space.facing().pairs()) {
-    if (!space.facing().has_node_among(pair, loads.in_contact)) continue;
-    const LoadedPair loaded(space, pair, loads, fields, dt);
-    if (space.facing().flat(pair) != nullptr) {
-      for_each_flat_point(space.facing(), pair, positions(fields),
-                          [&](const auto& place, const auto& kinematics) { use(loaded.at(place, kinematics)); });
-    } else {
-      for (Index q = 0; q < pair.points; ++q) use(loaded.point(q));
-    }
-  }
+void for_each_loaded_point(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                           const FacingFields& fields, double dt, const std::function<void(const PointContact&)>& use) {
+  const LoadedPair loaded(space, pair, loads, fields, dt);
+  for (Index q = 0; q < pair.points; ++q) use(loaded.point(q));
 }
 
 }  // namespace mixture_contact

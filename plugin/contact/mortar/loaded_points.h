@@ -71,8 +71,8 @@ VaryingPair varying_pair(const MortarSpace& space, const FacetPair& pair, const 
 void set_varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                       const FacingFields& fields, double dt, VaryingPair& varying);
 
-/// Calls `use` for every point that carries load, in a fixed order.
-void for_each_loaded_point(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
-                           const std::function<void(const PointContact&)>& use);
+/// Calls `use` for every point of a pair that carries load and is not flat, in their order.
+void for_each_loaded_point(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
+                           const FacingFields& fields, double dt, const std::function<void(const PointContact&)>& use);
 
 }  // namespace mixture_contact
