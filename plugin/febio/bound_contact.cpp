@@ -1,6 +1,7 @@
 #include "bound_contact.h"
 
 #include "archive.h"
+#include "contact/base/parallel.h"
 #include "contact/interface/corrections.h"
 #include "contact/interface/held_loads.h"
 #include "contact/interface/multipliers.h"
@@ -30,7 +31,8 @@ PerSide<SurfaceFields> BoundContact::fields() const {
     all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
     for (int k = 0; k < effects.nodal_fields(); ++k) {
       const int dof = dofs_.field(side, effects, k);
-      for (int i = 0; i < surface.Nodes(); ++i) all[side].scalar(i, k) = surface.Node(i).get(dof);
+      in_parallel(surface.Nodes(),
+                  [&](Index node) { all[side].scalar(node, k) = surface.Node(indexing::as_int(node)).get(dof); });
     }
   }
   return all;

@@ -1,5 +1,7 @@
 #include "contact_surfaces.h"
 
+#include "contact/base/parallel.h"
+
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FESolidDomain.h>
@@ -55,10 +57,10 @@ PerSide<Matrix3Xd> ContactSurfaces::positions() {
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = (*this)[side];
     all[side].resize(3, surface.Nodes());
-    for (int i = 0; i < surface.Nodes(); ++i) {
-      const vec3d r = surface.position(i);
-      all[side].col(i) << r.x, r.y, r.z;
-    }
+    in_parallel(surface.Nodes(), [&](Index node) {
+      const vec3d r = surface.position(indexing::as_int(node));
+      all[side].col(node) << r.x, r.y, r.z;
+    });
   }
   return all;
 }
