@@ -162,6 +162,21 @@ inline PerSide<Grid> facing_grids(FacetType one, FacetType two, double overlap, 
   return {{primary, secondary}};
 }
 
+/// Two surfaces of triangles on each other, not quite parallel, with random fields, whose pairs are all flat.
+inline Scene flat_scene(const Effects& exchanged) {
+  Settings settings;
+  settings.integration = Integration::segments;
+  Scene scene(facing_grids(FacetType::tri3, FacetType::tri3, 0.05, 3, 4), exchanged, settings);
+  std::mt19937 random(3);
+  scene.fields[Side::secondary].position.row(2) += random_values(scene.mesh[Side::secondary].nodes, -0.02, 0.02,
+                                                                 random);
+  for (SurfaceFields& fields : scene.fields) {
+    for (Index k = 0; k < fields.scalar.cols(); ++k)
+      fields.scalar.col(k) = random_values(fields.scalar.rows(), -1, 1, random);
+  }
+  return scene;
+}
+
 /// Turns a surface about the z axis through the middle of the unit square.
 inline void turn(Matrix3Xd& position, double angle) {
   const Vector3d middle(0.5, 0.5, 0);

@@ -50,68 +50,49 @@ void set_by_points(const LoadedState& state, const FacetPair& pair, OutputSums& 
   });
 }
 
-/// Products of functions summed over the points of a flat pair, one column per node b of the surface that is asked for.
-struct FlatProducts {
-  Eigen::Matrix3d primary;    ///< (c, b): sum w N1_c N_b
-  Eigen::Matrix3d secondary;  ///< (c, b): sum w N2_c N_b
-  Eigen::Matrix3d loads;      ///< (c, b): sum w psi_c N_b
-
-  /// Of values given at the nodes of both facets: their sum on the primary one less that on the secondary one.
-  Eigen::RowVector3d jump(const FlatNodes& values) const {
-    return values.head<3>().transpose() * primary - values.tail<3>().transpose() * secondary;
-  }
-};
-
-/// sum w N2_c N2_b
-Eigen::Matrix3d facing_products(const PointsOfPair& points) {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+/// A flat pair with N2_c in place of psi_c: what its points are summed for at the secondary nodes c.
+FlatPair by_secondary_nodes(const FlatPair& flat, const PointsOfPair& points, const FacetCoordinates& x1,
+                            const FacetCoordinates& x2) {
+  FlatMoments moments{flat.moments.secondary.transpose()};
   for (const IntegrationPoint& point : points) {
     const Vector3d shape = area_coordinates(point.eta);
-    sum += point.weight * shape * shape.transpose();
+    moments.secondary += point.weight * shape * shape.transpose();
   }
-  return sum;
+  return flat_pair(moments, x1, x2);
 }
 
-/// What varies linearly over the facets of a flat pair, at their nodes.
-struct FlatValues {
-  FlatNodes height;  ///< along the normal: the gap is minus its jump
-  FacetLoads loads;
-  IndexedVector<int> fields;
-  PairFields values;
-};
-
-/// Sets the sums at the nodes of one surface.
-void set_nodes(const FlatProducts& products, const FlatValues& at_nodes, double area, const OutputRows& rows,
-               MatrixXd& sums) {
+/// Sets the sums of areas, gaps and jumps at the nodes c of a flat pair; all others are zero.
+void set_averages(const FlatPair& flat, const IndexedVector<int>& fields, const PairFields& values,
+                  const OutputRows& rows, MatrixXd& sums) {
   sums.setZero(rows.count(), 3);
-  sums.row(OutputRows::area) = area * products.primary.colwise().sum();
-  sums.row(OutputRows::gap) = -area * products.jump(at_nodes.height);
-  sums.row(OutputRows::pressure) = -area * (at_nodes.loads.traction.transpose() * products.loads);
-  for (Index k = 0; k < at_nodes.fields.count(); ++k) {
-    sums.row(rows.flux() + at_nodes.fields[k]) = area * (at_nodes.loads.flux[k].transpose() * products.loads);
-    sums.row(rows.jump() + at_nodes.fields[k]) = area * products.jump(at_nodes.values.col(k));
-  }
+  sums.row(OutputRows::area) = flat.area * flat.weight().transpose();
+  sums.row(OutputRows::gap) = flat.area * flat.gap.transpose();
+  for (Index k = 0; k < fields.count(); ++k)
+    sums.row(rows.jump() + fields[k]) = flat.area * flat.jump(values.col(k)).transpose();
 }
 
-/// Sets the sums of a flat pair by its moments, all values being linear in N1 and N2; `loaded`: those with psi_c.
-void set_by_moments(const LoadedState& state, const FacetPair& pair, const FlatMoments& loaded, OutputSums& sums) {
+/// Sets the sums of a flat pair by its moments; `loaded`: the pair with the functions psi_c that loads have.
+void set_by_moments(const LoadedState& state, const FacetPair& pair, const FlatPair& loaded, OutputSums& sums) {
   const FacingPairs& facing = state.space.facing();
-  const FlatPair& flat = *facing.flat(pair);
   const Facet& facet = facing.primary_facet(pair);
-  FlatValues at_nodes;
-  at_nodes.height << facet_coordinates(facet, state.fields.primary.position).transpose() * flat.normal,
-      facet_coordinates(facing.secondary_facet(pair), state.fields.secondary.position).transpose() * flat.normal;
-  at_nodes.fields = facing.exchanged_fields(pair);
-  at_nodes.loads = facet_loads(facet, state.loads, at_nodes.fields);
-  at_nodes.values.resize(at_nodes.height.size(), at_nodes.fields.count());
-  for (Index k = 0; k < at_nodes.fields.count(); ++k)
-    at_nodes.values.col(k) = facing.values(pair, at_nodes.fields[k], state.fields);
-  const FlatMoments& moments = flat.moments;
-  set_nodes({moments.primary, moments.secondary.transpose(), loaded.primary}, at_nodes, flat.area, state.rows(),
-            sums.integrated);
-  set_nodes({moments.secondary, facing_products(facing.points(pair)), loaded.secondary}, at_nodes, flat.area,
-            state.rows(), sums.facing);
-  sums.force = at_nodes.loads.traction.dot(loaded.primary.rowwise().sum()) * flat.area_vector;
+  const OutputRows rows = state.rows();
+  const IndexedVector<int> fields = facing.exchanged_fields(pair);
+  PairFields values(facet.count() + facing.secondary_facet(pair).count(), fields.count());
+  for (Index k = 0; k < fields.count(); ++k) values.col(k) = facing.values(pair, fields[k], state.fields);
+  const FlatPair& flat = *facing.flat(pair);
+  set_averages(flat, fields, values, rows, sums.integrated);
+  set_averages(by_secondary_nodes(flat, facing.points(pair), facet_coordinates(facet, state.fields.primary.position),
+                                  facet_coordinates(facing.secondary_facet(pair), state.fields.secondary.position)),
+               fields, values, rows, sums.facing);
+  const FacetLoads nodal = facet_loads(facet, state.loads, fields);
+  const auto set_loads = [&](Index row, const Vector3d& load) {
+    const FlatNodes by_nodes = flux_residual(loaded, load);
+    sums.integrated.row(row) = by_nodes.head<3>().transpose();
+    sums.facing.row(row) = -by_nodes.tail<3>().transpose();
+  };
+  set_loads(OutputRows::pressure, -nodal.traction);
+  for (Index k = 0; k < fields.count(); ++k) set_loads(rows.flux() + fields[k], nodal.flux[k]);
+  sums.force = loaded.weight().dot(Vector3d(nodal.traction)) * flat.area_vector;
 }
 
 /// Adds what is summed up for the nodes of a facet to the sums over all nodes.
@@ -150,7 +131,7 @@ OutputSums sums_of(const LoadedState& state) {
   const auto sum_of_pair = [&](Index index, OutputSums& sums, VectorXd& values) {
     const FacetPair& pair = facing.pairs()[index];
     if (!carries_load(pair)) return;
-    if (const auto flat = state.space.flat(pair)) return set_by_moments(state, pair, flat->moments, sums);
+    if (const auto flat = state.space.flat(pair)) return set_by_moments(state, pair, *flat, sums);
     set_by_points(state, pair, sums, values);
   };
   OutputSums all;

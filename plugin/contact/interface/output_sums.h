@@ -9,8 +9,8 @@ namespace mixture_contact {
 /// with the node's share of their area [mm^2]. From turning() on values turn their signs from one surface to the other.
 class OutputRows {
  public:
-  OutputRows(Index fields, bool has_friction) : fields_(fields), has_friction_(has_friction) {}
-  explicit OutputRows(const Effects& effects) : OutputRows(effects.scalar_fields(), effects.has_friction()) {}
+  explicit OutputRows(const Effects& effects)
+      : fields_(effects.scalar_fields()), has_friction_(effects.has_friction()) {}
 
   static constexpr Index area = 0;
   static constexpr Index gap = 1;

@@ -9,20 +9,10 @@ using namespace test;
 
 namespace {
 
-Settings on_segments() {
-  Settings settings;
-  settings.integration = Integration::segments;
-  return settings;
-}
-
-/// Two flat surfaces of triangles on each other, not quite parallel, that exchange a field.
+/// A flat scene that exchanges a field, with the averages over its pairs.
 struct FlatScene : Scene {
   FlatScene()
-      : Scene(facing_grids(FacetType::tri3, FacetType::tri3, 0.05, 3, 4), effects_of(true, 0), on_segments()),
-        space(mesh[Side::primary], mesh[Side::secondary], effects, settings) {
-    std::mt19937 random(3);
-    fields[Side::secondary].position.row(2) += random_values(mesh[Side::secondary].nodes, -0.02, 0.02, random);
-    for (const Side side : both_sides) fields[side].scalar = random_values(mesh[side].nodes, -1, 1, random);
+      : Scene(flat_scene(effects_of(true, 0))), space(mesh[Side::primary], mesh[Side::secondary], effects, settings) {
     space.change_facing().search({fields[Side::primary].position, fields[Side::secondary].position}, 1);
   }
 
