@@ -1,0 +1,76 @@
+"""Sentences of a page of Markdown, without code, formulas and raw HTML."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+from mdit_py_plugins.dollarmath import dollarmath_plugin
+
+PARSER = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, double_inline=True)
+ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|cf|vs|Fig|Eng|Mech|al|Commun|Numer|Anal|Comput|Methods|Appl|Meth)\. ")
+END = re.compile(r"(?<=[.?!])\s+(?=[A-Z`\"(\u00c0-\u00dd])")
+CODE, FORMULA = "Code", "X"
+"""Words for a name in code and for a formula."""
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """
+    A sentence, or the text of a heading or of a cell of a table.
+
+    Attributes
+    ----------
+    line
+        Line of the page on which its paragraph begins.
+    text
+        Words with one space between them.
+    whole
+        False for a heading or a cell, which need no verb.
+    """
+
+    line: int
+    text: str
+    whole: bool
+
+
+def without_title(children: list[Token]) -> list[Token]:
+    """A paragraph without the words in bold that it may begin with, as with a heading."""
+    if children and children[0].content == "":
+        children = children[1:]
+    if not children or children[0].type != "strong_open":
+        return children
+    return children[[child.type for child in children].index("strong_close") + 1 :]
+
+
+def plain(token: Token) -> str:
+    """The words of a paragraph."""
+    words = {"code_inline": CODE, "math_inline": FORMULA, "math_inline_double": FORMULA, "softbreak": " ", "image": ""}
+    parts = (
+        words.get(child.type, child.content)
+        for child in without_title(token.children or [])
+        if child.type != "html_inline"
+    )
+    return re.sub(r"\s+", " ", "".join(parts)).strip()
+
+
+def split(text: str) -> list[str]:
+    """The sentences of a paragraph."""
+    kept = ABBREVIATIONS.sub(lambda match: f"{match[1]}.\u00a0", text)
+    return [sentence.replace("\u00a0", " ") for sentence in END.split(kept)]
+
+
+def sentences(markdown: str) -> Iterator[Sentence]:
+    """All sentences of a page, in order."""
+    inside, line = "", 0
+    for token in PARSER.parse(markdown):
+        if token.type in ("heading_open", "th_open", "td_open", "paragraph_open"):
+            inside = token.type
+        line = token.map[0] + 1 if token.map else line
+        if token.type == "inline":
+            for text in split(plain(token)):
+                if text:
+                    yield Sentence(line, text, inside == "paragraph_open")

@@ -1,0 +1,62 @@
+"""The check of the style finds bad sentences and passes good ones."""
+
+from __future__ import annotations
+
+import pytest
+
+pytest.importorskip("lemminflect", reason="`scripts/mixcontact docs` installs it")
+
+from prose import check
+from prose.rules import house
+from prose.text import Sentence, sentences
+
+RULES = house()
+
+BAD = {
+    "The log tells the gap.": "'tells' is no word of the field",
+    "FEBio's interface stands beside it.": "'stands beside'",
+    "The run ends in 40 iterations.": "'run ends'",
+    "Of 0 it says what it means.": "not with 'Of'",
+    "So the node opens.": "not with 'So'",
+    "What is not exchanged has no entry.": "a noun in place of 'What'",
+    "With one pass the integral runs over the primary surface.": "the subject first",
+    "In the middle of the page stands the table.": "the subject first",
+    "A residual of the solid in the log.": "without a verb",
+    "Off by default.": "without a verb",
+    "The node " + "closes and " * 20 + "opens.": "words in one sentence",
+}
+GOOD = (
+    "The log gives the gap.",
+    "With one pass, the integral runs over the primary surface.",
+    "What wets the open surfaces?",
+    "Set `gaptol`, or leave it out.",
+    "The contact transmits traction.",
+    "**In your model.** Refine the mesh.",
+)
+
+
+def complaints(markdown: str) -> list[str]:
+    return [found for sentence in sentences(markdown) for rule in RULES for found in rule(sentence)]
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_bad_sentence_is_found(text):
+    assert any(BAD[text] in found for found in complaints(text))
+
+
+@pytest.mark.parametrize("text", GOOD)
+def test_a_good_sentence_passes(text):
+    assert complaints(text) == []
+
+
+def test_code_and_formulas_have_no_words():
+    assert complaints("Write `tells`.\n\n    Of code\n\n```\nSo it is.\n```\n\n$$ told $$\n") == []
+
+
+def test_cells_need_no_verb():
+    cells = list(sentences("| a |\n|---|\n| off by default. |\n"))
+    assert cells == [Sentence(1, "a", False), Sentence(3, "off by default.", False)]
+
+
+def test_the_page_of_commands_is_checked():
+    assert {"docs/reference/commands.md", "README.md", check.ENTRY} <= set(check.pages())
