@@ -73,7 +73,7 @@ def is_finite_verb(word: str) -> bool:
 
 def fragment(sentence: Sentence) -> Iterator[str]:
     """A sentence that ends with a full stop and in which no word can be its verb."""
-    words = re.findall(r"[A-Za-z']+", sentence.text)
+    words = re.findall(r"[A-Za-z0-9']+", sentence.text)
     begun_before = sentence.text[:1].islower()  # a sentence that goes on after a displayed formula
     if not sentence.whole or begun_before or not sentence.text.endswith(".") or len(words) < 2:
         return

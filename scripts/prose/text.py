@@ -13,8 +13,8 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 PARSER = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, double_inline=True)
 ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|cf|vs|Fig|Eng|Mech|al|Commun|Numer|Anal|Comput|Methods|Appl|Meth)\. ")
 END = re.compile(r"(?<=[.?!])\s+(?=[A-Z`\"(\u00c0-\u00dd])")
-CODE, FORMULA = "Code", "X"
-"""Words for a name in code and for a formula."""
+CODE, FORMULA, RELATION = "Code", "X", "X is"
+"""Words for a name in code, a formula, and a formula that says something."""
 
 
 @dataclass(frozen=True)
@@ -46,14 +46,16 @@ def without_title(children: list[Token]) -> list[Token]:
     return children[[child.type for child in children].index("strong_close") + 1 :]
 
 
+def word(token: Token) -> str:
+    """The words of a part of a paragraph."""
+    if token.type.startswith("math_inline"):
+        return RELATION if re.search(r"[=<>]|\\[lg]e\b", token.content) else FORMULA
+    return {"code_inline": CODE, "softbreak": " ", "image": ""}.get(token.type, token.content)
+
+
 def plain(token: Token) -> str:
     """The words of a paragraph."""
-    words = {"code_inline": CODE, "math_inline": FORMULA, "math_inline_double": FORMULA, "softbreak": " ", "image": ""}
-    parts = (
-        words.get(child.type, child.content)
-        for child in without_title(token.children or [])
-        if child.type != "html_inline"
-    )
+    parts = (word(child) for child in without_title(token.children or []) if child.type != "html_inline")
     return re.sub(r"\s+", " ", "".join(parts)).strip()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -59,9 +60,11 @@ def offered(classes: str) -> list[str]:
 
 
 def anchors(page: Path) -> set[str]:
-    """Anchors of the headings, as GitHub makes them."""
-    titles = re.findall(r"^#+ (.+)$", CODE.sub("", page.read_text(encoding="utf-8")), re.MULTILINE)
-    return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in titles}
+    """Anchors of the headings, as GitHub makes them, and those that a page keeps for older links."""
+    text = CODE.sub("", page.read_text(encoding="utf-8"))
+    titles = re.findall(r"^#+ (.+)$", text, re.MULTILINE)
+    named = re.findall(r'^<a id="([\w-]+)"></a>$', text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in titles} | set(named)
 
 
 def links() -> list[tuple[Path, str]]:
@@ -117,6 +120,60 @@ def test_relative_links_lead_somewhere(page, target):
     assert goal.exists()
     if anchor:
         assert anchor in anchors(goal)
+
+
+SOURCES = ("plugin/", "tests/", "scripts/", "docs/", "models/", "cmake/", ".github/", ".ci/")
+SUFFIXES = (".h", ".cpp", ".py")
+
+
+def alternatives(name: str) -> list[str]:
+    """`facet.{h,cpp}` as two names."""
+    found = re.fullmatch(r"(.*)\{([\w,]+)\}(.*)", name)
+    return [f"{found[1]}{one}{found[3]}" for one in found[2].split(",")] if found else [name]
+
+
+def named_files() -> list[tuple[Path, str]]:
+    """Names in code of files in this repository, from its root or from a folder below it."""
+    found = []
+    for page in [ROOT / "CONTRIBUTING.md", ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]:
+        for word in re.findall(r"(?<!`)`([^`\s]+)`", page.read_text(encoding="utf-8")):
+            names = [name for name in alternatives(word) if name.startswith(SOURCES) or name.endswith(SUFFIXES)]
+            found += [(page, name) for name in names if not re.search(r"[*<>=()]", name)]
+    return found
+
+
+def files_of_the_repository() -> list[str]:
+    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    return listed.splitlines()
+
+
+def test_files_that_pages_name_are_there():
+    """From the root, or from a folder below it where that is plain."""
+    paths = [f"/{name}" for name in files_of_the_repository()]
+    lost = [
+        f"{page.relative_to(ROOT)}: {name}"
+        for page, name in named_files()
+        if not (ROOT / name).exists() and not any(path.endswith(f"/{name}") for path in paths)
+    ]
+    assert len(named_files()) > 50
+    assert lost == []
+
+
+INVENTED = {"FacetType::tri10", "FEPlotSolventPower"}
+"""Names that the worked examples add."""
+
+
+def test_names_of_the_code_on_pages_for_developers_are_in_the_code():
+    pages = [ROOT / "CONTRIBUTING.md", ROOT / "plugin" / "contact" / "README.md", *(DOCS / "development").glob("*.md")]
+    code = " ".join(
+        (ROOT / name).read_text(encoding="utf-8")
+        for name in files_of_the_repository()
+        if name.endswith(SUFFIXES) and (ROOT / name).exists()
+    )
+    known = set(re.findall(r"\w+", code))
+    for page in pages:
+        names = set(re.findall(r"(?<!`)`([A-Z]\w*[a-z]\w*(?:::\w+)*)(?:\(\))?`", page.read_text(encoding="utf-8")))
+        assert [name for name in names - INVENTED if not set(name.split("::")) <= known] == [], page.name
 
 
 def test_every_page_is_on_the_map():
