@@ -110,7 +110,7 @@ cannot; give `superlu_mt` there, in the model or as the default in `febio.xml`. 
 `AUGLAG`.
 
 Each cell is a run of a small model: diffusion between two cubes of 3 elements (3.1), and confined creep of a biphasic
-layer. `yes`: the run ends normally, with the values of `pardiso` to {largest} of the largest of each kind. {engines}
+layer. `yes`: the run completes, with the values of `pardiso` to {largest} of the largest of each kind. {engines}
 
 {table}
 
@@ -118,8 +118,8 @@ Multipliers put zeros on the diagonal, on which incomplete factorisations divide
 Whether `ilu0` or `ilut` solves a model with multipliers depends on rounding, and differs between machines; the cells
 say what one machine found.
 The log and `scripts/mixcontact check` warn of a solver for symmetric matrices and of an iterative one with `LAGMULT`.
-FEBio's message is "Linear solver failed to find solution" where a solver fails, and "The selected linear solver does
-not support the requested matrix format" where it is for symmetric matrices or was not built in.
+FEBio's message is "Linear solver failed to find solution" if a solver fails. If it is for symmetric matrices or was not
+built in, the message is "The selected linear solver does not support the requested matrix format".
 `hypre_gmres` reports no failure: Newton's method does not converge then.
 
 ```console

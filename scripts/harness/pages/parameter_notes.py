@@ -34,14 +34,14 @@ AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_rad
 """Parameters that are chosen by the contact where the model does not give them."""
 
 ABOUT = {
-    "effects": "What is exchanged, of that which the materials on both sides allow; "
+    "effects": "The effects that are exchanged, among those that the materials on both sides allow; "
     "see [the log](../start/first-model.md).",
     "enforcement": "How exactly overlap and jumps are closed; see [penalties](../how-to/parameters.md#penalties) and "
     "[which enforcement](../how-to/parameters.md#which-enforcement).",
-    "ambient": "What wets the nodes that are not in contact; see [ambient conditions](../how-to/ambient.md).",
+    "ambient": "Values of the fluid that wets nodes out of contact; see [ambient conditions](../how-to/ambient.md).",
     "surfaces": "Which points see each other, and where (2.5) is integrated.",
-    "solution": "What the solver gets. The last three switch "
-    "[what helps the solver](../how-to/solver.md#what-helps-the-solver). "
+    "solution": "These parameters act on the solver. The last three switch "
+    "[devices](../how-to/solver.md#devices-with-a-switch). "
     "They act on the whole model: contacts that give one must give the same value.",
     "friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
     "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
@@ -127,7 +127,7 @@ NOTES = {
     "update_penalty": Note(
         "Whether stiffness and conductance are read again at each time step, with the present convection. They "
         "always are where solutes are exchanged and `concentration_penalty` is not given.",
-        "a sweep over the facets in each step",
+        "a loop over the facets in each step",
     ),
     "two_pass": Note(
         "Integrate over both surfaces.",
@@ -218,12 +218,12 @@ NOTES = {
         febio="same",
     ),
     "tangential_penalty": Note(
-        "Factor of the tangential penalty over that of the traction: how little what sticks gives way. By default the "
-        "tangential penalty is 100 times the stiffness where `penalty` is left out, and that of the traction where "
-        "`penalty` is given.",
+        "Factor of the tangential penalty over that of the traction: a larger one leaves less elastic slip. By "
+        "default the tangential penalty is 100 times the stiffness where `penalty` is left out, and that of the "
+        "traction where `penalty` is given.",
         "a larger one: more iterations where sticking and sliding meet",
         febio="not there: the penalty of the traction",
-        default="0.1; 1 beside a given `penalty`",
+        default="0.1; 1 with a given `penalty`",
     ),
     "offset": Note(
         "Distance of the surfaces, along the normal of the primary one, at which they touch: gaps are measured from "

@@ -161,13 +161,13 @@ _INTRODUCTION = """\
 
 <!-- Written by `scripts/mixcontact pages` from the code that registers them and harness/pages/parameter_notes.py. -->
 
-Parameters of `<contact type="sliding-mixture">`. Units are those of the models here: mm, N, s, nmol, so MPa and mM;
-FEBio has none of its own, and any consistent set will do. A parameter that is not on this page is an error. So is a
-value without meaning; the message names the parameter. "Same" means the same name, meaning and default as in those of
-FEBio's interfaces (`sliding-elastic`, `sliding-biphasic`, `sliding-biphasic-solute`, `sliding-multiphasic`) that have
-it.
+These are the parameters of `<contact type="sliding-mixture">`. Units are those of the models here: mm, N, s, nmol,
+hence MPa and mM; FEBio has none, and any consistent set works. A parameter that is not on this page is an error, and a
+value without meaning is as well; the message names the parameter. "Same" means the same name, meaning and default as
+in those of FEBio's interfaces (`sliding-elastic`, `sliding-biphasic`, `sliding-biphasic-solute`, `sliding-multiphasic`)
+that have it.
 
-Which one to change first stands in the [how-to](../how-to/parameters.md#which-parameter-first)."""
+The [how-to](../how-to/parameters.md#which-parameter-first) says which one to change first."""
 
 
 def _table(parameters: list[Parameter]) -> str:
