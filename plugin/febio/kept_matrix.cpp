@@ -192,8 +192,8 @@ void KeptMatrix::solve() {
 void KeptMatrix::take_parts_in() {
   if (!std::exchange(found_.needs_parts, true))
     solver_.log(
-        "\nsliding-mixture: couplings across the contact are large beside the stiffness of the bodies. From the next "
-        "matrix on they stand in it, which has more entries.");
+        "\nsliding-mixture: couplings across the contact are large compared with the stiffness of the bodies. Later "
+        "matrices hold them and have more entries.");
 }
 
 void KeptMatrix::give_back() {

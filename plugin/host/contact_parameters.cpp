@@ -60,8 +60,8 @@ double borne_reduction(const ContactParameters& p, double factor, double reducti
 void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
   if (p.unused.extrapolation.given) {
     list.emplace_back(
-        "<extrapolation> is now called <predictor>, and it is off unless it is asked for: write "
-        "<predictor>1</predictor> to have it, and leave <extrapolation> out.");
+        "<extrapolation> is now called <predictor>, and it is off by default: write "
+        "<predictor>1</predictor> to use it, and leave <extrapolation> out.");
   }
 }
 

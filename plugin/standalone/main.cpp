@@ -41,7 +41,7 @@ int run_model(const std::string& path, bool check_only) {
 int run_command_line(int argc, const char* const* argv) {
   options::options_description known(
       "Usage: mixture-contact [options] model.feb\n\nRuns a model (a subset of FEBio XML 4.0) and writes "
-      "log and data beside it.\n\nOptions");
+      "log and data in its folder.\n\nOptions");
   known.add_options()("help,h", "show this text")("model", options::value<std::string>(), "the model")(
       "check", "read the model and say what is wrong with it, without running it");
   options::variables_map given;

@@ -67,7 +67,8 @@ void read_solver(const Tag& tag, Model& model) {
     method->take("max_ups", updates, 0);
   }
   if (updates > 0)
-    model.notices.emplace_back("the matrix is formed anew in each iteration (full Newton), whatever <qn_method> says.");
+    model.notices.emplace_back(
+        "the matrix is formed again in each iteration (full Newton), whatever <qn_method> says.");
 }
 
 void read_control(const Tag& tag, Model& model) {

@@ -1,14 +1,17 @@
-"""Holds README, CONTRIBUTING, all pages and the help of the commands to the style.
+"""Holds README, CONTRIBUTING, all pages, the help of the commands and the messages to users to the style.
 
     python scripts/prose/check.py [file ...]
 
-The help of each command is on the page of commands. Exit code 1: something was found on a page that is not pending.
+The help of each command is on the page of commands. Messages are texts of several words in the plugin's sources and in
+those of the commands for users. Exit code 1: something was found that is not pending.
 """
 
 from __future__ import annotations
 
 import ast
+import re
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -19,11 +22,17 @@ from prose.text import Sentence, sentences  # noqa: E402
 
 PENDING = Path(__file__).parent / "pending.txt"
 ENTRY = "scripts/mixcontact"
+TALKING = ("preflight", "conversion", "run")
+"""Folders of the harness with messages to users."""
+FEW_WORDS = 2
+"""Spaces in a text that is a message, at least."""
 
 
 def pages() -> list[str]:
     """All that is checked, from the root of the repository."""
     found = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "plugin").rglob("*.md")]
+    found += [*(ROOT / "plugin").rglob("*.cpp"), *(ROOT / "plugin").rglob("*.h")]
+    found += [path for folder in TALKING for path in (ROOT / "scripts" / "harness" / folder).rglob("*.py")]
     return [*sorted(path.relative_to(ROOT).as_posix() for path in found), ENTRY]
 
 
@@ -33,13 +42,42 @@ def pending() -> tuple[str, ...]:
     return tuple(line for line in lines if line and not line.startswith("#"))
 
 
+def messages_of_cpp(text: str) -> list[Sentence]:
+    """Texts in double quotes, with the pieces of each put together."""
+    code = "\n".join("" if line.lstrip().startswith("//") else line for line in text.splitlines())
+    pieces = re.finditer(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*', code)
+    found = ((code[: match.start()].count("\n") + 1, re.sub(r'"\s*"', "", match[0])) for match in pieces)
+    return [Sentence(line, said.strip('"'), whole=False) for line, said in found if said.count(" ") >= FEW_WORDS]
+
+
+def messages_of_python(text: str) -> list[Sentence]:
+    """Texts of several words that are no comment on the code."""
+    nodes = list(ast.walk(ast.parse(text)))
+    comments = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    found = (node for node in nodes if isinstance(node, ast.Constant) and id(node) not in comments)
+    return [
+        Sentence(node.lineno, node.value, whole=False)
+        for node in found
+        if isinstance(node.value, str) and node.value.count(" ") >= FEW_WORDS
+    ]
+
+
 def read(name: str) -> list[Sentence]:
     """Sentences of a page. Each line of the entry's help counts as a cell of a table: it is a list of commands."""
     text = (ROOT / name).read_text(encoding="utf-8")
     if name != ENTRY:
-        return list(sentences(text))
+        return READERS[Path(name).suffix](text)
     lines = enumerate((ast.get_docstring(ast.parse(text)) or "").splitlines(), start=2)
     return [Sentence(number, line.strip(), whole=False) for number, line in lines]
+
+
+READERS: dict[str, Callable[[str], list[Sentence]]] = {
+    ".md": lambda text: list(sentences(text)),
+    ".py": messages_of_python,
+    ".cpp": messages_of_cpp,
+    ".h": messages_of_cpp,
+}
+"""How each kind of file is read."""
 
 
 def findings(name: str, rules: list[Rule]) -> list[str]:

@@ -60,3 +60,10 @@ def test_cells_need_no_verb():
 
 def test_the_page_of_commands_is_checked():
     assert {"docs/reference/commands.md", "README.md", check.ENTRY} <= set(check.pages())
+
+
+def test_messages_are_read_without_comments():
+    cpp = '// it tells\nlog("the gap " \n    "stands beside it"); f("short");\n'
+    assert check.messages_of_cpp(cpp) == [Sentence(2, "the gap stands beside it", False)]
+    python = '"""It tells a story."""\nsay("the gap stands beside it")\n'
+    assert check.messages_of_python(python) == [Sentence(2, "the gap stands beside it", False)]

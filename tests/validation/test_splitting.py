@@ -16,7 +16,7 @@ from harness.studies.price import joints
 pytestmark = pytest.mark.mixture_only
 
 ENTRIES = re.compile(r"Nr of nonzeroes in stiffness matrix \.+ : (\d+)")
-SAID = "couplings across the contact are large beside the stiffness of the bodies"
+SAID = "couplings across the contact are large compared with the stiffness of the bodies"
 JOINT = BallInSocket(elements=4, steps=2)
 POROUS = BallInSocket(elements=4, steps=4, porous=True, slides=False)
 

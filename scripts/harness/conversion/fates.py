@@ -34,7 +34,7 @@ DROPPED = {
     "penalty_sf": "acts between augmentations alone; penalties grow by themselves",
     "max_penalty_sf": "acts between augmentations alone; penalties grow by themselves",
     "dxtol": "a hidden parameter: the width within which FEBio softens the tangent at first touch",
-    "fric_penalty": "friction that sticks has the penalty of the traction, so that it hardly gives way",
+    "fric_penalty": "friction that sticks has the penalty of the traction, so that its elastic slip is small",
     "ktmult": "the linearisation is always complete; it changes the iterations alone",
 }
 """Parameters without a meaning in `sliding-mixture` that do not change the converged answer."""
