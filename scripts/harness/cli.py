@@ -33,7 +33,7 @@ COMMANDS = {
     "evidence": "harness.studies.remeasurement.command",
     "gallery": "harness.pages.gallery.command",
     "pages": "harness.site",
-    "report": "harness.pages.command",
+    "verification-report": "harness.pages.command",
 }
 """Commands and their modules."""
 

@@ -26,6 +26,7 @@ FOR_EVERYBODY = {
     "convert": "harness.conversion.command",
     "plot": "harness.validate.command",
     "models": "harness.pages.command",
+    "report": "harness.report.command",
 }
 """Commands and the modules that hold their functions, which have the commands' names."""
 

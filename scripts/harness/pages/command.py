@@ -21,7 +21,7 @@ MISSED = 1
 """Exit code where a tolerance is missed."""
 
 
-def report(
+def verification_report(
     only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Where page and numbers go.")] = DOCS,
 ) -> None:

@@ -149,12 +149,12 @@ def page(report: Report) -> str:
 _INTRODUCTION = """\
 # Verification report
 
-<!-- Written by `scripts/mixcontact report`; change the checks in scripts/harness/validate/checks.py instead. -->
+<!-- Written by `scripts/mixcontact verification-report`; change scripts/harness/validate/checks.py instead. -->
 
 Each figure with its tolerance, the runs behind it, and how to make it again. Made with {stamp}, full Newton. All of it:
 
 ```console
-scripts/mixcontact report
+scripts/mixcontact verification-report
 ```
 
 "Whole" is the conforming reference: the same mesh as one body. The tolerances are those of FEBio's Newton iterations.

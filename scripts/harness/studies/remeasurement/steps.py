@@ -52,7 +52,7 @@ _ON_THE_PAGE = ("--only", "joints", "--only", "effects", "--only", "comparison")
 """Of prices."""
 _COARSE = ("--mesh", "coarse", "--docs", "--jobs", "2", "--folder", "{folder}")
 UNTIMED = (
-    Step("verification", ("verification.json",), (("validate", "--jobs", "2"), ("report",)), 0.0),
+    Step("verification", ("verification.json",), (("validate", "--jobs", "2"), ("verification-report",)), 0.0),
     Step(
         "linear-solvers",
         ("linear-solvers.json",),

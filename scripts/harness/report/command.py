@@ -1,0 +1,42 @@
+"""The command `report`."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.errors import HarnessError
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def report(
+    model: Annotated[Path, typer.Argument(help="A .feb file that has been run; log and plot file stand beside it.")],
+    output: Annotated[Path | None, typer.Option(help="Folder for the page; MODEL-report beside the model.")] = None,
+) -> None:
+    """Make a page about the contact of a run: pressure on the deformed surfaces, curves over time, settings, warnings.
+
+    The page is one file, index.html, which opens from disk; its pictures stand beside it as PNG files, too.
+    """
+    try:
+        contents, page = (import_module(f"harness.report.{name}") for name in ("contents", "page"))
+    except ImportError as error:
+        raise HarnessError(
+            f"`report` needs pyfebio and PyVista, and Python 3.11 or newer ({error}); "
+            "`pip install 'febio-mixture-contact[report]'` installs them"
+        ) from error
+    folder = output or model.with_name(f"{model.stem}-report")
+    made = contents.make(model, _made(folder))
+    console.print(str(page.write(made, folder)))
+
+
+def _made(folder: Path) -> Path:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise HarnessError(f"{folder}: {error.strerror}; --output takes a folder") from error
+    return folder

@@ -1,0 +1,145 @@
+"""Contact over time: force, area, pressure, the load that the fluid bears, and what crosses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.report.plot_file import PlotFile, State
+from harness.report.surface import Surface
+
+Floats = NDArray[np.float64]
+PRESSURE = "contact pressure"
+FORCE = "contact force"
+FLUID = ("fluid pressure", "effective fluid pressure")
+SOLVENT_FLOW, SOLUTE_FLOW = "contact solvent flow", "contact solute flow"
+
+
+@dataclass(frozen=True)
+class Contact:
+    """One surface of a contact over the states of a run; arrays have one entry per state.
+
+    Attributes
+    ----------
+    surface : Surface
+    place : int
+        Which of the plot file's surfaces it is.
+    time : numpy.ndarray
+        s.
+    force : numpy.ndarray
+        Magnitude of the contact force on the surface, N.
+    area : numpy.ndarray
+        Area of the facets under pressure, mm^2.
+    peak, mean : numpy.ndarray
+        Contact pressure: the largest of a facet, and its mean over the area, MPa.
+    fluid_share : numpy.ndarray
+        Part of the normal force that the fluid pressure bears in the contact; NaN where that is unknown.
+    flows : dict
+        Per solvent or solute what has left the body through the surface since the first state, mm^3 or nmol.
+    """
+
+    surface: Surface
+    place: int
+    time: Floats
+    force: Floats
+    area: Floats
+    peak: Floats
+    mean: Floats
+    fluid_share: Floats
+    flows: dict[str, Floats]
+
+
+@dataclass(frozen=True)
+class _Instant:
+    force: float
+    area: float
+    peak: float
+    mean: float
+    fluid_share: float
+
+
+def contacts(plot: PlotFile) -> list[Contact]:
+    """Surfaces that bear a contact pressure at some time, with their histories.
+
+    FEBio's contacts of one pass leave that of the secondary surface at zero.
+    """
+    last = plot.states[-1].on_surfaces.get(PRESSURE, [])
+    written = [_contact(plot, place) for place, values in enumerate(last) if values is not None]
+    return [contact for contact in written if contact.peak.any()]
+
+
+def _contact(plot: PlotFile, place: int) -> Contact:
+    surface = plot.surfaces[place]
+    instants = [_instant(plot, state, place) for state in plot.states]
+    time = np.array([state.time for state in plot.states])
+    return Contact(
+        surface,
+        place,
+        time,
+        force=np.array([each.force for each in instants]),
+        area=np.array([each.area for each in instants]),
+        peak=np.array([each.peak for each in instants]),
+        mean=np.array([each.mean for each in instants]),
+        fluid_share=np.array([each.fluid_share for each in instants]),
+        flows=_flows(plot, place, time),
+    )
+
+
+def pressures(state: State, surface: Surface, place: int) -> Floats:
+    """Contact pressure per facet [MPa]; zero where FEBio wrote none."""
+    values = state.on_surfaces.get(PRESSURE, [None] * (place + 1))[place]
+    return np.zeros(len(surface.facets)) if values is None else surface.at_facets(values)[:, 0]
+
+
+def _instant(plot: PlotFile, state: State, place: int) -> _Instant:
+    surface = plot.surfaces[place]
+    vectors = surface.area_vectors(plot.positions(state))
+    areas = np.linalg.norm(vectors, axis=1)
+    pressure = pressures(state, surface, place)
+    loaded = pressure > 0
+    normal_force = float(pressure @ areas)
+    area = float(areas[loaded].sum())
+    return _Instant(
+        force=_force(state, place, pressure, vectors),
+        area=area,
+        peak=float(pressure.max(initial=0.0)),
+        mean=normal_force / area if area > 0 else 0.0,
+        fluid_share=_fluid_share(state, surface, areas * loaded, normal_force),
+    )
+
+
+def _force(state: State, place: int, pressure: Floats, vectors: Floats) -> float:
+    """Contact force that FEBio wrote, or the integral of the pressure."""
+    written = state.on_surfaces.get(FORCE, [])
+    values = written[place] if place < len(written) else None
+    return float(np.linalg.norm(-pressure @ vectors if values is None else values[0]))
+
+
+def _fluid_share(state: State, surface: Surface, loaded_areas: Floats, normal_force: float) -> float:
+    for name in FLUID:
+        values = state.in_domains.get(name)
+        if values is None or normal_force <= 0:
+            continue
+        at_facets = surface.mean_of_nodes(values)[:, 0]
+        if np.isfinite(at_facets).all():
+            return float(at_facets @ loaded_areas / normal_force)
+    return float("nan")
+
+
+def _flows(plot: PlotFile, place: int, time: Floats) -> dict[str, Floats]:
+    """Flows through the surface, summed over time by the trapezoidal rule; none where the file has none."""
+    found: dict[str, Floats] = {}
+    for name in (SOLVENT_FLOW, SOLUTE_FLOW):
+        rates = [state.on_surfaces.get(name, [None] * (place + 1))[place] for state in plot.states]
+        known = [rate[0] for rate in rates if rate is not None]
+        if len(known) != len(rates) or not known:
+            continue
+        table = np.array(known)
+        steps = np.diff(time)[:, None] * 0.5 * (table[1:] + table[:-1])
+        through = np.vstack([np.zeros((1, table.shape[1])), np.cumsum(steps, axis=0)])
+        for column in range(table.shape[1]):
+            label = name.split()[1] if table.shape[1] == 1 else f"{name.split()[1]} {column + 1}"
+            found[label] = through[:, column]
+    return found

@@ -1,0 +1,221 @@
+"""Reads FEBio's plot file (.xplt) with pyfebio's reader, into memory."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pyfebio import xplt
+
+from harness.errors import DataFileError
+from harness.report.surface import Integers, Surface, in_order_of_appearance
+
+Floats = NDArray[np.float64]
+_COMPRESSION = "PLT_HDR_COMPRESSION"
+_SURFACES, _DOMAINS = "meshes/0/surfaces/", "meshes/0/domains/"
+
+
+@dataclass(frozen=True)
+class State:
+    """Results at one time.
+
+    Attributes
+    ----------
+    time : float
+        s.
+    nodal : dict
+        Per variable an array of shape (nodes, components).
+    on_surfaces : dict
+        Per variable a list with an array per surface, in the order of `PlotFile.surfaces`; None where FEBio wrote
+        nothing for a surface. Rows are facets, corners of facets, nodes of the surface, or one for the surface.
+    in_domains : dict
+        Per variable an array of shape (nodes, components) where FEBio wrote values at nodes of domains; NaN elsewhere.
+    """
+
+    time: float
+    nodal: dict[str, Floats]
+    on_surfaces: dict[str, list[Floats | None]]
+    in_domains: dict[str, Floats]
+
+
+@dataclass(frozen=True, eq=False)
+class Domain:
+    """Elements of one kind.
+
+    Attributes
+    ----------
+    kind : int
+        FEBio's number of the element's shape in a plot file.
+    elements : numpy.ndarray, shape (elements, nodes of each)
+        Nodes, counted from 0 in the mesh.
+    """
+
+    kind: int
+    elements: Integers
+
+
+@dataclass(frozen=True)
+class PlotFile:
+    """Mesh and results of a run.
+
+    Attributes
+    ----------
+    nodes : numpy.ndarray, shape (nodes, 3)
+        Reference positions, mm.
+    surfaces : list of Surface
+        Surfaces of the model file, in FEBio's order.
+    domains : dict of Domain
+        By name.
+    states : list of State
+    """
+
+    nodes: Floats
+    surfaces: list[Surface]
+    domains: dict[str, Domain]
+    states: list[State]
+
+    def positions(self, state: State) -> Floats:
+        """Deformed positions [mm], shape (nodes, 3); reference positions where the file has no displacement."""
+        moved = state.nodal.get("displacement")
+        return self.nodes if moved is None else self.nodes + moved
+
+
+class _Place(dict[str, Any]):
+    """A data set or group with its attributes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.attrs: dict[str, Any] = {}
+
+
+class _Memory:
+    """Takes what pyfebio's reader writes to an HDF5 file, whose attributes are too short for large surfaces."""
+
+    def __init__(self) -> None:
+        self.data: dict[str, NDArray[Any]] = {}
+        self.places: dict[str, _Place] = defaultdict(_Place)
+
+    def create_dataset(self, path: str, data: Any, dtype: Any = None) -> None:
+        self.data[path.lstrip("/")] = np.asarray(data, dtype=dtype)
+
+    def create_group(self, path: str) -> None:
+        self.places[path.lstrip("/")] = _Place()
+
+    def __getitem__(self, path: str) -> _Place:
+        return self.places[path.lstrip("/")]
+
+    def under(self, folder: str) -> dict[str, NDArray[Any]]:
+        """Data sets of a folder by the rest of their path."""
+        return {path[len(folder) :]: data for path, data in self.data.items() if path.startswith(folder)}
+
+
+def read(path: Path) -> PlotFile:
+    """Read a plot file.
+
+    Raises
+    ------
+    DataFileError
+        No plot file of FEBio, a compressed one, one without results, or one that pyfebio cannot read.
+    """
+    memory = _parsed(path)
+    nodes = _coordinates(memory)
+    surfaces = [Surface.from_faces(name, faces) for name, faces in memory.under(_SURFACES).items()]
+    domains = {
+        name: Domain(int(memory[_DOMAINS + name].attrs["etype"][0]), elements[:, 1:].astype(np.int64))
+        for name, elements in memory.under(_DOMAINS).items()
+    }
+    numbers = sorted({int(path.split("/")[1]) for path in memory.places if path.startswith("states/")})
+    if not numbers:
+        raise DataFileError(f"{path}: the plot file holds no results; the run may have ended in its first step")
+    states = [_state(memory, number, len(nodes), surfaces, domains) for number in numbers]
+    return PlotFile(nodes, surfaces, domains, states)
+
+
+def _parsed(path: Path) -> _Memory:
+    memory = _Memory()
+    try:
+        buffer = path.read_bytes()
+        xplt.check_file_is_febio(buffer)
+        _parse_blocks(buffer[4:], memory)
+    except OSError as error:
+        raise DataFileError(f"{path}: {error.strerror}; run the model with a <plotfile type='febio'> first") from error
+    except Exception as fault:
+        if memory["/"].attrs.get(_COMPRESSION, np.zeros(1)).any():
+            raise DataFileError(f"{path}: compressed; set <compression>0</compression> in <plotfile>") from fault
+        raise DataFileError(f"{path}: not a plot file that pyfebio reads ({type(fault).__name__}: {fault})") from fault
+    return memory
+
+
+def _blocks(buffer: bytes) -> Iterator[tuple[str, bytes]]:
+    """Names and contents of the blocks that follow each other."""
+    start = 0
+    while start <= len(buffer) - 8:
+        tag, size = xplt.parse_prefix(buffer[start : start + 8])
+        yield xplt.TAG_LUT[tag].name, buffer[start + 8 : start + 8 + size]
+        start += 8 + size
+
+
+def _parse_blocks(buffer: bytes, memory: Any) -> None:
+    """Read the first mesh and all states.
+
+    Results name a domain by its place among the domains. pyfebio takes the number of its part for that, which domains
+    of one material share.
+    """
+    variables: dict[str, list[xplt.DicItem]] = {}
+    names: dict[str, dict[int, str]] = {}
+    states = 0
+    for block, content in _blocks(buffer):
+        if block == "PLT_ROOT":
+            parts = dict(_blocks(content))
+            xplt.parse_root_header(parts["PLT_HEADER"], memory)
+            variables = xplt.parse_dictionary(parts["PLT_DICTIONARY"])
+        elif block == "PLT_MESH" and not names:
+            names = xplt.parse_mesh(content, 0, memory)
+            names["domains"] = dict(enumerate(memory.under(_DOMAINS), start=1))
+        elif block == "PLT_STATE":
+            xplt.parse_state(content, states, variables, names, memory)
+            states += 1
+
+
+def _coordinates(memory: _Memory) -> Floats:
+    table = memory.data["meshes/0/nodes"]
+    return np.column_stack([table[axis] for axis in "xyz"]).astype(float)
+
+
+def _state(memory: _Memory, number: int, nodes: int, surfaces: list[Surface], domains: dict[str, Domain]) -> State:
+    here = f"states/{number}/"
+    nodal = {path.split("/")[0]: values.astype(float) for path, values in memory.under(here + "node_data/").items()}
+    return State(
+        time=float(memory[here.rstrip("/")].attrs["time"][0]),
+        nodal={name: values for name, values in nodal.items() if len(values) == nodes},
+        on_surfaces=_surface_values(memory.under(here + "surface_data/"), surfaces),
+        in_domains=_domain_values(memory.under(here + "element_data/"), domains, nodes),
+    )
+
+
+def _surface_values(data: dict[str, NDArray[Any]], surfaces: list[Surface]) -> dict[str, list[Floats | None]]:
+    variables = dict.fromkeys(path.split("/", 1)[0] for path in data)
+    return {
+        variable: [_as_floats(data.get(f"{variable}/{surface.name}")) for surface in surfaces] for variable in variables
+    }
+
+
+def _as_floats(values: NDArray[Any] | None) -> Floats | None:
+    return None if values is None else values.astype(float)
+
+
+def _domain_values(data: dict[str, NDArray[Any]], domains: dict[str, Domain], nodes: int) -> dict[str, Floats]:
+    found: dict[str, Floats] = {}
+    for path, each in data.items():
+        variable, domain = path.split("/", 1)
+        members = in_order_of_appearance(domains[domain].elements.ravel())
+        if len(each) != len(members):
+            continue
+        values = found.setdefault(variable, np.full((nodes, each.shape[1]), np.nan))
+        values[members] = each
+    return found

@@ -1,0 +1,66 @@
+"""The page that `report` makes of a run."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from harness.errors import DataFileError
+from harness.models.interface import InterfaceType
+from harness.models.parts import Param
+from harness.models.pressed_blocks import PressedBlocks
+from harness.run.runner import Runner, RunResult
+
+pytest.importorskip("pyfebio", reason="`report` needs the libraries of scripts/requirements-report.txt")
+pytest.importorskip("pyvista", reason="`report` needs the libraries of scripts/requirements-report.txt")
+
+from harness.report import contents, history, page, plot_file
+
+CONTACTS = (InterfaceType.MIXTURE.value, InterfaceType.ELASTIC.value)
+AUTOMATIC = (Param("auto_penalty", True), Param("penalty", 10.0))
+
+
+def _run(runner: Runner, contact: str) -> RunResult:
+    params = () if contact == InterfaceType.MIXTURE.value else AUTOMATIC
+    scene = PressedBlocks(lower=3, upper=2, through=2, contact=contact, params=params, name=f"reported-{contact}")
+    return runner(replace(scene.model(), plot=True, further_columns=("Rz",)))
+
+
+@pytest.mark.parametrize("contact", CONTACTS)
+def test_force_and_area_are_those_of_the_run(runner: Runner, contact: str) -> None:
+    result = _run(runner, contact)
+    plot = plot_file.read(result.folder / f"{result.model.name}.xplt")
+    surfaces = history.contacts(plot)
+    # What holds the upper block down is what passes the contact; a facet's mean pressure gives it to a few percent.
+    top = result.model.mesh.node_sets["upper-top"] - 1
+    reaction = abs(result.nodes["Rz"][-1][top].sum())
+    assert {each.surface.name for each in surfaces} >= {"lower-top"}
+    for each in surfaces:
+        assert each.area[-1] == pytest.approx(1.0, rel=0.02)
+        assert each.force[-1] == pytest.approx(reaction, rel=0.05)
+        assert each.peak[-1] >= each.mean[-1] > 0
+
+
+@pytest.mark.parametrize("contact", CONTACTS)
+def test_page_holds_its_pictures(runner: Runner, contact: str, tmp_path: Path) -> None:
+    result = _run(runner, contact)
+    made = contents.make(result.folder / f"{result.model.name}.feb", tmp_path)
+    text = page.write(made, tmp_path).read_text(encoding="utf-8")
+    pictures = sorted(file.stem for file in tmp_path.glob("*.png"))
+    assert {"force", "area", "pressure"} <= set(pictures)
+    assert text.count("data:image/png;base64,") == len(pictures)
+    assert not re.search(r'(src|href)="(?!data:)', text)  # nothing from the network or from another file
+    assert contact in text
+
+
+def test_run_without_contact_pressure_says_what_to_ask_for(runner: Runner, tmp_path: Path) -> None:
+    result = _run(runner, CONTACTS[0])
+    model = tmp_path / "bare.feb"
+    text = (result.folder / f"{result.model.name}.feb").read_text(encoding="iso-8859-1")
+    model.write_text(text, encoding="iso-8859-1")
+    (tmp_path / "bare.log").write_text("", encoding="utf-8")
+    with pytest.raises(DataFileError, match=r"bare\.xplt: .*plotfile"):
+        contents.make(model, tmp_path)
