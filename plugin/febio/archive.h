@@ -13,14 +13,14 @@ void archive(DumpStream& ar, T& value) {
   ar & value;
 }
 
-/// The same for a vector. FEBio leaves one as it is where the stored one is empty.
+/// Writes a vector to an archive, or reads it. FEBio leaves a vector as it is where the stored one is empty.
 template <class T>
 void archive(DumpStream& ar, std::vector<T>& values) {
   if (!ar.IsSaving()) values.clear();
   ar & values;
 }
 
-/// The same for an Eigen matrix or vector: its shape, then its entries.
+/// Writes an Eigen matrix or vector to an archive, or reads it: its shape, then its entries.
 template <int Rows, int Columns, int Options, int MaxRows, int MaxColumns>
 void archive(DumpStream& ar, Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>& matrix) {
   int rows = static_cast<int>(matrix.rows());

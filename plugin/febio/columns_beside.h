@@ -1,4 +1,4 @@
-/// Which couplings of a contact stand beside the matrix.
+/// Deferred coupling terms: the couplings of a contact that FEBio's matrix leaves out.
 ///
 /// The change of the geometry couples nodes across the contact, which costs the matrix much of its fill and an
 /// iteration little if it is left out: it is small beside the stiffness of the bodies (docs/explanation/matrix.md).
@@ -11,8 +11,8 @@
 bool is_free(const NodeEquations& equations, const NodeEquations::Location& row, const NodeEquations::Location& columns,
              const std::vector<int>& ids, mixture_contact::Index n);
 
-/// Of the columns of a node's rows, given with their equations, those nodes that stand beside the matrix: the free ones
-/// of the other surface.
+/// Nodes among the columns of a node's rows, given with their equations, whose coupling terms are deferred: the free
+/// ones of the other surface.
 mixture_contact::NodeFlags columns_beside(const NodeEquations& equations, const NodeEquations::Location& row,
                                           const NodeEquations::Location& columns, const std::vector<int>& ids);
 

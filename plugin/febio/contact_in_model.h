@@ -15,7 +15,7 @@ class ContactInModel {
   /// Whether the present step of the analysis has it.
   virtual bool is_active() const = 0;
   virtual BoundContact& bound() = 0;
-  /// That of a degree of freedom outside contact.
+  /// The ambient value of a degree of freedom outside contact [MPa or mM].
   virtual double ambient_value(int dof) const = 0;
   /// Whether its traction penalty is reduced where steps fail.
   virtual bool has_reducible_penalty() const = 0;

@@ -31,7 +31,7 @@ class LoadEquations {
   /// and where the load depends on a rigid body, whose equations FEBio brings in by blocks of nodes.
   int of(const NodeEquations& equations, const mixture_contact::ContactInterface& core, Side surface,
          const mixture_contact::LoadPlace& load) const;
-  /// The same with the equations of its node.
+  /// The unknown that a load is: its equation, as of() finds it, and those of its node.
   UnknownLoad unknown(const NodeEquations& equations, const mixture_contact::ContactInterface& core, Side surface,
                       const mixture_contact::LoadPlace& load) const;
   /// Whether the loads of a surface's nodes have any.

@@ -34,8 +34,8 @@ class MaterialReader {
   /// Keeps a reference.
   explicit MaterialReader(FEModel& fem) : fem_(fem) {}
 
-  /// That behind a facet; a sentence on what is wrong in `problem` and empty where the material is not one that contact
-  /// can act on. Works on a copy of the material point, so the element's deformation and stress stay as they are.
+  /// The material behind a facet. Empty where it is not one that contact can act on; `problem` then says in a sentence
+  /// what is wrong. Works on a copy of the material point, so the element's deformation and stress stay as they are.
   std::optional<FacetMaterial> behind(FESurface& surface, FESurfaceElement& facet, std::string& problem);
 
  private:

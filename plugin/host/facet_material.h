@@ -18,7 +18,7 @@ struct FacetMaterial {
       solutes;  ///< solute index -> porosity x solubility x diffusivity over thickness, plus convection [mm/s]
 };
 
-/// Those of all facets of the two surfaces.
+/// The materials behind all facets of the two surfaces.
 using FacetMaterials = mixture_contact::PerSide<std::vector<FacetMaterial>>;
 
 /// The solvent and the solutes of a model, by their names, as a contact between these surfaces finds them: what a
@@ -39,5 +39,5 @@ void update_materials(mixture_contact::ContactInterface& core, const FacetMateri
 
 /// The solute that a field in the order of Effects is; -1: the solvent, exchanged or read by friction alone.
 int solute_of(const mixture_contact::Effects& effects, int field);
-/// That of each exchanged field.
+/// The solute of each exchanged field, as solute_of() numbers it.
 std::vector<int> exchanged_solutes(const mixture_contact::Effects& effects);

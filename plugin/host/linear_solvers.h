@@ -1,4 +1,4 @@
-/// Which of FEBio's linear solvers can solve the matrix of a contact.
+/// FEBio's linear solvers: those that can solve the matrix of a contact, and those that take loads as further unknowns.
 #pragma once
 
 #include <string>

@@ -32,7 +32,7 @@ struct Condition {
   double value = 0;  ///< d
 };
 
-/// Of a vector with the same equations.
+/// Product of a row or a column of a condition with a vector over the same equations.
 double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values);
 
 /// What a matrix with conditions has for its solution.

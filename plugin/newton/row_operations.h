@@ -26,7 +26,7 @@ struct RowOperation {
   }
 };
 
-/// Of different rows.
+/// Operations on different rows of one matrix.
 using RowOperations = std::vector<RowOperation>;
 
 /// T b.

@@ -52,7 +52,7 @@ struct Split {
   double reduction = 0;         ///< of such a change, by another sweep
 };
 
-/// Of sweeps that nothing is known of.
+/// Split::reduction of an iteration of which nothing is known.
 inline constexpr double unknown_reduction = 1;
 
 /// What other right-hand sides have shown of sweeps.
@@ -70,8 +70,8 @@ struct SeenSweeps {
 Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance,
             const SeenSweeps& seen = {});
 
-/// The same given x that K has for another right-hand side, solved as the x of `last` was, without a sweep where it is
-/// near enough to that.
+/// Solves (K + D) x = b but for the last iteration, as split() does, given the x that K has for another right-hand
+/// side, solved as the x of `last` was. Takes no iteration where that x is near enough to the last one.
 Split split_near(const Split& last, std::vector<double> x, const Solve& solve, const MatrixParts& parts,
                  const std::vector<double>& right, double tolerance);
 

@@ -23,7 +23,7 @@ class Problem {
   /// Forces that the last residual() left on prescribed displacements, where a condition reports them; shape (3,
   /// nodes).
   Matrix3Xd reactions() const;
-  /// Which places hold unknowns now: neither prescribed nor at ambient values.
+  /// Whether each dof of each node holds an unknown now: its value is neither prescribed nor ambient.
   std::vector<bool> free() const;
 
   /// Has automatic penalties of the traction divided by this from the next step on.

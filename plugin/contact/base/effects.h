@@ -1,4 +1,5 @@
-/// Which effects a contact exchanges. Search, residual, tangent, matrix profile, multipliers and log follow this value.
+/// The effects that a contact exchanges. Search, residual, tangent, matrix profile, multipliers and log follow this
+/// value.
 #pragma once
 
 #include "base/indexed_vector.h"

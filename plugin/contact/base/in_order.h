@@ -138,7 +138,8 @@ void in_order_with(const Workspace& workspace, const Result& empty, Index count,
   results.rethrow();
 }
 
-/// The same with results that are made anew: use(i, make(i)).
+/// Calls use(i, make(i)) for each i below `count`: `make` on several threads, `use` in ascending order of i on the
+/// calling thread. Each result is a new object; in_order_with() reuses the memory of results.
 template <class Make, class Use>
 void in_order(Index count, const Make& make, const Use& use) {
   using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;

@@ -51,7 +51,9 @@ void in_parallel_with(const Workspace& workspace, Index count, const Body& body)
   if (thrown) std::rethrow_exception(thrown);
 }
 
-/// The same without a workspace: body(i).
+/// Calls body(i) for each i below `count`, in any order and on several threads, which have no workspace. A body may
+/// write only to what belongs to i. Rethrows one of the exceptions that bodies throw. `together`: how many that follow
+/// each other are one thread's.
 template <Index together = 8, class Body>
 void in_parallel(Index count, const Body& body) {
   in_parallel_with<together>(std::monostate(), count, [&](Index i, std::monostate& /*none*/) { body(i); });

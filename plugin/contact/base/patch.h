@@ -25,15 +25,16 @@ struct Patch {
   /// The n-th node of the layout, by its index within its surface.
   int node(Index n) const { return n < primary.count() ? primary[n] : secondary[n - primary.count()]; }
 
-  /// Of of_displacements() and of_field(), which need not be made for it.
+  /// The layout of local vectors over of_displacements(), without that patch being made.
   LocalLayout displacement_layout() const {
     return {primary.count(), secondary.count(), 0, multiplier_node.has_value(), true};
   }
+  /// The layout of local vectors over of_field(), without that patch being made.
   LocalLayout field_layout(bool with_displacements) const {
     return {primary.count(), secondary.count(), 1, multiplier_node.has_value(), with_displacements};
   }
 
-  /// The same nodes with their displacements alone.
+  /// The patch of all nodes with their displacements and without fields.
   Patch of_displacements() const { return {primary, secondary, {}, multiplier_node, true}; }
   /// The n-th node of the layout alone, with the multipliers.
   Patch of_node(Index n) const {
@@ -43,7 +44,7 @@ struct Patch {
   }
   /// The multipliers without the nodes.
   Patch of_multipliers() const { return {{}, {}, fields, multiplier_node, displacements}; }
-  /// The same nodes with one of the fields, and with their displacements or without.
+  /// The patch of all nodes with one field, in Effects' order, and with the nodes' displacements or without.
   Patch of_field(int field, bool with_displacements) const {
     return {primary, secondary, {field}, multiplier_node, with_displacements};
   }

@@ -57,7 +57,7 @@ class Stopwatch {
     const std::chrono::duration<double> passed = now - std::exchange(last_, now);
     return passed.count();
   }
-  /// The same, without beginning another lap.
+  /// Seconds since the last lap or the beginning; does not begin another lap.
   double peek() const { return Stopwatch(*this).lap(); }
 
  private:
@@ -174,7 +174,7 @@ class TaskClock {
     spent_.of(rows) += seconds;
     spent_.host += seconds;
   }
-  /// The same about all equations of a patch.
+  /// Calls something of the host's that is about all equations of a patch; its time is the host's, and no effect's.
   template <class Call>
   void in_host(const Call& call) {
     Stopwatch watch;

@@ -19,7 +19,7 @@ using UseLoad = std::function<void(const LoadPlace&)>;
 /// Blocks of one effect, each with the rows of one node.
 using UseRows = std::function<void(const IndexedVector<TangentBlock>&)>;
 
-/// Of the loads at a node, and of its equations: the sum of all its parts.
+/// The tangent of the loads at a node and of the node's equations: the sum of all its parts.
 struct NodeTangent {
   std::vector<TangentBlock> blocks;
   std::vector<LoadBlock> loads;
@@ -71,7 +71,8 @@ std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, c
 
 /// A block of tractions by displacements; its symmetric part where that is asked for.
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values);
-/// The same given its values, and for rows the patch.
+/// Completes a block of tractions by displacements that has its values, and its patch as `rows`: sets the columns,
+/// leaves displacements alone as unknowns, and takes the symmetric part of the values where that is asked for.
 void set_traction_block(const MortarSpace& space, TangentBlock& block);
 
 }  // namespace mixture_contact

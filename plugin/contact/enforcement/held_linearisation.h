@@ -56,7 +56,7 @@ class HeldLinearisation {
   /// Adds the tangents of loads that the matrix has not, of nodes that are linearised.
   void add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const;
 
-  // Which nodes an iteration begins in contact with, by what the matrix answers
+  // Decisions on the nodes that an iteration begins in contact with, by solutions with the host's matrix
   /// Whether the matrix may change their status. Not where iterations begin with nodes that are foreseen: more change
   /// in the next one all the same, and each that changes costs a back substitution.
   bool may_decide() const;
@@ -69,7 +69,9 @@ class HeldLinearisation {
   /// Tractions at this state of nodes whose status the matrix may change [MPa]: of those in contact that it has, and of
   /// those that are nearing, were they in contact; NaN at all others.
   VectorXd undecided(const FacingFields& fields) const;
-  /// Which of these are open (see ActiveSet::opening()); those that have been where the matrix may not change as many.
+  /// Nodes that open as the iteration begins, given the tractions of undecided() at its end [MPa] (see
+  /// ActiveSet::opening()). `opened`: nodes that were taken to be open in finding these tractions; they are returned
+  /// where the matrix may not change the status of so many nodes.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
   /// Opens these nodes and closes all others that are nearing: what that makes of the loads at this state is what
   /// changes as the iteration begins.
@@ -78,7 +80,7 @@ class HeldLinearisation {
   /// Adds what the loads that have changed as the iteration began make of the residual. Returns false, and what has
   /// been added is of no use, where they do not act at the points of those before it.
   ///
-  /// Those of a correction act by the works that the tangent has: those of the present state would turn what a large
+  /// Loads of a correction act by the works that the tangent has: works of the present state would turn what a large
   /// penalty makes of a gap away from what the matrix answers with.
   bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const;
 
@@ -90,7 +92,7 @@ class HeldLinearisation {
   struct ByWorks {
     NodalLoads loads;
   };
-  /// Of a change of loads at the points of the iteration.
+  /// Adds the residual of a change of loads at the points of the iteration.
   void residual_of(const AtPoints& change, const FacingFields& fields, double dt, const AddVector& add) const;
   /// Loads of the true averages.
   NodalLoads true_loads(const FacingFields& fields, ContactStatus status) const;
@@ -99,7 +101,7 @@ class HeldLinearisation {
   double doubt(const NodalLoads& predicted, const NodalLoads& now) const;
   /// Whether this status is another one by nodes that may be released or added, and not by more than `most`.
   bool may_take(const NodeFlags& status, Index most) const;
-  /// Those of a status that have no linearisation.
+  /// Nodes that a status has in contact and that have no linearisation.
   NodeFlags unknown_of(const NodeFlags& status) const;
   /// Whether some nodes of a patch have no equations of their own, so that its load is no unknown of the matrix.
   bool is_of_rigid_bodies(const Patch& patch) const;
@@ -116,7 +118,7 @@ class HeldLinearisation {
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
   LinearisationPoint* point_ = nullptr;  ///< what the geometry holds
-  /// Of the loads as the iteration began, where it is known.
+  /// The change of the loads as the iteration began; std::monostate where it is unknown.
   std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;
   bool begins_ = false;      ///< whether no iteration has been before that of the matrix
   double last_error_ = 0;    ///< what tractions were off by at the last correction; 0 before any of this status

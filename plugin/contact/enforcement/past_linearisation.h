@@ -28,7 +28,7 @@ struct LinearisationSource {
   VectorXd traction;  ///< of the geometric part
   MatrixXd flux;      ///< alike
 
-  /// Of one that is made at a point, whose averages and loads are those of the present points.
+  /// The source of a linearisation that is made at a point, with averages and loads at the present integration points.
   LinearisationSource(const LinearisationPoint& point, const MortarSpace& space);
   /// What is made of another one replaces it at some nodes. The state stays the older one, from which differences are
   /// measured, so that many small ones add up.

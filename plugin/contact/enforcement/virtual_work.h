@@ -35,15 +35,15 @@ struct GeometricTangent {
   std::vector<FluxTangent> fluxes;  ///< proportional to the time increment; none in a symmetric tangent
 };
 
-/// Of pairs, in their order; none of those that carry no load.
+/// Geometric tangents of the pairs of a pass, in their order; empty for a pair that carries no load.
 using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;
 
 GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying);
-/// The same in the memory of that of another pair.
+/// Sets `tangent` to the geometric tangent of a pair and reuses its memory, which may be another pair's.
 void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying,
                            GeometricTangent& tangent);
 
-/// The same for each of these pairs.
+/// Calls `add` with the geometric tangent of each pair that carries load, effect by effect. `dt`: time increment [s].
 void geometric_tangents(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                         const AddBlock& add);
 

@@ -49,8 +49,9 @@ struct ShapeFunctions {
 /// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
 ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 
-/// Those of a tri3, its area coordinates, and their derivatives with xi.
+/// Shape functions of a tri3 at xi: its area coordinates [-].
 inline Vector3d area_coordinates(const Vector2d& xi) { return {1 - xi[0] - xi[1], xi[0], xi[1]}; }
+/// Derivatives of a tri3's area coordinates with xi, shape (3, 2).
 inline Eigen::Matrix<double, 3, 2> area_gradient() {
   return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished();
 }
@@ -109,7 +110,7 @@ struct Facet {
   const int* end() const { return nodes.data() + count(); }
 };
 
-/// Which of a facet's nodes one of the surface is, in node order.
+/// The number of a surface's node among the nodes of a facet, in node order; facet.count() where it is not there.
 Index number_in(const Facet& facet, Index node);
 
 /// Columns of a per-node array that belong to a facet's nodes, shape (3, n).

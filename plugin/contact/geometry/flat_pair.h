@@ -66,7 +66,8 @@ FlatVariation traction_work(const FlatPair& pair, Index c);
 FlatVariation mean_gap_variation(const FlatPair& pair, const FlatVariations& vary, Index c, double mean,
                                  double nodal_area);
 
-/// That of a node's average jump of a field with these nodal values, `mean`.
+/// The variation of a node's average jump of a field, INT psi_c [p] da/A_c, with the positions of the pair. `values`:
+/// the field at the nodes of the pair; `mean`: the average jump over the area A_c of all pairs, `nodal_area` [mm^2].
 FlatVariation mean_jump_variation(const FlatPair& pair, const FlatVariations& vary, Index c, const FlatNodes& values,
                                   double mean, double nodal_area);
 
@@ -106,7 +107,7 @@ FlatFlows flat_flows(const FlatPair& pair, const FlatVariations& vary, const Vec
 /// depends.
 Eigen::Matrix<double, 1, 9> primary_rows(const FlatFlows& flows, Index node);
 
-/// That of the flow at a secondary node with the positions of all.
+/// The exact derivative of the flow at a secondary node with the positions of all nodes of the pair.
 Eigen::Matrix<double, 1, 18> secondary_rows(const FlatFlows& flows, Index node);
 
 /// All rows, one per node.
@@ -126,7 +127,7 @@ FlatForces flat_forces(const FlatPair& pair, const FlatVariations& vary, const V
 /// depends.
 Eigen::Matrix<double, 3, 9> primary_rows(const FlatForces& forces, Index node);
 
-/// That of the force at a secondary node with the positions of all.
+/// The exact derivative of the force at a secondary node with the positions of all nodes of the pair.
 Eigen::Matrix<double, 3, 18> secondary_rows(const FlatForces& forces, Index node);
 
 /// All rows.

@@ -25,8 +25,8 @@ Eigen::MatrixX2d gauss_legendre(int points);
 /// order <= max_quadrature_order.
 std::vector<QuadraturePoint> quadrature(FacetType type, int order);
 
-/// The same on each linear piece of a facet, for functions that are polynomials there; in parametric coordinates of the
-/// facet.
+/// Quadrature rule of a facet that applies quadrature() to each linear piece of it, for functions that are polynomials
+/// on the pieces. Points and weights are in parametric coordinates of the facet.
 std::vector<QuadraturePoint> piecewise_quadrature(FacetType type, int order);
 
 inline constexpr int max_quadrature_order = 10;

@@ -14,13 +14,15 @@ struct PastPoint {
   Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< X2,beta
 };
 
-/// The same shape functions as now, with the nodal positions of both facets when the time step began.
+/// The point as it lay when the time step began: its present shape functions with the nodal positions that both facets
+/// had then, `past1` and `past2` [mm].
 PastPoint past_point(const PointKinematics& point, const FacetCoordinates& past1, const FacetCoordinates& past2);
 
 /// Slip over the step of the primary side relative to the secondary one, r = (1 - N N) D, as the surfaces lay when the
 /// step began. It is zero in any rigid motion of both bodies, whatever the gap: then D = g N.
 Vector3d slip(const PastPoint& past);
-/// The same without what its slope needs.
+/// Slip over the step of the primary side relative to the secondary one [mm], by the nodal positions when the step
+/// began. It does without the tangents of the past point, which only the slope of the slip needs.
 Vector3d slip(const PointKinematics& point, const FacetCoordinates& past1, const FacetCoordinates& past2);
 
 /// Derivative of the unit normal with xi. `curvature`: columns X1,11, X1,22, X1,12.

@@ -10,7 +10,7 @@ namespace mixture_contact {
 
 class EdgeNeighbours {
  public:
-  /// Of a surface of which nothing is known: no facet has any.
+  /// Neighbours on a surface of which nothing is known: no facet has any.
   EdgeNeighbours() = default;
   /// Keeps a reference.
   explicit EdgeNeighbours(const SurfaceMesh& mesh);

@@ -54,7 +54,7 @@ Place<Number> operator*(const Factor& factor, const Place<Number>& place) {
   return {factor * place.x, factor * place.y};
 }
 
-/// Of two edges of a triangle twice its area, positive where they turn counter-clockwise.
+/// Cross product of two edges of a triangle: twice its area, positive where the edges turn counter-clockwise.
 template <class Number>
 Number cross(const Place<Number>& one, const Place<Number>& two) {
   return one.x * two.y - one.y * two.x;

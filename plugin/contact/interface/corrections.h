@@ -29,14 +29,15 @@ bool may_decide(const ContactInterface& contact);
 /// HeldLinearisation::find_nearing()). Returns those that were not linearised.
 PerSide<NodeFlags> find_nearing_nodes(ContactInterface& contact, const PerSide<Matrix3Xd>& displacements,
                                       const PerSide<SurfaceFields>& fields);
-/// Nodes out of contact that have been.
+/// Nodes out of contact that are linearised, and not in the matrix (see HeldLinearisation::nearing()).
 PerSide<NodeFlags> nearing_nodes(const ContactInterface& contact);
-/// Calls `add` with the tangents of their loads, should they close.
+/// Calls `add` with the tangents of the loads of nearing_nodes(), should these close.
 void nearing_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);
 /// Tractions of nodes whose status the matrix may change as the iteration begins [MPa]; NaN at all others (see
 /// HeldLinearisation::undecided()).
 PerSide<VectorXd> undecided_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
-/// Which of these are open where tractions come to this at the end of the iteration (see HeldLinearisation::opening()).
+/// Nodes that open as the iteration begins, given the tractions of undecided nodes at its end [MPa]; `opened`: nodes
+/// that were taken to be open in finding these tractions (see HeldLinearisation::opening()).
 PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<VectorXd>& tractions,
                                  const PerSide<NodeFlags>& opened);
 /// Begins an iteration with these nodes open, of those that are undecided (see HeldLinearisation::open()).

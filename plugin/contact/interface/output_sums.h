@@ -15,13 +15,13 @@ class OutputRows {
   static constexpr Index area = 0;
   static constexpr Index gap = 1;
   static constexpr Index pressure = 2;
-  // Of friction: T_max, the load that the fluid bears, and how much slips.
+  // Rows of friction: the bound T_max, the load that the fluid bears, and whether the surfaces slip, 1 or 0.
   static constexpr Index bound = 3;
   static constexpr Index fluid = 4;
   static constexpr Index slips = 5;
 
   Index turning() const { return has_friction_ ? slips + 1 : pressure + 1; }
-  /// Of the first field; those of the others follow.
+  /// The row of the first field's flux; those of the other fields follow.
   Index flux() const { return turning(); }
   Index jump() const { return flux() + fields_; }
   /// The first of three, as the next.

@@ -23,7 +23,8 @@ inline constexpr double penetration_tolerance = 0.05;
 VectorXd overlap_shares(const IndexedVector<FacingNode>& nodes, const NodeFlags& primary_in_contact,
                         const IndexedVector<Facet>& primary, const Matrix3Xd& x1);
 
-/// Of nodes deeper than the tolerance, all but some.
+/// The penetration of all nodes that lie deeper than the tolerance, except those in `but`. `shares`: as
+/// overlap_shares().
 UndetectedPenetration overlap_among(const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
                                     const NodeFlags& but);
 

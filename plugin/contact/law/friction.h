@@ -19,7 +19,8 @@ struct FrictionBound {
 /// quotient: at first touch, where t_n and p~ - p* tend to 0 together, so does the bound.
 FrictionBound friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
-/// The same without <>: linear, and negative where nothing presses the solids together.
+/// The bound T_max without <>, mu (-t_n - (1 - phi) (p~ - p*)) [MPa]: linear, and negative where nothing presses the
+/// solids together.
 FrictionBound linear_friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
 /// A friction traction and its derivatives.
@@ -35,7 +36,7 @@ FrictionTraction stick(const Vector3d& trial);
 /// Slip: t_T = T_max tau/|tau|; zero where the trial has no direction.
 FrictionTraction slip(const Vector3d& trial, double bound);
 
-/// The same within an iteration that began at the trial traction `reference`: the direction varies with the trial as it
+/// Slip within an iteration that began at the trial traction `reference`: the direction varies with the trial as it
 /// does there to first order, at the bound `reference_bound`, and never turns round. A large penalty would have it turn
 /// where the slip comes out a little beyond zero, and Newton's method alternate between two directions of slip around
 /// stick.

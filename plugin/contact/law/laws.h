@@ -21,7 +21,8 @@ inline LawValue normal_traction(double lambda, double penalty, double gap, doubl
   return {std::min(0.0, trial), penalty};
 }
 
-/// The same law two-sided: t_n = lambda_n + eps_n g, tension where t_n > 0. Sliding stays free.
+/// Normal traction of surfaces that pull as well as push, t_n = lambda_n + eps_n g [MPa], tension where t_n > 0.
+/// Sliding stays free.
 inline LawValue two_sided_traction(double lambda, double penalty, double gap) {
   return {lambda + penalty * gap, penalty};
 }

@@ -7,7 +7,8 @@
 
 namespace mixture_contact {
 
-/// Of what faces one facet, per node of it: INT psi_a da [mm^2] and INT psi_a g da [mm^3], shape (2, n).
+/// Sums over the part of a facet that faces the other surface, per node: INT psi_a da [mm^2] and INT psi_a g da [mm^3],
+/// shape (2, n).
 using FacetGapSums = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, max_facet_nodes>;
 
 /// Per facet which of its nodes carry load, 1 or 0; empty: not decided.

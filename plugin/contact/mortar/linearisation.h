@@ -8,14 +8,15 @@ namespace mixture_contact {
 /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
 /// Where multipliers are unknowns every node has one, out of contact of its multipliers alone.
 struct NodeLinearisation {
-  /// Of the jump of one field; the virtual work of its flux is weights times the node's flux_area.
+  /// First variation of the jump of one field. The virtual work of its flux is `weights` times the node's flux_area.
   struct Jump {
     VectorXd projection_variation;  ///< djump/du, in the order of gap_variation
     VectorXd weights;               ///< with the field's nodal values, in the order of patch.of_field(field, false)
   };
-  /// Of what friction depends on; empty without friction. Rows are components.
+  /// First variations of the averages that friction depends on; empty without friction. Rows are components.
   struct Friction {
-    /// Of s_a and NodalFriction::area_vector with the position of each node of the patch.
+    /// Derivatives of s_a and of NodalFriction::area_vector, in this order, with the position of each node of the
+    /// patch.
     IndexedVector<Eigen::Matrix<double, 6, 3>> average_variation;
     VectorXd area_variation;      ///< of the node's area, in the order of gap_variation
     Matrix3Xd trial_variation;    ///< dtau_a/du, columns alike

@@ -67,7 +67,7 @@ struct VaryingPair {
 
 VaryingPair varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                          const FacingFields& fields, double dt);
-/// The same in the memory of another pair.
+/// Sets `varying` to a pair with its first variations and reuses its memory, which may be another pair's.
 void set_varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                       const FacingFields& fields, double dt, VaryingPair& varying);
 
