@@ -77,7 +77,7 @@ class Assembly {
   CoupledRow coupled_row(const NodeEquations& equations, mixture_contact::Side first,
                          const mixture_contact::TangentBlock& row) const;
   Fingerprint couplings() const;
-  /// That a load follows what it depends on, which the matrix does not have.
+  /// The condition that a load follows what it depends on, which the matrix does not have.
   newton::Condition condition_of(const NodeEquations& equations, mixture_contact::Side first,
                                  const mixture_contact::LoadBlock& load) const;
   /// Whether couplings of a pass stand beside the matrix: where its loads are unknowns, for the same solvers.

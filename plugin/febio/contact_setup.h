@@ -32,7 +32,8 @@ class ContactSetup {
   /// Takes penalties and tolerances as their load curves say at this time; automatic penalties of the traction are
   /// divided by `reduction`.
   void update_laws(const BoundContact& contact, double reduction) const;
-  /// The same, where all values make sense. Returns whether they do; the log says which do not.
+  /// Updates the laws by load curves, see update_laws(), where all values make sense. Returns whether they do; the log
+  /// says which do not.
   bool follow_load_curves(const BoundContact& contact, double reduction) const;
   /// Whether a reduction has an effect.
   bool has_reducible_penalty() const;
@@ -46,7 +47,7 @@ class ContactSetup {
   std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
   SolverKind solver_kind() const;
   std::optional<FacetMaterials> facet_materials() const;
-  /// The same, with a stiffness for rigid bodies that have no deformable one to touch.
+  /// The materials behind the facets, with a stiffness for rigid bodies that have no deformable one to touch.
   std::optional<FacetMaterials> materials() const;
   void say_stand_in() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;

@@ -20,7 +20,7 @@ class ContactSurfaces {
   /// How many facets both have in common.
   int common_facets() const;
 
-  /// Of both, as the mesh counts them.
+  /// The nodes of both surfaces, as the mesh counts them.
   std::vector<int> mesh_nodes() const;
   PerSide<mixture_contact::Matrix3Xd> positions();
   /// Moves the nodes of the primary surface, in the reference configuration.

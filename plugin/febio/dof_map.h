@@ -1,4 +1,4 @@
-/// Which of FEBio's degrees of freedom the unknowns of a contact are.
+/// FEBio's degrees of freedom of a contact's unknowns.
 #pragma once
 
 #include "contact_surfaces.h"
@@ -22,12 +22,12 @@ class DofMap {
   /// -1 where the module has none.
   int pressure(Side side) const { return of_face(side).pressure; }
   int concentration(Side side, int solute) const { return of_face(side).concentration + solute; }
-  /// The same at nodes, or on the back faces of shells.
+  /// Degrees of freedom at nodes, or on the back faces of shells; -1 where the module has no pressure.
   int pressure(bool is_back) const { return (is_back ? back_ : front_).pressure; }
   int concentration(bool is_back, int solute) const { return (is_back ? back_ : front_).concentration + solute; }
   /// The number of solutes in the model.
   int concentrations() const { return concentrations_; }
-  /// That of an exchanged field.
+  /// The degree of freedom of an exchanged field.
   int field(Side side, const mixture_contact::Effects& effects, int field) const;
   int first_multiplier() const { return first_multiplier_; }
   /// A node that belongs to no rigid body; -1 where there is none.
@@ -35,9 +35,9 @@ class DofMap {
   /// Whether a surface has a node with an equation of its own.
   bool has_free_node(Side side) const;
 
-  /// Those that forces on a node act on.
+  /// The degrees of freedom that forces on a node act on.
   const std::array<int, 3>& displacements(Side side, const FENode& node) const;
-  /// Of rigid bodies, as their nodes have them.
+  /// Degrees of freedom of the rotations of rigid bodies, as their nodes have them.
   const std::array<int, 3>& rotations() const { return rotations_; }
   /// A node of the mesh that stands for the block of multipliers.
   int multiplier_node() const { return multiplier_node_; }

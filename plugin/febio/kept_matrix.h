@@ -38,7 +38,7 @@ class KeptMatrix {
   void solve();
   /// FEBio's right-hand side is its own again: it is about to change.
   void give_back();
-  /// The same: a trial has been made of FEBio's solution.
+  /// A trial has been made of FEBio's solution: FEBio's right-hand side is its own again.
   void tried(const std::vector<double>& solution);
   /// Whether parts have been too large to stand beside it. They are to be in it from now on.
   bool needs_parts() const { return found_.needs_parts; }
@@ -73,12 +73,12 @@ class KeptMatrix {
   void begin();
   /// Has FEBio's next solution meet conditions, and the parts with them.
   void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
-  /// The same, once the right-hand side has been split.
+  /// Has FEBio's next solution meet conditions, once the right-hand side has been split.
   void finish(newton::Split split, const newton::MatrixParts& parts, const std::vector<newton::Condition>& conditions);
-  /// Of a right-hand side that has taken what the matrix has; where FEBio cannot solve zero, and nothing may be
-  /// corrected.
+  /// The solution for a right-hand side that has taken the row operations of the matrix. Zero, and nothing may be
+  /// corrected from then on, where FEBio cannot solve.
   std::vector<double> solution_of_changed(std::vector<double> changed);
-  /// The same of one that has taken nothing.
+  /// The solution for a right-hand side that has taken no row operations.
   std::vector<double> solution(const std::vector<double>& right);
   /// The matrix has rows as they were where what contacts have done to them has lost pivots.
   std::vector<double> checked_solution(const std::vector<double>& right);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-/// That of the core; none where the core does not know the facet.
+/// The core's type of a facet; none where the core does not know it.
 std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& element);
 
 class FEMixtureSurface : public FEBiphasicContactSurface {

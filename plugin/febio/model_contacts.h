@@ -19,7 +19,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
  public:
   explicit ModelContacts(FEModel& fem);
 
-  /// That of a model.
+  /// The object that the contacts of a model share.
   static std::shared_ptr<ModelContacts> of(FEModel& fem);
 
   void add(ContactInModel& contact);

@@ -29,11 +29,11 @@ class NodeEquations {
   bool are_rigid(const Location& at) const;
   /// Whether the n-th node of a local vector does.
   bool is_rigid(const Location& at, mixture_contact::Index n) const;
-  /// Which nodes do.
+  /// The nodes that belong to rigid bodies.
   mixture_contact::PerSide<mixture_contact::NodeFlags> rigid() const;
 
  private:
-  /// Of one surface.
+  /// Equations of the nodes of one surface.
   struct Surface {
     FEMixtureSurface* febio = nullptr;
     mixture_contact::IndexedVector<int> body;  ///< the rigid one that each node belongs to; negative for none

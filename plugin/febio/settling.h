@@ -1,4 +1,4 @@
-/// Which nodes are in contact, as the matrix of an iteration answers.
+/// Active-set prediction: the nodes in contact at the end of an iteration, by solutions with its matrix.
 ///
 /// An iteration begins with the nodes that overlap at its state: more than will be in contact at its end, since each
 /// that closes takes load from those around it, and without those that come into contact within it. With a factorised

@@ -26,8 +26,8 @@ class TangentAssembly {
                   const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained);
 
   void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
-  /// The same for blocks of one effect that have the rows of one node each, times a factor. What the matrix has no
-  /// place for goes into the part beside it, where there is one.
+  /// Adds blocks of one effect that have the rows of one node each, times a factor. What the matrix has no place for
+  /// goes into the part beside it, where there is one.
   void add_rows(mixture_contact::Side first, const Rows& rows, double factor, newton::MatrixPart* beside);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns

@@ -34,7 +34,8 @@ class Helper {
   virtual void try_increment(const std::vector<double>& /*increment*/) {}
   /// At an accepted state within iterations. Returns whether the model is to be evaluated again.
   virtual bool adapt() { return false; }
-  /// The same at a state whose residual the solver has not evaluated.
+  /// At an accepted state whose residual the solver has not evaluated. Returns whether the model is to be evaluated
+  /// again.
   virtual bool adapt_before_residual() { return false; }
 
   /// Whether the solver is to go on where it has converged, for a reason that can be seen without changing anything.

@@ -61,7 +61,7 @@ class Solver {
   virtual int nodes() const = 0;
   /// The dofs of each variable: displacement, pressure, one concentration.
   virtual std::vector<std::vector<int>> variables() const = 0;
-  /// Which of the variables the displacements are.
+  /// The position of the displacements among the variables().
   virtual std::size_t displacements() const = 0;
   /// The dofs that are concentrations.
   virtual std::vector<int> concentrations() const = 0;

@@ -34,8 +34,9 @@ struct ActiveSetOptions {
   /// A node keeps to stick or slip while the trial friction comes this near to the bound, as a part of the largest
   /// one: what Newton leaves, as negligible_traction.
   double friction_band = 1e-6;
-  /// The same for a node that has changed between them more often than most_status_changes within a time step: it is at
-  /// the edge of sliding, where both laws say the same. As near as loads have to come to be those of a solution.
+  /// The friction band of a node that has changed between stick and slip more often than most_status_changes within a
+  /// time step: it is at the edge of sliding, where both laws say the same. As near as loads have to come to be those
+  /// of a solution.
   double edge_friction_band = 1e-2;
   /// Loads of the linearised laws are those of a solution where they come this near to those of the true ones, as a
   /// part of the largest one. The size is a choice: no derivation stands behind it.
@@ -47,8 +48,8 @@ struct ActiveSetOptions {
   /// iteration begins: each costs the host a back substitution, for an iteration less. The size is a choice, above the
   /// fifty that a joint of tetrahedra asks for as it is pressed together.
   Index most_changed = 60;
-  /// The same for an iteration that goes on with the matrix: for another matrix less, which costs fifty of them or
-  /// more. The size is a choice below that.
+  /// The counterpart of most_changed for an iteration that goes on with the matrix: for another matrix less, which
+  /// costs fifty of them or more. The size is a choice below that.
   Index most_changed_again = 40;
 };
 
@@ -96,10 +97,10 @@ class ActiveSet {
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
   /// may be off by, so that none below it decides.
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
-  /// Which of the nodes that began an iteration in contact open within it, given what their tractions come to should
-  /// they stay [MPa]; NaN where that is unknown, and for nodes out of contact: these do not. `opened`: those that were
-  /// taken to be open in finding them. Not those whose status keeps changing: at the edge of contact it is the next
-  /// iteration that tells.
+  /// Nodes that began an iteration in contact and open within it, given what their tractions come to should they stay
+  /// [MPa]; NaN where that is unknown, and for nodes out of contact: these do not. `opened`: those that were taken to
+  /// be open in finding them. Not those whose status keeps changing: at the edge of contact it is the next iteration
+  /// that tells.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
   /// those that overlap close.
@@ -111,22 +112,22 @@ class ActiveSet {
   /// status before was that of an iteration, too.
   ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
 
-  /// Which nodes in contact slide where iterations begin.
+  /// Nodes in contact that slide where iterations begin.
   NodeFlags initial_slip(const NodalLoads& now) const;
-  /// Which slide as the loads that an iteration predicts ask for; loads with friction.
+  /// Nodes that slide as the loads that an iteration predicts ask for; loads with friction.
   NodeFlags updated_slip(const NodalLoads& predicted) const;
-  /// The same for the next iteration, at the loads `now`: the updated ones, but where changes lead in cycles; nodes
-  /// that come into contact there as their own trial says. Counts changes.
+  /// Nodes that slide in the next iteration, at the loads `now`: those of updated_slip(), but where changes lead in
+  /// cycles; nodes that come into contact there as their own trial says. Counts changes.
   NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
   /// What loads of the last iteration hold on to at another state within a step.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
 
-  /// Which nodes in contact rub where iterations begin.
+  /// Nodes in contact with a positive friction bound where iterations begin.
   NodeFlags initial_rubs(const NodalLoads& now) const;
-  /// Which rub as the loads that an iteration predicts have it.
+  /// Nodes with a positive friction bound by the loads that an iteration predicts.
   NodeFlags updated_rubs(const NodalLoads& predicted) const;
-  /// The same for the next iteration, at the loads `now`; nodes that come into contact there as their own loads have
-  /// it.
+  /// Nodes with a positive friction bound in the next iteration, at the loads `now`: those of updated_rubs(); nodes
+  /// that come into contact there as their own loads have it.
   NodeFlags next_rubs(const NodalLoads& predicted, const NodalLoads& now) const;
   /// What loads of the last iteration hold on to at another state within a step.
   NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;

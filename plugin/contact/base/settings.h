@@ -48,12 +48,13 @@ struct FrictionRule {
 /// factor sharpens.
 inline constexpr double default_traction_factor = 1e3;
 inline constexpr double default_flux_factor = 1e5;
-/// The same with two passes, which ask for twice as many conditions as the surfaces have nodes to meet them:
+/// Default multiples with two passes, which ask for twice as many conditions as the surfaces have nodes to meet them:
 /// where curved surfaces close, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields
 /// of both.
 inline constexpr double two_pass_traction_factor = 1e2;
 inline constexpr double two_pass_flux_factor = 1e3;
-/// The same of surfaces that pull: the first iteration draws everything together that lies within the search radius.
+/// Default multiple of the stiffness for surfaces that pull: the first iteration draws everything together that lies
+/// within the search radius.
 inline constexpr double tension_traction_factor = 3e2;
 
 /// The default of the traction; `both_ways`: each side has conditions of its own.
@@ -89,7 +90,7 @@ struct Augmentations {
   int most = 10;
 };
 
-/// Which gaps the surfaces answer with a traction.
+/// The gaps that the surfaces answer with a traction.
 struct GapRule {
   double offset = 0;      ///< gap at which the surfaces are in contact without load [mm]
   bool tension = false;   ///< whether paired surfaces pull, too, and never part

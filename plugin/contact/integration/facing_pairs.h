@@ -12,7 +12,7 @@
 
 namespace mixture_contact {
 
-/// Of one of these pairs, not of a copy of it.
+/// The number of a pair among these pairs, of which it is one, and not a copy.
 inline Index number_of(const FacetPair& pair, const IndexedVector<FacetPair>& pairs) {
   return std::distance(pairs.data(), &pair);
 }
@@ -71,7 +71,7 @@ class FacingPairs {
     finder_->for_each_motion(pair, points(pair), x.primary, x.secondary, use);
   }
 
-  /// Of a point of a pair that is not flat, where it was found.
+  /// Kinematics of a point of a pair that is not flat, at the positions where it was found.
   const PointKinematics& kinematics(const FacetPair& pair, Index point) const {
     return kinematics_[first_kept_[number_of(pair, pairs())] + point];
   }

@@ -43,7 +43,7 @@ class FacetPairs {
  public:
   const IndexedVector<FacetPair>& pairs() const { return pairs_; }
   PointsOfPair points(const FacetPair& pair) const { return {std::next(points_.data(), pair.first), pair.points}; }
-  /// Of all pairs.
+  /// The points of all pairs, pair by pair.
   const IndexedVector<IntegrationPoint>& points() const { return points_; }
 
   void clear();

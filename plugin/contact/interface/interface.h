@@ -80,8 +80,8 @@ class ContactInterface {
   /// Which nodes of each surface are in contact and flux-coupled by it; the others have the ambient values.
   PerSide<NodeFlags> nodes_in_contact() const;
 
-  /// The same for an iteration that has begun: once in each, and only where there is an ambient. Nodes that face
-  /// contact are held until the next one, so that those at the edge of contact do not come and go for ever.
+  /// The nodes_in_contact() of an iteration that has begun: once in each, and only where there is an ambient. Nodes
+  /// that face contact are held until the next one, so that those at the edge of contact do not come and go for ever.
   PerSide<NodeFlags> hold_nodes_in_contact();
 
   /// Looks, at a solution, for secondary nodes inside the primary body that no pass detects. All secondary nodes that

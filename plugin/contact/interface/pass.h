@@ -20,7 +20,7 @@ class ContactPass {
   /// nearest.
   void project(const FacingPositions& x, double radius);
 
-  /// The same without a search: points keep to the facets that the last project() found for them.
+  /// Projects points without a search: they keep to the facets that the last project() found for them.
   void project_on_same_facets(const FacingPositions& x);
 
   /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and holds that and the

@@ -68,7 +68,7 @@ class NodalLaws {
   double friction_penalty(Index node) const {
     return multipliers.friction_penalty_scale * settings_.friction.penalty_factor * penalties_.traction[node];
   }
-  /// Of all nodes, before slow augmentations have built them up.
+  /// Friction penalties of all nodes, before slow augmentations have built them up.
   VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
 
   // The largest multiples of stiffness and conductance that augmentations may bring penalties to
@@ -88,7 +88,8 @@ class NodalLaws {
   void load(NodalLoads& loads, bool with_penalty) const;
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
-  /// The same of any vector of the plane in which slips are measured.
+  /// The trial of a vector `past`, which lies in the plane that slips are measured in, carried into the present tangent
+  /// plane.
   static FrictionTrial carried(const NodalFriction& friction, Index node, const Vector3d& past);
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
   /// The bound without <>: what tells whether a node rubs.
@@ -99,7 +100,7 @@ class NodalLaws {
   /// that the last one predicted, or its own. Friction of a node that closes after an iteration does not turn: the
   /// bound that its overlap makes is as much too large as the penalty is.
   void refer_friction(NodalLoads& loads, const NodalLoads* predicted) const;
-  /// Which nodes in contact slide where nothing has been decided: those whose trial exceeds the bound.
+  /// Nodes in contact that slide where nothing has been decided: those whose trial exceeds the bound.
   NodeFlags beyond_bound(const NodalLoads& loads) const;
   /// Multipliers of friction that have the present tractions for their trial where nothing slides any further.
   Matrix3Xd friction_multipliers(const NodalFriction& friction) const;

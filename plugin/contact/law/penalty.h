@@ -23,7 +23,7 @@ double in_series(double one, double other);
 Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                     const Settings& settings);
 
-/// The same per node of the primary surface instead of per facet: the mean over the facets around each node.
+/// Penalties per node of the primary surface: the mean over the facets around each node.
 Penalties at_nodes(const Penalties& facets, const SurfaceMesh& primary);
 
 }  // namespace mixture_contact

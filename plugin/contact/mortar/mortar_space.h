@@ -46,7 +46,7 @@ class MortarSpace {
   /// Slips are measured from these positions, of an accepted state.
   void measure_slips_from(const FacingPositions& past);
   FacingPositions past() const { return seen_from(Side::primary, past_); }
-  /// Of the nodes of a primary facet, from where the surfaces lay when the step began.
+  /// Convections of the nodes of a primary facet, from where the surfaces lay when the step began.
   const IndexedVector<Convection>& convections(int primary_facet) const { return convections_[primary_facet]; }
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
