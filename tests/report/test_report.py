@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -14,13 +16,18 @@ from harness.models.parts import Param
 from harness.models.pressed_blocks import PressedBlocks
 from harness.run.runner import Runner, RunResult
 
-pytest.importorskip("pyfebio", reason="`report` needs the libraries of scripts/requirements-report.txt")
-pytest.importorskip("pyvista", reason="`report` needs the libraries of scripts/requirements-report.txt")
-
-from harness.report import contents, history, page, plot_file
-
 CONTACTS = (InterfaceType.MIXTURE.value, InterfaceType.ELASTIC.value)
 AUTOMATIC = (Param("auto_penalty", True), Param("penalty", 10.0))
+
+
+@pytest.fixture
+def report() -> SimpleNamespace:
+    """The modules of `report`, whose libraries Python 3.11 or newer has."""
+    for name in ("pyfebio", "pyvista"):
+        pytest.importorskip(name, reason="`report` needs the libraries of scripts/requirements-report.txt")
+    return SimpleNamespace(
+        **{name: import_module(f"harness.report.{name}") for name in ("contents", "history", "page", "plot_file")}
+    )
 
 
 def _run(runner: Runner, contact: str) -> RunResult:
@@ -30,10 +37,10 @@ def _run(runner: Runner, contact: str) -> RunResult:
 
 
 @pytest.mark.parametrize("contact", CONTACTS)
-def test_force_and_area_are_those_of_the_run(runner: Runner, contact: str) -> None:
+def test_force_and_area_are_those_of_the_run(runner: Runner, contact: str, report: SimpleNamespace) -> None:
     result = _run(runner, contact)
-    plot = plot_file.read(result.folder / f"{result.model.name}.xplt")
-    surfaces = history.contacts(plot)
+    plot = report.plot_file.read(result.folder / f"{result.model.name}.xplt")
+    surfaces = report.history.contacts(plot)
     # What holds the upper block down is what passes the contact; a facet's mean pressure gives it to a few percent.
     top = result.model.mesh.node_sets["upper-top"] - 1
     reaction = abs(result.nodes["Rz"][-1][top].sum())
@@ -45,10 +52,10 @@ def test_force_and_area_are_those_of_the_run(runner: Runner, contact: str) -> No
 
 
 @pytest.mark.parametrize("contact", CONTACTS)
-def test_page_holds_its_pictures(runner: Runner, contact: str, tmp_path: Path) -> None:
+def test_page_holds_its_pictures(runner: Runner, contact: str, tmp_path: Path, report: SimpleNamespace) -> None:
     result = _run(runner, contact)
-    made = contents.make(result.folder / f"{result.model.name}.feb", tmp_path)
-    text = page.write(made, tmp_path).read_text(encoding="utf-8")
+    made = report.contents.make(result.folder / f"{result.model.name}.feb", tmp_path)
+    text = report.page.write(made, tmp_path).read_text(encoding="utf-8")
     pictures = sorted(file.stem for file in tmp_path.glob("*.png"))
     assert {"force", "area", "pressure"} <= set(pictures)
     assert text.count("data:image/png;base64,") == len(pictures)
@@ -56,11 +63,13 @@ def test_page_holds_its_pictures(runner: Runner, contact: str, tmp_path: Path) -
     assert contact in text
 
 
-def test_run_without_contact_pressure_says_what_to_ask_for(runner: Runner, tmp_path: Path) -> None:
+def test_run_without_contact_pressure_says_what_to_ask_for(
+    runner: Runner, tmp_path: Path, report: SimpleNamespace
+) -> None:
     result = _run(runner, CONTACTS[0])
     model = tmp_path / "bare.feb"
     text = (result.folder / f"{result.model.name}.feb").read_text(encoding="iso-8859-1")
     model.write_text(text, encoding="iso-8859-1")
     (tmp_path / "bare.log").write_text("", encoding="utf-8")
     with pytest.raises(DataFileError, match=r"bare\.xplt: .*plotfile"):
-        contents.make(model, tmp_path)
+        report.contents.make(model, tmp_path)

@@ -15,7 +15,7 @@ from harness.paths import REPOSITORY
 
 HARNESS = REPOSITORY / "scripts" / "harness"
 ROOMS = (
-    *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post"),
+    *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post", "report"),
     *("indentation", "validate", "pages", "studies", "user_commands", "cli", "site", "__main__"),
 )
 """Folders and files directly in the harness, the lowest first."""
