@@ -11,7 +11,7 @@ namespace newton {
 namespace {
 
 /// Concentrations below this part of the largest one, and reactions likewise, do not decide.
-constexpr double negligible = 1e-6;
+constexpr double decisive_part = 1e-6;
 
 }  // namespace
 
@@ -25,7 +25,8 @@ std::vector<Place> NonNegativeConcentrations::negative() const {
       largest = std::max(largest, std::abs(solver_.value({node, dof})));
     for (int node = 0; node < solver_.nodes(); ++node) {
       const int n = solver_.equation({node, dof});
-      if (n >= 0 && at(vectors.total, n) + at(vectors.change, n) < -negligible * largest) places.push_back({node, dof});
+      if (n >= 0 && at(vectors.total, n) + at(vectors.change, n) < -decisive_part * largest)
+        places.push_back({node, dof});
     }
   }
   return places;
@@ -45,7 +46,7 @@ std::vector<Place> NonNegativeConcentrations::rising() const {
   double largest = 0;
   for (const Place place : held_) largest = std::max(largest, std::abs(reaction(place)));
   std::copy_if(held_.begin(), held_.end(), std::back_inserter(places),
-               [&](Place place) { return reaction(place) > negligible * largest && freed_.count(place) == 0; });
+               [&](Place place) { return reaction(place) > decisive_part * largest && freed_.count(place) == 0; });
   return places;
 }
 

@@ -40,4 +40,4 @@ COMMANDS = {
 
 def main() -> None:
     """Run the command line."""
-    start(commands(COMMANDS, sys.argv[1:]))
+    start(commands(COMMANDS, sys.argv[1:]), "scripts/mixcontact")

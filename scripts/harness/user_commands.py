@@ -46,10 +46,10 @@ def commands(known: Mapping[str, str], arguments: Sequence[str] = ()) -> typer.T
     return app
 
 
-def start(app: typer.Typer) -> None:
-    """Run the command line; an error that concerns the user is one paragraph, not a traceback."""
+def start(app: typer.Typer, program: str) -> None:
+    """Run the command line of a program; an error that concerns the user is one paragraph, not a traceback."""
     try:
-        app()
+        app(prog_name=program)
     except HarnessError as error:
         _complain(str(error))
         sys.exit(BAD_INPUT)
@@ -75,4 +75,4 @@ def _written_down(fault: Exception) -> Path:
 
 def main() -> None:
     """Run the command line of an installed harness."""
-    start(commands(FOR_EVERYBODY, sys.argv[1:]))
+    start(commands(FOR_EVERYBODY, sys.argv[1:]), "mixcontact")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib.machinery
+import importlib.util
 import os
 import re
 import subprocess
@@ -25,6 +27,15 @@ def harness(*arguments, **environment):
         text=True,
         check=False,
     )
+
+
+@pytest.fixture
+def entry_module():
+    """`scripts/mixcontact` as a module."""
+    loader = importlib.machinery.SourceFileLoader("entry", str(REPOSITORY / "scripts" / "mixcontact"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
 
 
 @pytest.fixture
@@ -118,6 +129,61 @@ def test_the_help_of_the_entry_lists_every_command():
         check=True,
     )
     entries = re.findall(r"^  ((?:[a-z-]+, )*[a-z-]+)  +\S", done.stdout, re.MULTILINE)
-    listed = {"validate", *(name for entry in entries for name in entry.split(", "))}
-    assert "mixcontact validate" in done.stdout
-    assert listed == set(COMMANDS)
+    listed = {name for entry in entries for name in entry.split(", ")}
+    assert done.stdout.startswith("Usage: scripts/mixcontact ")
+    assert listed == {*COMMANDS, "build", "docs", "test"}
+
+
+@pytest.fixture
+def fresh(tmp_path):
+    """The entry as it stands in a new clone, where nothing is set up."""
+    (tmp_path / "scripts").mkdir()
+    entry = tmp_path / "scripts" / "mixcontact"
+    entry.write_text((REPOSITORY / "scripts" / "mixcontact").read_text(encoding="utf-8"))
+    entry.chmod(0o755)
+    return entry
+
+
+@pytest.mark.parametrize("arguments", [("--help",), ("help",), ("test", "--help"), ("build", "-h")])
+def test_help_sets_up_nothing(fresh, arguments):
+    done = subprocess.run([fresh, *arguments], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("Usage: scripts/mixcontact ")
+    assert [path.name for path in fresh.parents[1].iterdir()] == ["scripts"]
+
+
+def test_a_mistyped_command_is_named_and_sets_up_nothing(fresh):
+    done = subprocess.run([fresh, "validte"], capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "there is no command 'validte'. Is it validate?" in done.stderr
+    assert [path.name for path in fresh.parents[1].iterdir()] == ["scripts"]
+
+
+def test_the_reader_of_the_help_may_leave(fresh):
+    script = f"{fresh} --help | head -1; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("command", ["check", "convert", "models", "plot"])
+def test_commands_that_read_and_write_files_compile_nothing(entry_module, monkeypatch, command):
+    done = []
+    monkeypatch.setattr(entry_module, "set_up_python", lambda groups=(): done.append(groups))
+    monkeypatch.setattr(entry_module, "set_up", lambda *_: done.append("compiled"))
+    monkeypatch.setattr(entry_module, "harness", len)
+    assert entry_module.main([command, "model.feb"]) == 2
+    assert done == [()]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "targets"),
+    [
+        (["validate"], "for_models"),
+        (["run", "model.feb"], "for_models"),
+        (["run", "model.feb", "--engine", "standalone"], "plugin/all"),
+        (["engines"], "plugin/all"),
+        (["test", "--unit"], "all"),
+        (["build"], "all"),
+    ],
+)
+def test_a_command_compiles_what_it_needs(entry_module, arguments, targets):
+    assert entry_module.targets_of(arguments[0], arguments[1:]) == targets

@@ -27,7 +27,7 @@ PROGRAMS = ("scripts/mixcontact", "febio4", "cmake", "cpack", "ctest", "export",
 SMALL = {
     # What this test is a part of; .ci/run must call it and be a valid script.
     "scripts/mixcontact test": "test -x {root}/scripts/mixcontact",
-    ".ci/run": "bash -n {root}/.ci/run && grep -q 'scripts/mixcontact test --all' {root}/.ci/run",
+    ".ci/run": "bash -n {root}/.ci/run && grep -q 'scripts/mixcontact test' {root}/.ci/run",
     # The whole takes minutes.
     "scripts/mixcontact validate": "scripts/mixcontact validate --only leak --folder results",
     "scripts/mixcontact verification-report": "scripts/mixcontact report --only leak --folder results",
