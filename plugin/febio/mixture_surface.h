@@ -34,6 +34,9 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// as those of the front face are turned round.
   void take_shell_bottoms();
   bool has_shell_bottoms() const { return has_shell_bottoms_; }
+  /// The surfaces of this name in the active contacts of the model, one of each contact: a record of the log names a
+  /// surface, which several contacts may share.
+  std::vector<const FEMixtureSurface*> of_all_contacts();
   /// The present position of a node on this surface.
   vec3d position(int node);
 
@@ -42,7 +45,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   void turn_round();
 
   vec3d GetContactForce() override;
-  double GetContactArea() override { return total_.area; }
+  double GetContactArea() override;
   vec3d GetFluidForce() override;
   void GetVectorGap(int face, vec3d& gap) override;
   void GetContactTraction(int face, vec3d& traction) override;
