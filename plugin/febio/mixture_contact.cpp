@@ -6,12 +6,13 @@
 #include "contact/interface/past_iterations.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
+#include "linear_constraints.h"
 #include "matrix_requests.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
-#include <FECore/FELinearConstraintManager.h>
+#include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FESolver.h>
@@ -45,8 +46,6 @@ FEParam* add_to_group(FEParamContainer& owner, const ParameterTag& tag, Value& v
   if (heading(tag.group) == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
   return parameter;
 }
-
-bool has_linear_constraints(FEModel& model) { return model.GetLinearConstraintManager().LinearConstraints() > 0; }
 
 }  // namespace
 
