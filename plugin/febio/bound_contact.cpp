@@ -56,6 +56,9 @@ bool BoundContact::begin_iteration(bool looks_ahead) {
   return core_->begin_iteration(fields(), looks_ahead ? dt : 0);
 }
 
+  // FEBio changes parameters before it begins a step, whose first evaluation comes before the contact prepares it.
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass)
+    core_->pass(pass).measure_gaps_from(parameters_.gap.offset.value);
 bool BoundContact::keeps_matrix() { return serves_again(*core_, fields()); }
 bool BoundContact::correct() { return mixture_contact::correct(*core_, fields()); }
 void BoundContact::hold_loads() { mixture_contact::hold_loads(*core_, fields()); }

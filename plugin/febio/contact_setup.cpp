@@ -250,7 +250,7 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
 
 FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
   return {has_friction(parameters_),
-          dofs_.pressure(false) >= 0 && parameters_.friction.contact_frac.value < 1 && has_fluid(materials)};
+          dofs_.pressure(false) >= 0 && is_relieved_by_fluid(parameters_) && has_fluid(materials)};
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {

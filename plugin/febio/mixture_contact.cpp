@@ -88,9 +88,9 @@ FEMixtureContact::~FEMixtureContact() { model_->remove(*this); }
 
 bool FEMixtureContact::Init() {
   dofs_.init();
-  find_load_curves();
+  std::vector<std::string> wrong = find_load_curves();
   find_self_contact();
-  const std::vector<std::string> wrong = model_->complaints(*this);
+  for (const std::string& complaint : model_->complaints(*this)) wrong.push_back(complaint);
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
   if (m_psf != 1 || m_psfmax != 0)
@@ -121,9 +121,15 @@ void FEMixtureContact::find_self_contact() {
     log_.say("<two_pass> has no effect: both surfaces are the same, so that each side has conditions already.");
 }
 
-void FEMixtureContact::find_load_curves() {
-  for (Varying* parameter : varying(parameters_))
-    parameter->varies = GetFEModel()->GetLoadController(FindParameterFromData(&parameter->value)) != nullptr;
+std::vector<std::string> FEMixtureContact::find_load_curves() {
+  std::vector<std::string> wrong;
+  for_each_parameter(parameters_, [&](const ParameterTag& tag, auto& value) {
+    const bool varies = GetFEModel()->GetLoadController(FindParameterFromData(&value)) != nullptr;
+    if (tag.varies != nullptr) *tag.varies = varies;
+    const std::string complaint = varies ? load_curve_complaint(tag) : "";
+    if (!complaint.empty()) wrong.push_back(complaint);
+  });
+  return wrong;
 }
 
 int FEMixtureContact::InitEquations(int first) {
@@ -241,12 +247,11 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     dofs_.serialize(ar);
     loads_.serialize(ar);
     for_each_parameter(parameters_, [&ar](const ParameterTag& tag, auto& /*value*/) {
-      if (tag.given == nullptr) return;
-      bool& given = *tag.given;
-      ar & given;
+      for (bool* const flag : {tag.given, tag.varies}) {
+        if (flag != nullptr) ar&* flag;
+      }
     });
     ar & parameters_.self_contact;
-    for (Varying* parameter : varying(parameters_)) ar & parameter->varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);
