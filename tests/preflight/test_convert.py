@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import pytest
 
+from harness.conversion import spans
 from harness.conversion.command import convert as command
 from harness.conversion.convert import convert
-from harness.conversion import spans
 from harness.conversion.fates import DROPPED, Action
 from harness.conversion.spans import Edit
 from harness.errors import HarnessError, ModelError
@@ -272,7 +272,10 @@ REFUSED = {
     "tied contact": (in_module(BIPHASIC, "tied-biphasic"), "no sliding contact"),
     "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
     "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),
-    "a load curve of a radius": (with_curve(text(Param("search_radius", 2.0)), "search_radius"), "cannot change in a run"),
+    "a load curve of a radius": (
+        with_curve(text(Param("search_radius", 2.0)), "search_radius"),
+        "cannot change in a run",
+    ),
 }
 
 
