@@ -8,6 +8,7 @@
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEElement.h>
 #include <FECore/FEMesh.h>
+#include <FECore/FEMeshAdaptor.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 
@@ -159,6 +160,23 @@ bool ContactSetup::check_ambient() const {
     if (wrong.empty()) continue;
     log_.error(wrong);
     return false;
+  }
+  return true;
+}
+
+bool ContactSetup::check_mesh_adaptors() const {
+  const bool is_lagmult = core_settings(parameters_).enforcement == Enforcement::lagrange_multipliers;
+  for (int i = 0; i < fem_.MeshAdaptors(); ++i) {
+    FEMeshAdaptor& adaptor = *fem_.MeshAdaptor(i);
+    if (is_lagmult) {
+      log_.error(
+          "<laugon>LAGMULT</laugon> is set, and the model has a mesh adaptor (" + std::string(adaptor.GetTypeStr()) +
+          "): FEBio cannot try a step again in which the number of unknowns has changed. Use AUGLAG, or PENALTY.");
+      return false;
+    }
+    const FEParam* const erodes = adaptor.GetParameter("erode_surfaces");
+    if (erodes != nullptr && erodes->type() == FE_PARAM_INT && erodes->value<int>() == 0)
+      log_.say("<erode_surfaces> of the mesh adaptor is 0: facets of elements that have eroded remain in contact.");
   }
   return true;
 }

@@ -101,7 +101,10 @@ bool FEMixtureContact::Init() {
   for (const Side side : both_sides) {
     if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
   }
-  return setup_.check_surfaces() && take_shell_bottoms() && setup_.build(bound_) && setup_.check_ambient();
+  const bool sound = setup_.check_surfaces() && take_shell_bottoms() && setup_.check_mesh_adaptors() &&
+                     setup_.build(bound_) && setup_.check_ambient();
+  surfaces_.take_change();
+  return sound;
 }
 
 bool FEMixtureContact::take_shell_bottoms() {
@@ -141,23 +144,43 @@ int FEMixtureContact::InitEquations(int first) {
 }
 
 PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
-  const bool any = core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) &&
+  // FEBio tries a step again with the unknowns that it began with, though elements may have eroded in it; and a matrix
+  // with linear constraints takes whole blocks alone.
+  const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
+  const bool any = core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
                    model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
                    dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
 }
 
+void FEMixtureContact::follow_surfaces() {
+  const NumberedState before = bound_.numbered_state();
+  const bool is_same_mesh = bound_.nodes_of_mesh() == GetFEModel()->GetMesh().Nodes();
+  if (!setup_.check_surfaces() || !setup_.build(bound_)) throw FatalError();
+  if (is_same_mesh) bound_.go_on_from(before);
+  log_.line("sliding-mixture \"" + GetName() + "\": the facets of its surfaces have changed, " +
+            std::to_string(surfaces_[Side::primary].Elements()) + " and " +
+            std::to_string(surfaces_[Side::secondary].Elements()) + " now.");
+}
+
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
+  const bool has_changed = surfaces_.take_change();
+  if (const FEMixtureSurface* const gone = surfaces_.without_facets()) {
+    log_.say("surface \"" + gone->GetName() + "\" has no facets left: the contact ends.");
+    return Deactivate();
+  }
   if (parameters_.gap.node_reloc && !relocated_) {
     surfaces_.relocate_primary(without_overlap(core(), surfaces_.positions()));
     relocated_ = true;
   }
+  if (has_changed) follow_surfaces();
   setup_.update_laws(bound_, model_->penalty_reduction());
   setup_.update_properties(bound_);
   if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), log_);
   judge_linear_solver(*GetFEModel(), core().pass(0).space().has_unknown_multipliers(), log_);
   model_->activate(*this);
+  if (has_changed) output_.store();
 }
 
 void FEMixtureContact::Deactivate() {
@@ -207,7 +230,8 @@ void FEMixtureContact::on_callback(unsigned int when) {
     output_.store();
     core().accept_step(bound_.fields(), GetFEModel()->GetTime().timeIncrement);
   }
-  if (when == CB_STEP_ACTIVE) forget_motion(core());  // another analysis step tends to have other loads
+  // Another analysis step tends to have other loads, and a step that is solved again with another mesh has no motion.
+  if (when == CB_STEP_ACTIVE || when == CB_REMESH) forget_motion(core());
   if (when == CB_SOLVED) output_.log_timings();
 }
 

@@ -55,6 +55,8 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   std::vector<std::string> find_load_curves();
   void find_self_contact();
   bool take_shell_bottoms();
+  /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.
+  void follow_surfaces();
   /// Those whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
   mixture_contact::PerSide<bool> surfaces_with_load_equations() const;
 

@@ -35,6 +35,31 @@ std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& ele
   return mixture_contact::facet_type(is_triangular(element), element.Nodes());
 }
 
+bool FEMixtureSurface::Init() {
+  drop_inactive_facets();
+  has_changed_ = true;
+  return FEBiphasicContactSurface::Init();
+}
+
+void FEMixtureSurface::drop_inactive_facets() {
+  std::vector<std::pair<int, std::vector<int>>> kept;  // type and nodes
+  for (int face = 0; face < Elements(); ++face) {
+    const FESurfaceElement& element = Element(face);
+    if (element.isActive()) kept.emplace_back(element.Type(), element.m_node);
+  }
+  const int count = mixture_contact::number_of(kept);
+  if (count == Elements()) return;
+  Create(count);
+  for (int face = 0; face < count; ++face) {
+    const auto& [type, nodes] = at(kept, face);
+    FESurfaceElement& element = Element(face);
+    element.SetType(type);
+    element.m_node = nodes;
+    element.setActive();
+  }
+  CreateMaterialPointData();
+}
+
 int FEMixtureSurface::exchanged_field(int solute) const {
   const auto found = std::find(exchanged_.begin(), exchanged_.end(), solute);
   return found == exchanged_.end() ? -1 : indexing::as_int(found - exchanged_.begin());

@@ -168,7 +168,7 @@ ModelContacts::ModelContacts(FEModel& fem)
                [this] { return !active().empty(); });
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS | CB_TIMESTEP_SOLVED |
-                      CB_TIMESTEP_FAILED | CB_SOLVED,
+                      CB_TIMESTEP_FAILED | CB_REMESH | CB_SOLVED,
                   this);
 }
 

@@ -33,7 +33,6 @@ from harness.preflight.xml_file import (
     unknown_name,
 )
 
-
 METHODS = ("PENALTY", "AUGLAG", "LAGMULT")
 """How conditions are enforced; the last one is not in FEBio's sliding interfaces."""
 
