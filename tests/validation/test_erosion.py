@@ -195,3 +195,24 @@ def test_multipliers_as_unknowns_are_refused_with_a_mesh_adaptor(solve):
     assert found.report.steps == 0
     assert "LAGMULT" in " ".join(found.report.errors)
     assert "mesh adaptor (erosion)" in " ".join(found.report.errors)
+
+
+def test_a_step_that_fails_after_elements_have_eroded_is_tried_again(solve):
+    """FEBio restores its solver with the unknowns that the step began with; since then nodes have lost theirs."""
+    stress = '<criterion type="min-max filter"><min>0.25</min><clamp>0</clamp><data type="stress"/></criterion>'
+    document = replace(
+        pressed(steps=16, retries=8),
+        adaptors=(erosion(stress, params="<max_elems>4</max_elems><sort>1</sort>"),),
+    )
+    boundary = (*document.boundary[:2], moved("up-top", "z", -0.4))
+    ends = []
+    for most in (25, 4):
+        text = document.control.replace(TIGHT, "<dtol>0.001</dtol>").replace("<max_refs>25", f"<max_refs>{most}")
+        folder, found = solve(str(most), replace(document, control=text, boundary=boundary))
+        eroded = sum(map(int, re.findall(r"Deactivated elements: (\d+)", found.output)))
+        ends.append((found.report.retries, eroded, small.table(folder / "nodes.txt")[-1]))
+    (smooth, first, one), (failed, second, two) = ends
+    assert (smooth, failed) == (0, 1)
+    assert first == second == 8
+    low = slice(3 * (CELLS + 1) ** 2, None)
+    np.testing.assert_allclose(one[low], two[low], atol=1e-9)
