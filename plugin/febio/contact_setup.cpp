@@ -42,6 +42,15 @@ int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
       }));
 }
 
+/// Whether a mesh adaptor chooses elements by the gaps of contacts, a filter in between or not.
+bool is_criterion_of_gaps(FECoreBase& adaptor) {
+  for (FECoreBase* criterion = adaptor.GetProperty("criterion"); criterion != nullptr;
+       criterion = criterion->GetProperty("data")) {
+    if (std::string(criterion->GetTypeStr()) == "contact gap") return true;
+  }
+  return false;
+}
+
 bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
 
 /// Whether some facets are rigid and have nothing but rigid ones to touch.
@@ -177,6 +186,10 @@ bool ContactSetup::check_mesh_adaptors() const {
     const FEParam* const erodes = adaptor.GetParameter("erode_surfaces");
     if (erodes != nullptr && erodes->type() == FE_PARAM_INT && erodes->value<int>() == 0)
       log_.say("<erode_surfaces> of the mesh adaptor is 0: facets of elements that have eroded remain in contact.");
+    if (!parameters_.penalties.traction.given && is_criterion_of_gaps(adaptor))
+      log_.say(
+          "the mesh adaptor's criterion \"contact gap\" asks how far surfaces overlap, which the automatic penalty "
+          "hardly allows. Set <penalty> to that which the value of the criterion was chosen with.");
   }
   return true;
 }

@@ -216,3 +216,11 @@ def test_a_step_that_fails_after_elements_have_eroded_is_tried_again(solve):
     assert first == second == 8
     low = slice(3 * (CELLS + 1) ** 2, None)
     np.testing.assert_allclose(one[low], two[low], atol=1e-9)
+
+
+@pytest.mark.parametrize(("params", "says"), [("", True), ("<penalty>5</penalty>", False)])
+def test_a_criterion_of_overlaps_asks_for_a_penalty(solve, params, says):
+    criterion = '<criterion type="contact gap"><gap>0.01</gap></criterion>'
+    _, found = solve("gap", replace(pressed(params), adaptors=(erosion(criterion),)))
+    assert ('criterion "contact gap" asks how far surfaces overlap' in found.output) == says
+    assert ("Deactivated elements: " in found.output) != says
