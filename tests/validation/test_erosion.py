@@ -224,3 +224,16 @@ def test_a_criterion_of_overlaps_asks_for_a_penalty(solve, params, says):
     _, found = solve("gap", replace(pressed(params), adaptors=(erosion(criterion),)))
     assert ('criterion "contact gap" asks how far surfaces overlap' in found.output) == says
     assert ("Deactivated elements: " in found.output) != says
+
+
+@pytest.mark.parametrize("surfaces", ["yes", "grow"])
+@pytest.mark.parametrize("setting", ["penalty", "augmented"])
+def test_a_run_goes_on_from_an_archive_after_elements_have_eroded(solve, setting, surfaces):
+    document = replace(pressed(SETTINGS[setting], steps=4), adaptors=(erosion(these_elements(CORNER), surfaces),))
+    plotted = '<Output><plotfile type="febio"><var type="displacement"/><var type="contact pressure"/></plotfile>'
+    text = document.text().replace("<plot_level>PLOT_NEVER</plot_level>", "").replace("<Output>", plotted)
+    folder, _ = solve("run", text, options=("-dump=1", "-dump_stride=3"))
+    whole = small.table(folder / "nodes.txt")
+    engine.restart(folder / "model.dmp", plugin=engine.required_plugin())
+    continued = small.table(folder / "nodes.txt")
+    np.testing.assert_allclose(continued[-1], whole[-1], atol=1e-9)
