@@ -22,16 +22,6 @@ using namespace mixture_contact;
 
 namespace {
 
-/// A local vector at its equations.
-std::vector<newton::Condition::Entry> entries_of(const std::vector<int>& equations, const VectorXd& values) {
-  std::vector<newton::Condition::Entry> entries;
-  for (Index i = 0; i < values.size(); ++i) {
-    const int equation = mixture_contact::at(equations, i);
-    if (equation >= 0) entries.push_back({equation, values[i]});
-  }
-  return entries;
-}
-
 /// Has a load that the matrix does not have in the other status, given that it follows what it depends on: its traction
 /// as the iteration begins is in the residual where it is in contact, and to be added where it is not.
 newton::Condition changed_condition(newton::Condition follows, double traction, double factor, bool is_in_contact) {
@@ -196,7 +186,7 @@ std::vector<UndecidedLoad> Assembly::undecided_loads(double dt) const {
     if (!std::isfinite(traction) || are_prescribed(columns)) return;
     found.push_back({first, load.place.node, traction, is_in_contact,
                      changed_condition(condition_of(equations(), first, load), traction, load.factor, is_in_contact),
-                     entries_of(columns, load.factor * load.variation), 0});
+                     equations().entries({first, load.place.columns}, load.factor * load.variation), 0});
   };
   added_loads(core, dt, [&](Side first, const LoadBlock& load) { add(first, load, true); });
   nearing_loads(core, dt, [&](Side first, const LoadBlock& load) { add(first, load, false); });
@@ -209,9 +199,8 @@ PerSide<Matrix3Xd> Assembly::displacements(const std::vector<double>& increment)
 
 newton::Condition Assembly::condition_of(const NodeEquations& equations, Side first, const LoadBlock& load) const {
   // As an unknown of its own: with K = -dR/du and z = factor variation.du, K du - work z = R.
-  return {loads_.of(equations, contact_.core(), first, load.place),
-          entries_of(equations.equations({first, load.rows}), -load.work),
-          entries_of(equations.equations({first, load.place.columns}), load.variation), -1 / load.factor, 0};
+  return {loads_.of(equations, contact_.core(), first, load.place), equations.entries({first, load.rows}, -load.work),
+          equations.entries({first, load.place.columns}, load.variation), -1 / load.factor, 0};
 }
 
 void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {

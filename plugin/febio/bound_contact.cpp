@@ -10,6 +10,7 @@
 #include "host/warnings.h"
 
 #include <FECore/FEAnalysis.h>
+#include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FESolver.h>
 
@@ -19,6 +20,21 @@ using namespace mixture_contact;
 
 void BoundContact::build(PerSide<SurfaceMesh> meshes, const Effects& effects) {
   core_ = std::make_unique<ContactInterface>(std::move(meshes), effects, core_settings(parameters_));
+  numbers_ = surfaces_.node_numbers();
+  nodes_of_mesh_ = surfaces_[Side::primary].GetFEModel()->GetMesh().Nodes();
+}
+
+NumberedState BoundContact::numbered_state() const { return {numbers_, core_->state()}; }
+
+void BoundContact::go_on_from(const NumberedState& before) {
+  core_->restore(carried_over(before, numbered_state(), surfaces_.positions()));
+}
+
+void BoundContact::rewind_to(const NumberedState& before) {
+  PerSide<SurfaceMesh> meshes;
+  for (const Side side : both_sides) meshes[side] = core_->mesh(side);
+  build(std::move(meshes), Effects(core_->effects()));
+  go_on_from(before);
 }
 
 PerSide<SurfaceFields> BoundContact::fields() const {
@@ -40,6 +56,9 @@ PerSide<SurfaceFields> BoundContact::fields() const {
 
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);
+  // FEBio changes parameters before it begins a step, whose first evaluation comes before the contact prepares it.
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass)
+    core_->pass(pass).measure_gaps_from(parameters_.gap.offset.value);
   const FESolver* solver = surfaces_[Side::primary].GetFEModel()->GetCurrentStep()->GetFESolver();
   const bool keep_facets = parameters_.search.seg_up > 0 && solver->m_niter > parameters_.search.seg_up;
   core_->project(surfaces_.positions(),
@@ -92,7 +111,14 @@ void BoundContact::serialize(DumpStream& ar) {
     if (!ar.IsSaving()) build(std::move(meshes), effects);
     forget_past(*core_);  // so that a run which is continued goes on as this one does
   }
-  ContactInterface::State state = core_->state();
-  archive_state(ar, state, core_->effects());
-  if (!ar.IsSaving()) core_->restore(std::move(state));
+  NumberedState numbered = numbered_state();
+  const NodeNumbers present = numbered.nodes;
+  for (IndexedVector<int>& numbers : numbered.nodes) archive(ar, static_cast<std::vector<int>&>(numbers));
+  archive_state(ar, numbered.state, core_->effects());
+  if (ar.IsSaving()) return;
+  if (numbered.nodes == present) {
+    core_->restore(std::move(numbered.state));
+  } else {
+    rewind_to(numbered);
+  }
 }

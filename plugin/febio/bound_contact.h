@@ -17,6 +17,12 @@ class BoundContact : public mixture_contact::SteppedContact {
   /// Makes the core. Nothing else may be called before.
   void build(mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes, const mixture_contact::Effects& effects);
   bool is_built() const { return core_ != nullptr; }
+  /// The state, and the nodes that it is the state of.
+  mixture_contact::NumberedState numbered_state() const;
+  /// How many the mesh had when the core was made.
+  int nodes_of_mesh() const { return nodes_of_mesh_; }
+  /// Goes on from a state of nodes that may be others than those of the core, which has just been made.
+  void go_on_from(const mixture_contact::NumberedState& before);
   mixture_contact::ContactInterface& core() const { return *core_; }
   const ContactSurfaces& surfaces() const { return surfaces_; }
   const DofMap& dofs() const { return dofs_; }
@@ -43,11 +49,16 @@ class BoundContact : public mixture_contact::SteppedContact {
   void serialize(DumpStream& ar);
 
  private:
+  /// Restores a state of other nodes: an attempt at a step has failed in which elements have eroded.
+  void rewind_to(const mixture_contact::NumberedState& before);
+
   ContactSurfaces& surfaces_;
   DofMap& dofs_;
   const ContactParameters& parameters_;
   const ContactLog& log_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
+  mixture_contact::NodeNumbers numbers_;  ///< of the core's nodes
+  int nodes_of_mesh_ = 0;
   mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
   bool said_overlap_ = false;             ///< in this run
 };

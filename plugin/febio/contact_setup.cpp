@@ -8,6 +8,7 @@
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEElement.h>
 #include <FECore/FEMesh.h>
+#include <FECore/FEMeshAdaptor.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 
@@ -39,6 +40,15 @@ int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
                  return std::find(own.begin(), own.end(), node) != own.end();
                });
       }));
+}
+
+/// Whether a mesh adaptor chooses elements by the gaps of contacts, a filter in between or not.
+bool is_criterion_of_gaps(FECoreBase& adaptor) {
+  for (FECoreBase* criterion = adaptor.GetProperty("criterion"); criterion != nullptr;
+       criterion = criterion->GetProperty("data")) {
+    if (std::string(criterion->GetTypeStr()) == "contact gap") return true;
+  }
+  return false;
 }
 
 bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
@@ -163,6 +173,27 @@ bool ContactSetup::check_ambient() const {
   return true;
 }
 
+bool ContactSetup::check_mesh_adaptors() const {
+  const bool is_lagmult = core_settings(parameters_).enforcement == Enforcement::lagrange_multipliers;
+  for (int i = 0; i < fem_.MeshAdaptors(); ++i) {
+    FEMeshAdaptor& adaptor = *fem_.MeshAdaptor(i);
+    if (is_lagmult) {
+      log_.error(
+          "<laugon>LAGMULT</laugon> is set, and the model has a mesh adaptor (" + std::string(adaptor.GetTypeStr()) +
+          "): FEBio cannot try a step again in which the number of unknowns has changed. Use AUGLAG, or PENALTY.");
+      return false;
+    }
+    const FEParam* const erodes = adaptor.GetParameter("erode_surfaces");
+    if (erodes != nullptr && erodes->type() == FE_PARAM_INT && erodes->value<int>() == 0)
+      log_.say("<erode_surfaces> of the mesh adaptor is 0: facets of elements that have eroded remain in contact.");
+    if (!parameters_.penalties.traction.given && is_criterion_of_gaps(adaptor))
+      log_.say(
+          "the mesh adaptor's criterion \"contact gap\" asks how far surfaces overlap, which the automatic penalty "
+          "hardly allows. Set <penalty> to that which the value of the criterion was chosen with.");
+  }
+  return true;
+}
+
 bool ContactSetup::has_penalty(const BoundContact& contact) const {
   if (contact.core().pass(0).penalty().traction.allFinite()) return true;
   log_.error(
@@ -250,7 +281,7 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
 
 FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
   return {has_friction(parameters_),
-          dofs_.pressure(false) >= 0 && parameters_.friction.contact_frac.value < 1 && has_fluid(materials)};
+          dofs_.pressure(false) >= 0 && is_relieved_by_fluid(parameters_) && has_fluid(materials)};
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {

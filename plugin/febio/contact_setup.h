@@ -22,6 +22,7 @@ class ContactSetup {
   bool check_parameters() const;
   bool check_surfaces() const;
   bool check_ambient() const;
+  bool check_mesh_adaptors() const;
   /// Of the elements behind a surface.
   bool are_shells(mixture_contact::Side side) const;
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 using namespace mixture_contact;
@@ -45,11 +46,29 @@ int ContactSurfaces::common_facets() const {
 }
 
 std::vector<int> ContactSurfaces::mesh_nodes() const {
-  std::vector<int> nodes;
-  for (const FEMixtureSurface* surface : {&primary_, &secondary_}) {
-    for (int node = 0; node < surface->Nodes(); ++node) nodes.push_back(surface->NodeIndex(node));
-  }
+  NodeNumbers numbers = node_numbers();
+  std::vector<int> nodes = std::move(numbers[Side::primary]);
+  nodes.insert(nodes.end(), numbers[Side::secondary].begin(), numbers[Side::secondary].end());
   return nodes;
+}
+
+NodeNumbers ContactSurfaces::node_numbers() const {
+  NodeNumbers numbers;
+  for (const Side side : both_sides) {
+    const FEMixtureSurface& surface = (*this)[side];
+    for (int node = 0; node < surface.Nodes(); ++node) numbers[side].push_back(surface.NodeIndex(node));
+  }
+  return numbers;
+}
+
+bool ContactSurfaces::take_change() {
+  const bool primary = primary_.take_change();
+  return secondary_.take_change() || primary;
+}
+
+const FEMixtureSurface* ContactSurfaces::without_facets() const {
+  if (primary_.Elements() == 0) return &primary_;
+  return secondary_.Elements() == 0 ? &secondary_ : nullptr;
 }
 
 PerSide<Matrix3Xd> ContactSurfaces::positions() {

@@ -1,6 +1,7 @@
 /// The two surfaces of a contact: where their nodes are, and which facets they have in common.
 #pragma once
 
+#include "contact/interface/carried_state.h"
 #include "mixture_surface.h"
 
 #include <vector>
@@ -22,6 +23,12 @@ class ContactSurfaces {
 
   /// The nodes of both surfaces, as the mesh counts them.
   std::vector<int> mesh_nodes() const;
+  /// The same of each surface.
+  mixture_contact::NodeNumbers node_numbers() const;
+  /// Whether facets of a surface may have changed since the last call.
+  bool take_change();
+  /// The surface that has lost all its facets; null where there is none.
+  const FEMixtureSurface* without_facets() const;
   PerSide<mixture_contact::Matrix3Xd> positions();
   /// Moves the nodes of the primary surface, in the reference configuration.
   void relocate_primary(const mixture_contact::Matrix3Xd& positions);

@@ -2,6 +2,7 @@
 
 #include "contact/base/indexed_vector.h"
 #include "host/facet_material.h"
+#include "linear_constraints.h"
 
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -54,13 +55,17 @@ const std::array<int, 3>& DofMap::displacements(Side side, const FENode& node) c
 }
 
 int DofMap::deformable_node() const {
+  const LinearConstraints constraints(fem_);
+  int bound = -1;
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];
     for (int i = 0; i < surface.Nodes(); ++i) {
-      if (surface.Node(i).m_rid < 0) return surface.NodeIndex(i);
+      if (surface.Node(i).m_rid >= 0) continue;
+      bound = surface.NodeIndex(i);
+      if (!constraints.bind(bound)) return bound;
     }
   }
-  return -1;
+  return bound;
 }
 
 bool DofMap::has_free_node(Side side) const {

@@ -30,7 +30,7 @@ class DofMap {
   /// The degree of freedom of an exchanged field.
   int field(Side side, const mixture_contact::Effects& effects, int field) const;
   int first_multiplier() const { return first_multiplier_; }
-  /// A node that belongs to no rigid body; -1 where there is none.
+  /// A node that belongs to no rigid body, and if possible to no linear constraint; -1 where there is none.
   int deformable_node() const;
   /// Whether a surface has a node with an equation of its own.
   bool has_free_node(Side side) const;

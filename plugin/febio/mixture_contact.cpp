@@ -6,12 +6,13 @@
 #include "contact/interface/past_iterations.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
+#include "linear_constraints.h"
 #include "matrix_requests.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
-#include <FECore/FELinearConstraintManager.h>
+#include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FESolver.h>
@@ -45,8 +46,6 @@ FEParam* add_to_group(FEParamContainer& owner, const ParameterTag& tag, Value& v
   if (heading(tag.group) == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
   return parameter;
 }
-
-bool has_linear_constraints(FEModel& model) { return model.GetLinearConstraintManager().LinearConstraints() > 0; }
 
 }  // namespace
 
@@ -89,9 +88,9 @@ FEMixtureContact::~FEMixtureContact() { model_->remove(*this); }
 
 bool FEMixtureContact::Init() {
   dofs_.init();
-  find_load_curves();
+  std::vector<std::string> wrong = find_load_curves();
   find_self_contact();
-  const std::vector<std::string> wrong = model_->complaints(*this);
+  for (const std::string& complaint : model_->complaints(*this)) wrong.push_back(complaint);
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
   if (m_psf != 1 || m_psfmax != 0)
@@ -102,7 +101,10 @@ bool FEMixtureContact::Init() {
   for (const Side side : both_sides) {
     if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
   }
-  return setup_.check_surfaces() && take_shell_bottoms() && setup_.build(bound_) && setup_.check_ambient();
+  const bool sound = setup_.check_surfaces() && take_shell_bottoms() && setup_.check_mesh_adaptors() &&
+                     setup_.build(bound_) && setup_.check_ambient();
+  surfaces_.take_change();
+  return sound;
 }
 
 bool FEMixtureContact::take_shell_bottoms() {
@@ -122,9 +124,15 @@ void FEMixtureContact::find_self_contact() {
     log_.say("<two_pass> has no effect: both surfaces are the same, so that each side has conditions already.");
 }
 
-void FEMixtureContact::find_load_curves() {
-  for (Varying* parameter : varying(parameters_))
-    parameter->varies = GetFEModel()->GetLoadController(FindParameterFromData(&parameter->value)) != nullptr;
+std::vector<std::string> FEMixtureContact::find_load_curves() {
+  std::vector<std::string> wrong;
+  for_each_parameter(parameters_, [&](const ParameterTag& tag, auto& value) {
+    const bool varies = GetFEModel()->GetLoadController(FindParameterFromData(&value)) != nullptr;
+    if (tag.varies != nullptr) *tag.varies = varies;
+    const std::string complaint = varies ? load_curve_complaint(tag) : "";
+    if (!complaint.empty()) wrong.push_back(complaint);
+  });
+  return wrong;
 }
 
 int FEMixtureContact::InitEquations(int first) {
@@ -136,23 +144,43 @@ int FEMixtureContact::InitEquations(int first) {
 }
 
 PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
-  const bool any = core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) &&
+  // FEBio tries a step again with the unknowns that it began with, though elements may have eroded in it; and a matrix
+  // with linear constraints takes whole blocks alone.
+  const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
+  const bool any = core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
                    model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
                    dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
 }
 
+void FEMixtureContact::follow_surfaces() {
+  const NumberedState before = bound_.numbered_state();
+  const bool is_same_mesh = bound_.nodes_of_mesh() == GetFEModel()->GetMesh().Nodes();
+  if (!setup_.check_surfaces() || !setup_.build(bound_)) throw FatalError();
+  if (is_same_mesh) bound_.go_on_from(before);
+  log_.line("sliding-mixture \"" + GetName() + "\": the facets of its surfaces have changed, " +
+            std::to_string(surfaces_[Side::primary].Elements()) + " and " +
+            std::to_string(surfaces_[Side::secondary].Elements()) + " now.");
+}
+
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
+  const bool has_changed = surfaces_.take_change();
+  if (const FEMixtureSurface* const gone = surfaces_.without_facets()) {
+    log_.say("surface \"" + gone->GetName() + "\" has no facets left: the contact ends.");
+    return Deactivate();
+  }
   if (parameters_.gap.node_reloc && !relocated_) {
     surfaces_.relocate_primary(without_overlap(core(), surfaces_.positions()));
     relocated_ = true;
   }
+  if (has_changed) follow_surfaces();
   setup_.update_laws(bound_, model_->penalty_reduction());
   setup_.update_properties(bound_);
   if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), log_);
   judge_linear_solver(*GetFEModel(), core().pass(0).space().has_unknown_multipliers(), log_);
   model_->activate(*this);
+  if (has_changed) output_.store();
 }
 
 void FEMixtureContact::Deactivate() {
@@ -202,7 +230,8 @@ void FEMixtureContact::on_callback(unsigned int when) {
     output_.store();
     core().accept_step(bound_.fields(), GetFEModel()->GetTime().timeIncrement);
   }
-  if (when == CB_STEP_ACTIVE) forget_motion(core());  // another analysis step tends to have other loads
+  // Another analysis step tends to have other loads, and a step that is solved again with another mesh has no motion.
+  if (when == CB_STEP_ACTIVE || when == CB_REMESH) forget_motion(core());
   if (when == CB_SOLVED) output_.log_timings();
 }
 
@@ -242,12 +271,11 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
     dofs_.serialize(ar);
     loads_.serialize(ar);
     for_each_parameter(parameters_, [&ar](const ParameterTag& tag, auto& /*value*/) {
-      if (tag.given == nullptr) return;
-      bool& given = *tag.given;
-      ar & given;
+      for (bool* const flag : {tag.given, tag.varies}) {
+        if (flag != nullptr) ar&* flag;
+      }
     });
     ar & parameters_.self_contact;
-    for (Varying* parameter : varying(parameters_)) ar & parameter->varies;
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

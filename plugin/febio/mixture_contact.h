@@ -10,6 +10,7 @@
 #include <FEBioMech/FEContactInterface.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 /// Passes FEBio's calls on: those of the contact itself to its parts, those that concern all contacts to the model's.
@@ -50,9 +51,12 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
  private:
   mixture_contact::ContactInterface& core() const { return bound_.core(); }
-  void find_load_curves();
+  /// Notes which parameters change in time. Returns what is wrong: a sentence for each that must not.
+  std::vector<std::string> find_load_curves();
   void find_self_contact();
   bool take_shell_bottoms();
+  /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.
+  void follow_surfaces();
   /// Those whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
   mixture_contact::PerSide<bool> surfaces_with_load_equations() const;
 

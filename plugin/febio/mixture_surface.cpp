@@ -7,8 +7,10 @@
 #include <FEBioMech/FERigidBody.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
+#include <FECore/FESurfacePairConstraint.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 using mixture_contact::at;
@@ -31,6 +33,31 @@ bool is_triangular(const FESurfaceElement& element) {
 
 std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& element) {
   return mixture_contact::facet_type(is_triangular(element), element.Nodes());
+}
+
+bool FEMixtureSurface::Init() {
+  drop_inactive_facets();
+  has_changed_ = true;
+  return FEBiphasicContactSurface::Init();
+}
+
+void FEMixtureSurface::drop_inactive_facets() {
+  std::vector<std::pair<int, std::vector<int>>> kept;  // type and nodes
+  for (int face = 0; face < Elements(); ++face) {
+    const FESurfaceElement& element = Element(face);
+    if (element.isActive()) kept.emplace_back(element.Type(), element.m_node);
+  }
+  const int count = mixture_contact::number_of(kept);
+  if (count == Elements()) return;
+  Create(count);
+  for (int face = 0; face < count; ++face) {
+    const auto& [type, nodes] = at(kept, face);
+    FESurfaceElement& element = Element(face);
+    element.SetType(type);
+    element.m_node = nodes;
+    element.setActive();
+  }
+  CreateMaterialPointData();
 }
 
 int FEMixtureSurface::exchanged_field(int solute) const {
@@ -125,7 +152,33 @@ vec3d FEMixtureSurface::position(int node) {
   return place.m_rt - mechanics->GetRigidBody(place.m_rid)->GetRotation() * place.m_d0;
 }
 
-vec3d FEMixtureSurface::GetContactForce() { return to_febio(total_.force); }
+std::vector<const FEMixtureSurface*> FEMixtureSurface::of_all_contacts() {
+  std::vector<const FEMixtureSurface*> found;
+  FEModel& fem = *GetFEModel();
+  for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
+    FESurfacePairConstraint& contact = *fem.SurfacePairConstraint(i);
+    if (!contact.IsActive()) continue;
+    const std::array<FESurface*, 2> sides{contact.GetPrimarySurface(), contact.GetSecondarySurface()};
+    const bool is_own = std::find(sides.begin(), sides.end(), this) != sides.end();
+    const auto side = std::find_if(sides.begin(), sides.end(), [&](FESurface* each) {
+      return is_own ? each == this : each->GetName() == GetName() && dynamic_cast<FEMixtureSurface*>(each) != nullptr;
+    });
+    if (side != sides.end()) found.push_back(dynamic_cast<const FEMixtureSurface*>(*side));
+  }
+  return found;
+}
+
+vec3d FEMixtureSurface::GetContactForce() {
+  vec3d force(0, 0, 0);
+  for (const FEMixtureSurface* surface : of_all_contacts()) force += to_febio(surface->total_.force);
+  return force;
+}
+
+double FEMixtureSurface::GetContactArea() {
+  double area = 0;
+  for (const FEMixtureSurface* surface : of_all_contacts()) area += surface->total_.area;
+  return area;
+}
 
 vec3d FEMixtureSurface::GetFluidForce() {
   // Force of the fluid on this surface where it is in contact: -p n da.

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 /// The core's type of a facet; none where the core does not know it.
@@ -15,6 +16,12 @@ std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& ele
 class FEMixtureSurface : public FEBiphasicContactSurface {
  public:
   explicit FEMixtureSurface(FEModel* fem) : FEBiphasicContactSurface(fem) {}
+
+  /// Begins with the facets that are active: FEBio's erosion calls this, too, where it has made some inactive or has
+  /// made others.
+  bool Init() override;
+  /// Whether facets may have changed since the last call.
+  bool take_change() { return std::exchange(has_changed_, false); }
 
   /// One FEBiphasicContactPoint per integration point of FEBio's rule; it carries output only.
   FEMaterialPoint* CreateMaterialPoint() override { return new FEBiphasicContactPoint; }
@@ -25,8 +32,11 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
                     const std::vector<int>& exchanged);
 
   const mixture_contact::NodalOutput& nodal_output() const { return nodal_; }
-  /// Totals as they act on this surface; flows out of this surface's body.
+  /// Totals as they act on this surface by its contact alone; flows out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
+  /// The surfaces of this name in the active contacts of the model, one of each contact: a record of the log names a
+  /// surface, which several contacts may share.
+  std::vector<const FEMixtureSurface*> of_all_contacts();
   /// Row of a solute (-1: the solvent) in flux, jump and flow; -1 where it is not exchanged.
   int exchanged_field(int solute) const;
 
@@ -42,7 +52,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   void turn_round();
 
   vec3d GetContactForce() override;
-  double GetContactArea() override { return total_.area; }
+  double GetContactArea() override;
   vec3d GetFluidForce() override;
   void GetVectorGap(int face, vec3d& gap) override;
   void GetContactTraction(int face, vec3d& traction) override;
@@ -56,6 +66,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   void Serialize(DumpStream& ar) override;
 
  private:
+  void drop_inactive_facets();
   /// Whether the facets are listed as those of the front faces of shells.
   bool faces_front();
   void store_friction(FESurfaceElement& element);
@@ -66,4 +77,5 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   mixture_contact::Balance total_;
   std::vector<int> exchanged_;
   bool has_shell_bottoms_ = false;
+  bool has_changed_ = false;
 };

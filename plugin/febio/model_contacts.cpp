@@ -167,8 +167,8 @@ ModelContacts::ModelContacts(FEModel& fem)
   helpers_.add(FirstNorms::name, std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }),
                [this] { return !active().empty(); });
   fem.AddCallback(call_back,
-                  CB_STEP_ACTIVE | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS | CB_TIMESTEP_SOLVED |
-                      CB_TIMESTEP_FAILED | CB_SOLVED,
+                  CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |
+                      CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_REMESH | CB_SOLVED,
                   this);
 }
 
@@ -290,6 +290,8 @@ bool ModelContacts::call_back(FEModel* fem, unsigned int when, void* contacts) {
 void ModelContacts::on_callback(unsigned int when) {
   const std::vector<ContactInModel*> contacts = when == CB_SOLVED ? contacts_ : active();
   if (contacts.empty()) return;
+  // A mesh adaptor may have numbered the unknowns anew since FEBio stored the state that it tries a step again with.
+  if (when == CB_UPDATE_TIME && fem_.MeshAdaptors() > 0 && solver_.is_newton()) begin_at_nodal_values(*solver_.febio());
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
     steps_.matrix_formed();

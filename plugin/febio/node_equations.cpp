@@ -24,7 +24,7 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
 }  // namespace
 
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
-    : dofs_(dofs), core_(core) {
+    : dofs_(dofs), constraints_(*surfaces[Side::primary].GetFEModel()), core_(core) {
   for (const Side side : both_sides) of_[side] = of_surface(surfaces[side], side);
 }
 
@@ -87,6 +87,38 @@ std::vector<int> NodeEquations::equations(const Location& at) const {
   return ids;
 }
 
+void NodeEquations::add_followed(const Location& at, std::vector<int>& ids) const {
+  if (constraints_.empty()) return;
+  for_each_node(at, [&](const Surface& surface, int node) {
+    for (int i = 0; i < Surface::displacements; ++i) {
+      const auto* const followed = constraints_.of(surface.mesh_node(node), i);
+      if (followed == nullptr) continue;
+      for (const LinearConstraints::Followed& each : *followed) ids.push_back(each.equation);
+    }
+  });
+}
+
+std::vector<newton::Condition::Entry> NodeEquations::entries(const Location& at, const VectorXd& values) const {
+  std::vector<newton::Condition::Entry> found;
+  const auto add = [&](int equation, double value) {
+    if (equation >= 0) found.push_back({equation, value});
+  };
+  const std::vector<int> ids = equations(at);
+  for (Index i = 0; i < values.size(); ++i) add(mixture_contact::at(ids, i), values[i]);
+  if (constraints_.empty() || !at.patch.displacements) return found;
+  const LocalLayout layout = at.patch.layout();
+  Index n = 0;
+  for_each_node(at, [&](const Surface& surface, int node) {
+    for (int i = 0; i < Surface::displacements; ++i) {
+      const auto* const followed = constraints_.of(surface.mesh_node(node), i);
+      if (followed == nullptr) continue;
+      for (const auto& [equation, factor] : *followed) add(equation, factor * values[layout.displacement(n, i)]);
+    }
+    ++n;
+  });
+  return found;
+}
+
 std::vector<int> NodeEquations::coupled(const Location& at) const {
   std::vector<int> ids = equations(at);
   if (at.patch.displacements) {
@@ -95,6 +127,7 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
       const std::array<int, 3> rotations = equations_at(surface.febio->Node(node), dofs_.rotations());
       ids.insert(ids.end(), rotations.begin(), rotations.end());
     });
+    add_followed(at, ids);
   }
   for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
   return ids;
@@ -108,11 +141,22 @@ std::vector<int> NodeEquations::unknowns(Side surface, int node) const {
   return found;
 }
 
+double NodeEquations::change(const Surface& surface, int node, int i, const std::vector<double>& increment) const {
+  const auto of_equation = [&](int equation) { return equation < 0 ? 0.0 : mixture_contact::at(increment, equation); };
+  const auto* const followed = constraints_.empty() ? nullptr : constraints_.of(surface.mesh_node(node), i);
+  if (followed == nullptr) return of_equation(surface.displacement(node, i));
+  double sum = 0;
+  for (const auto& [equation, factor] : *followed) sum += factor * of_equation(equation);
+  return sum;
+}
+
 PerSide<Matrix3Xd> NodeEquations::displacements(const std::vector<double>& increment) const {
   PerSide<Matrix3Xd> found;
   for (const Side side : both_sides) {
-    const auto of_equation = [&](int equation) { return equation < 0 ? 0 : mixture_contact::at(increment, equation); };
-    found[side] = of_[side].equations.topRows<Surface::displacements>().unaryExpr(of_equation);
+    found[side].resize(Surface::displacements, of_[side].equations.cols());
+    for (int node = 0; node < found[side].cols(); ++node) {
+      for (int i = 0; i < Surface::displacements; ++i) found[side](i, node) = change(of_[side], node, i, increment);
+    }
   }
   return found;
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "dof_map.h"
+#include "linear_constraints.h"
+#include "newton/border.h"
 
 #include <array>
 #include <vector>
@@ -21,6 +23,8 @@ class NodeEquations {
   std::vector<int> equations(const Location& at) const;
   /// Equations that stand in one block of the matrix, those of prescribed values and of rigid bodies' rotations, too.
   std::vector<int> coupled(const Location& at) const;
+  /// A local vector at its equations; what belongs to a displacement that follows others stands at theirs.
+  std::vector<newton::Condition::Entry> entries(const Location& at, const mixture_contact::VectorXd& values) const;
   /// Those of all degrees of freedom of a node that have one of their own, exchanged or not.
   std::vector<int> unknowns(Side surface, int node) const;
   /// What an increment moves the nodes of the surfaces by [mm]; zero where they have no equations of their own.
@@ -51,8 +55,13 @@ class NodeEquations {
   template <class Use>
   void for_each_node(const Location& at, const Use& use) const;
   void add_multipliers(const Location& at, std::vector<int>& ids) const;
+  /// What displacements of these nodes follow by linear constraints.
+  void add_followed(const Location& at, std::vector<int>& ids) const;
+  /// What an increment changes of a displacement.
+  double change(const Surface& surface, int node, int i, const std::vector<double>& increment) const;
 
   const DofMap& dofs_;
+  LinearConstraints constraints_;
   const mixture_contact::ContactInterface& core_;
   mixture_contact::PerSide<Surface> of_;
 };

@@ -9,6 +9,7 @@
 #include <FECore/FEModel.h>
 #include <FECore/log.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -28,9 +29,30 @@ double nodal_value(const FEMixtureSurface& surface, Quantity quantity, int solut
   return field < 0 || node >= values.cols() ? 0.0 : values(field, node);
 }
 
-double flow(const FEMixtureSurface& surface, int solute) {
+double own_flow(const FEMixtureSurface& surface, int solute) {
   const int field = surface.exchanged_field(solute);
   return field < 0 || field >= surface.total().flow.size() ? 0.0 : surface.total().flow[field];
+}
+
+/// What a surface has by all contacts that share it.
+template <class Value>
+auto sum_over_contacts(FEMixtureSurface& surface, const Value& value) {
+  auto sum = value(surface);
+  sum *= 0;
+  for (const FEMixtureSurface* each : surface.of_all_contacts()) sum += value(*each);
+  return sum;
+}
+
+double flow(FEMixtureSurface& surface, int solute) {
+  return sum_over_contacts(surface, [&](const FEMixtureSurface& each) { return own_flow(each, solute); });
+}
+
+mixture_contact::Vector3d contact_force(FEMixtureSurface& surface) {
+  return sum_over_contacts(surface, [](const FEMixtureSurface& each) { return each.total().force; });
+}
+
+mixture_contact::Vector3d friction_force(FEMixtureSurface& surface) {
+  return sum_over_contacts(surface, [](const FEMixtureSurface& each) { return each.total().friction; });
 }
 
 /// The contact surface that a plot or log record means: the surface itself, or the one of the same name in a contact.
@@ -97,7 +119,7 @@ class FEPlotSolventFlow : public FEPlotSurfaceData {
  public:
   explicit FEPlotSolventFlow(FEModel* fem) : FEPlotSurfaceData(fem, PLT_FLOAT, FMT_REGION) {}
   bool Save(FESurface& surface, FEDataStream& stream) override {
-    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
     if (own == nullptr) return false;
     stream << flow(*own, -1);
     return true;
@@ -108,7 +130,7 @@ class FEPlotSoluteFlow : public FEPlotSurfaceData {
  public:
   explicit FEPlotSoluteFlow(FEModel* fem) : FEPlotSurfaceData(fem, PLT_ARRAY, FMT_REGION) { name_solutes(*this, *fem); }
   bool Save(FESurface& surface, FEDataStream& stream) override {
-    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
     if (own == nullptr) return false;
     for (int solute = 0; solute < GetArraysize(); ++solute) stream << flow(*own, solute);
     return true;
@@ -156,18 +178,19 @@ double slip_status(const FEMixtureSurface& surface, int node) {
 }
 
 /// Power that friction dissipates in a step.
-double friction_power(const FEMixtureSurface& surface, FEModel& fem) {
+double friction_power(FEMixtureSurface& surface, FEModel& fem) {
   const double dt = fem.GetTime().timeIncrement;
-  return dt > 0 ? surface.total().dissipation / dt : 0.0;
+  const auto dissipation = [](const FEMixtureSurface& each) { return each.total().dissipation; };
+  return dt > 0 ? sum_over_contacts(surface, dissipation) / dt : 0.0;
 }
 
 class FEPlotFrictionForce : public FEPlotSurfaceData {
  public:
   explicit FEPlotFrictionForce(FEModel* fem) : FEPlotSurfaceData(fem, PLT_VEC3F, FMT_REGION) {}
   bool Save(FESurface& surface, FEDataStream& stream) override {
-    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
     if (own == nullptr) return false;
-    const mixture_contact::Vector3d& force = own->total().friction;
+    const mixture_contact::Vector3d force = friction_force(*own);
     stream << vec3d(force[0], force[1], force[2]);
     return true;
   }
@@ -177,7 +200,7 @@ class FEPlotFrictionPower : public FEPlotSurfaceData {
  public:
   explicit FEPlotFrictionPower(FEModel* fem) : FEPlotSurfaceData(fem, PLT_FLOAT, FMT_REGION) {}
   bool Save(FESurface& surface, FEDataStream& stream) override {
-    const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
+    auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
     if (own == nullptr) return false;
     stream << friction_power(*own, *GetFEModel());
     return true;
@@ -192,7 +215,7 @@ class FELogMixtureSurface : public FELogSurfaceData {
  public:
   using FELogSurfaceData::FELogSurfaceData;
   double value(FESurface& surface) override {
-    const FEMixtureSurface* own = contact_surface(*GetFEModel(), surface);
+    FEMixtureSurface* const own = contact_surface(*GetFEModel(), surface);
     if (own != nullptr) return value_of(*own);
     if (!warned_)
       feLogWarning("Log data \"%s\": \"%s\" is no surface of a sliding-mixture contact.", GetTypeStr(),
@@ -202,32 +225,32 @@ class FELogMixtureSurface : public FELogSurfaceData {
   }
 
  private:
-  virtual double value_of(const FEMixtureSurface& surface) const = 0;
+  virtual double value_of(FEMixtureSurface& surface) const = 0;
   bool warned_ = false;
 };
 
 template <int component>
 class FELogContactForce : public FELogMixtureSurface {
   using FELogMixtureSurface::FELogMixtureSurface;
-  double value_of(const FEMixtureSurface& surface) const override { return surface.total().force[component]; }
+  double value_of(FEMixtureSurface& surface) const override { return contact_force(surface)[component]; }
 };
 
 template <int component>
 class FELogFrictionForce : public FELogMixtureSurface {
   using FELogMixtureSurface::FELogMixtureSurface;
-  double value_of(const FEMixtureSurface& surface) const override { return surface.total().friction[component]; }
+  double value_of(FEMixtureSurface& surface) const override { return friction_force(surface)[component]; }
 };
 
 class FELogFrictionPower : public FELogMixtureSurface {
   using FELogMixtureSurface::FELogMixtureSurface;
-  double value_of(const FEMixtureSurface& surface) const override { return friction_power(surface, *GetFEModel()); }
+  double value_of(FEMixtureSurface& surface) const override { return friction_power(surface, *GetFEModel()); }
 };
 
 /// solute = -1: the solvent.
 template <int solute>
 class FELogFlow : public FELogMixtureSurface {
   using FELogMixtureSurface::FELogMixtureSurface;
-  double value_of(const FEMixtureSurface& surface) const override { return flow(surface, solute); }
+  double value_of(FEMixtureSurface& surface) const override { return flow(surface, solute); }
 };
 
 /// Registers a class under a name. FEBio keeps the pointers, so factory and name live as long as the process.
@@ -237,11 +260,32 @@ void offer(const std::string& name) {
   static const FERegisterClass_T<T> factory(T::superClassID(), kept.c_str(), T::BaseClassName(), kept.c_str());
 }
 
+/// How much of the areas around a facet's nodes faces the other surface of a contact.
+double coverage(const FEMixtureSurface& surface, const FESurfaceElement& element) {
+  const auto& area = surface.nodal_output().tributary_area;
+  double sum = 0;
+  for (int a = 0; a < element.Nodes(); ++a) {
+    const int node = mixture_contact::at(element.m_lnode, a);
+    if (node < area.size()) sum += area[node];
+  }
+  return sum;
+}
+
+/// The surface of the contact that covers a facet most, where several share it; null where none is active.
+const FEMixtureSurface* covering(FEMixtureSurface& surface, const FESurfaceElement& element) {
+  const std::vector<const FEMixtureSurface*> all = surface.of_all_contacts();
+  const auto most = std::max_element(all.begin(), all.end(), [&](const auto* one, const auto* two) {
+    return coverage(*one, element) < coverage(*two, element);
+  });
+  return most == all.end() ? nullptr : *most;
+}
+
 /// Mean of the nodal values of a facet; 0 where it is of no contact.
 template <class Value>
 double mean_of_nodes(FEModel& fem, FESurfaceElement& element, const Value& value) {
   auto* surface = dynamic_cast<FESurface*>(element.GetMeshPartition());
-  const FEMixtureSurface* own = surface ? contact_surface(fem, *surface) : nullptr;
+  FEMixtureSurface* const known = surface ? contact_surface(fem, *surface) : nullptr;
+  const FEMixtureSurface* const own = known ? covering(*known, element) : nullptr;
   if (own == nullptr) return 0;
   double sum = 0;
   for (int a = 0; a < element.Nodes(); ++a) sum += value(*own, mixture_contact::at(element.m_lnode, a));

@@ -109,13 +109,13 @@ void note_friction(std::vector<std::string>& list, const ContactParameters& p) {
 
 std::vector<std::string> complaints(const ContactParameters& p) {
   std::vector<std::string> list;
-  require_not_negative(list, "tolerance", p.tolerances.all);
+  require_not_negative(list, "tolerance", p.tolerances.all.value);
   require_not_negative(list, "traction_tolerance", p.tolerances.traction.value);
   require_not_negative(list, "solvent_tolerance", p.tolerances.solvent.value);
   require_not_negative(list, "solute_tolerance", p.tolerances.solute.value);
-  require_not_negative(list, "gaptol", p.tolerances.gaptol);
-  require_not_negative(list, "ptol", p.tolerances.ptol);
-  require_not_negative(list, "ctol", p.tolerances.ctol);
+  require_not_negative(list, "gaptol", p.tolerances.gaptol.value);
+  require_not_negative(list, "ptol", p.tolerances.ptol.value);
+  require_not_negative(list, "ctol", p.tolerances.ctol.value);
   require_not_negative(list, "search_tol", p.search.tolerance.value);
   require_not_negative(list, "penalty", p.penalties.traction.value);
   require_not_negative(list, "pressure_penalty", p.penalties.solvent.value);
@@ -142,7 +142,7 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   if (p.enforcement.minaug < 0) list.emplace_back("<minaug> is negative; it must be a number of augmentations.");
   if (p.enforcement.maxaug < p.enforcement.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
   if (!std::isfinite(p.ambient.pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
-  if (!std::isfinite(p.gap.offset)) list.emplace_back("<offset> is not a finite number.");
+  if (!std::isfinite(p.gap.offset.value)) list.emplace_back("<offset> is not a finite number.");
   complain_of_friction(list, p);
   complain_of_unknown(list, p);
   return list;
@@ -168,8 +168,19 @@ std::vector<std::string> notices(const ContactParameters& p) {
   return list;
 }
 
+std::string load_curve_complaint(const ParameterTag& tag) {
+  if (tag.varies != nullptr) return "";
+  return "<" + std::string(tag.name) +
+         "> has a load curve, and it cannot change in a run. Give a value without the attribute lc; penalties, "
+         "tolerances, the offset, friction and ambient values may change in time.";
+}
+
 bool has_friction(const ContactParameters& p) {
   return p.friction.fric_coeff.value != 0 || p.friction.fric_coeff.varies;
+}
+
+bool is_relieved_by_fluid(const ContactParameters& p) {
+  return p.friction.contact_frac.value < 1 || p.friction.contact_frac.varies;
 }
 
 namespace {
@@ -204,10 +215,10 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.traction_reduction = borne_reduction(p, factor, reduction);
   settings.solvent = penalty_rule(p.penalties.solvent, p.penalties.auto_penalty, flux_factor);
   settings.solute = penalty_rule(p.penalties.solute, p.penalties.auto_penalty, flux_factor);
-  const auto relative = [&p](const Given<double>& own) { return own.given ? own.value : p.tolerances.all; };
-  settings.tolerances.traction = {relative(p.tolerances.traction), p.tolerances.gaptol};
-  settings.tolerances.solvent = {relative(p.tolerances.solvent), p.tolerances.ptol};
-  settings.tolerances.solute = {relative(p.tolerances.solute), p.tolerances.ctol};
+  const auto relative = [&p](const Given<double>& own) { return own.given ? own.value : p.tolerances.all.value; };
+  settings.tolerances.traction = {relative(p.tolerances.traction), p.tolerances.gaptol.value};
+  settings.tolerances.solvent = {relative(p.tolerances.solvent), p.tolerances.ptol.value};
+  settings.tolerances.solute = {relative(p.tolerances.solute), p.tolerances.ctol.value};
   settings.friction = {p.friction.fric_coeff.value, p.friction.contact_frac.value, p.ambient.pressure,
                        tangential_factor(p, factor)};
   settings.augmentations = {p.enforcement.minaug, p.enforcement.maxaug};
@@ -215,7 +226,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.symmetric = p.enforcement.symmetric_stiffness;
   settings.integration = integration(p);
   settings.integration_order = p.integration.order;
-  settings.gap = {p.gap.offset, p.gap.tension, !left_out(p).contact};
+  settings.gap = {p.gap.offset.value, p.gap.tension, !left_out(p).contact};
   settings.search = {p.search.radius.given ? p.search.radius.value : 0, p.search.tolerance.value};
   return settings;
 }

@@ -32,13 +32,13 @@ struct EnforcementParameters {
 };
 
 struct ToleranceParameters {
-  double all = 2e-3;       ///< <tolerance>: relative tolerance of each field that has none of its own [-]
-  Given<double> traction;  ///< <traction_tolerance>
-  Given<double> solvent;
-  Given<double> solute;
-  double gaptol = 0;  ///< [length]
-  double ptol = 0;    ///< [pressure]
-  double ctol = 0;    ///< [concentration]
+  Varying all{{2e-3}};  ///< <tolerance>: relative tolerance of each field that has none of its own [-]
+  Varying traction;     ///< <traction_tolerance>
+  Varying solvent;
+  Varying solute;
+  Varying gaptol;  ///< [length]
+  Varying ptol;    ///< [pressure]
+  Varying ctol;    ///< [concentration]
 };
 
 struct PenaltyParameters {
@@ -67,7 +67,7 @@ struct SurfaceParameters {
 };
 
 struct GapParameters {
-  double offset = 0;  ///< gap at which the surfaces are in contact without load [length]
+  Varying offset;  ///< gap at which the surfaces are in contact without load [length]
   bool tension = false;
   bool node_reloc = false;
 };
@@ -78,9 +78,9 @@ struct AmbientParameters {
 };
 
 struct FrictionParameters {
-  Varying fric_coeff;                   ///< [-]
-  Given<double> contact_frac;           ///< [-]
-  Given<double> tangential_penalty{1};  ///< over the traction penalty [-]
+  Varying fric_coeff;               ///< [-]
+  Varying contact_frac;             ///< [-]
+  Varying tangential_penalty{{1}};  ///< over the traction penalty [-]
 };
 
 /// Whether helpers of the solver (newton/helper.h) are on. They act on the whole model.
@@ -164,6 +164,7 @@ struct ParameterTag {
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
   bool* given = nullptr;          ///< to be set where the model has the tag
+  bool* varies = nullptr;         ///< to be set where a load curve changes the value; null where none may
 };
 
 /// Calls take(tag, value) for a parameter that knows whether the model sets it.
@@ -171,9 +172,14 @@ template <class Take>
 struct TakeGiven {
   const Take& take;
 
-  template <class Parameter>
-  void operator()(ParameterTag tag, Parameter& parameter) const {
+  template <class Value>
+  void operator()(ParameterTag tag, Given<Value>& parameter) const {
     tag.given = &parameter.given;
+    take(tag, parameter.value);
+  }
+  void operator()(ParameterTag tag, Varying& parameter) const {
+    tag.given = &parameter.given;
+    tag.varies = &parameter.varies;
     take(tag, parameter.value);
   }
 };
@@ -189,13 +195,13 @@ void for_each_enforcement_parameter(ContactParameters& p, const Take& take) {
   take_given({"concentration_penalty", "solute penalty", Group::enforcement}, p.penalties.solute);
   take({"auto_penalty", "automatic penalty", Group::enforcement}, p.penalties.auto_penalty);
   take({"update_penalty", "update penalty each step", Group::enforcement}, p.penalties.update_penalty);
-  take({"tolerance", "tolerance of all fields", Group::enforcement}, p.tolerances.all);
+  take_given({"tolerance", "tolerance of all fields", Group::enforcement}, p.tolerances.all);
   take_given({"traction_tolerance", "tolerance of the gap", Group::enforcement}, p.tolerances.traction);
   take_given({"solvent_tolerance", "tolerance of the pressure jump", Group::enforcement}, p.tolerances.solvent);
   take_given({"solute_tolerance", "tolerance of the concentration jumps", Group::enforcement}, p.tolerances.solute);
-  take({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);
-  take({"ptol", "pressure jump tolerance", Group::enforcement, Unit::pressure}, p.tolerances.ptol);
-  take({"ctol", "concentration jump tolerance", Group::enforcement, Unit::concentration}, p.tolerances.ctol);
+  take_given({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);
+  take_given({"ptol", "pressure jump tolerance", Group::enforcement, Unit::pressure}, p.tolerances.ptol);
+  take_given({"ctol", "concentration jump tolerance", Group::enforcement, Unit::concentration}, p.tolerances.ctol);
   take({"minaug", "minimum augmentations", Group::enforcement}, p.enforcement.minaug);
   take({"maxaug", "maximum augmentations", Group::enforcement}, p.enforcement.maxaug);
 }
@@ -209,7 +215,7 @@ void for_each_surface_parameter(ContactParameters& p, const Take& take) {
   take_given({"integration", "integration rule", Group::surfaces, Unit::none, "gauss\0segments\0"}, p.integration.rule);
   take({"integration_order", "integration order", Group::surfaces}, p.integration.order);
   take_given({"search_radius", "search radius", Group::surfaces, Unit::length}, p.search.radius);
-  take({"offset", "gap offset", Group::surfaces, Unit::length}, p.gap.offset);
+  take_given({"offset", "gap offset", Group::surfaces, Unit::length}, p.gap.offset);
   take({"tension", "allow tension", Group::surfaces}, p.gap.tension);
   take_given({"search_tol", "projection tolerance", Group::surfaces}, p.search.tolerance);
   take({"seg_up", "iterations with a new search", Group::surfaces}, p.search.seg_up);
@@ -237,7 +243,7 @@ template <class Take>
 void for_each_friction_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
   const TakeGiven<Take> take_given{take};
-  take({"fric_coeff", "friction coefficient", Group::friction}, p.friction.fric_coeff.value);
+  take_given({"fric_coeff", "friction coefficient", Group::friction}, p.friction.fric_coeff);
   take_given({"contact_frac", "solid contact fraction", Group::friction}, p.friction.contact_frac);
   take_given({"tangential_penalty", "tangential penalty factor", Group::friction}, p.friction.tangential_penalty);
 }
@@ -266,20 +272,21 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   for_each_unused_parameter(p, take);
 }
 
-/// Those of which the contact asks whether a load curve changes them.
-inline std::array<Varying*, 4> varying(ContactParameters& p) {
-  return {&p.penalties.traction, &p.penalties.solvent, &p.penalties.solute, &p.friction.fric_coeff};
-}
-
 /// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing
 /// is.
 std::vector<std::string> complaints(const ContactParameters& parameters);
+
+/// What is wrong with a load curve on a parameter that must not change in a run; empty where it may.
+std::string load_curve_complaint(const ParameterTag& tag);
 
 /// What a user should know of parameters that have no effect here, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
 
 /// Whether the surfaces resist sliding; a load curve may bring friction later.
 bool has_friction(const ContactParameters& parameters);
+
+/// Whether the fluid bears a part of the load that friction does not see; a load curve may bring that later.
+bool is_relieved_by_fluid(const ContactParameters& parameters);
 
 /// What penalties of 0 leave out of the contact; one that a load curve changes leaves out nothing.
 struct LeftOut {

@@ -98,8 +98,7 @@ mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials
   std::vector<FieldAtContact> fields = fields_at_contact(materials, definition_.surfaces, model_.solutes);
   leave_out(left_out(definition_.parameters), fields);
   const ContactParameters& parameters = definition_.parameters;
-  const FrictionRequest friction{has_friction(parameters),
-                                 parameters.friction.contact_frac.value < 1 && has_fluid(materials)};
+  const FrictionRequest friction{has_friction(parameters), is_relieved_by_fluid(parameters) && has_fluid(materials)};
   const Exchange exchange = decide_exchange(parameters.effects, fields, motion(), friction);
   if (!exchange.complaints.empty())
     throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());

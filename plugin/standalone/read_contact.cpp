@@ -52,6 +52,15 @@ void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefin
   if (!contact.ambient_concentration.emplace(solute - 1, read_parameter(tag, model)).second) tag.fail("given twice");
 }
 
+void check_type(const Tag& tag) {
+  const std::string type = tag.attribute("type");
+  if (type == "sliding-mixture") return;
+  tag.fail(
+      "the type \"" + type +
+      "\" is not supported; allowed: sliding-mixture. The command `mixcontact convert` makes it of FEBio's sliding "
+      "interfaces");
+}
+
 void check_surfaces(const Tag& tag, const Model& model, const ContactDefinition& contact) {
   std::set<std::pair<int, int>> faces;
   for (const std::string& name : contact.surfaces) {
@@ -67,7 +76,7 @@ void check_surfaces(const Tag& tag, const Model& model, const ContactDefinition&
 void read_contacts(const Tag& section, Model& model) {
   for (const Tag& tag : section.all("contact")) {
     ContactDefinition contact;
-    tag.attribute("type", {"sliding-mixture"});
+    check_type(tag);
     contact.surfaces = named(tag, "surface_pair", model.mesh.pairs);
     contact.name = tag.find_attribute("name").value_or(tag.attribute("surface_pair"));
     read_parameters(tag, contact.parameters);

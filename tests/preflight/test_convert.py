@@ -8,9 +8,11 @@ from dataclasses import replace
 
 import pytest
 
+from harness.conversion import spans
 from harness.conversion.command import convert as command
 from harness.conversion.convert import convert
 from harness.conversion.fates import DROPPED, Action
+from harness.conversion.spans import Edit
 from harness.errors import HarnessError, ModelError
 from harness.models import pairs
 from harness.models.ambient import Apart
@@ -270,7 +272,10 @@ REFUSED = {
     "tied contact": (in_module(BIPHASIC, "tied-biphasic"), "no sliding contact"),
     "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
     "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),
-    "a load curve of a radius": (with_curve(text(Param("search_radius", 2.0)), "search_radius"), "reads it once"),
+    "a load curve of a radius": (
+        with_curve(text(Param("search_radius", 2.0)), "search_radius"),
+        "cannot change in a run",
+    ),
 }
 
 
@@ -279,6 +284,39 @@ def test_other_physics_is_refused(converted, name):
     old, reason = REFUSED[name]
     with pytest.raises(ModelError, match=reason):
         converted(old)
+
+
+def test_enforcement_is_read_without_case_as_febio_does(converted):
+    made = converted(text(Param("laugon", "auglag")))
+    assert fates(made)["laugon"] is Action.KEPT
+
+
+def test_true_is_off_as_in_febio(converted):
+    made = converted(text(Param("auto_penalty", "True"), Param("symmetric_stiffness", "True")))
+    assert {fates(made)[name] for name in ("auto_penalty", "symmetric_stiffness")} == {Action.KEPT}
+
+
+def test_a_contact_without_parameters_becomes_one_that_febio_reads(converted):
+    made = converted(re.sub(r"(<contact [^>]*>).*?</contact>", r"\1</contact>", text(), flags=re.DOTALL))
+    assert b"<penalty>1</penalty>" in made.data
+
+
+def test_refusals_name_lines_of_the_file_that_is_there(converted, tmp_path):
+    """Lines that would be written come before the one that is refused, and others go."""
+    old = text(Param("knmult", 1.0), Param("maxaug", 1.0), Param("minaug", 2.0))
+    line = 1 + old[: old.index("<maxaug>")].count("\n")
+    with pytest.raises(ModelError, match=rf"model\.feb, line {line}: <maxaug>: <maxaug> is less than <minaug>"):
+        converted(old)
+
+
+@pytest.mark.parametrize("line", range(1, 8))
+def test_lines_of_edited_files_are_found_again(line):
+    old = b"one\ntwo\nthree\nfour\nfive\n"
+    edits = [Edit(4, 4, b"new\nnewer\n"), Edit(8, 14, b"")]
+    new = spans.apply(old, edits).split(b"\n")
+    found = old.split(b"\n")[spans.line_before(old, edits, line) - 1]
+    at_line = new[line - 1] if line <= len(new) else b""
+    assert found == (b"two" if at_line.startswith(b"new") else at_line)
 
 
 HEAD = '<?xml version="1.0"?>\n<febio_spec version="4.0">\n'
@@ -396,6 +434,19 @@ def test_a_model_of_pieces_stays_in_its_folder(tmp_path):
     with pytest.raises(HarnessError, match=r"reads contact\.feb from its folder"):
         command(path, tmp_path / "elsewhere" / "model.feb")
     assert contents(tmp_path) == before
+
+
+def test_no_folder_is_made_and_no_file_of_the_model_is_written_over(tmp_path):
+    path = tmp_path / "model.feb"
+    path.write_text(text())
+    with pytest.raises(HarnessError, match="there is no folder"):
+        command(path, tmp_path / "elsewhere" / "model.feb")
+    with pytest.raises(HarnessError, match="is a folder"):
+        command(path, tmp_path)
+    assert contents(tmp_path).keys() == {"model.feb"}
+    pieces = in_pieces(tmp_path / "pieces", READ_BY[1])
+    with pytest.raises(HarnessError, match=r"reads .*contact\.feb; name another --output"):
+        command(pieces, pieces.parent / "contact.feb")
 
 
 def test_nothing_of_a_name_that_is_taken_is_lost(tmp_path):

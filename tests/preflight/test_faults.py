@@ -18,6 +18,7 @@ from harness.paths import DOCS, REPOSITORY
 from harness.preflight.finding import Severity
 
 PREFLIGHT = REPOSITORY / "scripts" / "harness" / "preflight"
+CONTACT = re.compile(r"<contact( [^>]*?)/?>(?:.*?</contact>)?", re.DOTALL)
 
 
 def diffusion(interface=InterfaceType.MIXTURE, settings=None, **more):
@@ -221,6 +222,12 @@ FAULTS = {
         "unknown-parameter",
         "pressure_penalty",
     ),
+    "no parameter between two tags": (
+        lambda: CONTACT.sub(r"<contact\1></contact>", with_params().text()),
+        "empty-contact",
+        "two tags",
+    ),
+    "true": (lambda: with_params(Param("auto_penalty", "True")), "switch", "FEBio reads as 0"),
     "negative tolerance": (lambda: with_params(Param("tolerance", -1.0)), "bad-value", "not negative"),
     "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "not negative"),
     "FEBio's enforcement": (
@@ -272,7 +279,7 @@ FAULTS = {
     "load curve of a radius": (
         lambda: text_of(replace(with_params(Param("search_radius", 1.0, 1)), curves=(Curve(((0, 0), (1, 1))),))),
         "load-curve",
-        "once",
+        "cannot change",
     ),
     "module": (lambda: text_of(diffusion(), ("sliding-mixture", "sliding-multiphasic")), "module", "multiphasic"),
     "module without displacements": (

@@ -99,7 +99,7 @@ const std::vector<Mistake> mistakes{
     {"<extend>CONSTANT", "<extend>REPEAT", "extend", "CONSTANT"},
     {"type=\"loadcurve\"", "type=\"math\"", "load_controller", "loadcurve"},
     {"<load_controller id=\"2\"", "<load_controller id=\"1\"", "load_controller", "count up"},
-    {"type=\"sliding-mixture\"", "type=\"sliding-elastic\"", "contact", "not supported"},
+    {"type=\"sliding-mixture\"", "type=\"sliding-elastic\"", "contact", "mixcontact convert"},
     {"<penalty>100", "<penalty>-100", "contact", "<penalty>"},
     {"<penalty>100", "<penalty>1e400", "penalty", "not a finite number"},
     {"<search_radius>0.5", "<search_radius>-1", "contact", "<search_radius>"},

@@ -27,8 +27,8 @@ def altered(tmp_path, monkeypatch, old: str, new: str) -> None:
 
 
 def test_a_parameter_without_a_note_is_named(tmp_path, monkeypatch):
-    line = '  take({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);'
-    another = '  take({"gap_limit", "gap limit", Group::enforcement}, p.tolerances.gaptol);'
+    line = '  take_given({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);'
+    another = '  take_given({"gap_limit", "gap limit", Group::enforcement}, p.tolerances.gaptol);'
     altered(tmp_path, monkeypatch, line, f"{another}\n{line}")
     with pytest.raises(DataFileError, match="do not agree on gap_limit"):
         plugin_parameters.page()
@@ -44,8 +44,8 @@ def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
     altered(
         tmp_path,
         monkeypatch,
-        'take({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol)',
-        "take(tag, p.tolerances.gaptol)",
+        'take_given({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol)',
+        "take_given(tag, p.tolerances.gaptol)",
     )
     with pytest.raises(DataFileError, match="is not of the form"):
         plugin_parameters.page()

@@ -358,6 +358,8 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.tolerances = settings.tolerances;
   settings_.friction = settings.friction;
   check_.settings.friction = settings.friction;
+  settings_.gap.offset = check_.settings.gap.offset = settings.gap.offset;
+  for (const SidedPass& pass : passes_) pass.integral->measure_gaps_from(settings.gap.offset);
   if (same_penalties(settings_, settings)) return;
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;

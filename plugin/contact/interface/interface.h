@@ -100,7 +100,8 @@ class ContactInterface {
   /// Replaces stiffness and conductance of a surface's facets and recomputes the penalties.
   void update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance);
 
-  /// Takes penalties and tolerances from these settings, which may follow load curves; the others stay as they are.
+  /// Takes penalties, tolerances and the offset from these settings, which may follow load curves; the others stay as
+  /// they are.
   void update_laws(const Settings& settings);
 
   const Effects& effects() const { return effects_; }

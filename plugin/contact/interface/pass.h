@@ -56,6 +56,9 @@ class ContactPass {
   /// the load in equilibrium.
   void augment(const FacingFields& fields);
 
+  /// Gaps are measured from this distance of the surfaces from now on [mm].
+  void measure_gaps_from(double offset) { space_.measure_gaps_from(offset); }
+
   /// Slips are measured from these positions from now on.
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 

@@ -185,6 +185,12 @@ NodalLoads MortarSpace::averages(NodalGaps gaps, const FacingFields& fields, Con
   return loads;
 }
 
+void MortarSpace::measure_gaps_from(double offset) {
+  if (offset == offset_) return;
+  offset_ = offset;
+  gaps_.reset();
+}
+
 std::size_t MortarSpace::memory() const {
   return facing_.memory() + weights_.memory() + bytes_of(convections_) + bytes(past_[Side::primary]) +
          bytes(past_[Side::secondary]);

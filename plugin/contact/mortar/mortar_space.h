@@ -70,6 +70,8 @@ class MortarSpace {
   bool symmetric() const { return symmetric_; }
   /// Distance of the surfaces from which gaps are measured [mm].
   double offset() const { return offset_; }
+  /// Measures gaps from another distance from now on [mm].
+  void measure_gaps_from(double offset);
 
   /// What linearising and tangents spend on single effects; whoever times them takes it.
   EffectTimings& effect_times() const { return effect_times_; }

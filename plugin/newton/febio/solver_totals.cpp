@@ -62,3 +62,16 @@ void set_totals(FENewtonSolver& solver, const std::vector<double>& change) {
       gather_concentrations(solute->m_Ci, fem, change);
   }
 }
+
+void begin_at_nodal_values(FENewtonSolver& solver) {
+  solver.m_Ut.assign(solver.m_ui.size(), 0);
+  solver.m_Ui.assign(solver.m_ui.size(), 0);
+  FEMesh& mesh = solver.GetFEModel()->GetMesh();
+  for (int i = 0; i < mesh.Nodes(); ++i) {
+    const FENode& node = mesh.Node(i);
+    for (int dof = 0; dof < node.dofs(); ++dof) {
+      const int equation = newton::equation_of(indexing::at(node.m_ID, dof));
+      if (equation >= 0) indexing::at(solver.m_Ut, equation) = node.get(dof);
+    }
+  }
+}

@@ -13,3 +13,6 @@ bool has_known_totals(const FENewtonSolver& solver);
 
 /// Sets the totals of such a solver to the change given per equation.
 void set_totals(FENewtonSolver& solver, const std::vector<double>& change);
+
+/// Has the solver begin a step at the present nodal values, whatever the numbers of the unknowns were before.
+void begin_at_nodal_values(FENewtonSolver& solver);

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -44,6 +44,7 @@ def convert(
         raise HarnessError(f"{target} is there already; name a file by --output")
     converted = conversion.convert(model)
     _check_folder(model, target, converted.reads)
+    _check_target(model, target, converted.files)
     files = {**converted.included, target: converted.data}
     _check_free(converted.included)
     for path, data in files.items():
@@ -64,6 +65,17 @@ def _check_folder(model: Path, target: Path, reads: Sequence[str]) -> None:
         )
 
 
+def _check_target(model: Path, target: Path, read: Iterable[Path]) -> None:
+    """No folder is made for the new model, and no other file of the old one is written over."""
+    if not target.parent.is_dir():
+        raise HarnessError(f"{target}: there is no folder {target.parent}; make it first, or name another --output")
+    if target.is_dir():
+        raise HarnessError(f"{target} is a folder; name a file by --output")
+    others = (file for file in read if file.resolve() != model.resolve())
+    if any(file.resolve() == target.resolve() for file in others):
+        raise HarnessError(f"{model} reads {target}; name another --output")
+
+
 def _check_free(included: Mapping[Path, bytes]) -> None:
     """What is there is not written over, unless it is the same."""
     for path, data in included.items():
@@ -75,7 +87,6 @@ def _check_free(included: Mapping[Path, bytes]) -> None:
 
 def _write(path: Path, data: bytes) -> None:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
     except OSError as error:
         raise HarnessError(f"{path}: cannot be written ({error.strerror or error})") from error

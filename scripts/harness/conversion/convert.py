@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from harness.conversion import sources, spans
@@ -26,7 +26,7 @@ from harness.preflight import model as models
 from harness.preflight import xml_file as documents
 from harness.preflight.check import check
 from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TYPES
-from harness.preflight.finding import Severity
+from harness.preflight.finding import Place, Severity
 from harness.preflight.formats.contact_names import OLD_NAMES
 from harness.preflight.model import Model
 from harness.preflight.prescribed_nodes import prescribed_nodes
@@ -54,12 +54,15 @@ class Converted:
         By contact, or by another part of the model.
     reads : tuple of str
         Other files that the model names.
+    files : tuple of Path
+        All files of the old model.
     """
 
     data: bytes
     included: Mapping[Path, bytes]
     changes: Mapping[str, list[Change]]
     reads: tuple[str, ...]
+    files: tuple[Path, ...]
 
 
 def convert(path: Path) -> Converted:
@@ -83,8 +86,17 @@ def convert(path: Path) -> Converted:
     data = new.pop(path)
     included = {sources.converted_name(file): made for file, made in new.items()}
     wrong = [finding for finding in check(path, {path: data, **included}) if finding.severity is Severity.ERROR]
-    _refuse(path, [f"{finding.place}: {finding.message}" for finding in wrong])
-    return Converted(data, included, changes, tuple(reference.name for reference in files.references))
+    _refuse(path, [f"{_place_before(files, edits, finding.place)}: {finding.message}" for finding in wrong])
+    reads = tuple(reference.name for reference in files.references)
+    return Converted(data, included, changes, reads, tuple(files.data))
+
+
+def _place_before(files: Sources, edits: Mapping[Path, list[Edit]], place: Place) -> Place:
+    """Where in the user's file a place of the new one comes from: nobody sees what is not written."""
+    for file, made in edits.items():
+        if place.file in (file if file == files.model else None, sources.converted_name(file)):
+            return replace(place, file=file, line=spans.line_before(files.data[file], dict.fromkeys(made), place.line))
+    return place
 
 
 def _refuse(path: Path, reasons: list[str]) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from harness.preflight.contact_types import UNLIMITED_SEARCH, ContactType
+from harness.preflight.xml_file import is_on
 
 
 class Action(str, Enum):
@@ -105,7 +106,7 @@ def _fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
         return Action.DROPPED, DROPPED[name]
     if name in ZERO and is_zero(value):
         return Action.KEPT, _zero(kind, name)
-    if name == "symmetric_stiffness" and value.lower() in ("1", "true"):
+    if name == "symmetric_stiffness" and is_on(value):
         return Action.DROPPED, "a symmetric tangent costs iterations and changes nothing else; the default is complete"
     return Action.KEPT, KEPT.get(name, NO_DIFFERENCE)
 

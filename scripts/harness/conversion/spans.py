@@ -116,6 +116,21 @@ def apply(data: bytes, edits: Iterable[Edit]) -> bytes:
     return data
 
 
+def line_before(data: bytes, edits: Iterable[Edit], line: int) -> int:
+    """The line, from 1, that a line of the edited bytes comes from; one that is new comes from where it was put."""
+    new, old, at = 1, 1, 0
+    for edit in sorted(edits, key=lambda one: (one.start, one.end)):
+        kept = data.count(b"\n", at, edit.start)
+        begins_line = edit.start == 0 or data[edit.start - 1 : edit.start] == b"\n"
+        if new + kept > line or (new + kept == line and not begins_line):
+            return old + line - new
+        new, old = new + kept + edit.text.count(b"\n"), old + kept
+        if new > line:
+            return old
+        old, at = old + data.count(b"\n", edit.start, edit.end), edit.end
+    return old + line - new
+
+
 def attribute(data: bytes, span: Span, name: str, value: str) -> Edit:
     """Gives an attribute another value; its quotes stay."""
     found = re.compile(rb"\s" + name.encode() + _VALUE, re.DOTALL).search(

@@ -214,20 +214,20 @@ NOTES = {
     ),
     "contact_frac": Note(
         "Part of the contact that is solid on solid, from 0 to 1: of what the effective pressure exceeds the ambient "
-        "one by, the rest bears load without friction. 1: fluid makes no difference.",
+        "one by, the rest bears load without friction. 1: fluid makes no difference. A load curve may change it.",
         febio="same",
     ),
     "tangential_penalty": Note(
         "Factor of the tangential penalty over that of the traction: a larger one leaves less elastic slip. By "
         "default the tangential penalty is 100 times the stiffness where `penalty` is left out, and that of the "
-        "traction where `penalty` is given.",
+        "traction where `penalty` is given. A load curve may change it.",
         "a larger one: more iterations where sticking and sliding meet",
         febio="not there: the penalty of the traction",
         default="0.1; 1 with a given `penalty`",
     ),
     "offset": Note(
         "Distance of the surfaces, along the normal of the primary one, at which they touch: gaps are measured from "
-        "it, in all output, too. Negative: an overlap that is let pass.",
+        "it, in all output, too. Negative: an overlap that is let pass. A load curve may change it.",
         febio="`sliding-elastic` has it",
         unit="mm",
     ),

@@ -33,6 +33,9 @@ from harness.preflight.xml_file import (
     unknown_name,
 )
 
+METHODS = ("PENALTY", "AUGLAG", "LAGMULT")
+"""How conditions are enforced; the last one is not in FEBio's sliding interfaces."""
+
 
 @dataclass(frozen=True)
 class Contact:
@@ -94,8 +97,13 @@ class Contact:
     @property
     def augmented(self) -> bool:
         """Whether it uses the augmented Lagrangian."""
+        return self.method == METHODS.index("AUGLAG")
+
+    @property
+    def method(self) -> int | None:
+        """Place of <laugon> in `METHODS`; None where it is none of them."""
         found = self.given("laugon")
-        return found is not None and text(found) in ("1", "AUGLAG")
+        return 0 if found is None else documents.chosen(text(found), METHODS)
 
     @property
     def name(self) -> str:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import codecs
 import itertools
 import math
-from collections.abc import Iterable, Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import TypeAlias, cast
+from xml.parsers import expat
 
 import numpy as np
 from lxml import etree
@@ -24,11 +26,14 @@ Contents: TypeAlias = Mapping[Path, bytes]
 AS_THEY_ARE: Contents = MappingProxyType({})
 VERSIONS = ("2.5", "3.0", "4.0")
 """Formats of model files, the newest last."""
+WITHOUT_CONTENT = "without_content"
+"""Attribute of a contact that is written with two tags and has nothing between them."""
 WRITTEN_AS = "written_as"
 """Attribute with line and tag of what an element is made from, where the file has another one."""
 DEEPEST_INCLUDE = 8
 LONGEST_RANGE = 50_000_000
 LONGEST_NAME, MOST_NAMES = 80, 20
+_WHOLE = re.compile(r"[+-]?\d+")
 _TELLING = ("name", "id", "sol", "type", "bc")
 
 
@@ -55,7 +60,26 @@ def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
         raise ModelError(
             f"{place(root)}: has {found}; {', '.join(VERSIONS)} can be read (FEBio Studio converts older files)"
         )
+    _mark_empty_contacts(root, data)
     return root
+
+
+def _mark_empty_contacts(root: Element, data: bytes) -> None:
+    contacts = list(root.iter("contact"))
+    if all(any(True for _ in children(contact)) for contact in contacts):
+        return
+    closed: list[bool] = []
+    parser = expat.ParserCreate()
+
+    def finish(tag: str) -> None:
+        if tag == "contact":
+            closed.append(data.startswith(b"</", parser.CurrentByteIndex))
+
+    parser.EndElementHandler = finish
+    parser.Parse(data, True)
+    for contact, by_a_tag in zip(contacts, closed, strict=True):
+        if by_a_tag and not any(True for _ in children(contact)):
+            contact.set(WITHOUT_CONTENT, "1")
 
 
 def content(path: Path, instead: Contents = AS_THEY_ARE) -> bytes:
@@ -224,7 +248,21 @@ def optional_number(parent: Element, tag: str, default: float = math.nan) -> flo
 def flag(parent: Element, tag: str) -> bool:
     """Whether the child `tag` is there and is on."""
     found = parent.find(tag)
-    return found is not None and text(found).lower() in ("1", "true")
+    return found is not None and is_on(text(found))
+
+
+def is_on(value: str) -> bool:
+    """Whether FEBio takes a switch for on: where it begins with a whole number that is not 0; ``true`` is off."""
+    found = _WHOLE.match(value)
+    return found is not None and int(found.group()) != 0
+
+
+def chosen(value: str, words: Sequence[str]) -> int | None:
+    """The place of a word among these, which FEBio compares without case, or the number that stands for it."""
+    lowered = [word.lower() for word in words]
+    if value.lower() in lowered:
+        return lowered.index(value.lower())
+    return int(value) if value.isdecimal() and int(value) < len(words) else None
 
 
 def floats(element: Element, size: int) -> NDArray[np.float64]:

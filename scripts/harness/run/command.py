@@ -45,4 +45,4 @@ def _run_one(model: Path, file: febfile.FebFile, host: engine.Host, needs_plugin
         f"{finished.wall:.1f} s"
     )
     for warning in report.warnings:
-        console.print(f"[yellow]FEBio warns:[/] {escape(warning)}")
+        console.print(f"[yellow]{host.name} warns:[/] {escape(warning)}")

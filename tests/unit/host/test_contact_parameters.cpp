@@ -56,3 +56,21 @@ BOOST_AUTO_TEST_CASE(materials_are_read_again_where_solutes_follow_the_convectio
   parameters.penalties.update_penalty = true;
   BOOST_TEST(reads_properties_again(parameters, solvent));
 }
+
+BOOST_AUTO_TEST_CASE(a_parameter_notes_its_load_curve_or_refuses_it) {
+  ContactParameters parameters;
+  int followed = 0;
+  int refused = 0;
+  for_each_parameter(parameters, [&](const ParameterTag& tag, auto& /*value*/) {
+    const std::string complaint = load_curve_complaint(tag);
+    BOOST_TEST(complaint.empty() == (tag.varies != nullptr));
+    BOOST_TEST((complaint.empty() || complaint.find("<" + std::string(tag.name) + ">") == 0));
+    (complaint.empty() ? followed : refused) += 1;
+    if (tag.varies != nullptr) *tag.varies = true;
+  });
+  BOOST_TEST(followed == 14);
+  BOOST_TEST(refused > 20);
+  BOOST_TEST(parameters.gap.offset.varies);
+  BOOST_TEST(has_friction(parameters));
+  BOOST_TEST(is_relieved_by_fluid(parameters));
+}

@@ -173,6 +173,16 @@ BOOST_AUTO_TEST_CASE(an_offset_is_the_distance_that_gaps_are_measured_from) {
   BOOST_TEST((touching.force - apart.force).norm() <= rounding);
 }
 
+BOOST_AUTO_TEST_CASE(an_offset_that_changes_counts_at_once) {
+  Scene scene = uniform_scene(FacetType::quad4, FacetType::tri3, false);
+  const auto contact = scene.contact();
+  Settings changed = scene.settings;
+  changed.gap.offset = 0.125;
+  contact->update_laws(changed);
+  scene.settings = changed;
+  BOOST_TEST((answers(*contact, scene) == answers(*scene.contact(), scene)));
+}
+
 BOOST_AUTO_TEST_CASE(under_tension_surfaces_apart_pull_and_others_do_not) {
   Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, false);
   scene.fields[Side::secondary].position.row(2).array() += 0.125;

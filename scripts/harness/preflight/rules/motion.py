@@ -11,10 +11,11 @@ from harness.preflight.finding import Finding
 from harness.preflight.model import Condition, Model
 from harness.preflight.rules.tools import short, warning
 from harness.preflight.sides import Joint, Side
-from harness.preflight.xml_file import Element, children, flag, text
+from harness.preflight.xml_file import Element, children, chosen, flag, text
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
+ANALYSES = ("STATIC", "DYNAMIC")
 SMALL = 1e-6
 """Singular value, relative to the largest, that counts as zero."""
 MOST_ROWS = 3000
@@ -26,7 +27,7 @@ _RIGID_DOFS = ("Rx", "Ry", "Rz", "Ru", "Rv", "Rw")
 def rigid_modes(joint: Joint) -> Iterator[Finding]:
     """Bodies that nothing holds: at all, or until they touch."""
     model = joint.model
-    if any(text(tag) == "DYNAMIC" for control in model.controls for tag in children(control, "analysis")):
+    if any(chosen(text(tag), ANALYSES) == 1 for control in model.controls for tag in children(control, "analysis")):
         return
     apart = not joint.smallest_gap < 0.0
     for side in joint.sides:

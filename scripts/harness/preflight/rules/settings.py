@@ -8,15 +8,16 @@ from collections.abc import Iterator
 
 from harness.preflight.contact_types import MODULES
 from harness.preflight.finding import Finding
+from harness.preflight.model import METHODS
 from harness.preflight.rules.tools import error, note, short, warning
 from harness.preflight.sides import Joint
-from harness.preflight.xml_file import Element, children, place, text
+from harness.preflight.xml_file import WITHOUT_CONTENT, Element, children, chosen, place, text
 
 NOT_NEGATIVE = "a number that is not negative"
 COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
 FRACTION, POSITIVE = "a number from 0 to 1", "a number above 0"
-CHOICES = {"laugon": ("PENALTY", "AUGLAG", "LAGMULT"), "integration": ("gauss", "segments")}
-OWN_CHOICES = ("LAGMULT",)
+CHOICES = {"laugon": METHODS, "integration": ("gauss", "segments")}
+OWN_CHOICES = METHODS[-1:]
 """Last of their list, and not in FEBio's sliding interfaces."""
 ALLOWED = {
     **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance"), NOT_NEGATIVE),
@@ -44,7 +45,7 @@ RENAMED = {"extrapolation": "predictor"}
 FOLLOWED = (
     *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
     *("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol"),
-    "fric_coeff",
+    *("fric_coeff", "contact_frac", "tangential_penalty", "offset"),
 )
 """Parameters whose load curves sliding-mixture follows."""
 NEVER_NEGATIVE = {"ambient_concentration": "a concentration", "fric_coeff": "a friction coefficient"}
@@ -71,6 +72,18 @@ def unknown_parameter(joint: Joint) -> Iterator[Finding]:
         )
 
 
+def empty_contact(joint: Joint) -> Iterator[Finding]:
+    """Contacts without parameters that FEBio cannot read."""
+    tag = joint.contact.tag
+    if tag.get(WITHOUT_CONTENT):
+        yield error(
+            "empty-contact",
+            tag,
+            "it is written with two tags and has no parameter between them, which FEBio cannot read",
+            "Write one tag that ends with />, or give a parameter.",
+        )
+
+
 def bad_value(joint: Joint) -> Iterator[Finding]:
     """Values that are no numbers, or out of range."""
     for tag in children(joint.contact.tag):
@@ -78,6 +91,8 @@ def bad_value(joint: Joint) -> Iterator[Finding]:
         allowed = _allowed(name, joint.contact.kind.is_mixture)
         if allowed and not _fits(tag, name, allowed):
             yield error("bad-value", tag, f"<{name}> is '{text(tag)[:40]}'; it must be {allowed}", f"Give {allowed}.")
+        elif allowed == SWITCH and text(tag).lower() == "true":
+            yield warning("switch", tag, f"<{name}> is '{text(tag)}', which FEBio reads as 0", "Write 1, or 0.")
     least, most = (joint.contact.given(name) for name in ("minaug", "maxaug"))
     if most is not None and _number(most) < (0.0 if least is None else _number(least)):
         yield error("bad-value", most, "<maxaug> is less than <minaug>", "Raise <maxaug> or lower <minaug>.")
@@ -93,8 +108,7 @@ def _allowed(name: str, strict: bool) -> str:
 def _fits(tag: Element, name: str, allowed: str) -> bool:
     value = _number(tag)
     if name in CHOICES:
-        words = allowed.split(" or ")
-        return text(tag) in (*words, *map(str, range(len(words))))
+        return chosen(text(tag), allowed.split(" or ")) is not None
     if allowed == SWITCH:
         return value in (0.0, 1.0) or text(tag).lower() in ("true", "false")
     if not math.isfinite(value) or (allowed == COUNT and value != int(value)):
@@ -155,8 +169,9 @@ def _without_effect(joint: Joint, tag: Element, curve: str) -> tuple[str, str] |
         )
     if kind.is_mixture and tag.tag not in FOLLOWED:
         return (
-            f"<{tag.tag}> has a load curve; sliding-mixture reads it once, at the start",
-            "Give a value without a load curve; penalties, tolerances and ambient values may change in time.",
+            f"<{tag.tag}> has a load curve, and cannot change in a run of sliding-mixture",
+            "Give a value without a load curve; penalties, tolerances, the offset, friction and ambient values may "
+            "change in time.",
         )
     return None
 
@@ -342,8 +357,7 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
     """Linear solvers that cannot solve the matrix of a contact."""
     if not joint.contact.kind.is_mixture:
         return
-    multipliers = joint.contact.given("laugon")
-    has_multipliers = multipliers is not None and text(multipliers) in ("LAGMULT", "2")
+    has_multipliers = joint.contact.method == METHODS.index("LAGMULT")
     for control in joint.model.controls:
         for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
             kind = str(tag.get("type"))
@@ -373,6 +387,7 @@ def reformations(joint: Joint) -> Iterator[Finding]:
 
 
 RULES = (
+    empty_contact,
     unknown_parameter,
     bad_value,
     left_out,
