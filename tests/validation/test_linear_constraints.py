@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from harness.models import small
-from harness.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
+from harness.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
 from harness.run import engine
 
 pytestmark = pytest.mark.mixture_only
@@ -42,16 +42,20 @@ def follows(parent: int, dof: str, *children: tuple[int, float]) -> str:
     return f'<bc type="linear constraint"><node>{parent}</node><dof>{dof}</dof><offset>0</offset>{inner}</bc>'
 
 
-def pressed(params: str = "", updates: int = 0, drag: bool = False) -> tuple[Document, Parts]:
+def pressed(params: str = "", updates: int = 0, *, drag: bool = False, fluid: bool = False) -> tuple[Document, Parts]:
     """A block on a wider one, pressed down between two planes of symmetry, and dragged along one of them."""
     parts = Parts()
     parts.box("low", (-1, -1, 0), (1, 1, 1), (CELLS, CELLS, 2), "low")
     parts.box("up", (-0.6, -0.6, 1), (0.6, 0.6, 2), (3, 3, 2), "up")
+    module, analysis = ("biphasic", "TRANSIENT") if fluid else ("solid", "STATIC")
     sideways = (moved("up-top", "x", 0.05, 2), fixed("up-top", "y")) if drag else (fixed("up-top", "x", "y"),)
     document = Document(
         parts.mesh({"pair": ("up-bottom", "low-top")}),
-        (elastic("low", 1, 1, 0.3), elastic("up", 2, 2, 0.3)),
-        control=control("solid", 4, 0.25).replace("<max_ups>0", f"<max_ups>{updates}"),
+        (biphasic("low", 1, 1), biphasic("up", 2, 2))
+        if fluid
+        else (elastic("low", 1, 1, 0.3), elastic("up", 2, 2, 0.3)),
+        module=module,
+        control=control(module, 4, 0.25, analysis=analysis).replace("<max_ups>0", f"<max_ups>{updates}"),
         boundary=(fixed("low-bottom", "x", "y", "z"), moved("up-top", "z", -0.1), *sideways),
         contacts=(contact("c", "pair", params=params),),
         curves=(RAMP, curve(2, (0, 0), (0.5, 0), (1, 1))),
@@ -78,11 +82,12 @@ SETTINGS = {
 }
 
 
+@pytest.mark.parametrize("fluid", [False, True])
 @pytest.mark.parametrize("setting", SETTINGS)
 @pytest.mark.parametrize("updates", [0, 10])
-def test_what_symmetry_holds_anyway_changes_nothing(solve, setting, updates):
+def test_what_symmetry_holds_anyway_changes_nothing(solve, setting, updates, fluid):
     """Nodes of both surfaces at mirrored places; z at one is z at the other, and half of that twice."""
-    document, parts = pressed(SETTINGS[setting], updates)
+    document, parts = pressed(SETTINGS[setting], updates, fluid=fluid)
     expected, without = solve("without", document)
     low = [node_at(parts, x, 0.0, 1.0) for x in (0.5, -0.5)]
     up = [node_at(parts, x, y, 1.0) for x, y in ((0.2, 0.2), (-0.2, 0.2), (0.2, -0.2))]
