@@ -23,6 +23,8 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
               -Wunused)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(mixcontact_options INTERFACE -Wduplicated-cond -Wduplicated-branches -Wlogical-op)
+    # kB of memory from which on GCC collects garbage: with 512 MB the largest files compile in nine tenths of the time.
+    target_compile_options(mixcontact_options INTERFACE --param=ggc-min-heapsize=524288)
   endif()
   if(MIXCONTACT_WERROR)
     target_compile_options(mixcontact_options INTERFACE -Werror)

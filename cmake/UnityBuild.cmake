@@ -3,7 +3,7 @@ Unity builds: the compiler reads Eigen once for several sources, and instantiate
 
 mixcontact_unity_build(target [size]) compiles the sources of a target together, folder by folder, at most `size` at a time
 (default 6). A name in an anonymous namespace is therefore unique within its folder. With MIXCONTACT_UNITY_BUILD off each
-source is compiled by itself: all of them take about twice as long, and one that was edited takes a fraction.
+source is compiled by itself: all of them take two to three times as long, and one that was edited takes a fraction.
 ]]
 
 option(MIXCONTACT_UNITY_BUILD "Compile several sources of a folder at once" ON)
