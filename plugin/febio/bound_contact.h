@@ -19,7 +19,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool is_built() const { return core_ != nullptr; }
   /// The state, and the nodes that it is the state of.
   mixture_contact::NumberedState numbered_state() const;
-  /// How many the mesh had when the core was made.
+  /// The number of nodes that the mesh had when the core was made.
   int nodes_of_mesh() const { return nodes_of_mesh_; }
   /// Goes on from a state of nodes that may be others than those of the core, which has just been made.
   void go_on_from(const mixture_contact::NumberedState& before);

@@ -23,7 +23,7 @@ class ContactSurfaces {
 
   /// The nodes of both surfaces, as the mesh counts them.
   std::vector<int> mesh_nodes() const;
-  /// The same of each surface.
+  /// Numbers in the mesh of the nodes of each surface.
   mixture_contact::NodeNumbers node_numbers() const;
   /// Whether facets of a surface may have changed since the last call.
   bool take_change();

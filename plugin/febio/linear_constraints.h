@@ -15,7 +15,7 @@ class LinearConstraints {
     double factor;  ///< by which the other one changes with it
   };
 
-  /// Those of the present analysis step.
+  /// Takes the constraints that are active in the present analysis step.
   explicit LinearConstraints(FEModel& model);
 
   bool empty() const { return followed_.empty(); }
