@@ -25,7 +25,7 @@ COMMANDS = {
     "cost-interleaved": "harness.studies.cost.command",
     "price": "harness.studies.price.command",
     "predictor": "harness.studies.predictor.command",
-    "real-models": "harness.studies.real_models.command",
+    "synthetic-scenes": "harness.studies.synthetic_scenes.command",
     "robustness": "harness.studies.robustness.command",
     "linear-solvers": "harness.studies.linear_solvers.command",
     "biphasic-hertz": "harness.studies.hertz.command",

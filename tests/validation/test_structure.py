@@ -29,7 +29,7 @@ STUDIES = (
     "friction",
     "predictor",
     "price",
-    "real_models",
+    "synthetic_scenes",
     "robustness",
     "hertz",
     "linear_solvers",

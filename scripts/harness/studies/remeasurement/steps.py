@@ -63,7 +63,11 @@ UNTIMED = (
     Step("elastic-hertz", ("elastic-hertz.csv",), (("elastic-hertz", *_DOCS),), 0.0),
     Step("hard-cases", ("hard-cases.csv",), (("hard-cases", *_COARSE),)),
     Step("predictor", ("predictor.csv",), (("predictor", *_COARSE),)),
-    Step("real-models", ("real-models.json",), (("real-models", "--docs", "--jobs", "2", "--folder", "{folder}"),)),
+    Step(
+        "synthetic-scenes",
+        ("synthetic-scenes.json",),
+        (("synthetic-scenes", "--docs", "--jobs", "2", "--folder", "{folder}"),),
+    ),
     Step(
         "friction-cases", ("friction-cases.csv",), (("friction-cases", "--docs", "--no-febio", "--folder", "{folder}"),)
     ),

@@ -1,4 +1,4 @@
-"""The command `real-models`: scenes of the breadth that users have, beside FEBio's interfaces."""
+"""The command `synthetic-scenes`: scenes written here of what models of users hold, beside FEBio's interfaces."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from harness.pages.scene_results import Row
 from harness.paths import DOCS, RESULTS
 from harness.run import provenance
 from harness.studies.limit import LIMIT
-from harness.studies.real_models import comparison
-from harness.studies.real_models.all_scenes import SCENES
+from harness.studies.synthetic_scenes import comparison
+from harness.studies.synthetic_scenes.all_scenes import SCENES
 
 console = Console(highlight=False, soft_wrap=True)
 
 
-def real_models(
+def synthetic_scenes(
     only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "real-models",
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "synthetic-scenes",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
@@ -49,9 +49,9 @@ def real_models(
 
 def _write(results: scene_results.Results, folder: Path, docs: bool) -> None:
     text = f"{scene_results.summary(results.rows)}\n\n{scene_results.table(results.rows)}\n"
-    (folder / "real-models.md").write_text(text)
+    (folder / "synthetic-scenes.md").write_text(text)
     console.print(text, markup=False)
-    console.print(f"Written: {folder / 'real-models.md'}")
+    console.print(f"Written: {folder / 'synthetic-scenes.md'}")
     if docs:
         scene_results.write(results, DOCS / scene_results.DATA)
         for name, page in ((scene_results.PAGE, scene_results.page), (scene_results.ALL, scene_results.all_scenes)):
