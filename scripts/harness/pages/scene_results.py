@@ -19,11 +19,11 @@ HEAD = """\
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/scene_results.py instead. -->
 
-Scenes written here, which no user sent, of what models of users hold: element types, materials, loads, rigid
-bodies, porous bodies with and without solutes, each with the FEBio interface that a user would take and the
-parameters that a user would give it. Each is run in four ways: with FEBio's interface; through `scripts/mixcontact convert`, with the same
-penalties; with the penalties deleted, so that the plugin chooses them; and so with `predictor` 1 as well. The limit is
-the same for all and counts processor time.
+Scenes written here, which no user sent, of what models of users hold: element types, materials, loads, rigid bodies,
+porous bodies with and without solutes, each with the FEBio interface that a user would take and the parameters that a
+user would give it. Each is run in four ways: with FEBio's interface; through `scripts/mixcontact convert`, with the
+same penalties; with the penalties deleted, so that the plugin chooses them; and so with `predictor` 1 as well. The
+limit is the same for all and counts processor time.
 
 ```console
 scripts/mixcontact synthetic-scenes --only elements-hex8
@@ -65,6 +65,8 @@ MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""
 AT_LIMIT = "ended by the limit"
 """Why a run did not end that took all of its processor time."""
+NOT_MADE = "not run"
+"""Why there is no run where nobody asked for it."""
 UNAVAILABLE = "not available in models with rigid bodies"
 """What the plugin says of the predictor there."""
 
@@ -104,6 +106,15 @@ class Took:
         """Whether the plugin takes the model with the predictor."""
         return UNAVAILABLE not in self.why
 
+    @property
+    def made(self) -> bool:
+        """Whether there was a run at all."""
+        return self.why != NOT_MADE
+
+
+NOT_RUN = Took(ended=False, why=NOT_MADE)
+"""Stands for a run that nobody made."""
+
 
 @dataclass(frozen=True)
 class Row:
@@ -112,13 +123,13 @@ class Row:
     name: str
     about: str
     febio: Took
-    converted: Took
-    defaults: Took
-    predicted: Took
+    converted: Took = NOT_RUN
+    defaults: Took = NOT_RUN
+    predicted: Took = NOT_RUN
 
     def worse(self, ours: Took) -> str:
         """In what a run of ours is worse than FEBio's; empty where in nothing."""
-        if not self.febio.ended:
+        if not self.febio.ended or not ours.made:
             return ""
         if not ours.ended:
             return ours.why or "does not end"
@@ -209,6 +220,8 @@ def _number(difference: float) -> str:
 
 def cell(took: Took) -> str:
     """Iterations, with retries in brackets; of a run that did not end, how far it came."""
+    if not took.made:
+        return ""
     retries = f" ({took.retries})" if took.retries else ""
     if took.ended:
         return f"{took.iterations}{retries}"
