@@ -21,12 +21,15 @@ HEAD = """\
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/reported_results.py instead. -->
 
+**{summary}**
+
 A second collection of synthetic test scenes, written here after kinds of model that users report: thin shells and
 strips on rigid bodies, rods in tubes, whole outsides as surfaces, leaning and turned sides, sheets that fold onto
 themselves, crossed tubes, incongruent cylinders, hyperelastic blocks that slide, soft bodies between rigid plates,
 rigid cams, punches and wheels, nearly incompressible bodies, impacts, elements that erode, steps without drainage; in
 one pass and two, with augmentations on small penalties, friction and quasi-Newton methods, in tetrahedra, hexahedra,
-wedges and shells. Each is written with FEBio's interface and was kept whatever became of it here; scenes are small.
+wedges and shells. Scenes are small, and were chosen so that FEBio's interface ends them, before ours was run; many
+differ in one choice alone.
 
 Each is run with FEBio's interface, through `scripts/mixcontact convert` with the same penalties, and with the penalties
 deleted. The limit is the same for all and counts processor time.
@@ -36,8 +39,6 @@ scripts/mixcontact synthetic-scenes --collection reported --only crossed-tubes
 ```
 
 runs those of a name; without `--only` all of them. Made with {stamp}.
-
-{summary}
 
 Numbers are Newton iterations, with retries of time steps in brackets.
 

@@ -112,26 +112,29 @@ _CHOSEN = '<criterion type="element_selection"><value>1</value><element_list>{}<
 SCENES: Mapping[str, Reported] = {
     "impact": Reported("a block is thrown onto a block", partial(impact, auto(1.0, radius(0.5)))),
     "impact-outsides": Reported(
-        "the same, whole outsides", partial(impact, auto(1.0, radius(0.5)), sides=("outside", "outside"))
+        "a block is thrown onto a block, whole outsides",
+        partial(impact, auto(1.0, radius(0.5)), sides=("outside", "outside")),
     ),
     "impact-wall": Reported("a block is thrown onto a rigid wall", partial(impact, auto(1.0, radius(0.5)), wall=True)),
     "impact-two-pass-augmented": Reported(
-        "two passes, augmented on a small penalty", partial(impact, auglag(0.2, 0.1, TWO_PASS + radius(0.5)))
+        "a block is thrown onto a block, two passes, augmented on a small penalty",
+        partial(impact, auglag(0.2, 0.1, TWO_PASS + radius(0.5))),
     ),
     "impact-bfgs": Reported(
-        "a penalty in numbers, BFGS",
+        "a block is thrown onto a block, a penalty in numbers, BFGS",
         partial(impact, given(20.0, radius(0.5)), scheme=Scheme(40, 2.5e-6, "DYNAMIC", updates=10)),
     ),
     "ball-bounces": Reported("a soft ball bounces off a slab", partial(ball_bounces, auto(1.0, radius(0.5)))),
     "ball-bounces-friction": Reported(
-        "thrown aslant, friction 0.3", partial(ball_bounces, auto(1.0, radius(0.5) + friction(0.3)), 2000.0)
+        "a soft ball is thrown aslant at a slab, friction 0.3",
+        partial(ball_bounces, auto(1.0, radius(0.5) + friction(0.3)), 2000.0),
     ),
     "bullet-erodes": Reported(
         "a rigid plate erodes a block by stress",
         partial(bullet, "yes", "sliding-elastic", auto(1.0, radius(0.5))),
     ),
     "bullet-erodes-facets": Reported(
-        "the same, surfaces that follow, sliding-facet-on-facet",
+        "a rigid plate erodes a block by stress, surfaces that follow, sliding-facet-on-facet",
         partial(bullet, "grow", "sliding-facet-on-facet", auto(1.0)),
     ),
     "erosion-by-gap": Reported(

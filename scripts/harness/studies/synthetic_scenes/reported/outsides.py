@@ -282,19 +282,26 @@ def ring_between_plates(params: str, inner: bool, updates: int = 0) -> Sketch:
 
 SCENES: Mapping[str, Reported] = {
     "outsides-boxes": Reported("a box on a box, whole outsides", boxes),
-    "outsides-boxes-tet4-bfgs": Reported("the same of tet4, BFGS", partial(boxes, 10, "", "tet4")),
+    "outsides-boxes-tet4-bfgs": Reported(
+        "a box on a box of tet4, whole outsides, BFGS", partial(boxes, 10, "", "tet4")
+    ),
     "outsides-boxes-lean": Reported(
-        "sides that lean outwards by a twentieth, and face the other body", partial(boxes, lean=0.05)
+        "a box whose sides lean outwards by a twentieth, and face the other body, whole outsides",
+        partial(boxes, lean=0.05),
     ),
     "outsides-boxes-augmented": Reported(
-        "the same, augmented on a small penalty", partial(boxes, 0, auglag(0.2), lean=0.02)
+        "a box with leaning sides, whole outsides, augmented on a small penalty",
+        partial(boxes, 0, auglag(0.2), lean=0.02),
     ),
     "outsides-plate-on-slab": Reported("a thin plate on a slab, whole outsides", plate_on_slab),
     "outsides-plate-on-slab-near": Reported(
-        "the same with a search radius of three thicknesses", partial(plate_on_slab, radius(0.3))
+        "a thin plate on a slab, whole outsides, a search radius of three thicknesses",
+        partial(plate_on_slab, radius(0.3)),
     ),
     "corner": Reported("a block in the corner of an L", partial(corner, True, auto(5.0, radius(0.3)))),
-    "corner-outsides": Reported("the same, whole outsides", partial(corner, False, auto(5.0, radius(0.3)))),
+    "corner-outsides": Reported(
+        "a block in the corner of an L, whole outsides", partial(corner, False, auto(5.0, radius(0.3)))
+    ),
     "clip-outsides": Reported("a plate between the arms of a U, whole outsides", partial(clip, auto(1.0, radius(0.3)))),
     "wedge-outsides": Reported(
         "a wedge between two bodies, whole outsides, two contacts", partial(wedge_between, auto(1.0, radius(0.3)))
@@ -306,23 +313,29 @@ SCENES: Mapping[str, Reported] = {
         "a rigid box that leans by five degrees", partial(edge_down, ("z1", "outside"), 5.0, auto(1.0))
     ),
     "edge-down-outsides": Reported(
-        "whole outsides of both", partial(edge_down, ("outside", "outside"), 30.0, auto(1.0, radius(0.5)))
+        "the edge of a rigid box into a slab, whole outsides",
+        partial(edge_down, ("outside", "outside"), 30.0, auto(1.0, radius(0.5))),
     ),
     "fold": Reported(
         "a U is pressed flat, its inside with itself", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)))
     ),
     "fold-outside": Reported(
-        "the same, the whole outside with itself",
+        "a U is pressed flat, its whole outside with itself",
         partial(fold, ("outside", "outside"), auto(0.3, radius(0.2)), depth=0.52),
     ),
-    "fold-hex20-bfgs": Reported("a U of hex20, BFGS", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "hex20", 10)),
-    "fold-tet4": Reported("a U of tet4", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "tet4", 0, 0.52)),
+    "fold-hex20-bfgs": Reported(
+        "a U of hex20 is pressed flat, BFGS", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "hex20", 10)
+    ),
+    "fold-tet4": Reported(
+        "a U of tet4 is pressed flat", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "tet4", 0, 0.52)
+    ),
     "wave": Reported("a wavy sheet is pushed together", partial(wave, auto(1.0, radius(0.15)))),
     "ring-between-plates": Reported(
         "a ring between rigid plates", partial(ring_between_plates, auto(1.0, radius(0.3)), False)
     ),
     "ring-between-plates-closes": Reported(
-        "the same until its inside touches itself", partial(ring_between_plates, auto(1.0, radius(0.3)), True)
+        "a ring between rigid plates until its inside touches itself",
+        partial(ring_between_plates, auto(1.0, radius(0.3)), True),
     ),
 }
 """By name."""

@@ -114,46 +114,50 @@ _SOFT = auto(1.0, radius(0.5) + fluid(1.0))
 _SALT = auto(1.0, radius(0.5) + fluid(1.0, 1.0))
 SCENES: Mapping[str, Reported] = {
     "undrained": Reported(
-        "steps a thousandth of the time of drainage",
+        "porous blocks, steps a thousandth of the time of drainage",
         Blocks(_SOFT, Scheme(10, 0.1), permeability=1e-5),
         "biphasic",
     ),
     "undrained-augmented": Reported(
-        "the same, augmented",
+        "porous blocks, steps a thousandth of the time of drainage, augmented",
         Blocks(auglag(1.0, 0.1, radius(0.5) + fluid(1.0)), Scheme(10, 0.1), permeability=1e-5),
         "biphasic",
     ),
     "undrained-load": Reported(
-        "a pressure within a tenth of a second, impermeable to speak of",
+        "porous blocks of hardly any permeability under a sudden pressure",
         Blocks(_SOFT, Scheme(10, 0.1), load=0.05, curve=4, permeability=1e-6),
         "biphasic",
     ),
     "biphasic-slides-friction-bfgs": Reported(
-        "slides with friction 0.2, BFGS",
+        "porous blocks slide, friction 0.2, BFGS",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0) + friction(0.2)), Scheme(20, updates=10), way=0.4),
         "biphasic",
     ),
     "biphasic-slides-two-pass-tet4": Reported(
-        "tetrahedra slide, two passes",
+        "porous tetrahedra slide, two passes",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0) + TWO_PASS), Scheme(20), "tet4", way=0.4),
         "biphasic",
     ),
     "biphasic-tet10-broyden": Reported(
-        "tet10, Broyden", Blocks(_SOFT, Scheme(10, method="Broyden", updates=10), "tet10"), "biphasic"
+        "porous tet10, Broyden", Blocks(_SOFT, Scheme(10, method="Broyden", updates=10), "tet10"), "biphasic"
     ),
     "biphasic-load-augmented": Reported(
-        "under a pressure, augmented on a small penalty",
+        "porous blocks under a pressure, augmented on a small penalty",
         Blocks(auglag(0.1, 0.1, radius(0.5) + fluid(0.1)), load=0.05),
         "biphasic",
     ),
-    "biphasic-punch": Reported("a rigid cylinder under a force creeps", partial(punch, _SOFT, Scheme(20)), "biphasic"),
+    "biphasic-punch": Reported(
+        "a rigid cylinder under a force creeps into a porous layer", partial(punch, _SOFT, Scheme(20)), "biphasic"
+    ),
     "biphasic-punch-bfgs": Reported(
-        "the same with BFGS, the punch as primary surface",
+        "a rigid cylinder creeps into a porous layer, the cylinder as primary surface, BFGS",
         partial(punch, _SOFT, Scheme(20, updates=10), first="punch"),
         "biphasic",
     ),
     "biphasic-punch-outside": Reported(
-        "the same, its whole outside", partial(punch, _SOFT, Scheme(20), face="outside"), "biphasic"
+        "a rigid cylinder creeps into a porous layer, its whole outside the surface",
+        partial(punch, _SOFT, Scheme(20), face="outside"),
+        "biphasic",
     ),
     "solute-two-pass": Reported(
         "a solute crosses, two passes",

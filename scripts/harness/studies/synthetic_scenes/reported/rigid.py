@@ -201,7 +201,7 @@ SCENES: Mapping[str, Reported] = {
         Punch(ROUND, (5, 5, 5), "z0", ogden(), auglag(1.0)),
     ),
     "punch-round-ogden-augmented-outside": Reported(
-        "the same, its whole outside, the block as primary surface",
+        "a rigid sphere on Ogden under a force, augmented, whole outside, the block as primary surface",
         Punch(ROUND, (5, 5, 5), "outside", ogden(), auglag(1.0), primary=False),
     ),
     "punch-round-friction": Reported(
@@ -213,7 +213,8 @@ SCENES: Mapping[str, Reported] = {
         Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0), scheme=Scheme(updates=10)),
     ),
     "punch-incompressible": Reported(
-        "the same by full Newton iterations", Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0))
+        "a rigid sphere on a block of Poisson's ratio 0.4999, full Newton",
+        Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0)),
     ),
     "punch-mooney-stiff-bulk": Reported(
         "a flat punch on Mooney-Rivlin of a bulk modulus 5000 times the shear modulus",
@@ -225,17 +226,19 @@ SCENES: Mapping[str, Reported] = {
         BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5))),
     ),
     "plates-tet4-bfgs": Reported(
-        "the same with BFGS", BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5)), updates=10)
+        "soft tetrahedra between rigid plates, their skin the surface, BFGS",
+        BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5)), updates=10),
     ),
     "plates-hex8-deep": Reported(
-        "soft hexahedra squeezed by half",
+        "soft hexahedra between rigid plates, squeezed by half",
         BetweenPlates(ogden(0.3, 2.0, 5.0), auto(1.0, radius(0.5)), "hex8", 0.5),
     ),
     "plates-tet10-incompressible": Reported(
-        "tet10 of Poisson's ratio 0.499", BetweenPlates(neo(1.0, 0.499), auto(1.0, radius(0.5)), "tet10", 0.2)
+        "tet10 of Poisson's ratio 0.499 between rigid plates",
+        BetweenPlates(neo(1.0, 0.499), auto(1.0, radius(0.5)), "tet10", 0.2),
     ),
     "plates-friction-augmented": Reported(
-        "friction 0.3, augmented on a small penalty",
+        "a soft body between rigid plates, friction 0.3, augmented on a small penalty",
         BetweenPlates(neo(1.0, 0.45), auglag(0.2, 0.1, radius(0.5) + friction(0.3)), "hex8", side="faces"),
     ),
     "plates-biphasic": Reported(

@@ -121,7 +121,10 @@ SCENES: Mapping[str, Reported] = {
     "mooney-slides-two-pass": Reported(
         "Mooney-Rivlin blocks slide, two passes, a factor of 0.1", Blocks(mooney(), auto(0.1, TWO_PASS))
     ),
-    "mooney-slides-two-pass-bfgs": Reported("the same with BFGS", Blocks(mooney(), auto(0.1, TWO_PASS), scheme=BFGS)),
+    "mooney-slides-two-pass-bfgs": Reported(
+        "Mooney-Rivlin blocks slide, two passes, a factor of 0.1, BFGS",
+        Blocks(mooney(), auto(0.1, TWO_PASS), scheme=BFGS),
+    ),
     "mooney-slides-hex20": Reported("Mooney-Rivlin blocks of hex20", Blocks(mooney(), auto(1.0), "hex20")),
     "ogden-slides": Reported("Ogden blocks slide", Blocks(ogden(), auto(1.0))),
     "ogden-slides-friction-augmented": Reported(
@@ -129,7 +132,7 @@ SCENES: Mapping[str, Reported] = {
         Blocks(ogden(), auglag(0.1, 0.1, friction(0.3))),
     ),
     "ogden-slides-to-and-fro": Reported(
-        "to and fro, friction 0.2, two passes",
+        "Ogden blocks slide to and fro, friction 0.2, two passes",
         Blocks(ogden(), auto(1.0, friction(0.2) + TWO_PASS), way=0.4, back=True),
     ),
     "slides-over-the-edge": Reported(
@@ -138,11 +141,11 @@ SCENES: Mapping[str, Reported] = {
     "slides-tet15": Reported("blocks of tet15 slide", Blocks(neo(), auto(1.0), "tet15")),
     "slides-penta15": Reported("wedges of 15 nodes slide", Blocks(neo(), auto(1.0), "penta15")),
     "slides-hex27-broyden": Reported(
-        "hex27, Broyden", Blocks(neo(), auto(1.0), "hex27", Scheme(20, method="Broyden", updates=10))
+        "blocks of hex27 slide, Broyden", Blocks(neo(), auto(1.0), "hex27", Scheme(20, method="Broyden", updates=10))
     ),
-    "slides-penta6-friction": Reported("wedges, friction 0.2", Blocks(neo(), auto(1.0, friction(0.2)), "penta6")),
+    "slides-penta6-friction": Reported("wedges slide, friction 0.2", Blocks(neo(), auto(1.0, friction(0.2)), "penta6")),
     "slides-tet4-friction-bfgs": Reported(
-        "tetrahedra, friction 0.2, BFGS", Blocks(neo(), auto(1.0, friction(0.2)), "tet4", BFGS)
+        "tetrahedra slide, friction 0.2, BFGS", Blocks(neo(), auto(1.0, friction(0.2)), "tet4", BFGS)
     ),
     "round-slides-two-pass": Reported(
         "a round face slides on a slab, two passes", Blocks(neo(), auto(1.0, TWO_PASS), round_face=0.2)
@@ -159,23 +162,26 @@ SCENES: Mapping[str, Reported] = {
     "groove-two-pass": Reported(
         "incongruent cylinders, two passes, a penalty in numbers", Groove(given(5.0, TWO_PASS + NEAR))
     ),
-    "groove-two-pass-slides": Reported("the same, and slides", Groove(given(5.0, TWO_PASS + NEAR), slides=True)),
+    "groove-two-pass-slides": Reported(
+        "incongruent cylinders slide, two passes, a penalty in numbers",
+        Groove(given(5.0, TWO_PASS + NEAR), slides=True),
+    ),
     "groove-hex20": Reported("incongruent cylinders of hex20", Groove(auto(1.0, NEAR), "hex20")),
     "groove-tet4-facets": Reported(
-        "of tet4, sliding-facet-on-facet, one pass, the groove as primary surface",
+        "incongruent cylinders of tet4, sliding-facet-on-facet, the groove as primary surface",
         Groove(auto(0.3), "tet4", kind="sliding-facet-on-facet", primary="groove-x0"),
     ),
     "groove-friction-augmented": Reported(
-        "slides with friction 0.3, augmented on a small penalty, BFGS",
+        "incongruent cylinders slide, friction 0.3, augmented on a small penalty, BFGS",
         Groove(auglag(0.2, 0.1, NEAR + friction(0.3)), slides=True, updates=10),
     ),
     "groove-biphasic-two-pass": Reported(
-        "porous, two passes",
+        "incongruent porous cylinders, two passes",
         Groove(auto(1.0, TWO_PASS + NEAR + fluid(1.0)), kind="sliding-biphasic", porous=True),
         "biphasic",
     ),
     "groove-biphasic-slides-augmented": Reported(
-        "porous, two passes, augmented on a small penalty, friction 0.1, slides",
+        "incongruent porous cylinders slide, two passes, augmented on a small penalty, friction 0.1",
         Groove(
             auglag(0.2, 0.2, TWO_PASS + NEAR + fluid(0.2) + friction(0.1)),
             kind="sliding-biphasic",

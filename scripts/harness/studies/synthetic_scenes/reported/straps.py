@@ -119,29 +119,33 @@ def strip_on_bone(element: str, sides: tuple[str, str], updates: int = 0, penalt
 SCENES: Mapping[str, Reported] = {
     "strap-on-bone": Reported("a shell is pulled over a rigid cylinder", strap_on_bone),
     "strap-on-bone-outside": Reported(
-        "the same, the whole outside of the cylinder as surface", partial(strap_on_bone, "outside")
+        "a shell is pulled over a rigid cylinder, whose whole outside is the surface", partial(strap_on_bone, "outside")
     ),
-    "strap-on-bone-tri3": Reported("a shell of triangles", partial(strap_on_bone, element="tri3")),
+    "strap-on-bone-tri3": Reported(
+        "a shell of triangles is pulled over a rigid cylinder", partial(strap_on_bone, element="tri3")
+    ),
     "strap-on-bone-unlimited": Reported(
-        "sliding-facet-on-facet without a limit of the search, whole outside",
+        "a shell over a rigid cylinder, whole outside, sliding-facet-on-facet without a limit of the search",
         partial(strap_on_bone, "outside", kind="sliding-facet-on-facet", params=auto(1.0, radius(0.0))),
     ),
     "strap-on-two-bones": Reported("a shell over two rigid cylinders, whole outsides", partial(strap_on_two_bones, "")),
     "strap-on-two-bones-near": Reported(
-        "the same with a search radius of an element", partial(strap_on_two_bones, radius(0.3))
+        "a shell over two rigid cylinders, whole outsides, a search radius of an element",
+        partial(strap_on_two_bones, radius(0.3)),
     ),
     "ball-in-trampoline": Reported("a rigid ball in a shell held at its edges", ball_in_trampoline),
     "ball-in-trampoline-ball-first": Reported(
-        "the same, the ball as primary surface", partial(ball_in_trampoline, "ball-outside", "net-face")
+        "a rigid ball in a shell held at its edges, the ball as primary surface",
+        partial(ball_in_trampoline, "ball-outside", "net-face"),
     ),
     "rod-on-plate": Reported("a rigid rod under a force on a shell", rod_on_plate),
     "shells-on-shells": Reported("a shell pressed onto a shell", shells_on_shells),
     "strip-on-bone": Reported("a strip of hex8 over a rigid cylinder", partial(strip_on_bone, "hex8", ("z0", "x1"))),
     "strip-on-bone-outsides": Reported(
-        "the same, whole outsides as surfaces", partial(strip_on_bone, "hex8", ("outside", "outside"))
+        "a strip of hex8 over a rigid cylinder, whole outsides", partial(strip_on_bone, "hex8", ("outside", "outside"))
     ),
     "strip-on-bone-tet10": Reported(
-        "a strip of tet10, a penalty in numbers",
+        "a strip of tet10 over a rigid cylinder, a penalty in numbers",
         partial(strip_on_bone, "tet10", ("z0", "x1"), 0, given(20.0, radius(0.5))),
     ),
 }

@@ -129,14 +129,16 @@ class Crossed:
 
 SCENES: Mapping[str, Reported] = {
     "rod-in-tube": Reported("a rod pressed against the inside of a tube", RodInTube()),
-    "rod-in-tube-outsides": Reported("the same, whole outsides as surfaces", RodInTube(("outside", "outside"))),
-    "rod-in-tube-tet10": Reported("the same of tet10", RodInTube(element="tet10")),
+    "rod-in-tube-outsides": Reported(
+        "a rod pressed against the inside of a tube, whole outsides", RodInTube(("outside", "outside"))
+    ),
+    "rod-in-tube-tet10": Reported("a rod in a tube, of tet10", RodInTube(element="tet10")),
     "rod-in-tube-friction": Reported(
         "a rod is pressed and drawn along the tube, friction 0.2",
         RodInTube(params=auto(2.0, NEAR + friction(0.2)), slides=True),
     ),
     "rod-in-tube-two-pass-bfgs": Reported(
-        "two passes, BFGS, drawn along",
+        "a rod is drawn along a tube, two passes, BFGS",
         RodInTube(params=auto(1.0, NEAR + TWO_PASS), slides=True, updates=10),
     ),
     "press-fit": Reported(
@@ -146,18 +148,21 @@ SCENES: Mapping[str, Reported] = {
         "a rigid rod under a force in a soft tube", partial(rigid_rod_in_tube, "tube-x0", "rod-x1")
     ),
     "rigid-rod-in-tube-outsides": Reported(
-        "the same, whole outsides", partial(rigid_rod_in_tube, "tube-outside", "rod-outside")
+        "a rigid rod under a force in a soft tube, whole outsides",
+        partial(rigid_rod_in_tube, "tube-outside", "rod-outside"),
     ),
     "ring-grows": Reported("a ring is blown up into a tube", partial(ring_grows, auto(1.0, NEAR))),
     "ring-grows-augmented-bfgs": Reported(
-        "the same, augmented on a small penalty, BFGS", partial(ring_grows, auglag(0.2, 0.1, NEAR), 10)
+        "a ring is blown up into a tube, augmented on a small penalty, BFGS",
+        partial(ring_grows, auglag(0.2, 0.1, NEAR), 10),
     ),
     "crossed-tubes-two-pass": Reported(
         "crossed Mooney-Rivlin tubes, two passes, a penalty in numbers",
         Crossed(mooney(), given(5.0, TWO_PASS + NEAR)),
     ),
     "crossed-tubes-two-pass-bfgs": Reported(
-        "the same with BFGS", Crossed(mooney(), given(5.0, TWO_PASS + NEAR), updates=10)
+        "crossed Mooney-Rivlin tubes, two passes, a penalty in numbers, BFGS",
+        Crossed(mooney(), given(5.0, TWO_PASS + NEAR), updates=10),
     ),
     "crossed-tubes-ogden": Reported("crossed Ogden tubes", Crossed(ogden(), auto(1.0, NEAR))),
     "crossed-tubes-tet10": Reported("crossed tubes of tet10", Crossed(neo(), auto(1.0, NEAR), "tet10")),
