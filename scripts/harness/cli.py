@@ -26,6 +26,7 @@ COMMANDS = {
     "price": "harness.studies.price.command",
     "predictor": "harness.studies.predictor.command",
     "synthetic-scenes": "harness.studies.synthetic_scenes.command",
+    "agreement": "harness.studies.agreement.command",
     "robustness": "harness.studies.robustness.command",
     "linear-solvers": "harness.studies.linear_solvers.command",
     "biphasic-hertz": "harness.studies.hertz.command",

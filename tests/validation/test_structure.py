@@ -30,6 +30,7 @@ STUDIES = (
     "predictor",
     "price",
     "synthetic_scenes",
+    "agreement",
     "robustness",
     "hertz",
     "linear_solvers",
