@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import median
 
 from harness.pages import stamped_rows
 from harness.run.provenance import Stamp
@@ -243,7 +244,21 @@ def summary(rows: Sequence[Row]) -> str:
             f"{name}, {ended} of these end, {fewer} in at most FEBio's iterations; {harmed} are worse: they fail, or "
             f"take more retries, or more than {MOST} times the iterations."
         )
-    return " ".join([*parts, _predictor(rows), _limit(rows)])
+    return " ".join([*parts, _apart(sound), _predictor(rows), _limit(rows)])
+
+
+def _apart(rows: Sequence[Row]) -> str:
+    """By how much the answers differ."""
+    both = [row.converted for row in rows if row.converted.ended]
+    displacements = sorted(took.difference for took in both if not math.isnan(took.difference))
+    fields = [took.of_fields for took in both if not math.isnan(took.of_fields)]
+    if not displacements or not fields:
+        return ""
+    return (
+        f"The answers are not the same: the largest difference of a displacement is {median(displacements):.1%} of the "
+        f"largest displacement in the median, up to {displacements[-1]:.0%}, and that of a field {min(fields):.0%} to "
+        f"{max(fields):.0%} in {len(fields)} porous scenes ([which is nearer](agreement.md))."
+    )
 
 
 def _predictor(rows: Sequence[Row]) -> str:

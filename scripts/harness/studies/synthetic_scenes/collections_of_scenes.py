@@ -62,7 +62,7 @@ STUDIES: Mapping[Collection, Study] = {
         REPORTED,
         tuple(reported_results.WAYS),
         reported_results.DATA,
-        {reported_results.PAGE: reported_results.page},
+        {reported_results.PAGE: reported_results.page, reported_results.ALL: reported_results.all_scenes},
         reported_results.summary,
         reported_results.table,
     ),
