@@ -108,6 +108,8 @@ def summary(rows: Sequence[Row]) -> str:
             f"{most}; {sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
         )
     beyond = [row for row in rows if not row.febio.ended]
+    if not beyond:
+        return " ".join(parts)
     ended = sum(row.converted.ended for row in beyond)
     return " ".join(
         [*parts, f"Of the {len(beyond)} that FEBio's interface does not end the converted model ends {ended}."]
