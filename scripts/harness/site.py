@@ -15,12 +15,14 @@ from harness.pages import (
     front,
     linear_solver_results,
     plugin_parameters,
+    reported_results,
     scene_results,
     sketches,
     verification,
 )
 from harness.pages.gallery import page as gallery
 from harness.paths import DOCS
+from harness.studies.agreement import page as agreement
 from harness.studies.cost import page as cost
 from harness.studies.friction import curves_table
 from harness.studies.friction import page as friction
@@ -40,6 +42,10 @@ PAGES: dict[str, Callable[[], str]] = {
     verification.PAGE: lambda: verification.page(verification.read(DOCS)),
     scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
     scene_results.ALL: lambda: scene_results.all_scenes(scene_results.read(DOCS / scene_results.DATA)),
+    reported_results.PAGE: lambda: reported_results.page(scene_results.read(DOCS / reported_results.DATA)),
+    reported_results.ALL: lambda: reported_results.all_scenes(scene_results.read(DOCS / reported_results.DATA)),
+    agreement.ALL: lambda: agreement.all_meshes(agreement.read()),
+    agreement.PAGE: lambda: agreement.page(agreement.read()),
     linear_solver_results.PAGE: lambda: linear_solver_results.page(
         linear_solver_results.read(DOCS / linear_solver_results.DATA)
     ),

@@ -19,7 +19,7 @@ from harness.studies.cost import command, interleaved, pareto
 from harness.studies.cost.interleaved import Timing
 from harness.studies.cost.point_runs import Datum
 from harness.studies.cost.points import OWN, Problem, finest, points
-from harness.studies.limit import at_limit
+from harness.studies.limit import LIMIT, at_limit
 
 BASE = Datum(
     "3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 0.1, 0.3, 1.0, 0.0, 9.0
@@ -41,9 +41,11 @@ def test_runs_that_failed_and_other_meshes_are_not_compared():
     assert pareto.comparable(DATA, Problem.CONVECTION, ended=False) == [FAILED]
 
 
-def test_runs_without_counts_of_iterations_were_ended_by_the_limit():
-    stopped = replace(FAILED, iterations=0)
-    assert [at_limit(datum.ended, datum.iterations) for datum in (BASE, FAILED, stopped)] == [False, False, True]
+def test_the_limit_ended_what_took_its_time():
+    stopped = replace(FAILED, cpu=0.99 * LIMIT)
+    crashed = replace(FAILED, iterations=0)
+    found = [at_limit(datum.ended, datum.cpu) for datum in (BASE, FAILED, crashed, stopped)]
+    assert found == [False, False, False, True]
 
 
 @pytest.mark.parametrize("problem", list(Problem))

@@ -118,7 +118,7 @@ def test_costs_are_those_of_the_run_with_the_median_share(tmp_path):
 
 def test_the_table_says_where_febio_adds_less():
     def price(kind: str, factor: float, added: float, *, ended: bool = True) -> paired_runs.Price:
-        return paired_runs.Price("biphasic", kind, factor, ended, 10, 10, 0.1, added, added, added, 500, 9000)
+        return paired_runs.Price("biphasic", kind, factor, ended, False, 10, 10, 0.1, added, added, added, 500, 9000)
 
     ours = price("sliding-mixture", 0.0, 0.5)
     predicted = price("sliding-mixture-predictor", 0.0, 0.1)

@@ -58,6 +58,11 @@ SMALL = {
     "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",
+    "scripts/mixcontact agreement --docs": "{harness} agreement --help",
+    "scripts/mixcontact agreement --only biphasic": "{harness} agreement --help",
+    "scripts/mixcontact synthetic-scenes --collection reported --only crossed-tubes": (
+        "{harness} synthetic-scenes --collection reported --only punch-flat-tilts --folder results"
+    ),
     # Builds the plugin with sanitizers, which takes minutes.
     "scripts/mixcontact robustness model.feb --only model": "{harness} robustness --help",
     # No network, and no second virtual environment.

@@ -28,7 +28,7 @@ from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace
 from harness.models.patches import Patches
 from harness.preflight.model import read
 from harness.run import engine, logdata
-from harness.studies.real_models.all_scenes import SCENES
+from harness.studies.synthetic_scenes.all_scenes import SCENES
 
 pytestmark = pytest.mark.mixture_only
 

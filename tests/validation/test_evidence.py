@@ -17,7 +17,7 @@ from harness.paths import DOCS, REPOSITORY
 from harness.run import provenance
 from harness.run.provenance import Stamp
 from harness.studies.remeasurement import command
-from harness.studies.remeasurement.steps import LIMITS, STEPS, Step
+from harness.studies.remeasurement.steps import ALONE, LIMITS, STEPS, Step
 
 STAMP = Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 60.0)
 MEASURED = re.compile(r"\d ?%|\b\d+ (?:Newton )?iterations\b|\b\d+ retries\b|\b\d+(?:\.\d+)? times (?:as|FEBio|the)\b")
@@ -83,8 +83,12 @@ def test_the_results_of_each_page_have_one_stamp(made):
 
 def test_all_results_were_measured_in_one_go():
     """Where this fails: `scripts/mixcontact evidence`."""
-    assert set(LIMITS) == {path.name for path in evidence.DATA.iterdir()}
+    assert {*LIMITS, *ALONE} == {path.name for path in evidence.DATA.iterdir()}
     evidence.check_together(LIMITS)
+
+
+def test_results_that_stand_alone_have_their_limit():
+    assert {name: evidence.stamp_of(evidence.DATA / name).limit for name in ALONE} == ALONE
 
 
 def test_results_of_several_goes_are_refused(tmp_path, monkeypatch):
@@ -136,7 +140,7 @@ def test_measured_figures_stand_on_pages_of_evidence_alone(path):
 def test_readme_quotes_what_each_page_says_first():
     text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
     assert text == front.page()
-    pages = ("verification", "hard-cases", "cost", "price")
+    pages = ("verification", "hard-cases", "reported-scenes", "agreement", "cost", "price")
     assert [line.split("](")[1].split(")")[0] for line in front.quoted(text)] == [
         f"docs/evidence/{name}.md" for name in pages
     ]

@@ -17,7 +17,7 @@ from harness.pages.linear_solver_results import Solver
 from harness.run import engine
 from harness.run.febio_log import Report
 from harness.studies.linear_solvers.trials import write
-from harness.studies.real_models import drawn_scenes
+from harness.studies.synthetic_scenes import drawn_scenes
 
 MODELS = Path(__file__).parent / "models"
 

@@ -65,7 +65,7 @@ ZERO = {
 }
 """What 0 means, of parameters that may be 0."""
 DEFAULT = "1"
-"""FEBio's default of each of these, where `sliding-mixture` chooses by itself: written, so the answer stays."""
+"""FEBio's default of each of these, where `sliding-mixture` chooses by itself: written, so the penalties stay."""
 _PENALTY = "FEBio's default, written out; without it the penalty is automatic and accurate, and the answer another"
 WRITTEN = {
     "penalty": _PENALTY,

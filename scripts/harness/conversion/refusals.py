@@ -13,7 +13,7 @@ from harness.preflight.xml_file import place
 
 
 def refusals(model: Model) -> Iterator[str]:
-    """Reasons not to convert, one sentence each; none where the answer stays."""
+    """Reasons not to convert, one sentence each; none where the physics stays."""
     for contact in model.contacts:
         if contact.kind.name in CONVERTIBLE:
             yield from _of_materials(Joint(model, contact))

@@ -376,6 +376,8 @@ class Control:
         FEBio's type of analysis; STATIC in the module `solid` and TRANSIENT elsewhere without it.
     updates : int
         Largest number of quasi-Newton updates (BFGS) between two matrices.
+    matrix : str
+        FEBio's name of the form of the solver's matrix: ``non-symmetric`` or ``symmetric``.
     """
 
     steps: int
@@ -391,6 +393,7 @@ class Control:
     end: float | None = None
     analysis: str | None = None
     updates: int = 0
+    matrix: str = "non-symmetric"
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
         """Append the control section to the model `parent`."""
@@ -404,7 +407,7 @@ class Control:
         if self.stepper:
             self.stepper.write(made)
         solver = child(made, "solver", type=module)
-        child(solver, "symmetric_stiffness", "non-symmetric")
+        child(solver, "symmetric_stiffness", self.matrix)
         child(solver, "max_refs", self.reformations)
         child(solver, "dtol", self.displacement_tolerance)
         child(solver, "etol", self.energy_tolerance)

@@ -6,7 +6,7 @@ What the builders of the harness have no words for. Numbers are in mm, N, s.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -246,6 +246,8 @@ class Document:
     surface_data: dict[str, str] = field(default_factory=dict)
     rigid_data: dict[int, str] = field(default_factory=dict)
     globals: str = ""
+    further: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    """Entries of sections that have no name here."""
 
     def text(self) -> str:
         """The model as FEBio 4 XML; logged data go to the files nodes.txt, surface-NAME.txt, rigid-N.txt."""
@@ -257,6 +259,7 @@ class Document:
             "MeshAdaptor": self.adaptors,
             "Step": self.steps,
             "LoadData": self.curves,
+            **self.further,
         }
         constants = "<Constants><T>298</T><R>8.314e-06</R><Fc>0</Fc></Constants>"
         output = [f'<node_data data="{self.node_data}" file="nodes.txt" delim=" "/>']

@@ -1,4 +1,4 @@
-"""The pages of the real models, from their results alone."""
+"""The pages of the synthetic test scenes, from their results alone."""
 
 from __future__ import annotations
 
@@ -6,27 +6,28 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import median
 
 from harness.pages import stamped_rows
 from harness.run.provenance import Stamp
 
-PAGE, ALL = "evidence/real-models.md", "reference/real-models.md"
-DATA = Path("data", "real-models.json")
+PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
+DATA = Path("data", "synthetic-scenes.json")
 """Below docs/."""
 
 HEAD = """\
-# Real models
+# Synthetic test scenes
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/scene_results.py instead. -->
 
-Scenes of the breadth that users have: element types, materials, loads, rigid bodies, porous bodies with and
-without solutes, each with the FEBio interface that a user would take and the parameters that a user would
-give it. Each is run in four ways: with FEBio's interface; through `scripts/mixcontact convert`, with the same
-penalties; with the penalties deleted, so that the plugin chooses them; and so with `predictor` 1 as well. The limit is
-the same for all and counts processor time.
+Scenes written here, which no user sent, of what models of users hold: element types, materials, loads, rigid bodies,
+porous bodies with and without solutes, each with the FEBio interface that a user would take and the parameters that a
+user would give it. Each is run in four ways: with FEBio's interface; through `scripts/mixcontact convert`, with the
+same penalties; with the penalties deleted, so that the plugin chooses them; and so with `predictor` 1 as well. The
+limit is the same for all and counts processor time.
 
 ```console
-scripts/mixcontact real-models --only elements-hex8
+scripts/mixcontact synthetic-scenes --only elements-hex8
 ```
 
 runs one of them; without `--only` all of them. Made with {stamp}.
@@ -36,24 +37,24 @@ runs one of them; without `--only` all of them. Made with {stamp}.
 The numbers are Newton iterations, with retries of time steps in brackets. *Differ by*: the largest difference
 of the last state between FEBio's interface and the converted model, at any node, relative to the largest
 displacement, and the same of pressure and concentrations. Where contact is uniform and the penalty is given in
-numbers the two are equal to 1e-8 (`tests/real_models/test_uniform_contact.py`). In these scenes a curved face
+numbers the two are equal to 1e-8 (`tests/synthetic_scenes/test_uniform_contact.py`). In these scenes a curved face
 meets a flat one, and the meshes are coarse: FEBio's interfaces act at Gauss points of facets, this one on means
 around nodes, and they see the same facets by different gaps. {finer} Pressures differ most at nodes that one
 interface has in contact and the other at the ambient pressure: at the edge of contact and, with FEBio's
 interfaces, at single nodes within it. The predictor is off but in the last column of runs; it is not available in
 models with rigid bodies.
 
-[All scenes](../reference/real-models.md) have a row each. These are worse than FEBio's, or not comparable:
+[All scenes](../reference/synthetic-scenes.md) have a row each. These are worse than FEBio's, or not comparable:
 
 {table}
 """
 ALL_HEAD = """\
-# Real models: all scenes
+# Synthetic test scenes: all scenes
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/scene_results.py instead. -->
 
-Newton iterations, with retries in brackets, of the scenes of [real models](../evidence/real-models.md), where it says
-what the columns are. Made with {stamp}.
+Newton iterations, with retries in brackets, of the [synthetic test scenes](../evidence/synthetic-scenes.md), where it
+says what the columns are. Made with {stamp}.
 
 {table}
 """
@@ -65,6 +66,8 @@ MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""
 AT_LIMIT = "ended by the limit"
 """Why a run did not end that took all of its processor time."""
+NOT_MADE = "not run"
+"""Why there is no run where nobody asked for it."""
 UNAVAILABLE = "not available in models with rigid bodies"
 """What the plugin says of the predictor there."""
 
@@ -104,6 +107,15 @@ class Took:
         """Whether the plugin takes the model with the predictor."""
         return UNAVAILABLE not in self.why
 
+    @property
+    def made(self) -> bool:
+        """Whether there was a run at all."""
+        return self.why != NOT_MADE
+
+
+NOT_RUN = Took(ended=False, why=NOT_MADE)
+"""Stands for a run that nobody made."""
+
 
 @dataclass(frozen=True)
 class Row:
@@ -112,13 +124,13 @@ class Row:
     name: str
     about: str
     febio: Took
-    converted: Took
-    defaults: Took
-    predicted: Took
+    converted: Took = NOT_RUN
+    defaults: Took = NOT_RUN
+    predicted: Took = NOT_RUN
 
     def worse(self, ours: Took) -> str:
         """In what a run of ours is worse than FEBio's; empty where in nothing."""
-        if not self.febio.ended:
+        if not self.febio.ended or not ours.made:
             return ""
         if not ours.ended:
             return ours.why or "does not end"
@@ -149,7 +161,7 @@ def read(path: Path) -> Results:
     DataFileError
         A missing file, or one that holds no such results.
     """
-    return Results(*stamped_rows.read(path, _row, "real-models --docs"))
+    return Results(*stamped_rows.read(path, _row, "synthetic-scenes --docs"))
 
 
 def _row(name: str, about: str, **runs: dict[str, bool | int | float | str]) -> Row:
@@ -209,6 +221,8 @@ def _number(difference: float) -> str:
 
 def cell(took: Took) -> str:
     """Iterations, with retries in brackets; of a run that did not end, how far it came."""
+    if not took.made:
+        return ""
     retries = f" ({took.retries})" if took.retries else ""
     if took.ended:
         return f"{took.iterations}{retries}"
@@ -230,7 +244,21 @@ def summary(rows: Sequence[Row]) -> str:
             f"{name}, {ended} of these end, {fewer} in at most FEBio's iterations; {harmed} are worse: they fail, or "
             f"take more retries, or more than {MOST} times the iterations."
         )
-    return " ".join([*parts, _predictor(rows), _limit(rows)])
+    return " ".join([*parts, _apart(sound), _predictor(rows), _limit(rows)])
+
+
+def _apart(rows: Sequence[Row]) -> str:
+    """By how much the answers differ."""
+    both = [row.converted for row in rows if row.converted.ended]
+    displacements = sorted(took.difference for took in both if not math.isnan(took.difference))
+    fields = [took.of_fields for took in both if not math.isnan(took.of_fields)]
+    if not displacements or not fields:
+        return ""
+    return (
+        f"The answers are not the same: the largest difference of a displacement is {median(displacements):.1%} of the "
+        f"largest displacement in the median, up to {displacements[-1]:.0%}, and that of a field {min(fields):.0%} to "
+        f"{max(fields):.0%} in {len(fields)} porous scenes ([which is nearer](agreement.md))."
+    )
 
 
 def _predictor(rows: Sequence[Row]) -> str:

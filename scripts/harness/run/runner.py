@@ -40,6 +40,8 @@ class RunResult:
         s, of the run itself.
     cpu : float
         Its processor time, s.
+    limit : float, optional
+        s of processor time after which it was to be ended.
     """
 
     model: Model
@@ -47,6 +49,7 @@ class RunResult:
     report: febio_log.Report
     wall: float
     cpu: float
+    limit: float | None = None
 
     @property
     def nodes(self) -> logdata.History:
@@ -141,7 +144,7 @@ class Runner:
         (folder / "screen.txt").write_text(finished.output)
         times = {"wall": finished.wall, "cpu": finished.cpu, "limit": self.processor_limit}
         (folder / "done.json").write_text(json.dumps({"report": asdict(finished.report), **times}))
-        return RunResult(model, folder, finished.report, finished.wall, finished.cpu)
+        return RunResult(model, folder, finished.report, finished.wall, finished.cpu, self.processor_limit)
 
     def _progress(self, model: Model) -> engine.Progress | None:
         if self.announce is None:
@@ -175,7 +178,7 @@ def _read_back(model: Model, folder: Path, limit: float | None) -> RunResult | N
         return None
     report = done["report"]
     report["errors"], report["warnings"] = tuple(report["errors"]), tuple(report["warnings"])
-    return RunResult(model, folder, febio_log.Report(**report), done["wall"], done["cpu"])
+    return RunResult(model, folder, febio_log.Report(**report), done["wall"], done["cpu"], done["limit"])
 
 
 def _ends_alike(done: Mapping[str, Any], limit: float | None) -> bool:

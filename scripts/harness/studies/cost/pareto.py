@@ -156,25 +156,32 @@ LEVELS = tuple(10.0**-k for k in range(1, 8))
 
 
 def comparison(data: Sequence[Datum]) -> str:
-    """A Markdown table: the least each interface pays for an error, and the ratio of times to FEBio's better one."""
+    """A Markdown table: the least each interface pays for an error, and the ratio of times to FEBio's better one.
+
+    The predictor, which is off by default, has a column of its own.
+    """
     names = list(LOOKS)
     lines = [
-        "| problem | error | " + " | ".join(f"`{name}`" for name in names) + " | ratio of times |",
-        "|---|---|" + "---|" * (len(names) + 1),
+        "| problem | error | " + " | ".join(f"`{name}`" for name in names) + " | ratio of times | with `predictor` 1 |",
+        "|---|---|" + "---|" * (len(names) + 2),
     ]
     for problem in Problem:
         own = comparable(data, problem)
+        plain = [d for d in own if d.parameter != Parameter.PREDICTOR.value]
+        predicted = [d for d in own if d.parameter == Parameter.PREDICTOR.value]
         for error in LEVELS:
-            best = [_fastest([d for d in own if d.interface == name], error) for name in names]
+            best = [fastest([d for d in plain if d.interface == name], error) for name in names]
             if not any(best):
                 continue
             others = [cost_of(d) for d in best[1:] if d]
             ratio = f"{cost_of(best[0]) / min(others):.2f}" if best[0] and others else "-"
-            lines.append(f"| {problem.value} | {error:.0e} | " + " | ".join(map(_paid, best)) + f" | {ratio} |")
+            cells = (problem.value, f"{error:.0e}", *map(_paid, best), ratio, _paid(fastest(predicted, error)))
+            lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 
-def _fastest(data: Sequence[Datum], error: float) -> Datum | None:
+def fastest(data: Sequence[Datum], error: float) -> Datum | None:
+    """The datum that takes the least time of those whose error is at most `error`."""
     return min((d for d in data if error_of(d) <= error), key=cost_of, default=None)
 
 

@@ -1,4 +1,4 @@
-"""The page of friction: docs/evidence/friction.md, from hard cases, slip that should not be, and real models."""
+"""The page of friction: docs/evidence/friction.md, from hard cases, slip that should not be, and test scenes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from harness.studies.hard_cases.scene import Fineness
 CASES_SOURCE = "friction-cases.csv"
 MODELS_SOURCE = scene_results.DATA.name
 RUBS = "friction-"
-"""What the names of the real models with friction begin with."""
+"""What the names of the synthetic test scenes with friction begin with."""
 
 
 def figures() -> Mapping[str, str]:
@@ -37,7 +37,7 @@ def figures() -> Mapping[str, str]:
 
 
 def beside(models: Sequence[Row]) -> str:
-    """In how many of the real models ours take at most the iterations of FEBio's interface."""
+    """In how many of the synthetic test scenes ours take at most the iterations of FEBio's interface."""
     converted, defaults = (
         sum(_at_most(took, row.febio) for took, row in pairs)
         for pairs in ([(row.converted, row) for row in models], [(row.defaults, row) for row in models])

@@ -126,8 +126,8 @@ class Datum:
         it.
     iterations, retries, augmentations : int
     time, time_low, time_high : float
-        Processor time; stick: over that of the conforming reference, run in turn; partial slip: s. Median, least and
-        largest; of one run where that is not short.
+        Processor time; stick: over that of the conforming reference, run in turn, where the run ended; else s. Median,
+        least and largest; of one run where that is not short.
     """
 
     problem: str
@@ -223,7 +223,7 @@ def failed(data: Sequence[Datum]) -> str:
 
 
 def _stopped(datum: Datum) -> str:
-    return " (ended by the limit)" if at_limit(datum.ended, datum.iterations) else ""
+    return " (ended by the limit)" if at_limit(datum.ended, datum.time) else ""
 
 
 def value_of(data: Sequence[Datum], problem: Problem, parameter: Parameter, value: float) -> float:

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
-from harness.studies.limit import at_limit
-
 HEADINGS = {
     "sliding-mixture": "`sliding-mixture`",
     "sliding-mixture-predictor": "with `predictor` 1",
@@ -39,8 +37,10 @@ class Attempt:
         Whether the run ended normally.
     reached : float
         Part of the case's time that was reached.
+    limited : bool
+        Whether the limit ended it.
     steps, iterations, residuals, retries : int
-        Iterations are 0 where the limit ended the run: FEBio then writes no summary.
+        Iterations and residuals are 0 where FEBio wrote no summary.
     """
 
     case: str
@@ -48,6 +48,7 @@ class Attempt:
     interface: str
     ended: bool
     reached: float
+    limited: bool
     steps: int
     iterations: int
     residuals: int
@@ -57,7 +58,7 @@ class Attempt:
     def counts(self) -> str:
         """Steps / iterations / steps tried again; of a run that did not end the part of its time that it reached."""
         numbers = f"{self.steps} / {self.iterations} / {self.retries}"
-        why = "limit" if at_limit(self.ended, self.iterations) else "fails"
+        why = "limit" if self.limited else "fails"
         return numbers if self.ended else f"{why} at {100.0 * self.reached:.0f} %"
 
 
@@ -78,7 +79,7 @@ class Outcome(Attempt):
         """How it ended."""
         if self.ended:
             return End.MISSES if self.missed else End.PASSES
-        return End.LIMIT if at_limit(self.ended, self.iterations) else End.FAILS
+        return End.LIMIT if self.limited else End.FAILS
 
     @property
     def short(self) -> str:

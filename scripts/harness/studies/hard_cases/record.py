@@ -15,6 +15,7 @@ from harness.studies.hard_cases import invariants
 from harness.studies.hard_cases.catalogue import CASES
 from harness.studies.hard_cases.outcomes import Attempt, Outcome
 from harness.studies.hard_cases.scene import Fineness, Interface
+from harness.studies.limit import at_limit
 from harness.validate.results import measures_as_data, measures_from_data
 
 
@@ -78,7 +79,8 @@ def attempt(name: str, mesh: Fineness, interface: str, run: RunResult) -> Attemp
     """How a run of a case went."""
     report = run.report
     counts = (report.steps, report.iterations, report.residuals, report.retries)
-    return Attempt(name, mesh.value, interface, report.normal, _reached(run), *counts)
+    limited = at_limit(report.normal, run.cpu, run.limit)
+    return Attempt(name, mesh.value, interface, report.normal, _reached(run), limited, *counts)
 
 
 def _reached(run: RunResult) -> float:

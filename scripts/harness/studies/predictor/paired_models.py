@@ -9,7 +9,6 @@ from harness.models.document import Model
 from harness.models.interface import PREDICTOR, InterfaceType
 from harness.models.parts import Contact, Rigid
 from harness.pages import collection
-from harness.run.febio_log import Report
 from harness.run.runner import Runner
 from harness.studies.hard_cases.catalogue import CASES
 from harness.studies.hard_cases.scene import Fineness, Interface
@@ -21,11 +20,12 @@ MOST = 1.02
 
 @dataclass(frozen=True)
 class Took:
-    """What a run took: time steps, Newton iterations, steps tried again."""
+    """What a run took: time steps, Newton iterations, steps tried again; and whether the limit ended it."""
 
     model: str
     predictor: bool
     ended: bool
+    limited: bool
     steps: int
     iterations: int
     retries: int
@@ -58,8 +58,7 @@ class Pair:
         """In what the predictor is worse; empty where in nothing."""
         worse = []
         if self.without.ended and not self.predicted.ended:
-            limit = at_limit(self.predicted.ended, self.predicted.iterations)
-            worse.append("ended by the limit" if limit else "does not end")
+            worse.append("ended by the limit" if self.predicted.limited else "does not end")
         if self.predicted.retries > self.without.retries:
             worse.append("more retries")
         if self.predicted.ended and self.ratio > MOST:
@@ -98,8 +97,10 @@ def run(name: str, model: Model, runner: Runner) -> Pair:
 
 
 def _took(name: str, predictor: bool, model: Model, runner: Runner) -> Took:
-    report: Report = runner(model, check=False).report
-    return Took(name, predictor, report.normal, report.steps, report.iterations, report.retries)
+    result = runner(model, check=False)
+    report = result.report
+    limited = at_limit(report.normal, result.cpu, result.limit)
+    return Took(name, predictor, report.normal, limited, report.steps, report.iterations, report.retries)
 
 
 def runs(pairs: Iterable[Pair]) -> list[Took]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from harness.studies.limit import at_limit
 from harness.studies.predictor.paired_models import MOST, Pair, Took
 
 
@@ -21,7 +20,7 @@ def _row(pair: Pair) -> str:
 
 def _cell(took: Took) -> str:
     retries = f" ({took.retries})" if took.retries else ""
-    why = "limit" if at_limit(took.ended, took.iterations) else "fails"
+    why = "limit" if took.limited else "fails"
     return f"{took.iterations}{retries}" if took.ended else f"{why} after {took.steps} steps{retries}"
 
 

@@ -17,7 +17,7 @@ from harness.paths import DOCS, RESULTS
 from harness.run import provenance
 from harness.studies import files
 from harness.studies.limit import LIMIT
-from harness.studies.price import bars, effect_costs, joints, page, paired_runs, table
+from harness.studies.price import bars, effect_costs, febio_matrices, joints, page, paired_runs, table
 from harness.studies.price.effect_costs import EffectCost
 from harness.studies.price.scenes import Kind, Scene, effects_added
 
@@ -33,6 +33,8 @@ class Part(str, Enum):
     """Times at the end of runs with more and more effects, as a bar chart."""
     COMPARISON = "comparison"
     """Iterations and times of the contact beside FEBio's own, on two blocks with many facets."""
+    MATRICES = "matrices"
+    """FEBio's interface on the joints with its default matrix, which is symmetric, beside a non-symmetric one."""
     ADDED = "added"
     """Time added to the run of an body of 12 x 12 x 24 elements."""
 
@@ -58,6 +60,9 @@ def price(
     if Part.JOINTS in chosen:
         found = joints.measure(joints.SCENES, repetitions, tell)
         files.write_csv(found, joints.JointPrice, folder / page.JOINTS, stamp)
+    if Part.MATRICES in chosen:
+        rows = febio_matrices.measure(joints.SCENES, repetitions, tell)
+        files.write_csv(rows, febio_matrices.Matrix, folder / page.MATRICES, stamp)
     if Part.EFFECTS in chosen:
         costs = effect_costs.measure(effects_added(), repetitions, tell)
         files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)
@@ -77,8 +82,9 @@ def _compared() -> dict[Part, list[Scene]]:
 
 def _write_docs(folder: Path) -> None:
     """The page of the documentation, with what was measured into `folder`."""
-    for name in page.PAGE.sources:
-        shutil.copy(folder / name, DATA / name)
+    for name in (*page.PAGE.sources, page.MATRICES):
+        if (folder / name).is_file():
+            shutil.copy(folder / name, DATA / name)
     page.draw(files.read_csv(DATA / page.EFFECTS, EffectCost), DOCS / page.PICTURE)
     (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
     console.print(f"Written: {DOCS / page.PAGE.name}, {DOCS / page.PICTURE}")

@@ -210,10 +210,10 @@ def _ratio(price: JointPrice, theirs: JointPrice) -> str:
 
 def _counts(price: JointPrice) -> tuple[str, str, str]:
     if not price.ended:
-        return (unended(price.iterations), "", "")
+        return (unended(at_limit(price.ended, price.seconds)), "", "")
     return (str(price.iterations), str(price.retries), str(price.matrices))
 
 
-def unended(iterations: int) -> str:
-    """What a table says of a run that did not end, of which febio4 told so many iterations."""
-    return "ended by the limit" if at_limit(False, iterations) else "fails"
+def unended(limited: bool) -> str:
+    """What a table says of a run that did not end: whether the limit ended it."""
+    return "ended by the limit" if limited else "fails"

@@ -9,15 +9,18 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from harness.pages import evidence
 from harness.pages.evidence import DATA, EvidencePage
 from harness.studies import files
-from harness.studies.price import joints
+from harness.studies.price import febio_matrices, joints
 from harness.studies.price.effect_costs import EffectCost
+from harness.studies.price.febio_matrices import Matrix
 from harness.studies.price.joints import JointPrice
 from harness.studies.price.paired_runs import Price
 from harness.studies.price.scenes import effects_added
 
 JOINTS, EFFECTS, COMPARISON = "price-joints.csv", "price-effects.csv", "price-comparison.csv"
+MATRICES = "price-matrices.csv"
 PICTURE = "images/price.svg"
 ASKED = (
     '<material type="neo-Hookean">',
@@ -37,9 +40,12 @@ def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     costs = files.read_csv(DATA / EFFECTS, EffectCost)
     prices = files.read_csv(DATA / COMPARISON, Price)
+    matrices = files.read_csv(DATA / MATRICES, Matrix)
     measured = joints.arranged(files.read_csv(DATA / JOINTS, JointPrice))
     return {
-        "headline": f"{_headline(costs)} {joints.headline(measured)}",
+        "headline": f"{_headline(costs)} {joints.headline(measured)} {febio_matrices.headline(matrices, measured)}",
+        "matrices": febio_matrices.matrices_table(matrices, measured),
+        "matrices_stamp": str(evidence.stamp_of(DATA / MATRICES)),
         "joints": joints.joints_table(measured),
         "facets": str(next(iter(effects_added().values())).section),
         "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),
@@ -57,10 +63,11 @@ def _by_scene(costs: Sequence[EffectCost]) -> dict[str, list[EffectCost]]:
 def _headline(costs: Sequence[EffectCost]) -> str:
     scenes = list(_by_scene(costs).values())
     first, last, fixed = scenes[0][0], scenes[-2][0], scenes[-1][0]
+    most = max((own[0] for own in scenes), key=lambda cost: cost.share)
     return (
-        f"Of runs in which contact is at its dearest, it takes {_percent(first.share)} with traction alone, "
-        f"{_percent(last.share)} with solvent and four solutes beside it, and {_percent(fixed.share)} where nothing "
-        "moves. What is not asked for has no unknown, no entry and no call."
+        f"Of runs in which contact is at its dearest, it takes at most {_percent(most.share)} (`{most.scene}`): "
+        f"{_percent(first.share)} with traction alone, {_percent(last.share)} with solvent and four solutes beside it, "
+        f"and {_percent(fixed.share)} where nothing moves. What is not asked for has no unknown, no entry and no call."
     )
 
 
@@ -121,7 +128,7 @@ def comparison_table(prices: Sequence[Price]) -> str:
     for price in prices:
         penalties = f"factor {price.factor:g}" if price.factor else "defaults"
         told = (price.iterations, price.unknowns, price.entries)
-        counts = told if price.ended else (joints.unended(price.iterations), "", "")
+        counts = told if price.ended else (joints.unended(price.limited), "", "")
         less = _less(ours[price.kind], price)
         contact = f"`{joints.OURS}`, `predictor` 1" if price.type == joints.PREDICTED else f"`{price.type}`"
         cells = (price.kind, contact, penalties, *map(str, counts), _added(price), less)

@@ -12,7 +12,7 @@ from statistics import median
 from harness.models.interface import PREDICTOR, ContactSettings, InterfaceType
 from harness.studies import timing
 from harness.studies.hard_cases.scene import Interface
-from harness.studies.limit import LIMIT
+from harness.studies.limit import LIMIT, at_limit
 from harness.studies.price import table
 from harness.studies.price.scenes import Kind, Scene, penalties
 
@@ -111,6 +111,8 @@ class Price:
     factor : float
         Penalty factor; 0 for our defaults.
     ended : bool
+    limited : bool
+        Whether the limit ended a run.
     iterations, reference_iterations : int
         Newton iterations with this contact and of the conforming reference.
     contact : float
@@ -125,6 +127,7 @@ class Price:
     type: str
     factor: float
     ended: bool
+    limited: bool
     iterations: int
     reference_iterations: int
     contact: float
@@ -171,6 +174,15 @@ def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], reference:
     contact = median(contact_time(one, other) for one, other in pairs) if ended else math.nan
     added = [one.cpu / other.cpu - 1.0 for one, other in pairs] if ended else [math.nan]
     counts = (runs[0].unknowns, runs[0].entries)
+    limited = any(at_limit(one.ended, one.cpu) for one in runs)
     return Price(
-        kind.value, *key, ended, runs[0].iterations, reference[0].iterations, contact, *timing.spread(added), *counts
+        kind.value,
+        *key,
+        ended,
+        limited,
+        runs[0].iterations,
+        reference[0].iterations,
+        contact,
+        *timing.spread(added),
+        *counts,
     )

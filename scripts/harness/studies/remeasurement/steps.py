@@ -27,12 +27,16 @@ class Step:
         Done one after the other; ``{folder}`` stands for a folder for what they leave.
     limit : float
         s of processor time for a run, which the stamps of its files say; 0 without a limit.
+    alone : bool
+        Whether its pages say themselves what its files were made with, which may be another commit than that of the
+        files that are measured in one go.
     """
 
     name: str
     files: tuple[str, ...]
     commands: tuple[Command, ...]
     limit: float = LIMIT
+    alone: bool = False
 
     def is_done(self, commit: str) -> bool:
         """Whether its files are there and were made with this commit of the plugin and its limit."""
@@ -63,7 +67,18 @@ UNTIMED = (
     Step("elastic-hertz", ("elastic-hertz.csv",), (("elastic-hertz", *_DOCS),), 0.0),
     Step("hard-cases", ("hard-cases.csv",), (("hard-cases", *_COARSE),)),
     Step("predictor", ("predictor.csv",), (("predictor", *_COARSE),)),
-    Step("real-models", ("real-models.json",), (("real-models", "--docs", "--jobs", "2", "--folder", "{folder}"),)),
+    Step(
+        "synthetic-scenes",
+        ("synthetic-scenes.json",),
+        (("synthetic-scenes", "--docs", "--jobs", "2", "--folder", "{folder}"),),
+    ),
+    Step(
+        "reported-scenes",
+        ("reported-scenes.json",),
+        (("synthetic-scenes", "--collection", "reported", "--docs", "--jobs", "2", "--folder", "{folder}"),),
+        alone=True,
+    ),
+    Step("agreement", ("agreement.json",), (("agreement", "--docs", "--folder", "{folder}"),), alone=True),
     Step(
         "friction-cases", ("friction-cases.csv",), (("friction-cases", "--docs", "--no-febio", "--folder", "{folder}"),)
     ),
@@ -79,10 +94,18 @@ TIMED = (
         ("price-joints.csv", "price-effects.csv", "price-comparison.csv"),
         (("price", *_ON_THE_PAGE, "--docs", "--folder", "{folder}"),),
     ),
+    Step(
+        "price-matrices",
+        ("price-matrices.csv",),
+        (("price", "--only", "matrices", "--docs", "--folder", "{folder}"),),
+        alone=True,
+    ),
 )
 """Nothing else runs beside these."""
 PAGES = Step("pages", (), (("pages",),), 0.0)
 """What is written from all files."""
 STEPS = (*UNTIMED, *TIMED, PAGES)
-LIMITS = {name: step.limit for step in STEPS for name in step.files}
-"""By the files below docs/data, the limit that their stamps must say."""
+LIMITS = {name: step.limit for step in STEPS for name in step.files if not step.alone}
+"""By the files below docs/data that are measured in one go, the limit that their stamps must say."""
+ALONE = {name: step.limit for step in STEPS for name in step.files if step.alone}
+"""The same of the other files."""

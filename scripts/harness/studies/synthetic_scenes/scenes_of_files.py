@@ -8,10 +8,10 @@ from pathlib import Path
 
 from lxml import etree
 
-from harness.studies.real_models import edits
-from harness.studies.real_models.collection_of_scenes import SCENES as BODIES
-from harness.studies.real_models.collection_of_scenes import Scene
-from harness.studies.real_models.edits import Edit
+from harness.studies.synthetic_scenes import edits
+from harness.studies.synthetic_scenes.collection_of_scenes import SCENES as BODIES
+from harness.studies.synthetic_scenes.collection_of_scenes import Scene
+from harness.studies.synthetic_scenes.edits import Edit
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from harness.studies.real_models import edits
-from harness.studies.real_models.collection_of_scenes import SCENES as BODIES
-from harness.studies.real_models.scenes_of_files import Edited
+from harness.studies.synthetic_scenes import edits
+from harness.studies.synthetic_scenes.collection_of_scenes import SCENES as BODIES
+from harness.studies.synthetic_scenes.scenes_of_files import Edited
 
 _RUBS = {
     "elements-hex8": 0.2,

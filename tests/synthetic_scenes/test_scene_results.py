@@ -1,4 +1,4 @@
-"""What the pages of the real models say of runs that did not end. Needs no run."""
+"""What the pages of the synthetic test scenes say of runs that did not end. Needs no run."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from lxml import etree
 
 from harness.models.parts import Element
-from harness.studies.real_models.slab_and_block import BASE, BLOCK, LOADED, LOWER, SLAB, UPPER
+from harness.studies.synthetic_scenes.slab_and_block import BASE, BLOCK, LOADED, LOWER, SLAB, UPPER
 
 Edit = Callable[[Element, Path], None]
 """Changes the root of a model in place; the folder is the one that the model is written into."""

@@ -33,7 +33,17 @@ from harness.models.parts import (
     pressure,
     push_rigid,
 )
-from harness.studies.real_models.slab_and_block import BASE, BLOCK, LOADED, LOWER, PAIR, SLAB, Elements, Shape, mesh
+from harness.studies.synthetic_scenes.slab_and_block import (
+    BASE,
+    BLOCK,
+    LOADED,
+    LOWER,
+    PAIR,
+    SLAB,
+    Elements,
+    Shape,
+    mesh,
+)
 
 DEPTH = 0.15
 """mm by which the block is moved down."""

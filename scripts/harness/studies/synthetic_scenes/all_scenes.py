@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from harness.studies.real_models import collection_of_scenes, drawn_scenes, rubbing_scenes, scenes_of_files
-from harness.studies.real_models.comparison import Written
+from harness.studies.synthetic_scenes import collection_of_scenes, drawn_scenes, rubbing_scenes, scenes_of_files
+from harness.studies.synthetic_scenes.comparison import Written
 
 SCENES: Mapping[str, Written] = {
     **collection_of_scenes.SCENES,

@@ -1,4 +1,4 @@
-"""Scenes of the breadth that users have: what FEBio's interface ends, sliding-mixture ends, too."""
+"""Synthetic test scenes: what FEBio's interface ends, sliding-mixture ends, too."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import pytest
 
 from harness.pages import scene_results
 from harness.studies.limit import LIMIT
-from harness.studies.real_models import comparison
-from harness.studies.real_models.all_scenes import SCENES
+from harness.studies.synthetic_scenes import comparison
+from harness.studies.synthetic_scenes.all_scenes import SCENES
 
 QUICK = ("material-Mooney-Rivlin", "rigid-free", "quasi-newton", "shells-back")
 SLOW = (
@@ -42,7 +42,7 @@ SLOW = (
     "friction-biphasic",
     "friction-elements-tet10",
 )
-"""One of each kind; the command `real-models` runs all."""
+"""One of each kind; the command `synthetic-scenes` runs all."""
 WITH_RETRIES_BY_DEFAULT = {
     "slot-closes": "the step in which the slot's mouth touches fails with a factor of 100, FEBio's interface's as well",
 }

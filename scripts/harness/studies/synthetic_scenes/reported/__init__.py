@@ -1,0 +1,1 @@
+"""Scenes drawn from the kinds that users report: bodies, the contact between them, loads and a solver each."""

@@ -1,0 +1,170 @@
+"""What README and the pages claim is what the data say, read here without the code that writes the pages."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from statistics import median
+
+import pytest
+
+from harness.pages import front
+from harness.paths import DOCS, REPOSITORY
+from harness.studies.limit import LIMIT, NEARLY
+
+DATA = DOCS / "data"
+OURS = "sliding-mixture"
+
+
+def rows(name: str) -> list[dict[str, str]]:
+    """A table of docs/data."""
+    lines = (DATA / name).read_text(encoding="utf-8").splitlines()
+    return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def scenes(name: str) -> list[dict]:
+    """The rows of a JSON file of docs/data."""
+    return json.loads((DATA / name).read_text(encoding="utf-8"))["rows"]
+
+
+def claim(page: str) -> str:
+    """What a page of evidence says first, which README quotes."""
+    said = front.said_first(f"docs/evidence/{page}.md")
+    assert said in (REPOSITORY / "README.md").read_text(encoding="utf-8")
+    return said
+
+
+def text_of_the_documentation() -> str:
+    pages = [path for path in DOCS.rglob("*.md") if path.name != "changelog.md"]
+    return "\n".join(path.read_text(encoding="utf-8") for path in (*pages, REPOSITORY / "README.md"))
+
+
+@pytest.mark.parametrize("words", ["real model", "gives the old answer", "real scenes"])
+def test_words_that_claim_more_than_is_known_are_gone(words):
+    assert words not in text_of_the_documentation().lower()
+
+
+def test_hard_cases_say_which_misses_are_technical_and_which_cases_are_one_scene():
+    own = [row for row in rows("hard-cases.csv") if row["interface"] == "febio-1000"]
+    missing = [row["missed"] for row in own if row["ended"] == "True" and row["missed"]]
+    further = [missed for missed in missing if missed.startswith("a further run")]
+    said = claim("hard-cases")
+    assert f"of the {len(missing)} that it ends and misses" in said
+    assert f"in {len(further)} a further run" in said
+    assert any("2.9e-09" in missed for missed in missing) == ("1 misses by a difference below 1e-06" in said)
+    assert "`units` and `restart`" in said
+    assert "`curved-1-to-8` and `curved-two-pass`" in said
+
+
+def test_cost_says_whose_run_is_the_faster_at_the_same_error():
+    said = claim("cost")
+    assert "non-symmetric" in said
+    for problem in ("3.1", "3.2"):
+        own = [row for row in rows("cost.csv") if row["problem"] == problem and row["ended"] == "True"]
+        varied = [row for row in own if row["parameter"] not in ("elements", "steps")]
+        ours = next(row for row in own if (row["interface"], row["parameter"]) == (OURS, "default"))
+        bar = 2.0 * float(ours["contact_error"])
+        good = [row for row in varied if row["interface"] != OURS and float(row["contact_error"]) <= bar]
+        fastest = min(float(row["ratio"]) for row in good)
+        part = said.split(f"in problem {problem} (")[1].split(")")[0]
+        faster = "FEBio's" if fastest < float(ours["ratio"]) else "ours"
+        assert f"{fastest:.2f} times the time of one body" in part
+        assert part.endswith(f"{faster} is the faster")
+
+
+def test_the_predictor_has_a_column_of_its_own_in_the_table_of_costs():
+    table = (DOCS / "evidence" / "cost.md").read_text(encoding="utf-8").split("## Beside FEBio's interfaces")[1]
+    lines = [line.split(" | ") for line in table.splitlines() if line.startswith("| 3.")]
+    assert len(lines) > 10
+    assert not any("predictor" in cell for line in lines for cell in line[:-1])
+
+
+def test_the_price_names_the_largest_share_of_its_table():
+    most = max(float(row["share"]) for row in rows("price-effects.csv"))
+    assert f"it takes at most {100.0 * most:.1f} %" in claim("price")
+
+
+def test_the_price_says_what_febios_default_matrix_changes():
+    found = {(row["scene"], row["form"]): row for row in rows("price-matrices.csv")}
+    default = {scene: row for (scene, form), row in found.items() if form == "symmetric"}
+    ours = {row["scene"]: row for row in rows("price-joints.csv") if row["type"] == OURS}
+    ended = [scene for scene, row in default.items() if row["ended"] == "True"]
+    faster = sum(float(ours[scene]["ratio"]) > float(default[scene]["ratio"]) for scene in ended)
+    said = claim("price")
+    assert f"it ends {len(ended)} of the {len(default)} joints without a fluid" in said
+    assert f"is then the faster on {faster}" in said
+
+
+def test_verification_counts_what_has_a_tolerance_and_says_what_has_none():
+    sections = json.loads((DATA / "verification.json").read_text(encoding="utf-8"))["sections"]
+    measures = [measure for section in sections for measure in section["measures"]]
+    near = sum(m["value"] > 0.5 * m["tolerance"] for m in measures if m["tolerance"])
+    said = claim("verification")
+    assert f"of {len(measures)} figures" in said
+    assert f"{near} figures use more than half of theirs" in said
+    assert "Hertz's contacts have no tolerance" in said
+    page = (DOCS / "evidence" / "verification.md").read_text(encoding="utf-8")
+    for title, model in (
+        ("cylinder and a sphere differ", r"^\| (?:cylinder|sphere), \d+ elements \|"),
+        ("asymptotic", r"^\| (?:line|sphere), \d+ by"),
+    ):
+        lines = [line for line in page.splitlines() if re.match(model, line)]
+        most = max(float(cell.split(" %")[0]) for line in lines for cell in line.split(" | ")[1:])
+        assert re.search(rf"{title}.*?up to {most:.1f} %", said)
+
+
+def test_the_limit_ended_only_what_took_its_time():
+    cost = [row for row in rows("cost.csv") if row["ended"] == "False"]
+    for interface in ("sliding-biphasic-solute", "sliding-multiphasic"):
+        own = [row for row in cost if row["interface"] == interface]
+        stopped = sum(float(row["cpu"]) >= NEARLY * LIMIT for row in own)
+        told = f" ({stopped} of them at the limit)" if stopped else ""
+        page = (DOCS / "evidence" / "cost.md").read_text(encoding="utf-8")
+        assert re.search(rf"{len(own)} of \d+ with `{interface}`{re.escape(told)}[,.]", page)
+    for name in ("hard-cases.csv", "friction-cases.csv", "predictor.csv", "price-comparison.csv"):
+        assert not any(row["limited"] == "True" and row["ended"] == "True" for row in rows(name))
+
+
+def test_the_synthetic_scenes_say_by_how_much_answers_differ():
+    own = [
+        row["converted"]
+        for row in scenes("synthetic-scenes.json")
+        if row["febio"]["ended"] and row["converted"]["ended"]
+    ]
+    apart = median(took["difference"] for took in own)
+    fields = [took["of_fields"] for took in own if took["of_fields"] == took["of_fields"]]
+    page = (DOCS / "evidence" / "synthetic-scenes.md").read_text(encoding="utf-8")
+    assert f"is {apart:.1%} of the largest displacement in the median" in page
+    assert f"{min(fields):.0%} to {max(fields):.0%} in {len(fields)} porous scenes" in page
+
+
+def test_reported_scenes_count_what_ends_and_what_takes_more():
+    sound = [row for row in scenes("reported-scenes.json") if row["febio"]["ended"]]
+    said = claim("reported-scenes")
+    assert f"FEBio's interface ends {len(sound)} of them" in said
+    for way in ("converted", "defaults"):
+        ended = [row for row in sound if row[way]["ended"]]
+        more = sum(row[way]["retries"] > row["febio"]["retries"] for row in ended)
+        assert f"{len(ended)} of these end" in said
+        assert f"{more} have more retries" in said
+
+
+def test_agreement_counts_in_which_quantities_the_converted_model_is_nearer():
+    coarse = [row for row in scenes("agreement.json") if row["fineness"] == 1]
+    found = {(row["scene"], row["quantity"], row["interface"]): row for row in coarse}
+    pairs = [
+        (row, found[scene, quantity, "converted"])
+        for (scene, quantity, who), row in found.items()
+        if who != "converted"
+    ]
+    whole = [(febio, ours) for febio, ours in pairs if febio["rms"] != febio["rms"]]
+    numbers = [(febio["error"], ours["error"]) for febio, ours in whole if "facets" not in febio["quantity"]]
+    fields = [(febio["rms"], ours["rms"]) for febio, ours in pairs if febio["rms"] == febio["rms"]]
+    said = claim("agreement")
+    for name, errors in (("forces, approaches, areas and contents", numbers), ("fields (L2)", fields)):
+        nearer = sum(ours < febio for febio, ours in errors)
+        assert f"of {len(errors)} {name} the converted model is nearer to the fine answer in {nearer}" in said
+    nearer = sum(ours < febio for febio, ours in numbers)
+    text = (DOCS / "faq.md").read_text(encoding="utf-8") + (DOCS / "start" / "convert.md").read_text(encoding="utf-8")
+    assert ("the old one is often the nearer" in text and "often FEBio's" in text) == (2 * nearer < len(numbers))
