@@ -16,6 +16,8 @@ constexpr double at_end = 1e-9;
 constexpr double seam = 1e-6;
 /// What part of an element's thickness an overlap has that is not looked at.
 constexpr double shallow_part = 0.5;
+/// The deepest overlap that counts, over the thickness of the thinner body: bodies side by side have at least 1.
+constexpr double deepest_part = 0.75;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -56,11 +58,9 @@ double Visibility::deepest_overlap(const Vector3d& point, const Vector3d& normal
                                    int other) const {
   const Screen& one = screens_.front();
   const Screen& two = screens_.back();
-  double first = first_met(one, {point, -normal, one.size}, 1, own);
-  double second = first_met(two, {point + gap * normal, normal, two.size}, 1, other);
-  if (std::isinf(first)) first = std::max(second, element_thickness(one, own));
-  if (std::isinf(second)) second = std::max(first, element_thickness(two, other));
-  return 0.5 * (first + second);
+  const double first = first_met(one, {point, -normal, one.size}, 1, own);
+  const double second = first_met(two, {point + gap * normal, normal, two.size}, 1, other);
+  return deepest_part * std::min(first, second);
 }
 
 bool Visibility::is_hidden(const Vector3d& point, const Vector3d& normal, double gap, int own, int other) const {

@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(the_share_varies_as_its_variation_says) {
     const FacetCoordinates x2 = facet_coordinates(above.mesh.facets[0], above.position);
     VectorXd nodes(x1.size() + x2.size());
     nodes << x1.reshaped(), x2.reshaped();
-    nodes += random_values(nodes.size(), -0.02, 0.02, random);
+    nodes += random_values(nodes.size(), -0.003, 0.003, random);
     const auto share = [&](const VectorXd& at) -> VectorXd {
       const FacetCoordinates first = at.head(x1.size()).reshaped(3, x1.cols());
       const FacetCoordinates second = at.tail(x2.size()).reshaped(3, x2.cols());

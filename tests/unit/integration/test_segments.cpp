@@ -398,7 +398,7 @@ BOOST_AUTO_TEST_CASE(tangents_are_exact_where_facets_count_in_part) {
       Matrix3Xd& x2 = scene.fields[Side::secondary].position;
       const Vector3d middle(0.5, 0.5, 0);
       const Eigen::AngleAxisd tilt(std::acos(0.54), Vector3d::UnitY());
-      x2 = (tilt.toRotationMatrix() * (x2.colwise() - middle)).colwise() + Vector3d(0.5, 0.5, -0.3);
+      x2 = (tilt.toRotationMatrix() * (x2.colwise() - middle)).colwise() + Vector3d(0.5, 0.5, -0.8);
       BOOST_TEST(!scene.contact()->pass(0).pairs().empty());
       BOOST_TEST_CONTEXT(static_cast<int>(integration) << " of " << static_cast<int>(type)) {
         BOOST_TEST(tangent_error(scene, fine_differences) <= difference_tolerance);
