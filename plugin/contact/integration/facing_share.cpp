@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 namespace mixture_contact {
 namespace {
@@ -42,6 +43,13 @@ double facing_share(const Vector3d& n1, const Vector3d& n2) {
   const double s = fraction_of(-n1.dot(n2));
   return s * s * (3 - 2 * s);
 }
+
+double tilted_reach(const Vector3d& n1, const Vector3d& n2) {
+  const double c = std::clamp(-n1.dot(n2), least_opposition, 1.0);
+  return 1 + std::sqrt(1 / (c * c) - 1) / parallel_reach;
+}
+
+double largest_tilted_reach() { return 1 + std::sqrt(1 / (least_opposition * least_opposition) - 1) / parallel_reach; }
 
 PairVariation<1> facing_share_variation(FacetType first, const FacetCoordinates& x1, FacetType second,
                                         const FacetCoordinates& x2) {

@@ -20,12 +20,21 @@ namespace mixture_contact {
 /// Bounds of c = -n1.n2 between which the share grows.
 inline constexpr double least_opposition = 0.5;
 inline constexpr double full_opposition = 0.57735026918962;  // 1/sqrt(3), not more
+/// How far parallel facets see each other ahead, over the longest edge of the one that looks: what lies farther ahead
+/// touches no node of it where surfaces bend gently, but would spoil its averages.
+inline constexpr double parallel_reach = 0.25;
 
 /// Unit normal in the middle of a facet.
 Vector3d middle_normal(FacetType type, const FacetCoordinates& x);
 
 /// The share of facets with these unit normals, from 0 to 1.
 double facing_share(const Vector3d& n1, const Vector3d& n2);
+
+/// How much farther facets with these normals see each other ahead than parallel ones. A facet of length L that touches
+/// with one end and is turned by an angle t there has its other end L tan(t) away along its normal.
+double tilted_reach(const Vector3d& n1, const Vector3d& n2);
+/// The largest of it, where the share ends.
+double largest_tilted_reach();
 
 /// d(share)/share of a pair of facets that have one, with the nodes of the first and then of the second facet.
 PairVariation<1> facing_share_variation(FacetType first, const FacetCoordinates& x1, FacetType second,

@@ -13,11 +13,6 @@ namespace {
 /// By how much a node's ray may pass a facet that it counts as meeting: a part of the gap.
 constexpr double largest_miss = 0.2;
 
-/// How far a facet looks ahead, over its longest edge. The far end of one that touches with its other end, and is turned
-/// by 30 degrees there, is half its length away: what lies farther ahead touches no node of it, but would spoil its
-/// averages.
-constexpr double ahead_part = 0.5;
-
 using Box = Eigen::AlignedBox3d;
 
 /// The slack of a surface that moves, over the mean diagonal of its facets' boxes. A smaller one is used up sooner, a
@@ -50,7 +45,7 @@ struct Segment {
 
 /// What a ray looks along.
 Segment looked_along(const Ray& ray) {
-  const double forwards = ray.forwards();
+  const double forwards = std::min(ray.reach, largest_tilted_reach() * ray.ahead);
   const double backwards = ray.backwards();
   return {ray.origin + 0.5 * (forwards - backwards) * ray.direction, 0.5 * (forwards + backwards) * ray.direction, 0};
 }
@@ -134,8 +129,8 @@ std::vector<int> FacetTree::candidates(const Vector3d& origin, const Vector3d& d
 }
 
 double Reach::ahead(const Facet& facet, const Matrix3Xd& position) const {
-  if (!by_facet) return distance;
-  return std::min(distance, ahead_part * longest_edge(facet, position) + std::max(offset, 0.0));
+  if (!by_facet) return Ray::unlimited;
+  return parallel_reach * longest_edge(facet, position) + std::max(offset, 0.0);
 }
 
 bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reach) {
@@ -148,12 +143,13 @@ std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& face
   const Facet& facet = facets[index];
   const FacetCoordinates x = facet_coordinates(facet, positions);
   const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
-  if (!hit || hit->gap > ray.forwards() || hit->gap < -ray.backwards()) return std::nullopt;
+  if (!hit || hit->gap > ray.reach || hit->gap < -ray.backwards()) return std::nullopt;
   const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
   const Vector3d area = tangents.col(0).cross(tangents.col(1));
   if (area.dot(ray.direction) >= 0) return std::nullopt;
   const Vector3d& normal = ray.normal.isZero(0) ? ray.direction : ray.normal;
-  if (facing_share(normal, middle_normal(facet.type, x)) == 0) return std::nullopt;
+  const Vector3d middle = middle_normal(facet.type, x);
+  if (facing_share(normal, middle) == 0 || hit->gap > tilted_reach(normal, middle) * ray.ahead) return std::nullopt;
   const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
   return SurfaceHit{index, hit->eta, hit->gap, outside};
 }

@@ -445,7 +445,9 @@ bool Segments::sees(const FacetPair& pair, const IntegrationPoint& point, const 
   const Ray ray = normal_ray(one, x1, point.xi, reach.distance, 0);
   const Vector3d apart = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin;
   const double gap = apart.dot(ray.direction);
-  return apart.norm() <= reach.distance && gap <= reach.ahead(one, x1) &&
+  const double tilted = tilted_reach(middle_normal(one.type, facet_coordinates(one, x1)),
+                                     middle_normal(two.type, facet_coordinates(two, x2)));
+  return apart.norm() <= reach.distance && gap <= tilted * reach.ahead(one, x1) &&
          gap >= -self_.largest_overlap(pair.primary) &&
          !visibility_.is_hidden(ray.origin, ray.direction, gap, pair.primary, pair.secondary);
 }
