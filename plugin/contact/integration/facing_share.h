@@ -1,8 +1,9 @@
 /// How much facets count for each other, by the angle between them.
 ///
 /// A gap along a normal n1 is the distance between the surfaces over c = -n1.n2. A side that turns away from contact at
-/// an edge and leans a little still faces the other body, at c near 0: its gaps are many times the distance, and averages
-/// around the nodes of the edge would be lost in them. So facets count for each other by a share that depends on c:
+/// an edge and leans a little still faces the other body, at c near 0: its gaps are many times the distance, and
+/// averages around the nodes of the edge would be lost in them. So facets count for each other by a share that depends
+/// on c:
 ///
 /// - All of it from c = 1/sqrt(3) on. In whatever way a body with right-angled corners stands on a plane, one of its
 ///   faces has that at least; a cube on its corner has it on all three.

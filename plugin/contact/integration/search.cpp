@@ -157,7 +157,8 @@ std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& face
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray, const AcceptHit& accept) {
   const Segment looked = looked_along(ray);
-  return nearest_among(tree.candidates(looked.middle, ray.direction, looked.half.norm()), facets, positions, ray, accept);
+  return nearest_among(tree.candidates(looked.middle, ray.direction, looked.half.norm()), facets, positions, ray,
+                       accept);
 }
 
 std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const IndexedVector<Facet>& facets,
@@ -188,15 +189,14 @@ bool MovingSurface::holds(const RayNeighbours& neighbours, const std::array<Vect
          (ends[1] - neighbours.ends[1]).cwiseAbs().maxCoeff() <= slack_;
 }
 
-std::optional<SurfaceHit> MovingSurface::nearest_facing(
-    const Ray& ray, RayNeighbours& neighbours, const std::function<void(std::vector<int>&)>& keep_visible,
-    const AcceptHit& accept) const {
+std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeighbours& neighbours,
+                                                        const std::function<void(std::vector<int>&)>& keep_visible,
+                                                        const AcceptHit& accept) const {
   const Segment looked = looked_along(ray);
   const std::array<Vector3d, 2> ends{looked.middle - looked.half, looked.middle + looked.half};
   if (!tree_) return std::nullopt;
   if (!holds(neighbours, ends)) {
-    neighbours = {ends, references_,
-                  tree_->candidates(looked.middle, ray.direction, looked.half.norm(), 2 * slack_)};
+    neighbours = {ends, references_, tree_->candidates(looked.middle, ray.direction, looked.half.norm(), 2 * slack_)};
     if (keep_visible) keep_visible(neighbours.facets);
   }
   return nearest_among(meeting(looked, neighbours.facets, boxes_), facets_, positions_, ray, accept);

@@ -45,10 +45,11 @@ struct Reach {
   Reach(double to, double touching) : distance(to), by_facet(true), offset(touching) {}
 
   double distance;        ///< ahead and behind [length]
-  bool by_facet = false;  ///< whether the size of a facet limits how far it looks ahead, from where it touches
+  bool by_facet = false;  ///< whether the size of a facet limits how far it looks ahead
   double offset = 0;      ///< gap at which surfaces touch [length]
 
-  /// How far a facet looks ahead [length].
+  /// How far a facet looks ahead for one that is parallel to it [length]; farther for others (tilted_reach()). Infinite
+  /// where the distance is the only limit.
   double ahead(const Facet& facet, const Matrix3Xd& position) const;
   friend bool operator==(const Reach& one, const Reach& other) {
     return one.distance == other.distance && one.by_facet == other.by_facet && one.offset == other.offset;
@@ -64,10 +65,9 @@ struct Ray {
   double reach;                ///< how far it looks, forwards and backwards [length]
   double tolerance;            ///< how far outside a facet a hit still counts, in parametric coordinates
   double overlap = unlimited;  ///< how far backwards a hit still counts [length]
-  double ahead = unlimited;    ///< how far forwards [length]
+  double ahead = unlimited;    ///< as Reach::ahead()
   Vector3d normal{0, 0, 0};    ///< unit vector that facets have to oppose; 0: the direction
 
-  double forwards() const { return std::min(reach, ahead); }
   double backwards() const { return std::min(reach, overlap); }
 };
 
@@ -86,8 +86,8 @@ struct SurfaceHit {
 /// Whether a hit counts.
 using AcceptHit = std::function<bool(const SurfaceHit&)>;
 
-/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction, and that in its
-/// middle the ray's normal by least_opposition.
+/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction, and that in
+/// its middle the ray's normal by least_opposition.
 std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& facets, const Matrix3Xd& positions,
                                      const Ray& ray);
 
@@ -103,8 +103,7 @@ std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVec
 /// one side, is off by up to half the turn between two facets: a ray that hits nothing, and passes the edge of a facet
 /// by less than a fifth of the gap there (facets that turn by 23 degrees), meets it.
 std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const IndexedVector<Facet>& facets,
-                                                   const Matrix3Xd& positions, Ray ray,
-                                                   const AcceptHit& accept = {});
+                                                   const Matrix3Xd& positions, Ray ray, const AcceptHit& accept = {});
 
 /// The facets that a ray of an earlier configuration could meet.
 struct RayNeighbours {

@@ -447,13 +447,12 @@ bool Segments::sees(const FacetPair& pair, const IntegrationPoint& point, const 
   const double gap = apart.dot(ray.direction);
   const double tilted = tilted_reach(middle_normal(one.type, facet_coordinates(one, x1)),
                                      middle_normal(two.type, facet_coordinates(two, x2)));
-  return apart.norm() <= reach.distance && gap <= tilted * reach.ahead(one, x1) &&
-         gap >= -self_.largest_overlap(pair.primary) &&
+  const bool is_near = self_.is_active() || gap <= tilted * reach.ahead(one, x1);
+  return apart.norm() <= reach.distance && is_near && gap >= -self_.largest_overlap(pair.primary) &&
          !visibility_.is_hidden(ray.origin, ray.direction, gap, pair.primary, pair.secondary);
 }
 
-std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1,
-                                      const Reach& reach) const {
+std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const {
   const Ray ray = normal_ray(primary_[facet], x1, parametric_centre(primary_[facet].type), reach.distance, 0);
   const double width = radius_around(facet_coordinates(primary_[facet], x1), ray.origin);
   std::vector<int> found = tree.candidates(ray.origin, ray.direction, reach.distance, width);
@@ -509,7 +508,7 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reac
       }
       std::swap(near, visible);
     }
-    const auto exact = [&](const FacetPair& pair) { 
+    const auto exact = [&](const FacetPair& pair) {
       return is_exact(pair) && share_of(one.placed, placed(secondary_[pair.secondary], x2)) == 1;
     };
     if (std::all_of(near.pairs().begin(), near.pairs().end(), exact) &&

@@ -19,6 +19,8 @@ class SelfContact {
   SelfContact() = default;
   SelfContact(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
+  /// Whether a body meets itself.
+  bool is_active() const { return neighbours_.count() > 0; }
   /// Whether a primary facet never sees a secondary one.
   bool excludes(int primary, int secondary) const;
   /// Leaves the facets that a primary one may see.

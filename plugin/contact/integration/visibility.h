@@ -7,12 +7,12 @@ namespace mixture_contact {
 
 /// What the facets of two surfaces, each of a body of its own, hide from each other.
 ///
-/// Behind a point, through its own body, a facet that opposes it is one that overlaps with it, or the far side of a body
-/// that lies behind its own one or beside it: two layers on each other, of thickness T1 and T2, overlap by d at their
-/// near sides, and by T1 + T2 - d as their far sides see it; ends of a rod and a ring around it, which overlap a little
-/// sideways, by the smaller of T1 and T2 or more. So an overlap counts up to three quarters of what the thinner body
-/// measures there: from the point along -n1, and from what it meets along n1, to where facets of the surfaces turn their
-/// backs. Where none of them does no far side can be seen.
+/// Behind a point, through its own body, a facet that opposes it is one that overlaps with it, or the far side of a
+/// body that lies behind its own one or beside it: two layers on each other, of thickness T1 and T2, overlap by d at
+/// their near sides, and by T1 + T2 - d as their far sides see it; ends of a rod and a ring around it, which overlap a
+/// little sideways, by the smaller of T1 and T2 or more. So an overlap counts up to three quarters of what the thinner
+/// body measures there: from the point along -n1, and from what it meets along n1, to where facets of the surfaces turn
+/// their backs. Where none of them does no far side can be seen.
 ///
 /// Ahead of a point, along n1, neither its own body begins before the facet that it meets, nor the other one ends.
 ///

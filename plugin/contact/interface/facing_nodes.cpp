@@ -54,8 +54,11 @@ IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, c
   const VectorXd overlaps = largest_overlaps_of_nodes(own);
   in_parallel(hits.count(), [&](Index node) {
     Ray ray{x.primary.col(node), normals.col(node), reach.distance, settings.search.tolerance};
-    ray.ahead = ahead[node];
-    if (overlaps.size() > 0) ray.overlap = overlaps[node];
+    if (own.may_meet_itself()) {
+      ray.overlap = overlaps[node];
+    } else {
+      ray.ahead = ahead[node];
+    }
     hits[node] = nearest_facing_or_passed(tree, other.facets, x.secondary, ray, [&](const SurfaceHit& hit) {
       return !visibility.is_hidden(ray.origin, ray.direction, hit.gap, Visibility::node, hit.facet);
     });

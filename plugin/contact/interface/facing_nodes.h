@@ -23,8 +23,9 @@ struct FacingNode {
 };
 
 /// As the settings say. Where they leave it open: behind, where bodies overlap, as far as half the smaller surface is
-/// large, since bodies hide what lies behind them; ahead by half a facet, or with tension as far as behind.
-/// Surfaces that meet within a step find each other once they overlap.
+/// large, since bodies hide what lies behind them; ahead by a quarter of a facet, more where they tilt, or as far as
+/// behind with tension and where a body meets itself. Surfaces that meet within a step find each other once they
+/// overlap.
 Reach reach_of(const Settings& settings, const FacingPositions& x);
 
 /// What each node of a surface, the primary one of the positions, meets on the other one along its normal within reach

@@ -57,8 +57,8 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
 
 /// A node at an edge bears no load of a facet that the other surface opposes less than this part of what it opposes the
 /// best facet around the node: of a block on a plane not the sides, of an octagon on its side also the next one, whose
-/// normal is turned by 45 degrees. One that bore none takes it up at a larger part, so that a decision does not come and
-/// go with the steps.
+/// normal is turned by 45 degrees. One that bore none takes it up at a larger part, so that a decision does not come
+/// and go with the steps.
 constexpr double least_part_of_best = 0.6;
 constexpr double least_part_of_other = 0.75;
 

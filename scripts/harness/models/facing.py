@@ -1,6 +1,7 @@
 """Pairs of models of one scene: contact between whole outsides of bodies, and between the sides alone that face.
 
-Bodies are boxes of hex8 that are bent into shape. What a surface holds beside the facing sides must not change a result.
+Bodies are boxes of hex8 that are bent into shape. What a surface holds beside the facing sides must not change a
+result.
 Numbers are in mm, N, s.
 """
 
@@ -117,7 +118,9 @@ def _held_rigid(name: str) -> str:
 
 
 def _tight(porous: bool, steps: int) -> str:
-    scheme = control("biphasic" if porous else "solid", steps, 1.0 / steps, retries=5, analysis="TRANSIENT" if porous else "STATIC")
+    scheme = control(
+        "biphasic" if porous else "solid", steps, 1.0 / steps, retries=5, analysis="TRANSIENT" if porous else "STATIC"
+    )
     return scheme.replace("<max_refs>", "<dtol>1e-7</dtol><rtol>1e-12</rtol><max_refs>")
 
 
@@ -216,7 +219,9 @@ def _scenes() -> dict[str, FacingScene]:
     return {
         **{f"lean-{lean:g}": FacingScene(replace(FINE_BLOCK, bend=leaning(lean)), SLAB, -0.1) for lean in LEANS},
         **{
-            f"lean-{lean:g}-of-faced": FacingScene(replace(FINE_BLOCK, bend=leaning(lean)), SLAB, -0.1, upper_primary=False)
+            f"lean-{lean:g}-of-faced": FacingScene(
+                replace(FINE_BLOCK, bend=leaning(lean)), SLAB, -0.1, upper_primary=False
+            )
             for lean in LEANS
         },
         **{

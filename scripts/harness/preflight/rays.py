@@ -57,8 +57,8 @@ def nearest_facing(
     depth : ndarray, shape (n_rays,)
         Where the rays leave their own body behind their origins, beyond which they see nothing; NaN: nowhere.
     """
-    limit = None if depth is None else np.where(np.isnan(depth), np.inf, depth)
-    return _nearest(origins, directions, targets, facing=True, depth=limit)
+    least = None if depth is None else -np.where(np.isnan(depth), np.inf, depth)
+    return _nearest(origins, directions, targets, facing=True, least=least)
 
 
 def first_exit(origins: Points, directions: Points, targets: Points, least: NDArray[np.float64]) -> Hits:
@@ -67,13 +67,7 @@ def first_exit(origins: Points, directions: Points, targets: Points, least: NDAr
 
 
 def _nearest(
-    origins: Points,
-    directions: Points,
-    targets: Points,
-    *,
-    facing: bool,
-    least: NDArray[np.float64] | None = None,
-    depth: NDArray[np.float64] | None = None,
+    origins: Points, directions: Points, targets: Points, *, facing: bool, least: NDArray[np.float64] | None = None
 ) -> Hits:
     count = len(origins)
     distance, triangle = np.full(count, np.nan), np.full(count, -1, dtype=np.int64)
@@ -83,8 +77,6 @@ def _nearest(
         met = _distances(origins[part], directions[part], targets, facing)
         if least is not None:
             met[~(met > least[part, None])] = np.nan
-        if depth is not None:
-            met[-met >= depth[part, None]] = np.nan
         far = np.where(np.isnan(met), np.inf, np.abs(met))
         best = np.argmin(far, axis=1)
         row = np.arange(len(best))
