@@ -247,6 +247,13 @@ def _scenes() -> dict[str, FacingScene]:
         "rim-sharp": FacingScene(replace(PLATE, bend=tapered(0.01)), SLAB, -0.02),
         "rod-in-tube": FacingScene(ROD, TUBE, -0.1),
         "rod-in-thin-tube": FacingScene(ROD, replace(TUBE, high=(TURN, 0.5, 1.07)), -0.1),
+        "ring-on-rod": FacingScene(replace(ROD, high=(TURN, 1.0, 1.0), cells=(16, 2, 1)), RING, -0.1),
+        "layers-within-a-radius": FacingScene(
+            _layer(0.2, 0.0), _layer(-0.2, 0.0), -0.02, params="<search_radius>1</search_radius>"
+        ),
+        "lean-0.3-pressed": FacingScene(
+            replace(FINE_BLOCK, bend=leaning(0.3)), replace(SLAB, cells=(1, 1, 1)), -0.5, rigid_lower=True, steps=8
+        ),
         "layer-on-bone": FacingScene(_layer(0.02, 0.0), BONE, -0.002, rigid_lower=True),
         "fluid-layer-on-bone": FacingScene(_layer(0.1, 0.0), BONE, -0.01, rigid_lower=True, porous=True),
         "shell-on-bone": FacingScene(SHELL, replace(BONE, cells=(3, 3, 4)), -0.01),
@@ -309,6 +316,7 @@ ROUNDED = Box((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (10, 2, 2), "bottom", "top", f
 PLATE = Box((-1.0, -1.0, 0.0), (1.0, 1.0, 0.3), (4, 2, 1), "bottom", "top")
 ROD = Box((0.0, 0.0, 0.3), (TURN, 0.5, 1.0), (16, 1, 1), "top", "bottom", bend=rolled)
 TUBE = Box((0.0, 0.0, 1.02), (TURN, 0.5, 1.3), (16, 1, 1), "bottom", "top", bend=rolled)
+RING = replace(TUBE, low=(0.0, 0.25, 1.02), high=(TURN, 0.75, 1.3))
 BONE = Box((-1.0, -1.0, -3.0), (2.0, 2.0, 0.0), (9, 9, 12), "top", "bottom")
 SHELL = Box((), (), (), "", "", shell=0.01)
 SHEET = Box(
@@ -330,7 +338,9 @@ PENALTIES = "<auto_penalty>0</auto_penalty><penalty>2e4</penalty><pressure_penal
 def scenes(penalties: str = PENALTIES) -> dict[str, FacingScene]:
     """All, by name and integration."""
     return {
-        f"{name}-{integration}": replace(scene, params=f"<integration>{integration}</integration>{penalties}")
+        f"{name}-{integration}": replace(
+            scene, params=f"<integration>{integration}</integration>{penalties}{scene.params}"
+        )
         for name, scene in _scenes().items()
         for integration in INTEGRATIONS
     }
