@@ -87,6 +87,20 @@ BOOST_AUTO_TEST_CASE(nodes_of_far_sides_face_nothing) {
   BOOST_TEST(contact->check_penetration(scene.fields).nodes == 0);
 }
 
+BOOST_AUTO_TEST_CASE(nodes_of_the_far_side_are_not_inside_a_shell) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0), effects_of(false, 0), explicit_settings(4, 2, 8));
+  const GridSurface shell = grid_surface({FacetType::quad4, 2, 2, {0, 0}, {1, 1}, 0.01, true}, 0);
+  const GridSurface bone = both_sides_of(FacetType::quad4, below, true);
+  const PerSide<GridSurface> both{{shell, bone}};
+  for (const Side side : both_sides) {
+    scene.mesh[side] = both[side].mesh;
+    scene.fields[side] = {both[side].position, MatrixXd::Zero(both[side].mesh.nodes, 0)};
+  }
+  const auto contact = scene.contact();
+  contact->begin_iteration(scene.fields);
+  BOOST_TEST(contact->check_penetration(scene.fields).nodes == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_body_ahead_hides_what_lies_behind_it) {
   const GridSurface own = both_sides_of(FacetType::quad4, {1, 1.25, 1}, false);
   const GridSurface other = grid_surface({FacetType::quad4, 1, 1, {0, 0}, {1, 1}, 2, false}, 0);
