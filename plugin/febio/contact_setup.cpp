@@ -60,10 +60,8 @@ bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector
 }
 
 /// What a mesh holds where a body may meet itself.
-void set_identity(SurfaceMesh& mesh, const FESurface& surface, const std::vector<FacetMaterial>& materials) {
+void set_identity(SurfaceMesh& mesh, const FESurface& surface) {
   for (int i = 0; i < surface.Nodes(); ++i) mesh.node_ids.push_back(surface.NodeIndex(i));
-  mesh.thickness.resize(count_of(materials));
-  for (Index f = 0; f < mesh.thickness.size(); ++f) mesh.thickness[f] = mixture_contact::at(materials, f).thickness;
 }
 
 /// Facets whose types check_surfaces() has seen to be known.
@@ -304,7 +302,7 @@ bool ContactSetup::build(BoundContact& contact) {
   PerSide<SurfaceMesh> meshes;
   for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], (*found)[side], *exchanged);
   for (const Side side : both_sides) {
-    if (parameters_.self_contact) set_identity(meshes[side], surfaces_[side], (*found)[side]);
+    if (parameters_.self_contact) set_identity(meshes[side], surfaces_[side]);
   }
   contact.build(std::move(meshes), *exchanged);
   say_stand_in();

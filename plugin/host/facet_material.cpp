@@ -38,11 +38,13 @@ bool has_fluid(const FacetMaterials& materials) {
 
 void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials, const Effects& effects) {
   const auto facets = static_cast<Index>(materials.size());
+  mesh.thickness.resize(facets);
   mesh.stiffness.resize(facets);
   mesh.conductance.setZero(effects.scalar_fields(), facets);
   mesh.permeable.assign(materials.size(), 0);
   for (Index f = 0; f < facets; ++f) {
     const FacetMaterial& material = at(materials, f);
+    mesh.thickness[f] = material.thickness;
     mesh.stiffness[f] = material.stiffness;
     for (int field = 0; field < effects.scalar_fields(); ++field) {
       const std::optional<double> found = conductance(material, solute_of(effects, field));

@@ -68,11 +68,12 @@ FacetMaterial Contact::material(const SurfaceFacet& facet, const MatrixXd& value
   const auto element = entries(facet.element);
   const Material& material = bodies_.material(element);
   FacetMaterial found;
-  found.stiffness = std::numeric_limits<double>::infinity();
-  if (material.rigid) return found;
   Vector3d area(0, 0, 0);
   for (const FacetPoint& point : facet_points(facet.facet, model_.mesh.nodes)) area += point.area;
   const double thickness = bodies_.volume(element) / area.norm();
+  found.thickness = thickness;
+  found.stiffness = std::numeric_limits<double>::infinity();
+  if (material.rigid) return found;
   found.stiffness = material.modulus / thickness;
   found.permeable = material.porous;
   found.permeability = material.permeability / thickness;

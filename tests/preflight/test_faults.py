@@ -144,8 +144,6 @@ def ambient_at(solute, value):
 FAULTS = {
     "facing into the body": (turned, "inverted-facets", "into the body"),
     "on the far side": (far_side, "facing", "same way"),
-    "with side faces": (with_sides, "side-faces", "sharp edge"),
-    "with the far side": (with_far_side, "side-faces", "facing away"),
     "facet of no element": (no_face, "facet-of-no-element", "no solid element"),
     "facet inside": (inner, "inner-facets", "both sides"),
     "bodies merged": (merged, "shared-facets", "in common"),
@@ -466,6 +464,8 @@ NOTES = {
         lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
         "rigid-penalty",
     ),
+    "side faces": (with_sides, "side-faces"),
+    "the far side": (with_far_side, "side-faces"),
     "shells": (on_shells, "shell-facets"),
     "shells alone": (shells_alone, "shell-facets"),
     "itself": (itself, "self-contact"),

@@ -99,7 +99,7 @@ struct GapRule {
 
 /// How far a point looks for the other surface.
 struct SearchRule {
-  double radius = 0;        ///< largest distance or overlap at which facets are paired [mm]; 0: from the surfaces' size
+  double radius = 0;        ///< largest distance or overlap at which facets are paired [mm]; 0: reach_of() chooses
   double tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still accepted [-]
 };
 

@@ -18,9 +18,9 @@ struct SurfaceMesh {
   VectorXd stiffness;    ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
   MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where impermeable
 
-  // Where a body may meet itself, since both surfaces have facets in common; else empty
+  // Where a body may meet itself, since both surfaces have facets in common, nodes have numbers; else none has.
   IndexedVector<int> node_ids;  ///< per node: its number in the host's mesh, the same for both surfaces
-  VectorXd thickness;           ///< per facet: of the element behind it [mm]
+  VectorXd thickness;           ///< per facet: of the element behind it [mm]; empty: not known
 
   bool may_meet_itself() const { return node_ids.count() > 0; }
 };

@@ -38,15 +38,15 @@ FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondar
       effects_(effects),
       finder_(point_finder(primary, secondary, settings)) {}
 
-void FacingPairs::search(const FacingPositions& x, double radius) {
+void FacingPairs::search(const FacingPositions& x, const Reach& reach) {
   surface_size_ = half_diagonal(x.primary);
   // Where surfaces have moved by rounding alone overlaps of facets are what they were; gaps change, and a large penalty
   // makes loads of that.
-  const bool has_overlaps = moves_points() && radius == radius_ && is_same_place(searched_at_.primary, x.primary) &&
+  const bool has_overlaps = moves_points() && reach == reach_ && is_same_place(searched_at_.primary, x.primary) &&
                             is_same_place(searched_at_.secondary, x.secondary);
   if (has_overlaps) return evaluate_all(x);
-  radius_ = radius;
-  keep(finder_->search(x.primary, x.secondary, radius), x);
+  reach_ = reach;
+  keep(finder_->search(x.primary, x.secondary, reach), x);
   searched_at_ = {x.primary, x.secondary};
 }
 
@@ -57,7 +57,7 @@ void FacingPairs::project_on_same_facets(const FacingPositions& x) {
 
 bool FacingPairs::begin_iteration(const FacingPositions& x) {
   const bool finds_more = finder_->begin_iteration();
-  if (finds_more) search(x, radius_);
+  if (finds_more) search(x, reach_);
   return finds_more;
 }
 

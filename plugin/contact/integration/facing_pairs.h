@@ -23,8 +23,8 @@ class FacingPairs {
   FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  /// Finds the facets that face each other within `radius`, the nearest of them for each point.
-  void search(const FacingPositions& x, double radius);
+  /// Finds the facets that face each other within reach, the nearest of them for each point.
+  void search(const FacingPositions& x, const Reach& reach);
   /// The same without a search: points keep to the facets that the last search() found for them.
   void project_on_same_facets(const FacingPositions& x);
   /// Begins and ends the iterations of the points (see PointFinder); where a search would now find more, makes one.
@@ -99,7 +99,7 @@ class FacingPairs {
   IndexedVector<Index> first_kept_;  ///< per pair the place of its first point among those
   IndexedVector<FlatPair> flat_;     ///< per pair, of those that are
   std::optional<NodeFlags> restriction_;
-  double radius_ = 0;  ///< of the last search [mm]
+  Reach reach_ = 0;  ///< of the last search
   struct Positions {
     Matrix3Xd primary;
     Matrix3Xd secondary;

@@ -3,6 +3,7 @@
 #include "base/bytes.h"
 #include "base/in_order.h"
 #include "geometry/quadrature.h"
+#include "integration/facing_share.h"
 #include "integration/segments.h"
 
 #include <algorithm>
@@ -91,17 +92,23 @@ void use_no_motion(Index points, const UseMotion& use) {
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings) {
   SelfContact self(primary, secondary);
+  Visibility visibility(primary, secondary);
   if (settings.integration == Integration::segments) {
     return std::make_unique<Segments>(primary.facets, secondary.facets, settings.integration_order, std::move(self),
-                                      EdgeNeighbours(secondary));
+                                      EdgeNeighbours(secondary), std::move(visibility));
   }
   return std::make_unique<GaussPoints>(primary.facets, secondary.facets, settings.integration_order,
-                                       settings.search.tolerance, std::move(self));
+                                       settings.search.tolerance, std::move(self), std::move(visibility));
 }
 
 GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
-                         double tolerance, SelfContact self)
-    : primary_(primary), secondary_(secondary), tolerance_(tolerance), self_(std::move(self)), moving_(secondary) {
+                         double tolerance, SelfContact self, Visibility visibility)
+    : primary_(primary),
+      secondary_(secondary),
+      tolerance_(tolerance),
+      self_(std::move(self)),
+      visibility_(std::move(visibility)),
+      moving_(secondary) {
   for (int f = 0; f < primary.count(); ++f) {
     const FacetType type = primary[f].type;
     for (const QuadraturePoint& q : quadrature(type, order > 0 ? order : default_quadrature_order(type))) {
@@ -127,59 +134,90 @@ void GaussPoints::end_iterations() {
   for (ProjectionHistory& history : histories_) history = {history.facet};
 }
 
-FacetPairs GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
-  for (ProjectionHistory& history : histories_) history.facet = unpaired;
-  if (!surfaces_within_reach(x1, x2, radius)) return {};
-  moving_.move_to(x2);
-  const auto hit_of = [&](Index q) {
-    const Point& point = points_[q];
-    Ray ray = normal_ray(primary_[point.facet], x1, point.xi, radius, tolerance_);
-    ray.overlap = self_.largest_overlap(point.facet);
-    ray.opposition = self_.opposition();
-    std::optional<SurfaceHit> hit = moving_.nearest_facing(
-        ray, neighbours_[q], [&](std::vector<int>& facets) { self_.keep_visible(point.facet, facets); });
-    if (hit || !histories_[q].is_kept()) return hit;
-    ray.tolerance = widest_miss;
-    return facing_hit(histories_[q].last, secondary_, x2, ray);
-  };
+Ray GaussPoints::ray_from(const Point& point, const Matrix3Xd& x1, const Reach& reach) const {
+  const Facet& facet = primary_[point.facet];
+  Ray ray = normal_ray(facet, x1, point.xi, reach.distance, tolerance_);
+  ray.overlap = self_.largest_overlap(point.facet);
+  if (!self_.is_active()) ray.ahead = reach.ahead(facet, x1);
+  ray.normal = middle_normal(facet.type, facet_coordinates(facet, x1));
+  return ray;
+}
+
+double GaussPoints::share(int primary, int secondary, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+  const Facet& one = primary_[primary];
+  const Facet& two = secondary_[secondary];
+  return facing_share(middle_normal(one.type, facet_coordinates(one, x1)),
+                      middle_normal(two.type, facet_coordinates(two, x2)));
+}
+
+FacetPairs GaussPoints::paired(const std::function<std::optional<Partner>(Index)>& partner_of) {
+  has_shares_ = false;
   ByPair pairs;
-  in_order(points_.count(), hit_of, [&](Index q, const std::optional<SurfaceHit>& hit) {
+  in_order(points_.count(), partner_of, [&](Index q, const std::optional<Partner>& partner) {
+    if (!partner || partner->share == 0) return;
     const Point& point = points_[q];
-    if (!hit) return;
-    histories_[q].facet = hit->facet;
-    pairs.add(point.facet, hit->facet, {point.xi, hit->eta, point.weight, point.sub_facet});
+    histories_[q].facet = partner->facet;
+    has_shares_ = has_shares_ || partner->share < 1;
+    pairs.add(point.facet, partner->facet, {point.xi, partner->eta, partner->share * point.weight, point.sub_facet});
   });
   return pairs.finish();
 }
 
+FacetPairs GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) {
+  for (ProjectionHistory& history : histories_) history.facet = unpaired;
+  has_shares_ = false;
+  if (!surfaces_within_reach(x1, x2, reach.distance)) return {};
+  moving_.move_to(x2);
+  visibility_.move_to(x1, x2);
+  const auto hit_of = [&](Index q) {
+    const Point& point = points_[q];
+    Ray ray = ray_from(point, x1, reach);
+    std::optional<SurfaceHit> hit = moving_.nearest_facing(
+        ray, neighbours_[q], [&](std::vector<int>& facets) { self_.keep_visible(point.facet, facets); },
+        [&](const SurfaceHit& found) {
+          return !visibility_.is_hidden(ray.origin, ray.direction, found.gap, point.facet, found.facet);
+        });
+    if (hit || !histories_[q].is_kept()) return hit;
+    ray.tolerance = widest_miss;
+    return facing_hit(histories_[q].last, secondary_, x2, ray);
+  };
+  return paired([&](Index q) -> std::optional<Partner> {
+    const std::optional<SurfaceHit> hit = hit_of(q);
+    if (!hit) return std::nullopt;
+    return Partner{hit->facet, hit->eta, share(points_[q].facet, hit->facet, x1, x2)};
+  });
+}
+
 std::size_t GaussPoints::memory() const {
-  std::size_t sum = self_.memory() +
+  std::size_t sum = self_.memory() + visibility_.memory() +
                     points_.size() * (sizeof(Point) + sizeof(ProjectionHistory) + sizeof(RayNeighbours));
   for (const RayNeighbours& ray : neighbours_) sum += ray.facets.capacity() * sizeof(int);
   return sum;
 }
 
-void GaussPoints::for_each_motion(const FacetPair& /*pair*/, const PointsOfPair& points, const Matrix3Xd& /*x1*/,
-                                  const Matrix3Xd& /*x2*/, const UseMotion& use) const {
-  use_no_motion(points.count(), use);
+void GaussPoints::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
+                                  const Matrix3Xd& x2, const UseMotion& use) const {
+  if (!has_shares_ || share(pair.primary, pair.secondary, x1, x2) == 1) return use_no_motion(points.count(), use);
+  const Facet& one = primary_[pair.primary];
+  const Facet& two = secondary_[pair.secondary];
+  PointMotion motion;
+  motion.weight = facing_share_variation(one.type, facet_coordinates(one, x1), two.type, facet_coordinates(two, x2));
+  motion.xi = PairVariation<2>::Zero(2, motion.weight.cols());
+  for (Index q = 0; q < points.count(); ++q) use(motion);
 }
 
-FacetPairs GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  ByPair pairs;
-  const auto hit_of = [&](Index q) -> std::optional<RayHit> {
+FacetPairs GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
+  return paired([&](Index q) -> std::optional<Partner> {
     const ProjectionHistory& history = histories_[q];
     if (history.facet == unpaired) return std::nullopt;
     const Point& point = points_[q];
     const Facet& facet = secondary_[history.facet];
     const double tolerance = history.is_kept() ? widest_miss : tolerance_;
     const Ray ray = normal_ray(primary_[point.facet], x1, point.xi, 0, tolerance);
-    return intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
-  };
-  in_order(points_.count(), hit_of, [&](Index q, const std::optional<RayHit>& hit) {
-    const Point& point = points_[q];
-    if (hit) pairs.add(point.facet, histories_[q].facet, {point.xi, hit->eta, point.weight, point.sub_facet});
+    const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
+    if (!hit) return std::nullopt;
+    return Partner{history.facet, hit->eta, share(point.facet, history.facet, x1, x2)};
   });
-  return pairs.finish();
 }
 
 }  // namespace mixture_contact

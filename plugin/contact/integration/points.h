@@ -6,6 +6,7 @@
 #include "geometry/kinematics.h"
 #include "integration/search.h"
 #include "integration/self_contact.h"
+#include "integration/visibility.h"
 
 #include <functional>
 #include <iterator>
@@ -84,13 +85,13 @@ class PointFinder {
   PointFinder& operator=(PointFinder&&) = delete;
   virtual ~PointFinder() = default;
 
-  /// Pairs of facets that face each other within `radius`, in ascending order of the primary facets. Within an
-  /// iteration the result depends on the positions alone.
-  virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) = 0;
+  /// Pairs of facets that face each other within reach, in ascending order of the primary facets. Within an iteration
+  /// the result depends on the positions alone.
+  virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) = 0;
 
   /// The same without a search: points keep to the facets that the last search() found for them. The result depends on
   /// that search and the positions alone.
-  virtual FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const = 0;
+  virtual FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) = 0;
 
   /// Begins a Newton iteration where the last search was made. Returns whether a search there would now find more,
   /// since points at the edge of the other surface are kept on it from now on.
@@ -99,7 +100,7 @@ class PointFinder {
   /// Ends the iterations of a step, or those before an augmentation: no point is kept any more.
   virtual void end_iterations() {}
 
-  /// Whether points move over the primary facets as the surfaces move; if not, their motions are none.
+  /// Whether points or their weights move as the surfaces move; if not, their motions are none.
   virtual bool moves_points() const = 0;
 
   /// How the points of a pair, found at these positions, move with them: calls `use` for each in their order. Those of
@@ -115,7 +116,8 @@ class PointFinder {
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings);
 
-/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it.
+/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it. Its weight
+/// is that of the rule times the share that the facets have for each other (facing_share.h).
 ///
 /// What a point carries ends where it passes the edge of the other surface: it is a jump, and where a whole contact
 /// hangs on one point there may be no equilibrium on either side of it. A point that loses its projection on the
@@ -125,14 +127,14 @@ class GaussPoints : public PointFinder {
  public:
   /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
   GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, double tolerance,
-              SelfContact self = {});
+              SelfContact self = {}, Visibility visibility = {});
 
-  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
+  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
   /// A point that leaves its facet comes back with it.
-  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
   bool begin_iteration() override;
   void end_iterations() override;
-  bool moves_points() const override { return false; }
+  bool moves_points() const override { return has_shares_; }
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;
   std::size_t memory() const override;
@@ -157,10 +159,23 @@ class GaussPoints : public PointFinder {
     bool is_kept() const { return losses >= most_losses; }
   };
 
+  /// What a point is paired with.
+  struct Partner {
+    int facet;
+    Vector2d eta;
+    double share;  ///< of the facets for each other
+  };
+  /// Pairs each point with what `partner_of` finds for it.
+  FacetPairs paired(const std::function<std::optional<Partner>(Index)>& partner_of);
+  double share(int primary, int secondary, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  Ray ray_from(const Point& point, const Matrix3Xd& x1, const Reach& reach) const;
+
   const IndexedVector<Facet>& primary_;
   const IndexedVector<Facet>& secondary_;
   double tolerance_;
   SelfContact self_;
+  Visibility visibility_;
+  bool has_shares_ = false;  ///< whether any pair that was found last counts in part
   IndexedVector<Point> points_;
   IndexedVector<ProjectionHistory> histories_;  ///< per point
   MovingSurface moving_;                        ///< the secondary surface

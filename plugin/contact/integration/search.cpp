@@ -1,5 +1,8 @@
 #include "integration/search.h"
 
+#include "base/bytes.h"
+#include "integration/facing_share.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -39,6 +42,22 @@ struct Segment {
     return true;
   }
 };
+
+/// What a ray looks along.
+Segment looked_along(const Ray& ray) {
+  const double forwards = std::min(ray.reach, largest_tilted_reach() * ray.ahead);
+  const double backwards = ray.backwards();
+  return {ray.origin + 0.5 * (forwards - backwards) * ray.direction, 0.5 * (forwards + backwards) * ray.direction, 0};
+}
+
+/// Those of some facets whose boxes a segment meets.
+std::vector<int> meeting(const Segment& segment, const std::vector<int>& facets, const std::vector<Box>& boxes) {
+  std::vector<int> met;
+  for (const int facet : facets) {
+    if (segment.meets(at(boxes, facet))) met.push_back(facet);
+  }
+  return met;
+}
 
 /// Collects the facets whose boxes a segment meets, in the form that Eigen's BVIntersect asks for.
 struct SegmentCollector {
@@ -82,12 +101,12 @@ double mean_diagonal(const std::vector<Box>& boxes) {
 
 /// The hit of nearest_facing() among some of the facets, in ascending order.
 std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, const IndexedVector<Facet>& facets,
-                                        const Matrix3Xd& positions, const Ray& ray) {
+                                        const Matrix3Xd& positions, const Ray& ray, const AcceptHit& accept) {
   const auto length = [](const SurfaceHit& hit) { return std::abs(hit.gap) + hit.outside; };
   std::optional<SurfaceHit> best;
   for (const int candidate : candidates) {
     const std::optional<SurfaceHit> hit = facing_hit(candidate, facets, positions, ray);
-    if (hit && (!best || length(*hit) < length(*best))) best = hit;
+    if (hit && (!best || length(*hit) < length(*best)) && (!accept || accept(*hit))) best = hit;
   }
   return best;
 }
@@ -109,6 +128,11 @@ std::vector<int> FacetTree::candidates(const Vector3d& origin, const Vector3d& d
   return std::move(collector.found);
 }
 
+double Reach::ahead(const Facet& facet, const Matrix3Xd& position) const {
+  if (!by_facet) return Ray::unlimited;
+  return parallel_reach * longest_edge(facet, position) + std::max(offset, 0.0);
+}
+
 bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reach) {
   if (x1.cols() == 0 || x2.cols() == 0) return false;
   return surface_box(x1).exteriorDistance(surface_box(x2)) <= reach;
@@ -119,25 +143,30 @@ std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& face
   const Facet& facet = facets[index];
   const FacetCoordinates x = facet_coordinates(facet, positions);
   const std::optional<RayHit> hit = intersect(facet.type, x, ray.origin, ray.direction, ray.tolerance);
-  if (!hit || std::abs(hit->gap) > ray.reach || hit->gap < -ray.overlap) return std::nullopt;
+  if (!hit || hit->gap > ray.reach || hit->gap < -ray.backwards()) return std::nullopt;
   const Eigen::Matrix<double, 3, 2> tangents = x * shape_functions(facet.type, hit->eta).gradient;
   const Vector3d area = tangents.col(0).cross(tangents.col(1));
-  if (area.dot(ray.direction) >= -ray.opposition * area.norm()) return std::nullopt;
+  if (area.dot(ray.direction) >= 0) return std::nullopt;
+  const Vector3d& normal = ray.normal.isZero(0) ? ray.direction : ray.normal;
+  const Vector3d middle = middle_normal(facet.type, x);
+  if (facing_share(normal, middle) == 0 || hit->gap > tilted_reach(normal, middle) * ray.ahead) return std::nullopt;
   const double outside = distance_outside(facet.type, hit->eta) * tangents.colwise().norm().maxCoeff();
   return SurfaceHit{index, hit->eta, hit->gap, outside};
 }
 
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVector<Facet>& facets,
-                                         const Matrix3Xd& positions, const Ray& ray) {
-  return nearest_among(tree.candidates(ray.origin, ray.direction, ray.reach), facets, positions, ray);
+                                         const Matrix3Xd& positions, const Ray& ray, const AcceptHit& accept) {
+  const Segment looked = looked_along(ray);
+  return nearest_among(tree.candidates(looked.middle, ray.direction, looked.half.norm()), facets, positions, ray,
+                       accept);
 }
 
 std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const IndexedVector<Facet>& facets,
-                                                   const Matrix3Xd& positions, Ray ray) {
-  std::optional<SurfaceHit> hit = nearest_facing(tree, facets, positions, ray);
+                                                   const Matrix3Xd& positions, Ray ray, const AcceptHit& accept) {
+  std::optional<SurfaceHit> hit = nearest_facing(tree, facets, positions, ray, accept);
   if (hit) return hit;
   ray.tolerance = widest_miss;
-  hit = nearest_facing(tree, facets, positions, ray);
+  hit = nearest_facing(tree, facets, positions, ray, accept);
   if (hit && hit->outside > largest_miss * std::abs(hit->gap)) hit.reset();
   return hit;
 }
@@ -160,21 +189,27 @@ bool MovingSurface::holds(const RayNeighbours& neighbours, const std::array<Vect
          (ends[1] - neighbours.ends[1]).cwiseAbs().maxCoeff() <= slack_;
 }
 
-std::optional<SurfaceHit> MovingSurface::nearest_facing(
-    const Ray& ray, RayNeighbours& neighbours, const std::function<void(std::vector<int>&)>& keep_visible) const {
-  const Vector3d half = ray.reach * ray.direction;
-  const std::array<Vector3d, 2> ends{ray.origin - half, ray.origin + half};
+std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeighbours& neighbours,
+                                                        const std::function<void(std::vector<int>&)>& keep_visible,
+                                                        const AcceptHit& accept) const {
+  const Segment looked = looked_along(ray);
+  const std::array<Vector3d, 2> ends{looked.middle - looked.half, looked.middle + looked.half};
   if (!tree_) return std::nullopt;
   if (!holds(neighbours, ends)) {
-    neighbours = {ends, references_, tree_->candidates(ray.origin, ray.direction, ray.reach, 2 * slack_)};
+    neighbours = {ends, references_, tree_->candidates(looked.middle, ray.direction, looked.half.norm(), 2 * slack_)};
     if (keep_visible) keep_visible(neighbours.facets);
   }
-  const Segment segment{ray.origin, half, 0};
-  std::vector<int> met;
-  for (const int facet : neighbours.facets) {
-    if (segment.meets(at(boxes_, facet))) met.push_back(facet);
-  }
-  return nearest_among(met, facets_, positions_, ray);
+  return nearest_among(meeting(looked, neighbours.facets, boxes_), facets_, positions_, ray, accept);
+}
+
+std::vector<int> MovingSurface::met(const Vector3d& from, const Vector3d& direction, double length) const {
+  if (!tree_) return {};
+  const Segment way{from + 0.5 * length * direction, 0.5 * length * direction, 0};
+  return meeting(way, tree_->candidates(way.middle, direction, 0.5 * length, 2 * slack_), boxes_);
+}
+
+std::size_t MovingSurface::memory() const {
+  return bytes(positions_) + bytes(reference_) + boxes_.capacity() * sizeof(Eigen::AlignedBox3d);
 }
 
 }  // namespace mixture_contact

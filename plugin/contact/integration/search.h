@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
@@ -37,14 +38,37 @@ class FacetTree {
 /// one meets the other.
 bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reach);
 
+/// How far the points of a surface look for the other one.
+struct Reach {
+  // Implicit: a distance is a reach.
+  Reach(double to) : distance(to) {}  // NOLINT(google-explicit-constructor)
+  Reach(double to, double touching) : distance(to), by_facet(true), offset(touching) {}
+
+  double distance;        ///< ahead and behind [length]
+  bool by_facet = false;  ///< whether the size of a facet limits how far it looks ahead
+  double offset = 0;      ///< gap at which surfaces touch [length]
+
+  /// How far a facet looks ahead for one that is parallel to it [length]; farther for others (tilted_reach()). Infinite
+  /// where the distance is the only limit.
+  double ahead(const Facet& facet, const Matrix3Xd& position) const;
+  friend bool operator==(const Reach& one, const Reach& other) {
+    return one.distance == other.distance && one.by_facet == other.by_facet && one.offset == other.offset;
+  }
+};
+
 /// A ray that looks for the nearest facet that faces it.
 struct Ray {
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
   Vector3d origin;
-  Vector3d direction;  ///< unit vector: the normal of the surface it leaves
-  double reach;        ///< how far it looks, forwards and backwards [length]
-  double tolerance;    ///< how far outside a facet a hit still counts, in parametric coordinates
-  double overlap = std::numeric_limits<double>::infinity();  ///< how far backwards a hit still counts [length]
-  double opposition = 0;  ///< minus the cosine of the angle between ray and normal beyond which a facet faces it
+  Vector3d direction;          ///< unit vector: the normal of the surface it leaves
+  double reach;                ///< how far it looks, forwards and backwards [length]
+  double tolerance;            ///< how far outside a facet a hit still counts, in parametric coordinates
+  double overlap = unlimited;  ///< how far backwards a hit still counts [length]
+  double ahead = unlimited;    ///< as Reach::ahead()
+  Vector3d normal{0, 0, 0};    ///< unit vector that facets have to oppose; 0: the direction
+
+  double backwards() const { return std::min(reach, overlap); }
 };
 
 /// How far beyond its edge a facet may be continued, in parametric coordinates: the tolerance of a ray that looks
@@ -59,23 +83,27 @@ struct SurfaceHit {
   double outside = 0;  ///< how far beyond the facet's edge it lies [length]
 };
 
-/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction enough.
+/// Whether a hit counts.
+using AcceptHit = std::function<bool(const SurfaceHit&)>;
+
+/// The hit of a ray on one facet, given by its index, if its outward normal opposes the ray's direction, and that in
+/// its middle the ray's normal by least_opposition.
 std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& facets, const Matrix3Xd& positions,
                                      const Ray& ray);
 
-/// The nearest hit of a ray on the facets of a tree whose outward normals oppose its direction; empty if there is none.
+/// The nearest hit of a ray on the facets of a tree that face it and, if given, are accepted; empty if there is none.
 /// A hit outside its facet, within the tolerance, counts as farther by as much as it lies outside: where facets adjoin
 /// at less than 45 degrees the one that the ray does meet wins, so that the gap does not jump as the hit crosses their
 /// edge. The choice depends on the configuration alone, never on earlier calls; equal lengths go to the lowest facet
 /// index.
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVector<Facet>& facets,
-                                         const Matrix3Xd& positions, const Ray& ray);
+                                         const Matrix3Xd& positions, const Ray& ray, const AcceptHit& accept = {});
 
 /// The hit of nearest_facing() for the ray of a node. Where a surface ends at a plane of symmetry the normal at its
 /// edge, the mean over one side, is off by up to half the turn between two facets: a ray that hits nothing, and passes
 /// the edge of a facet by less than a fifth of the gap there (facets that turn by 23 degrees), meets it.
 std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const IndexedVector<Facet>& facets,
-                                                   const Matrix3Xd& positions, Ray ray);
+                                                   const Matrix3Xd& positions, Ray ray, const AcceptHit& accept = {});
 
 /// The facets that a ray of an earlier configuration could meet.
 struct RayNeighbours {
@@ -104,7 +132,13 @@ class MovingSurface {
   /// from earlier calls, and are renewed where it has moved too far; `keep_visible`, if given, leaves those that it may
   /// see. Rays with neighbours of their own may be searched for at once.
   std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours,
-                                           const std::function<void(std::vector<int>&)>& keep_visible = {}) const;
+                                           const std::function<void(std::vector<int>&)>& keep_visible = {},
+                                           const AcceptHit& accept = {}) const;
+
+  /// Indices of the facets whose boxes a way from a place along a unit vector meets.
+  std::vector<int> met(const Vector3d& from, const Vector3d& direction, double length) const;
+  const Matrix3Xd& positions() const { return positions_; }
+  std::size_t memory() const;  ///< [bytes]
 
  private:
   bool holds(const RayNeighbours& neighbours, const std::array<Vector3d, 2>& ends) const;

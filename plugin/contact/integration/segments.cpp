@@ -4,6 +4,7 @@
 #include "base/local_memory.h"
 #include "geometry/circle.h"
 #include "geometry/quadrature.h"
+#include "integration/facing_share.h"
 #include "integration/polygon_quadrature.h"
 #include "integration/view.h"
 
@@ -32,6 +33,13 @@ struct PlacedFacet {
   FacetType type;
   FacetCoordinates x;
 };
+
+PlacedFacet placed(const Facet& facet, const Matrix3Xd& x) { return {facet.type, facet_coordinates(facet, x)}; }
+
+/// The share that two facets have for each other.
+double share_of(const PlacedFacet& primary, const PlacedFacet& secondary) {
+  return facing_share(middle_normal(primary.type, primary.x), middle_normal(secondary.type, secondary.x));
+}
 
 /// What a corner of a linear piece that is no node weighs its facet's nodes with: the middle of an 8-node
 /// quadrilateral.
@@ -263,11 +271,12 @@ void sample_overlap(const Pieces<Number>& pieces, const PlacedFacet& secondary, 
 struct SampledFacet {
   PlacedFacet placed;
   Pieces<double> pieces;
+  Vector3d normal;  ///< in its middle
 };
 
 SampledFacet sampled(const Facet& facet, const Matrix3Xd& x, std::pmr::memory_resource* memory) {
-  const PlacedFacet placed{facet.type, facet_coordinates(facet, x)};
-  return {placed, pieces_of<double>(placed, memory)};
+  const PlacedFacet here = placed(facet, x);
+  return {here, pieces_of<double>(here, memory), middle_normal(here.type, here.x)};
 }
 
 /// A triangle as it is seen along n: places on it are linear in where they are seen.
@@ -286,14 +295,14 @@ class SeenTriangle {
 };
 
 /// Adds the points between triangles, whose normals are those of the view, as add_points_between() does.
-bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet& secondary, int order,
+bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet& secondary, double share, int order,
                                   FacetPairs& pairs) {
   const Piece<double>& piece = primary.pieces.front();
   const SeenTriangle one(piece.view, primary.placed.x);
   const SeenTriangle two(piece.view, secondary.x);
   sample_piece(piece, 0, secondary, order, [&](const Sample<double>& sample) {
     const Vector2d seen = sample.point.place.value();
-    pairs.add_point({one.place(seen), two.place(seen), sample.point.area / piece.area, sample.sub_facet});
+    pairs.add_point({one.place(seen), two.place(seen), share * sample.point.area / piece.area, sample.sub_facet});
   });
   return pairs.pairs().back().points > 0;
 }
@@ -303,8 +312,11 @@ bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet
 bool add_points_between(const Facet& one, const SampledFacet& primary, const Facet& two, const Circle& circle,
                         int order, const Matrix3Xd& x1, const Matrix3Xd& x2, FacetPairs& pairs) {
   if (are_apart(primary.pieces, circle)) return false;
-  const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
-  if (is_flat(one.type) && is_flat(two.type)) return add_points_between_triangles(primary, secondary, order, pairs);
+  const PlacedFacet secondary = placed(two, x2);
+  const double share = facing_share(primary.normal, middle_normal(secondary.type, secondary.x));
+  if (share == 0) return false;
+  if (is_flat(one.type) && is_flat(two.type))
+    return add_points_between_triangles(primary, secondary, share, order, pairs);
   bool complete = true;
   sample_overlap(primary.pieces, secondary, circle, order, [&](const Sample<double>& sample) {
     const std::optional<Vector2d> xi = carried(primary.placed, sample);
@@ -312,15 +324,15 @@ bool add_points_between(const Facet& one, const SampledFacet& primary, const Fac
     const Ray ray = normal_ray(one, x1, *xi, 0, reach_outside);
     const auto hit = intersect(two.type, secondary.x, ray.origin, ray.direction, ray.tolerance);
     if (!hit) return void(complete = false);
-    pairs.add_point({*xi, hit->eta, carried_weight(primary.placed, sample, *xi), sample.sub_facet});
+    pairs.add_point({*xi, hit->eta, share * carried_weight(primary.placed, sample, *xi), sample.sub_facet});
   });
   return complete && pairs.pairs().back().points > 0;
 }
 
-/// Calls use(motion) for how each of the points of a pair moves with its nodes.
+/// Calls use(motion) for how each of the points of a pair moves with its nodes, at the share that its facets have.
 template <class Number>
-void for_each_motion_of(const PointsOfPair& points, const PlacedFacet& primary, const PlacedFacet& secondary, int order,
-                        const UseMotion& use) {
+void for_each_varying_motion(const PointsOfPair& points, const PlacedFacet& primary, const PlacedFacet& secondary,
+                             int order, const UseMotion& use) {
   LocalMemory<bytes_of_pieces<Number>> memory;
   const Pieces<Number> pieces = pieces_of<Number>(primary, memory.resource());
   std::pmr::vector<ViewTilt> tilts(memory.resource());
@@ -332,6 +344,17 @@ void for_each_motion_of(const PointsOfPair& points, const PlacedFacet& primary, 
     const ViewTilt& tilt = at(tilts, sample.sub_facet);
     use(projection_motion(primary, secondary, sample, tilt, (point++)->xi));
   });
+}
+
+/// The same with numbers of the smallest size that the facets allow.
+void for_each_motion_of(const PointsOfPair& points, const PlacedFacet& primary, const PlacedFacet& secondary, int order,
+                        const UseMotion& use) {
+  const int corners = number_of(sub_facets(primary.type).front().nodes) + window_corners(secondary.type, order);
+  if (corners <= corners_of_triangles)
+    return for_each_varying_motion<VaryingNumber<corners_of_triangles>>(points, primary, secondary, order, use);
+  if (corners <= corners_of_pieces)
+    return for_each_varying_motion<VaryingNumber<corners_of_pieces>>(points, primary, secondary, order, use);
+  for_each_varying_motion<VaryingNumber<most_corners>>(points, primary, secondary, order, use);
 }
 
 /// Whether a segment lies over a piece, and not along its outline alone.
@@ -397,12 +420,13 @@ int default_segment_order(FacetType primary, FacetType secondary) {
 }
 
 Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
-                   SelfContact self, EdgeNeighbours neighbours)
+                   SelfContact self, EdgeNeighbours neighbours, Visibility visibility)
     : primary_(primary),
       secondary_(secondary),
       order_(order),
       self_(std::move(self)),
-      neighbours_(std::move(neighbours)) {}
+      neighbours_(std::move(neighbours)),
+      visibility_(std::move(visibility)) {}
 
 int Segments::order(const Facing& facing) const {
   if (order_ > 0) return order_;
@@ -414,28 +438,24 @@ bool Segments::is_exact(const FacetPair& pair) const {
   return flat && order({pair.primary, pair.secondary}) >= 2;
 }
 
-bool Segments::within_reach(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
-                            const Matrix3Xd& x2, double radius) const {
+bool Segments::sees(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
+                    const Reach& reach) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
-  const Ray ray = normal_ray(one, x1, point.xi, radius, 0);
+  const Ray ray = normal_ray(one, x1, point.xi, reach.distance, 0);
   const Vector3d apart = facet_coordinates(two, x2) * shape_functions(two.type, point.eta).value - ray.origin;
-  return apart.norm() <= radius && apart.dot(ray.direction) >= -self_.largest_overlap(pair.primary);
+  const double gap = apart.dot(ray.direction);
+  const double tilted = tilted_reach(middle_normal(one.type, facet_coordinates(one, x1)),
+                                     middle_normal(two.type, facet_coordinates(two, x2)));
+  const bool is_near = self_.is_active() || gap <= tilted * reach.ahead(one, x1);
+  return apart.norm() <= reach.distance && is_near && gap >= -self_.largest_overlap(pair.primary) &&
+         !visibility_.is_hidden(ray.origin, ray.direction, gap, pair.primary, pair.secondary);
 }
 
-bool Segments::opposed(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1,
-                       const Matrix3Xd& x2) const {
-  const double least = self_.opposition();
-  if (least == 0) return true;
-  const Vector3d one = normal_ray(primary_[pair.primary], x1, point.xi, 0, 0).direction;
-  const Vector3d two = normal_ray(secondary_[pair.secondary], x2, point.eta, 0, 0).direction;
-  return one.dot(two) < -least;
-}
-
-std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const {
-  const Ray ray = normal_ray(primary_[facet], x1, parametric_centre(primary_[facet].type), radius, 0);
+std::vector<int> Segments::candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const {
+  const Ray ray = normal_ray(primary_[facet], x1, parametric_centre(primary_[facet].type), reach.distance, 0);
   const double width = radius_around(facet_coordinates(primary_[facet], x1), ray.origin);
-  std::vector<int> found = tree.candidates(ray.origin, ray.direction, radius, width);
+  std::vector<int> found = tree.candidates(ray.origin, ray.direction, reach.distance, width);
   self_.keep_visible(facet, found);
   return found;
 }
@@ -456,10 +476,11 @@ bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const Matr
   });
 }
 
-FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) {
+FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) {
   FacetPairs found;
   paired_.clear();
-  if (!surfaces_within_reach(x1, x2, radius)) return found;
+  if (!surfaces_within_reach(x1, x2, reach.distance)) return found;
+  visibility_.move_to(x1, x2);
   const FacetTree tree(secondary_, x2, box_margin);
   const IndexedVector<Circle> circles = circles_around(secondary_, x2);
   const auto add_near = [&](int facet, int other, const SampledFacet& one, FacetPairs& near) {
@@ -468,13 +489,12 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double rad
     if (!add_points_between(primary_[facet], one, secondary_[other], circles[other], order({facet, other}), x1, x2,
                             near))
       return near.remove_last_pair();
-    const IntegrationPoint& point = heaviest(near.points(pair));
-    if (!within_reach(pair, point, x1, x2, radius) || !opposed(pair, point, x1, x2)) near.remove_last_pair();
+    if (!sees(pair, heaviest(near.points(pair)), x1, x2, reach)) near.remove_last_pair();
   };
   const auto set_visible = [&](Index index, FacetPairs& near, FacetPairs& visible) {
     near.clear();
     const int facet = static_cast<int>(index);
-    const std::vector<int> others = candidates(facet, tree, x1, radius);
+    const std::vector<int> others = candidates(facet, tree, x1, reach);
     if (others.empty()) return;
     LocalMemory<bytes_of_pieces<double>> memory;
     const SampledFacet one = sampled(primary_[facet], x1, memory.resource());
@@ -488,7 +508,9 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double rad
       }
       std::swap(near, visible);
     }
-    const auto exact = [&](const FacetPair& pair) { return is_exact(pair); };
+    const auto exact = [&](const FacetPair& pair) {
+      return is_exact(pair) && share_of(one.placed, placed(secondary_[pair.secondary], x2)) == 1;
+    };
     if (std::all_of(near.pairs().begin(), near.pairs().end(), exact) &&
         goes_on(near, one.pieces.front(), secondary_, neighbours_, x2))
       near.set_unbroken();
@@ -503,7 +525,7 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, double rad
   return found;
 }
 
-FacetPairs Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const {
+FacetPairs Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   FacetPairs found;
   for (const Facing& facing : paired_) {
     const Facet& one = primary_[facing.primary];
@@ -519,18 +541,16 @@ FacetPairs Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) co
 
 void Segments::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
                                const Matrix3Xd& x2, const UseMotion& use) const {
-  const Facet& one = primary_[pair.primary];
-  const Facet& two = secondary_[pair.secondary];
   if (pair.unbroken) return use_no_motion(points.count(), use);
-  const PlacedFacet primary{one.type, facet_coordinates(one, x1)};
-  const PlacedFacet secondary{two.type, facet_coordinates(two, x2)};
+  const PlacedFacet primary = placed(primary_[pair.primary], x1);
+  const PlacedFacet secondary = placed(secondary_[pair.secondary], x2);
   const int rule = order({pair.primary, pair.secondary});
-  const int corners = number_of(sub_facets(one.type).front().nodes) + window_corners(two.type, rule);
-  if (corners <= corners_of_triangles)
-    return for_each_motion_of<VaryingNumber<corners_of_triangles>>(points, primary, secondary, rule, use);
-  if (corners <= corners_of_pieces)
-    return for_each_motion_of<VaryingNumber<corners_of_pieces>>(points, primary, secondary, rule, use);
-  for_each_motion_of<VaryingNumber<most_corners>>(points, primary, secondary, rule, use);
+  if (share_of(primary, secondary) == 1) return for_each_motion_of(points, primary, secondary, rule, use);
+  const PairVariation<1> share = facing_share_variation(primary.type, primary.x, secondary.type, secondary.x);
+  for_each_motion_of(points, primary, secondary, rule, [&](PointMotion motion) {
+    motion.weight += share;
+    use(motion);
+  });
 }
 
 }  // namespace mixture_contact

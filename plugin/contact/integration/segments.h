@@ -24,20 +24,20 @@ int default_segment_order(FacetType primary, FacetType secondary);
 /// Integration points on the segments of facing facets.
 ///
 /// A secondary facet counts only where no other one, which is not its neighbour, lies nearer within its overlap with
-/// the primary facet.
+/// the primary facet. The weights of its points are multiplied by the share of both facets (facing_share.h).
 class Segments : public PointFinder {
  public:
   /// order: of the quadrature rule on the pieces; 0: default_segment_order. neighbours: of secondary facets.
   Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, SelfContact self = {},
-           EdgeNeighbours neighbours = {});
+           EdgeNeighbours neighbours = {}, Visibility visibility = {});
 
-  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, double radius) override;
-  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) const override;
+  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
+  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
   bool moves_points() const override { return true; }
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;
   std::size_t memory() const override {
-    return self_.memory() + neighbours_.memory() + paired_.capacity() * sizeof(Facing);
+    return self_.memory() + neighbours_.memory() + visibility_.memory() + paired_.capacity() * sizeof(Facing);
   }
 
  private:
@@ -46,11 +46,10 @@ class Segments : public PointFinder {
     int secondary = 0;
   };
   /// The secondary facets that may face a primary one.
-  std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, double radius) const;
-  /// Of a point of a pair.
-  bool within_reach(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
-                    double radius) const;
-  bool opposed(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const;
+  /// Whether the facets of a pair see each other at one of its points.
+  bool sees(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
+            const Reach& reach) const;
   /// Whether another one of the pairs of its primary facet lies nearer; `circles`: around secondary facets.
   bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2,
                 const IndexedVector<Circle>& circles) const;
@@ -63,6 +62,7 @@ class Segments : public PointFinder {
   int order_;
   SelfContact self_;
   EdgeNeighbours neighbours_;
+  Visibility visibility_;
   std::vector<Facing> paired_;  ///< what the last search() found
 };
 

@@ -43,8 +43,7 @@ SelfContact::SelfContact(const SurfaceMesh& primary, const SurfaceMesh& secondar
 }
 
 bool SelfContact::excludes(int primary, int secondary) const {
-  return neighbours_.count() > 0 &&
-         std::binary_search(neighbours_[primary].begin(), neighbours_[primary].end(), secondary);
+  return is_active() && std::binary_search(neighbours_[primary].begin(), neighbours_[primary].end(), secondary);
 }
 
 void SelfContact::keep_visible(int primary, std::vector<int>& secondary) const {

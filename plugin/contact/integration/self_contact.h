@@ -7,29 +7,24 @@
 
 namespace mixture_contact {
 
-/// A point sees neither its own facet nor one that shares a node with it. (That normals oppose each other is asked of
-/// all contacts.)
+/// A point sees neither its own facet nor one that shares a node with it. (How far normals have to oppose each other is
+/// the same for all contacts.)
 ///
 /// Behind it, through its own body, it sees the far side of that body, whose normal opposes its own as that of an
 /// overlapping facet does. The far side is at least one element away: an overlap counts up to half the thickness of the
 /// element behind the point.
-///
-/// Around an edge, where the sides of a body are in the surface as well, facets at nearly a right angle look past each
-/// other, with gaps far longer than their distance. Facets face each other here where their normals are more than 120
-/// degrees apart.
 class SelfContact {
  public:
   /// Surfaces that have nothing in common: all is seen.
   SelfContact() = default;
   SelfContact(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
+  /// Whether a body meets itself.
+  bool is_active() const { return neighbours_.count() > 0; }
   /// Whether a primary facet never sees a secondary one.
   bool excludes(int primary, int secondary) const;
   /// Leaves the facets that a primary one may see.
   void keep_visible(int primary, std::vector<int>& secondary) const;
-  /// As in Ray: 0 where all is seen.
-  double opposition() const { return neighbours_.count() > 0 ? least_opposition : 0; }
-  static constexpr double least_opposition = 0.5;
   /// The largest overlap that counts at a primary facet [mm].
   double largest_overlap(int primary) const;
 

@@ -8,12 +8,24 @@
 #include <utility>
 
 namespace mixture_contact {
+namespace {
 
-Reach reach_of(const Settings& settings, const PerSide<Matrix3Xd>& position) {
-  const double radius = settings.search.radius > 0 ? settings.search.radius
-                                                   : std::min(half_diagonal(position[Side::primary]),
-                                                              half_diagonal(position[Side::secondary]));
-  return {radius, settings.search.tolerance};
+/// How far each node looks ahead: as far as the longest-sighted facet around it.
+VectorXd farthest_ahead(const SurfaceMesh& mesh, const Matrix3Xd& position, const Reach& reach) {
+  VectorXd ahead = VectorXd::Zero(mesh.nodes);
+  for (const Facet& facet : mesh.facets) {
+    const double of_facet = reach.ahead(facet, position);
+    for (const int node : facet) ahead[node] = std::max(ahead[node], of_facet);
+  }
+  return ahead;
+}
+
+}  // namespace
+
+Reach reach_of(const Settings& settings, const FacingPositions& x) {
+  if (settings.search.radius > 0) return settings.search.radius;
+  const double half = std::min(half_diagonal(x.primary), half_diagonal(x.secondary));
+  return settings.gap.tension ? Reach(half) : Reach(half, settings.gap.offset);
 }
 
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
@@ -29,28 +41,44 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   return normals;
 }
 
+IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
+                                                       const FacingPositions& x, const Settings& settings) {
+  const Reach reach = reach_of(settings, x);
+  IndexedVector<std::optional<SurfaceHit>> hits(own.nodes);
+  if (!surfaces_within_reach(x.primary, x.secondary, reach.distance)) return hits;
+  const FacetTree tree(other.facets, x.secondary, box_margin);
+  Visibility visibility(own, other);
+  visibility.move_to(x.primary, x.secondary);
+  const Matrix3Xd normals = nodal_normals(own, x.primary);
+  const VectorXd ahead = farthest_ahead(own, x.primary, reach);
+  const VectorXd overlaps = largest_overlaps_of_nodes(own);
+  in_parallel(hits.count(), [&](Index node) {
+    Ray ray{x.primary.col(node), normals.col(node), reach.distance, settings.search.tolerance};
+    if (own.may_meet_itself()) {
+      ray.overlap = overlaps[node];
+    } else {
+      ray.ahead = ahead[node];
+    }
+    hits[node] = nearest_facing_or_passed(tree, other.facets, x.secondary, ray, [&](const SurfaceHit& hit) {
+      return !visibility.is_hidden(ray.origin, ray.direction, hit.gap, Visibility::node, hit.facet);
+    });
+  });
+  return hits;
+}
+
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
-                                       const Reach& reach) {
+                                       const Settings& settings) {
   const double least_share = pass.integral->active_set().options().contact_share;
-  const Side side = other(pass.side);
-  IndexedVector<FacingNode> nodes(mesh[side].nodes);
-  if (!surfaces_within_reach(position[side], position[pass.side], reach.distance)) return nodes;
-  const IndexedVector<Facet>& facets = mesh[pass.side].facets;
-  const FacetTree tree(facets, position[pass.side], box_margin);
-  const Matrix3Xd normals = nodal_normals(mesh[side], position[side]);
+  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[other(pass.side)], mesh[pass.side],
+                                                                      seen_from(other(pass.side), position), settings);
   const VectorXd share = VectorXd::NullaryExpr(in_contact.count(),
                                                [&](Index node) { return in_contact[node] ? 1.0 : 0.0; });
-  const VectorXd overlaps = largest_overlaps_of_nodes(mesh[side]);
+  IndexedVector<FacingNode> nodes(hits.size());
   in_parallel(nodes.count(), [&](Index node) {
-    Ray ray{position[side].col(node), normals.col(node), reach.distance, reach.tolerance};
-    if (overlaps.size() > 0) {
-      ray.overlap = overlaps[node];
-      ray.opposition = SelfContact::least_opposition;
-    }
-    const std::optional<SurfaceHit> hit = nearest_facing_or_passed(tree, facets, position[pass.side], ray);
+    const std::optional<SurfaceHit>& hit = hits[node];
     if (!hit) return;
-    const Facet& facet = facets[hit->facet];
+    const Facet& facet = mesh[pass.side].facets[hit->facet];
     const FacetVector
         psi = pass.integral->space().shape(hit->facet, sub_facet_at(facet.type, hit->eta), hit->eta).value;
     nodes[node] = {hit->facet, hit->gap, psi.dot(facet_values(facet, share)) >= least_share};

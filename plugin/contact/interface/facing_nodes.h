@@ -22,19 +22,21 @@ struct FacingNode {
   bool in_contact = false;
 };
 
-/// How far and how precisely nodes look.
-struct Reach {
-  double distance;   ///< [mm]
-  double tolerance;  ///< outside a facet, in parametric coordinates [-]
-};
+/// As the settings say. Where they leave it open: behind, where bodies overlap, as far as half the smaller surface is
+/// large, since bodies hide what lies behind them; ahead by a quarter of a facet, more where they tilt, or as far as
+/// behind with tension and where a body meets itself. Surfaces that meet within a step find each other once they
+/// overlap.
+Reach reach_of(const Settings& settings, const FacingPositions& x);
 
-/// As the settings say; where they leave the distance open, as far as the smaller surface is large.
-Reach reach_of(const Settings& settings, const PerSide<Matrix3Xd>& position);
+/// What each node of a surface, the primary one of the positions, meets on the other one along its normal within reach
+/// and is not hidden from.
+IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
+                                                       const FacingPositions& x, const Settings& settings);
 
 /// What the nodes of the other surface face, given which nodes of the surface integrated over are in contact.
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
-                                       const Reach& reach);
+                                       const Settings& settings);
 
 NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 

@@ -36,13 +36,14 @@ SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& 
 }
 
 void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Settings& settings) {
-  pass.integral->project(seen_from(pass.side, position), reach_of(settings, position).distance);
+  const FacingPositions x = seen_from(pass.side, position);
+  pass.integral->project(x, reach_of(settings, x));
 }
 
 /// The nodes of the other surface that face contact.
 NodeFlags facing_contact(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
                          const NodeFlags& in_contact, const Settings& settings) {
-  return in_contact_of(facing_nodes(pass, mesh, position, in_contact, reach_of(settings, position)));
+  return in_contact_of(facing_nodes(pass, mesh, position, in_contact, settings));
 }
 
 void measure_slips(const std::vector<SidedPass>& passes, const PerSide<Matrix3Xd>& from) {
@@ -274,8 +275,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
   const NodeFlags in_contact = passes_.front().integral->flux_coupled();
-  const IndexedVector<FacingNode> nodes = facing_nodes(passes_.front(), mesh_, position_, in_contact,
-                                                       reach_of(settings_, position_));
+  const IndexedVector<FacingNode> nodes = facing_nodes(passes_.front(), mesh_, position_, in_contact, settings_);
   const VectorXd shares = overlap_shares(nodes, in_contact, facets, position_[Side::primary]);
   const bool joins = passes_.size() == 1;
   check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : passes_.back().integral->flux_coupled());

@@ -24,8 +24,8 @@ std::unique_ptr<ContactGeometry> ContactPass::make_geometry() {
   return std::make_unique<FixedGeometry>(space_, active_set_, *method_);
 }
 
-void ContactPass::project(const FacingPositions& x, double radius) {
-  space_.change_facing().search(x, radius);
+void ContactPass::project(const FacingPositions& x, const Reach& reach) {
+  space_.change_facing().search(x, reach);
   geometry_->update(x);
 }
 

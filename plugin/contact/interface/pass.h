@@ -16,9 +16,9 @@ class ContactPass {
   ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  /// Projects every integration point onto the secondary surface: of the facets that face it within `radius`, the
+  /// Projects every integration point onto the secondary surface: of the facets that face it within reach, the
   /// nearest.
-  void project(const FacingPositions& x, double radius);
+  void project(const FacingPositions& x, const Reach& reach);
 
   /// Projects points without a search: they keep to the facets that the last project() found for them.
   void project_on_same_facets(const FacingPositions& x);

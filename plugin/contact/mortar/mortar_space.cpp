@@ -2,6 +2,7 @@
 
 #include "base/bytes.h"
 #include "base/in_order.h"
+#include "integration/facing_share.h"
 #include "mortar/slips.h"
 
 #include <algorithm>
@@ -52,6 +53,37 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
     }
   }
   return sums;
+}
+
+/// A node at an edge bears no load of a facet that the other surface opposes less than this part of what it opposes the
+/// best facet around the node: of a block on a plane not the sides, of an octagon on its side also the next one, whose
+/// normal is turned by 45 degrees. One that bore none takes it up at a larger part, so that a decision does not come
+/// and go with the steps.
+constexpr double least_part_of_best = 0.6;
+constexpr double least_part_of_other = 0.75;
+
+/// How much the secondary surface opposes each primary facet, -n1.n2 at most, and the best facet around each node.
+struct Oppositions {
+  VectorXd facets;
+  VectorXd nodes;
+};
+
+Oppositions oppositions(const FacingPairs& facing, const FacingPositions& x) {
+  Oppositions found{VectorXd::Zero(facing.primary().facets.count()), VectorXd::Zero(facing.primary().nodes)};
+  for (const FacetPair& pair : facing.pairs()) {
+    const Facet& one = facing.primary_facet(pair);
+    const Facet& two = facing.secondary_facet(pair);
+    const Vector3d n1 = middle_normal(one.type, facet_coordinates(one, x.primary));
+    const Vector3d n2 = middle_normal(two.type, facet_coordinates(two, x.secondary));
+    found.facets[pair.primary] = std::max(found.facets[pair.primary], -n1.dot(n2));
+    for (const int node : one) found.nodes[node] = std::max(found.nodes[node], found.facets[pair.primary]);
+  }
+  return found;
+}
+
+/// Whether a node bears load of a facet, by how much these are opposed and whether it did in the step before.
+bool is_faced_enough(double of_facet, double best, bool bore) {
+  return of_facet >= (bore ? least_part_of_best : least_part_of_other) * best;
 }
 
 std::size_t bytes_of(const IndexedVector<IndexedVector<Convection>>& convections) {
@@ -121,7 +153,7 @@ FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
 
 void MortarSpace::update_boundary_weights(const FacingPositions& x) {
   // Nodes that a restricted pass is for keep their conditions: there are no others to carry their load.
-  if (!redistributes_ || facing_.is_restricted()) return;
+  if (facing_.is_restricted()) return;
   IndexedVector<const FacetPair*> unknown;
   for (const FacetPair& pair : facing_.pairs()) {
     if (!weights_.knows(pair.primary)) unknown.push_back(&pair);
@@ -135,8 +167,18 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
         const auto [place, first] = covered.try_emplace(unknown[index]->primary, sums);
         if (!first) place->second += sums;
       });
-  for (const auto& [facet, sums] : covered) {
-    weights_.decide(facet, sums, areas_of_nodes(facing_.primary().facets[facet], x.primary));
+  const Oppositions opposed = oppositions(facing_, x);
+  const LoadCarriers last = weights_.last_decisions();  // decisions replace them
+  for (auto& [facet, sums] : covered) {
+    const Facet& of = facing_.primary().facets[facet];
+    const FacetVector all = areas_of_nodes(of, x.primary);
+    if (!redistributes_) sums.row(0) = all.transpose();
+    const bool is_known = !last.empty() && last[facet].size() > 0;
+    for (Index a = 0; a < all.size(); ++a) {
+      const bool bore = !is_known || last[facet][a] > 0;
+      if (!is_faced_enough(opposed.facets[facet], opposed.nodes[of.node(a)], bore)) sums.col(a).setZero();
+    }
+    weights_.decide(facet, sums, all);
   }
 }
 

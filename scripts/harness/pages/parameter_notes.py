@@ -156,9 +156,11 @@ NOTES = {
         "with `segments`, which end where facets end."
     ),
     "search_radius": Note(
-        "Largest gap or overlap at which facets see each other. Automatic: half the diagonal of the box around the "
-        "smaller surface.",
-        "larger than a body's thickness: points may see its far side",
+        "Largest gap or overlap at which facets see each other. Automatic: a gap of a quarter of the longest edge "
+        "of the facet that looks, more where facets tilt; an overlap of half the diagonal of the box around the "
+        "smaller surface, with `tension` a gap of that size, too. Nothing is seen through a body whose far side is in "
+        "its surface.",
+        "a large gap: what lies far ahead enters the averages at the edges of contact",
         "default 1; in `sliding-biphasic-solute` partly a multiple of the model's size",
         "mm",
     ),

@@ -17,6 +17,10 @@ CHUNK = 2_000_000
 """Pairs of ray and triangle that are looked at together."""
 OUTSIDE = 0.01
 """How far outside a triangle a ray still counts, in its barycentric coordinates."""
+OPPOSED = 0.5
+"""Least cosine, but for its sign, between a ray and the normal of what faces it: contact counts nothing below."""
+STEEP = 1e-3
+"""Least cosine between a ray and the normal where it leaves a body."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +44,9 @@ def triangles(corners: Points) -> Points:
     return np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
 
 
-def nearest_facing(origins: Points, directions: Points, targets: Points) -> Hits:
+def nearest_facing(
+    origins: Points, directions: Points, targets: Points, depth: NDArray[np.float64] | None = None
+) -> Hits:
     """Nearest triangle, in front or behind, that faces each ray: its normal points against the ray.
 
     Parameters
@@ -48,8 +54,11 @@ def nearest_facing(origins: Points, directions: Points, targets: Points) -> Hits
     origins, directions : ndarray, shape (n_rays, 3)
         Directions of length one.
     targets : ndarray, shape (n_triangles, 3, 3)
+    depth : ndarray, shape (n_rays,)
+        Where the rays leave their own body behind their origins, beyond which they see nothing; NaN: nowhere.
     """
-    return _nearest(origins, directions, targets, facing=True)
+    least = None if depth is None else -np.where(np.isnan(depth), np.inf, depth)
+    return _nearest(origins, directions, targets, facing=True, least=least)
 
 
 def first_exit(origins: Points, directions: Points, targets: Points, least: NDArray[np.float64]) -> Hits:
@@ -91,6 +100,6 @@ def _distances(origins: Points, directions: Points, targets: Points, facing: boo
         first = -np.einsum("rti,ti->rt", turned, two) / along
         second = np.einsum("rti,ti->rt", turned, one) / along
         inside = (first >= -OUTSIDE) & (second >= -OUTSIDE) & (first + second <= 1.0 + OUTSIDE)
-    steep = 1e-3 * np.linalg.norm(normal, axis=1)
-    turned_right = along < -steep if facing else along > steep
+    size = np.linalg.norm(normal, axis=1)
+    turned_right = along < -OPPOSED * size if facing else along > STEEP * size
     return np.where(inside & turned_right, distance, np.nan)

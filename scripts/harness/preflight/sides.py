@@ -138,6 +138,17 @@ class Side:
         """Numbers of the bodies that the surface belongs to."""
         return {int(body) for body in np.unique(self.model.mesh.bodies[self.surface.corners])}
 
+    def depths(self, origins: Array, normals: Array) -> Array:
+        """How far behind these places of the surface, along its normals, the surface ends its body, mm; NaN where it
+        does not.
+        """
+        least = np.full(len(origins), 1e-6 * float(np.linalg.norm(np.ptp(self.corners, axis=(0, 1)))))
+        return rays.first_exit(origins, -normals, rays.triangles(self.corners), least).distance
+
+    def look_at(self, targets: Array, origins: Array, normals: Array) -> rays.Hits:
+        """What these places see of the triangles of another surface: nothing through the own body."""
+        return rays.nearest_facing(origins, normals, targets, self.depths(origins, normals))
+
     def conductances(self, field: Field) -> Array:
         """Stiffness or conductance per facet: property over thickness."""
         values = np.array([math.nan if m is None else field.property_of(m) for m in self.materials])
@@ -274,10 +285,10 @@ class Joint:
         """
         side, targets = self.primary, rays.triangles(self.secondary.corners)
         pick = sample(len(side.centres), len(targets))
-        centres = rays.nearest_facing(side.centres[pick], side.normals[pick], targets).distance
+        centres = side.look_at(targets, side.centres[pick], side.normals[pick]).distance
         near = pick[np.argsort(np.where(np.isnan(centres), np.inf, centres))[:NEAREST]]
         normals = side.normals[near].repeat(4, axis=0)
-        corners = rays.nearest_facing(side.corners[near].reshape(-1, 3), normals, targets).distance
+        corners = side.look_at(targets, side.corners[near].reshape(-1, 3), normals).distance
         return np.concatenate([centres, corners])
 
     @cached_property

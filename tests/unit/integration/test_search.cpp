@@ -1,5 +1,6 @@
 #include "contact/integration/search.h"
 
+#include "contact/integration/facing_share.h"
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -40,7 +41,9 @@ Eigen::Matrix<double, 3, 2> tangents_at(const GridSurface& surface, std::size_t 
 
 bool faces(const GridSurface& surface, std::size_t index, const Vector2d& eta, const Vector3d& direction) {
   const auto tangents = tangents_at(surface, index, eta);
-  return tangents.col(0).cross(tangents.col(1)).dot(direction) < 0;
+  const Facet& facet = surface.mesh.facets[index];
+  return tangents.col(0).cross(tangents.col(1)).dot(direction) < 0 &&
+         facing_share(direction, middle_normal(facet.type, facet_coordinates(facet, surface.position))) > 0;
 }
 
 /// The length by which a hit is compared: its gap and how far outside its facet it lies.

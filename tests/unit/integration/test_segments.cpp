@@ -388,6 +388,25 @@ BOOST_AUTO_TEST_CASE(points_on_the_same_facets_are_those_of_the_search) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(tangents_are_exact_where_facets_count_in_part) {
+  std::mt19937 random(10);
+  for (const Integration integration : {Integration::segments, Integration::gauss}) {
+    for (const FacetType type : {FacetType::tri3, FacetType::quad4, FacetType::quad8}) {
+      Scene scene = turned_squares(type, type, random);
+      scene.settings.integration = integration;
+      scene.settings.search.radius = 3;
+      Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+      const Vector3d middle(0.5, 0.5, 0);
+      const Eigen::AngleAxisd tilt(std::acos(0.54), Vector3d::UnitY());
+      x2 = (tilt.toRotationMatrix() * (x2.colwise() - middle)).colwise() + Vector3d(0.5, 0.5, -0.8);
+      BOOST_TEST(!scene.contact()->pass(0).pairs().empty());
+      BOOST_TEST_CONTEXT(static_cast<int>(integration) << " of " << static_cast<int>(type)) {
+        BOOST_TEST(tangent_error(scene, fine_differences) <= difference_tolerance);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(points_move_as_their_motion_says) {
   std::mt19937 random(10);
   for (const auto& [one, two] : facet_pairs(all_facets, differently_cut)) {

@@ -67,3 +67,27 @@ BOOST_AUTO_TEST_CASE(flat_pairs_average_as_their_points_do) {
     BOOST_TEST((jump - sums.row(2).transpose().cwiseQuotient(area)).cwiseAbs().maxCoeff() <= rounding);
   }
 }
+
+BOOST_AUTO_TEST_CASE(nodes_of_an_edge_average_over_the_side_that_is_faced_best) {
+  constexpr double overlap = 0.01;
+  for (const Integration integration : {Integration::gauss, Integration::segments}) {
+    for (const double turned : {50.0, 58.0}) {  // degrees by which one half of a strip is turned away
+      Settings settings = explicit_settings(4, 2, 8);
+      settings.integration = integration;
+      const Grid strip{FacetType::quad4, 4, 1, {-1, 0}, {1, 1}};
+      const Grid plane{FacetType::quad4, 1, 1, {-3, -3}, {3, 3}, -overlap, false};
+      const PerSide<Grid> grids{{strip, plane}};
+      Scene scene(grids, effects_of(false, 0), settings);
+      const double angle = turned / 180 * 3.14159265358979;
+      for (auto x : scene.fields[Side::primary].position.colwise()) {
+        if (x[0] > 0) x = Vector3d(x[0] * std::cos(angle), x[1], -x[0] * std::sin(angle));
+      }
+      const auto contact = scene.contact();
+      const VectorXd& gap = contact->pass(0).space().gaps().gap;
+      for (Index node = 0; node < gap.size(); ++node) {
+        if (scene.fields[Side::primary].position.col(node)[0] != 0) continue;
+        BOOST_TEST((std::abs(gap[node] + overlap) <= 1e-12) == (turned > 53));
+      }
+    }
+  }
+}

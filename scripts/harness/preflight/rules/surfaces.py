@@ -203,11 +203,11 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
         if blind and max(share) > 0.5:
             names = np.unique(patches[counted])
             facets = np.flatnonzero(np.isin(patches, names[blind]))
-            yield warning(
+            yield note(
                 "side-faces",
                 side.surface.facet_tags[facets[0]],
                 f"surface '{side.surface.name}' has {_facets(len(facets))} beyond a sharp edge or on another side, "
-                "facing away from the other body. There it may find a thin body's far side, or is at ambient values",
+                "facing away from the other body. It sees nothing there: a porous body has the ambient values",
                 "Leave side and far faces out of the surface, unless they are meant to have the ambient values.",
             )
 
@@ -219,7 +219,7 @@ def _sees(side: Side, other: Side) -> tuple[NDArray[np.int64], NDArray[np.bool_]
     """Some facets of a side, and which of them have a facet of the other side in front, or behind in overlap."""
     targets = rays.triangles(other.corners)
     pick = sample(len(side.centres), len(targets))
-    hits = rays.nearest_facing(side.centres[pick], side.normals[pick], targets)
+    hits = side.look_at(targets, side.centres[pick], side.normals[pick])
     return pick, np.asarray(hits.triangle >= 0)
 
 
