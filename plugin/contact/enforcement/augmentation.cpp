@@ -31,10 +31,11 @@ struct GapSums {
   }
 };
 
-/// The slip of a node that sticks; where it slides it has no condition to meet.
+/// The slip of a node that sticks, in its tangent plane: no friction opposes what an average over facets that turn
+/// leaves along its normal. Where a node slides it has no condition to meet.
 void add_slip(GapSums& sums, double stiffness, const NodalLoads& loads, Index node) {
-  const double slip = loads.slips[node] ? 0.0
-                                        : (loads.friction.convection[node] * loads.friction.slip.col(node)).norm();
+  const auto in_plane = [&] { return NodalLaws::carried(loads.friction, node, loads.friction.slip.col(node)).value; };
+  const double slip = loads.slips[node] ? 0.0 : in_plane().norm();
   sums.add(loads.area[node], stiffness, slip, loads.friction.traction.col(node).norm(), std::sqrt(loads.area[node]));
 }
 

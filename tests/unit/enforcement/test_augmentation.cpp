@@ -400,3 +400,20 @@ BOOST_AUTO_TEST_CASE(augmentations_grow_penalties_to_the_default_of_one_pass_or_
     }
   }
 }
+
+BOOST_AUTO_TEST_CASE(what_slips_along_the_normal_of_a_node_is_no_slip_of_one_that_sticks) {
+  Effects effects = effects_of(false, 0);
+  effects.friction_kind = FrictionKind::on_traction;
+  Settings settings = explicit_settings(4, 2, 8);
+  settings.friction.coefficient = 10;
+  const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625), effects, settings);
+  const auto contact = scene.contact();
+  const FacingFields fields{scene.fields[Side::primary], scene.fields[Side::secondary]};
+  const ContactPass& pass = contact->pass(0);
+  NodalLoads loads = pass.nodal_loads(fields);
+  loads.friction.traction.row(0).setConstant(1e-3);
+  loads.friction.slip.row(2).setConstant(0.1);  // the surfaces lie in the plane z = 0
+  BOOST_TEST(measure_gaps(pass.laws(), loads, fields).slip.largest <= rounding);
+  loads.friction.slip.row(1).setConstant(0.1);
+  check_close(measure_gaps(pass.laws(), loads, fields).slip.largest, 0.1, rounding);
+}
