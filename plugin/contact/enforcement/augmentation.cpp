@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -48,6 +49,13 @@ bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
          (tolerance.largest <= 0 || gap.largest <= tolerance.largest);
 }
 
+/// The multiple of the base that a penalty may grow to: where the relative gap alone is too large, what meets that
+/// without multipliers, since the relative gap of a penalty is the reciprocal of its multiple.
+double largest_multiple(const FieldGap& gap, const Tolerances::Field& tolerance, double accurate) {
+  const bool by_relative = within({0, gap.largest}, tolerance);
+  return by_relative ? std::min(accurate, 1 / tolerance.relative) : accurate;
+}
+
 /// The factor on a field's penalties after a growth step, at most what brings the smallest penalty to `accurate` times
 /// the largest base. Facets without a penalty (impermeable ones) have no say.
 double grown(double growth, const VectorXd& penalties, const VectorXd& bases, double accurate) {
@@ -90,22 +98,25 @@ bool meets(const GapReport& report, const Tolerances& tolerances, const Effects&
   return met;
 }
 
-void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
+bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
   const Penalties& penalty = laws.penalties();
   Multipliers& state = laws.multipliers;
-  if (!within(report.traction, tolerances.traction)) {
-    state.traction_penalty_scale = grown(state.traction_penalty_scale, penalty.traction, penalty.stiffness,
-                                         laws.largest_traction_factor());
-  }
-  if (!within(report.slip, tolerances.traction)) {
-    state.friction_penalty_scale = grown(state.friction_penalty_scale, laws.friction_penalties(), penalty.stiffness,
-                                         laws.largest_traction_factor());
-  }
-  for (Index k = 0; k < report.flux.count(); ++k) {
-    if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;
-    state.flux_penalty_scale[k] = grown(state.flux_penalty_scale[k], penalty.flux.row(k).transpose(),
-                                        penalty.conductance.row(k).transpose(), laws.largest_flux_factor());
-  }
+  bool any = false;
+  const auto grow = [&](double& scale, const FieldGap& gap, const Tolerances::Field& tolerance,
+                        const VectorXd& penalties, const VectorXd& bases, double accurate) {
+    if (within(gap, tolerance)) return;
+    const double before = std::exchange(scale,
+                                        grown(scale, penalties, bases, largest_multiple(gap, tolerance, accurate)));
+    any = any || scale > before;
+  };
+  grow(state.traction_penalty_scale, report.traction, tolerances.traction, penalty.traction, penalty.stiffness,
+       laws.largest_traction_factor());
+  grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_penalties(), penalty.stiffness,
+       laws.largest_traction_factor());
+  for (Index k = 0; k < report.flux.count(); ++k)
+    grow(state.flux_penalty_scale[k], report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k),
+         penalty.flux.row(k).transpose(), penalty.conductance.row(k).transpose(), laws.largest_flux_factor());
+  return any;
 }
 
 }  // namespace mixture_contact

@@ -248,13 +248,15 @@ GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   return worst;
 }
 
-void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
+bool ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
+  bool any_grown = false;
   for (const SidedPass& pass : passes_) {
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     pass.integral->augment(seen_from(pass.side, fields));
-    grow_penalties(pass.integral->laws(), report, settings_.tolerances);
+    any_grown = grow_penalties(pass.integral->laws(), report, settings_.tolerances) || any_grown;
   }
+  return any_grown;
 }
 
 PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {

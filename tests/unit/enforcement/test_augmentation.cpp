@@ -401,6 +401,21 @@ BOOST_AUTO_TEST_CASE(augmentations_grow_penalties_to_the_default_of_one_pass_or_
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_penalty_grows_to_what_meets_the_relative_tolerance_without_multipliers) {
+  Scene scene = loaded_scene();
+  scene.settings.traction = scene.settings.solvent = scene.settings.solute = {true, 0.25};
+  scene.settings.tolerances = {{0.2, 0}, {0.05, 0}, {0.2, 1e-15}};
+  const auto contact = scene.contact();
+  BOOST_TEST(contact->augment(scene.fields));
+  for (int n = 0; n < 8; ++n) contact->augment(scene.fields);
+  BOOST_TEST(!contact->augment(scene.fields));
+  const Multipliers& state = contact->pass(0).laws().multipliers;
+  check_close(0.25 * state.traction_penalty_scale, 1 / 0.2, rounding);
+  check_close(0.25 * state.flux_penalty_scale[0], 1 / 0.05, rounding);
+  // A largest jump in the field's unit says nothing of a multiple.
+  check_close(0.25 * state.flux_penalty_scale[1], default_flux_factor, rounding);
+}
+
 BOOST_AUTO_TEST_CASE(what_slips_along_the_normal_of_a_node_is_no_slip_of_one_that_sticks) {
   Effects effects = effects_of(false, 0);
   effects.friction_kind = FrictionKind::on_traction;
