@@ -432,3 +432,26 @@ BOOST_AUTO_TEST_CASE(what_slips_along_the_normal_of_a_node_is_no_slip_of_one_tha
   loads.friction.slip.row(1).setConstant(0.1);
   check_close(measure_gaps(pass.laws(), loads, fields).slip.largest, 0.1, rounding);
 }
+
+BOOST_AUTO_TEST_CASE(a_reduced_penalty_keeps_the_loads_of_the_accepted_state) {
+  Scene scene = loaded_scene();
+  scene.settings.traction = {true, default_traction_factor};
+  const auto contact = scene.contact();
+  const FacingFields fields{scene.fields[Side::primary], scene.fields[Side::secondary]};
+  const ContactPass& pass = contact->pass(0);
+  contact->begin_iteration(scene.fields);
+  const VectorXd traction = pass.nodal_loads(fields).traction;
+  contact->accept_step(scene.fields, 1);
+  for (const double reduction : {10.0, 1000.0, 1000.0, 100.0}) {
+    scene.settings.traction_reduction = reduction;
+    contact->update_laws(scene.settings);
+    contact->end_iterations();
+    contact->begin_iteration(scene.fields);
+    BOOST_TEST((pass.nodal_loads(fields).traction - traction).norm() <= rounding * traction.norm());
+    check_close(reduction * pass.penalty().traction[0], default_traction_factor * pass.penalty().stiffness[0],
+                rounding);
+  }
+  scene.settings.traction_reduction = 1;
+  contact->update_laws(scene.settings);
+  BOOST_TEST(pass.laws().multipliers.traction.norm() == 0);
+}
