@@ -55,6 +55,8 @@ class KeptMatrix {
   /// A converged state has been accepted. What follows, an augmentation or a step, has a matrix where FEBio's settings
   /// say so, and where conditions were held with this one.
   void accept();
+  /// Has FEBio form a matrix before the next iteration, also where that follows an augmentation.
+  void force_next();
   /// A time step has been solved: FEBio has its own setting again, whether augmentations form matrices.
   void end_step() { restore(); }
 
@@ -86,8 +88,6 @@ class KeptMatrix {
   void undo_operations();
   /// Has the next matrices hold what has stood beside this one, and says so once.
   void take_parts_in();
-  /// Has FEBio form a matrix before the next iteration.
-  void force_next();
   void restore();
 
   newton::FEBioSolver& solver_;

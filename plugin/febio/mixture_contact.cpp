@@ -220,6 +220,7 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   const TaskClock timed = core().measurements().clock(Task::augmentation);
   if (!model_->steps().accepts(&bound_)) return false;
   const Augmentation outcome = augment(GetName(), core(), bound_.fields(), augmentation);
+  if (outcome.stiffens) model_->penalties_have_grown();
   for (const std::string& line : outcome.lines) log_.line(line);
   if (!outcome.warning.empty()) log_.warning(outcome.warning);
   return outcome.done;

@@ -41,6 +41,14 @@ std::map<const FEModel*, std::weak_ptr<ModelContacts>>& registry() {
   return entries;
 }
 
+/// FEBio keeps callbacks of contacts that are gone.
+bool call_back(FEModel* fem, unsigned int when, void* contacts) {
+  const auto entry = registry().find(fem);
+  const auto alive = entry == registry().end() ? nullptr : entry->second.lock();
+  if (alive != nullptr && alive.get() == contacts) alive->on_callback(when);
+  return true;
+}
+
 /// Writes a line into the log, where there is one.
 void say(FEModel& fem, const std::string& line) {
   if (!line.empty()) feLogEx(&fem, "\n%s\n", line.c_str());
@@ -277,14 +285,6 @@ void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
   } else {
     steps_.restart();
   }
-}
-
-bool ModelContacts::call_back(FEModel* fem, unsigned int when, void* contacts) {
-  // FEBio keeps callbacks of contacts that are gone.
-  const auto entry = registry().find(fem);
-  const auto alive = entry == registry().end() ? nullptr : entry->second.lock();
-  if (alive != nullptr && alive.get() == contacts) alive->on_callback(when);
-  return true;
 }
 
 void ModelContacts::on_callback(unsigned int when) {

@@ -33,8 +33,12 @@ class ModelContacts : public mixture_contact::SteppedModel {
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// What the model keeps between steps is stored once, with the first contact that is.
   void serialize(ContactInModel& contact, DumpStream& ar);
+  /// Penalties of a contact have grown with an augmentation: its iterations begin with a matrix of these.
+  void penalties_have_grown() { matrix_.force_next(); }
   /// The part of a contact has come into the matrix. After that of the last one loads follow from the rows of nodes.
   void added_tangent(const ContactInModel& contact);
+
+  void on_callback(unsigned int when);
 
   newton::FEBioSolver& solver() { return solver_; }
   /// What automatic penalties of the traction are divided by at present.
@@ -60,8 +64,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   std::vector<ContactInModel*> active() const;
   void keep_matrix_if_it_fits();
   void settle_status();
-  void on_callback(unsigned int when);
-  static bool call_back(FEModel* fem, unsigned int when, void* contacts);
 
   FEModel& fem_;
   newton::FEBioSolver solver_;

@@ -51,7 +51,7 @@ Augmentation augment(const std::string& name, ContactInterface& core, const PerS
                       " augmentations (maxaug) were not enough to meet the tolerances.";
     return outcome;
   }
-  core.augment(fields);
+  outcome.stiffens = core.augment(fields);
   outcome.done = false;
   return outcome;
 }

@@ -9,6 +9,7 @@
 /// The outcome of augment().
 struct Augmentation {
   bool done = true;                ///< no augmentation is needed, or allowed, any more
+  bool stiffens = false;           ///< penalties have grown: a matrix that a host keeps is of smaller ones
   std::vector<std::string> lines;  ///< gaps with their tolerances, for the log; none where penalties are all there is
   std::string warning;             ///< where the limit ended the augmentations
 };

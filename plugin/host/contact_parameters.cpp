@@ -35,7 +35,7 @@ bool sees_both_ways(const ContactParameters& p) { return p.enforcement.two_pass 
 
 mixture_contact::Integration integration(const ContactParameters& p) {
   using mixture_contact::Integration;
-  if (!p.integration.rule.given) return sees_both_ways(p) ? Integration::gauss : Integration::segments;
+  if (!p.integration.rule.given) return Integration::segments;
   return p.integration.rule.value == 1 ? Integration::segments : Integration::gauss;
 }
 

@@ -80,6 +80,15 @@ def test_uniform_traction_and_linear_fields_are_exact(runner, name, settings):
     assert max(errors.values()) <= 1e-10, errors
 
 
+@pytest.mark.parametrize("name", ["3 to 4", "triangles to quadrilaterals", "turned, partly covered"])
+def test_they_are_in_two_passes_by_default(runner, name):
+    made = {**vars(SEGMENTS), "integration": None, "two_pass": True}
+    chosen = replace(patch(name, ContactSettings(**made)), name=f"two-pass-{len(name)}")
+    result = runner(chosen.model())
+    errors = relative_errors(result, chosen.exact(result.model.mesh.nodes[:, 2]))
+    assert max(errors.values()) <= 1e-10, errors
+
+
 def test_gauss_points_are_not(runner):
     chosen = patch("3 to 4", ContactSettings(**{**vars(SEGMENTS), "integration": "gauss"}))
     result = runner(chosen.model())

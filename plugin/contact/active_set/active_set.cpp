@@ -134,7 +134,9 @@ NodeFlags ActiveSet::initial_slip(const NodalLoads& now) const {
   NodeFlags slips = laws_.beyond_bound(now);
   const Multipliers& last = laws_.multipliers;
   for (Index node = 0; node < slips.count(); ++node) {
-    if (now.in_contact[node] && !last.friction.col(node).isZero(0)) slips[node] = last.slips[node];
+    // One without friction slid where nothing pressed the solids together, or was not in contact.
+    const bool is_known = last.slips[node] || !last.friction.col(node).isZero(0);
+    if (now.in_contact[node] && is_known) slips[node] = last.slips[node];
   }
   return slips;
 }

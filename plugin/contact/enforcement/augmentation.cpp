@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -31,10 +32,11 @@ struct GapSums {
   }
 };
 
-/// The slip of a node that sticks; where it slides it has no condition to meet.
+/// The slip of a node that sticks, in its tangent plane: no friction opposes what an average over facets that turn
+/// leaves along its normal. Where a node slides it has no condition to meet.
 void add_slip(GapSums& sums, double stiffness, const NodalLoads& loads, Index node) {
-  const double slip = loads.slips[node] ? 0.0
-                                        : (loads.friction.convection[node] * loads.friction.slip.col(node)).norm();
+  const auto in_plane = [&] { return NodalLaws::carried(loads.friction, node, loads.friction.slip.col(node)).value; };
+  const double slip = loads.slips[node] ? 0.0 : in_plane().norm();
   sums.add(loads.area[node], stiffness, slip, loads.friction.traction.col(node).norm(), std::sqrt(loads.area[node]));
 }
 
@@ -45,6 +47,13 @@ const Tolerances::Field& tolerance_of_flux(const Tolerances& tolerances, const E
 bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
   return (tolerance.relative <= 0 || gap.relative <= tolerance.relative) &&
          (tolerance.largest <= 0 || gap.largest <= tolerance.largest);
+}
+
+/// The multiple of the base that a penalty may grow to: where the relative gap alone is too large, what meets that
+/// without multipliers, since the relative gap of a penalty is the reciprocal of its multiple.
+double largest_multiple(const FieldGap& gap, const Tolerances::Field& tolerance, double accurate) {
+  const bool by_relative = within({0, gap.largest}, tolerance);
+  return by_relative ? std::min(accurate, 1 / tolerance.relative) : accurate;
 }
 
 /// The factor on a field's penalties after a growth step, at most what brings the smallest penalty to `accurate` times
@@ -89,22 +98,25 @@ bool meets(const GapReport& report, const Tolerances& tolerances, const Effects&
   return met;
 }
 
-void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
+bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
   const Penalties& penalty = laws.penalties();
   Multipliers& state = laws.multipliers;
-  if (!within(report.traction, tolerances.traction)) {
-    state.traction_penalty_scale = grown(state.traction_penalty_scale, penalty.traction, penalty.stiffness,
-                                         laws.largest_traction_factor());
-  }
-  if (!within(report.slip, tolerances.traction)) {
-    state.friction_penalty_scale = grown(state.friction_penalty_scale, laws.friction_penalties(), penalty.stiffness,
-                                         laws.largest_traction_factor());
-  }
-  for (Index k = 0; k < report.flux.count(); ++k) {
-    if (within(report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k))) continue;
-    state.flux_penalty_scale[k] = grown(state.flux_penalty_scale[k], penalty.flux.row(k).transpose(),
-                                        penalty.conductance.row(k).transpose(), laws.largest_flux_factor());
-  }
+  bool any = false;
+  const auto grow = [&](double& scale, const FieldGap& gap, const Tolerances::Field& tolerance,
+                        const VectorXd& penalties, const VectorXd& bases, double accurate) {
+    if (within(gap, tolerance)) return;
+    const double before = std::exchange(scale,
+                                        grown(scale, penalties, bases, largest_multiple(gap, tolerance, accurate)));
+    any = any || scale > before;
+  };
+  grow(state.traction_penalty_scale, report.traction, tolerances.traction, penalty.traction, penalty.stiffness,
+       laws.largest_traction_factor());
+  grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_penalties(), penalty.stiffness,
+       laws.largest_traction_factor());
+  for (Index k = 0; k < report.flux.count(); ++k)
+    grow(state.flux_penalty_scale[k], report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k),
+         penalty.flux.row(k).transpose(), penalty.conductance.row(k).transpose(), laws.largest_flux_factor());
+  return any;
 }
 
 }  // namespace mixture_contact

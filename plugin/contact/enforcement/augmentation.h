@@ -37,7 +37,7 @@ bool meets(const GapReport& report, const Tolerances& tolerances, const Effects&
 
 /// Tenfold penalties for the fields that miss the relative tolerance, up to the automatic penalties: plain
 /// Uzawa converges by a factor of k/(k + eps) an update, k the bodies' own conductance, and so crawls where eps is
-/// small.
-void grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances);
+/// small. Returns whether any has grown.
+bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances);
 
 }  // namespace mixture_contact

@@ -50,6 +50,18 @@ void measure_slips(const std::vector<SidedPass>& passes, const PerSide<Matrix3Xd
   for (const SidedPass& pass : passes) pass.integral->measure_slips_from(seen_from(pass.side, from));
 }
 
+/// Has the law of each node pass through the accepted state, from which a reduced penalty would be far: its loads would
+/// ask for overlaps that are as many times deeper as the penalty is smaller. A full penalty has no multipliers.
+void keep_loads(NodalLaws& laws, const NodalGaps& accepted, bool reduced) {
+  laws.multipliers.traction.setZero();
+  if (!reduced) return;
+  for (Index node = 0; node < laws.nodes(); ++node) {
+    const double traction = laws.multipliers.accepted_traction[node];
+    if (traction < 0 && accepted.faces(node))
+      laws.multipliers.traction[node] = traction - laws.traction_penalty(node) * accepted.gap[node];
+  }
+}
+
 Memory memory_of(const std::vector<SidedPass>& passes) {
   Memory now;
   for (const SidedPass& pass : passes) {
@@ -249,13 +261,15 @@ GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   return worst;
 }
 
-void ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
+bool ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
+  bool any_grown = false;
   for (const SidedPass& pass : passes_) {
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     pass.integral->augment(seen_from(pass.side, fields));
-    grow_penalties(pass.integral->laws(), report, settings_.tolerances);
+    any_grown = grow_penalties(pass.integral->laws(), report, settings_.tolerances) || any_grown;
   }
+  return any_grown;
 }
 
 PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
@@ -355,18 +369,24 @@ void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<Ma
 }
 
 void ContactInterface::update_laws(const Settings& settings) {
+  const bool same = same_penalties(settings_, settings);
+  const bool reduced_before = settings_.traction_reduction > 1;
+  const bool reduced = settings.traction_reduction > 1;
   settings_.tolerances = settings.tolerances;
   settings_.friction = settings.friction;
-  check_.settings.friction = settings.friction;
-  settings_.gap.offset = check_.settings.gap.offset = settings.gap.offset;
+  settings_.gap.offset = settings.gap.offset;
   for (const SidedPass& pass : passes_) pass.integral->measure_gaps_from(settings.gap.offset);
-  if (same_penalties(settings_, settings)) return;
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;
   settings_.traction_reduction = settings.traction_reduction;
   check_.settings = settings_of_check(settings_);
-  for (const SidedPass& pass : passes_) pass.integral->laws().update_penalties();
+  for (const SidedPass& pass : passes_) {
+    NodalLaws& laws = pass.integral->laws();
+    if (!same) laws.update_penalties();
+    if (settings_.enforcement == Enforcement::penalty && (reduced || reduced_before))
+      keep_loads(laws, pass.integral->space().gaps(), reduced);
+  }
 }
 
 }  // namespace mixture_contact

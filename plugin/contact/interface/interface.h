@@ -74,8 +74,9 @@ class ContactInterface {
   /// Gaps at the current state, the worst of both passes; meets() tells whether they meet the tolerances.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
 
-  /// One augmentation: multipliers take the current loads, and slow fields a larger penalty.
-  void augment(const PerSide<SurfaceFields>& fields);
+  /// One augmentation: multipliers take the current loads, and slow fields a larger penalty. Returns whether any
+  /// penalty has grown.
+  bool augment(const PerSide<SurfaceFields>& fields);
 
   /// Which nodes of each surface are in contact and flux-coupled by it; the others have the ambient values.
   PerSide<NodeFlags> nodes_in_contact() const;

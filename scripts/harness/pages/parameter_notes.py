@@ -130,7 +130,8 @@ NOTES = {
         "a loop over the facets in each step",
     ),
     "two_pass": Note(
-        "Integrate over both surfaces.",
+        "Integrate over both surfaces: nodes of either have conditions, and both passes share the load "
+        "([what that means](../explanation/nodes.md#one-or-two-passes)).",
         "about twice the cost of the contact; less robust at first touch of curved surfaces",
     ),
     "symmetric_stiffness": Note(
@@ -143,7 +144,7 @@ NOTES = {
         "cut each other, see [which](../how-to/surfaces.md#gauss-points-or-segments) (0 or 1).",
         "`segments`: about three times the contact's own work, more on quadratic facets",
         "Gauss points",
-        default="`segments`; `gauss` with `two_pass`",
+        default="`segments`",
     ),
     "integration_order": Note(
         "Gauss points per direction, 1 to 10. 0: 2 on linear facets, 3 on quadratic ones. With `segments` the order "

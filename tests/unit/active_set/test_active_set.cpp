@@ -316,3 +316,19 @@ BOOST_AUTO_TEST_CASE(what_closed_ahead_adds_to_the_residual_can_be_taken_out_of_
   const VectorXd with = assembled_residual(contact, layout, fields, 0.25);
   BOOST_TEST((with - added - without).norm() <= 1e-14 * added.norm());
 }
+
+BOOST_AUTO_TEST_CASE(a_node_that_slid_without_friction_begins_a_step_sliding) {
+  Effects effects = effects_of(false, 0);
+  effects.friction_kind = FrictionKind::on_traction;
+  Settings settings = explicit_settings(4, 2, 8);
+  settings.friction.coefficient = 0.1;
+  const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625), effects, settings);
+  const auto contact = scene.contact();
+  ContactPass& pass = contact->pass(0);
+  for (const bool slid : {true, false}) {
+    pass.laws().multipliers.slips = NodeFlags(pass.laws().nodes(), slid);
+    const NodalLoads loads = pass.nodal_loads({scene.fields[Side::primary], scene.fields[Side::secondary]});
+    const NodeFlags slips = ActiveSet(pass.laws()).initial_slip(loads);
+    for (Index node = 0; node < slips.count(); ++node) BOOST_TEST(slips[node] == slid);
+  }
+}

@@ -400,3 +400,58 @@ BOOST_AUTO_TEST_CASE(augmentations_grow_penalties_to_the_default_of_one_pass_or_
     }
   }
 }
+
+BOOST_AUTO_TEST_CASE(a_penalty_grows_to_what_meets_the_relative_tolerance_without_multipliers) {
+  Scene scene = loaded_scene();
+  scene.settings.traction = scene.settings.solvent = scene.settings.solute = {true, 0.25};
+  scene.settings.tolerances = {{0.2, 0}, {0.05, 0}, {0.2, 1e-15}};
+  const auto contact = scene.contact();
+  BOOST_TEST(contact->augment(scene.fields));
+  for (int n = 0; n < 8; ++n) contact->augment(scene.fields);
+  BOOST_TEST(!contact->augment(scene.fields));
+  const Multipliers& state = contact->pass(0).laws().multipliers;
+  check_close(0.25 * state.traction_penalty_scale, 1 / 0.2, rounding);
+  check_close(0.25 * state.flux_penalty_scale[0], 1 / 0.05, rounding);
+  // A largest jump in the field's unit says nothing of a multiple.
+  check_close(0.25 * state.flux_penalty_scale[1], default_flux_factor, rounding);
+}
+
+BOOST_AUTO_TEST_CASE(what_slips_along_the_normal_of_a_node_is_no_slip_of_one_that_sticks) {
+  Effects effects = effects_of(false, 0);
+  effects.friction_kind = FrictionKind::on_traction;
+  Settings settings = explicit_settings(4, 2, 8);
+  settings.friction.coefficient = 10;
+  const Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625), effects, settings);
+  const auto contact = scene.contact();
+  const FacingFields fields{scene.fields[Side::primary], scene.fields[Side::secondary]};
+  const ContactPass& pass = contact->pass(0);
+  NodalLoads loads = pass.nodal_loads(fields);
+  loads.friction.traction.row(0).setConstant(1e-3);
+  loads.friction.slip.row(2).setConstant(0.1);  // the surfaces lie in the plane z = 0
+  BOOST_TEST(measure_gaps(pass.laws(), loads, fields).slip.largest <= rounding);
+  loads.friction.slip.row(1).setConstant(0.1);
+  check_close(measure_gaps(pass.laws(), loads, fields).slip.largest, 0.1, rounding);
+}
+
+BOOST_AUTO_TEST_CASE(a_reduced_penalty_keeps_the_loads_of_the_accepted_state) {
+  Scene scene = loaded_scene();
+  scene.settings.traction = {true, default_traction_factor};
+  const auto contact = scene.contact();
+  const FacingFields fields{scene.fields[Side::primary], scene.fields[Side::secondary]};
+  const ContactPass& pass = contact->pass(0);
+  contact->begin_iteration(scene.fields);
+  const VectorXd traction = pass.nodal_loads(fields).traction;
+  contact->accept_step(scene.fields, 1);
+  for (const double reduction : {10.0, 1000.0, 1000.0, 100.0}) {
+    scene.settings.traction_reduction = reduction;
+    contact->update_laws(scene.settings);
+    contact->end_iterations();
+    contact->begin_iteration(scene.fields);
+    BOOST_TEST((pass.nodal_loads(fields).traction - traction).norm() <= rounding * traction.norm());
+    check_close(reduction * pass.penalty().traction[0], default_traction_factor * pass.penalty().stiffness[0],
+                rounding);
+  }
+  scene.settings.traction_reduction = 1;
+  contact->update_laws(scene.settings);
+  BOOST_TEST(pass.laws().multipliers.traction.norm() == 0);
+}
