@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
-FirstNorms::FirstNorms(FEModel& fem, newton::FEBioSolver& solver, ActiveContacts contacts)
-    : fem_(fem), solver_(solver), contacts_(std::move(contacts)) {}
+FirstNorms::FirstNorms(FEModel& fem, newton::FEBioSolver& solver, ActiveContacts contacts, newton::DeviceRecord& record)
+    : fem_(fem), solver_(solver), contacts_(std::move(contacts)), record_(record) {}
 
 void FirstNorms::begin_step() {
   awaits_residual_ = true;
@@ -26,7 +26,9 @@ void FirstNorms::complete_residual() {
   for (const ContactInModel* contact : contacts_())
     contact->assembly().residual_ahead(vector, solver_.time_increment());
   const auto is_zero = [](double entry) { return entry == 0; };
-  if (!std::all_of(ahead.begin(), ahead.end(), is_zero)) residual_ = first - ahead;
+  if (std::all_of(ahead.begin(), ahead.end(), is_zero)) return;
+  residual_ = first - ahead;
+  record_.acted(newton::Device::expected_contact);
 }
 
 void FirstNorms::try_increment(const std::vector<double>& /*increment*/) {

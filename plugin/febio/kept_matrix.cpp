@@ -1,6 +1,7 @@
 #include "kept_matrix.h"
 
 #include "matrix_rows.h"
+#include "newton/norm.h"
 
 #include <FECore/DumpStream.h>
 #include <FECore/FEException.h>
@@ -18,6 +19,11 @@ namespace {
 
 /// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
 constexpr int most_iterations = 50;
+
+/// What an iteration with a matrix that is kept may leave of the residual that the one before it has left. With
+/// corrections, which drop FEBio's updates, the residual falls evenly: at this rate ten iterations leave a thousandth,
+/// which one with another matrix mostly does. The size is a choice, that of ActiveSetOptions::most_left.
+constexpr double most_left = 0.5;
 
 /// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
 /// off by so much leaves as much to the next one.
@@ -80,7 +86,17 @@ void KeptMatrix::begin() {
   border_.forget();
   taken_.clear();
   iterations_ = 0;
+  left_ = 0;
   may_correct_ = true;
+}
+
+bool KeptMatrix::is_spent() {
+  follow();
+  const FENewtonSolver& solver = *solver_.febio();
+  const double left = newton::norm(solver.m_R0);
+  const double before = std::exchange(left_, left);
+  const bool has_been_corrected = iterations_ > 0;
+  return has_been_corrected && left > most_left * before && solver.m_nref < solver.m_maxref;
 }
 
 bool KeptMatrix::is_due() {

@@ -11,7 +11,6 @@
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
-#include <FECore/FELinearConstraintManager.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FESolver.h>
@@ -45,8 +44,6 @@ FEParam* add_to_group(FEParamContainer& owner, const ParameterTag& tag, Value& v
   if (heading(tag.group) == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
   return parameter;
 }
-
-bool has_linear_constraints(FEModel& model) { return model.GetLinearConstraintManager().LinearConstraints() > 0; }
 
 }  // namespace
 
@@ -136,9 +133,9 @@ int FEMixtureContact::InitEquations(int first) {
 }
 
 PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
-  const bool any = core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) &&
-                   model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
-                   dofs_.has_free_node(Side::secondary);
+  const bool any = model_->is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
+                   takes_mixed_form(*GetFEModel()) && model_->steps().allow_further_unknowns() &&
+                   dofs_.has_free_node(Side::primary) && dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
 }
 
@@ -210,7 +207,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   model_->steps().before_matrix();
-  assembly_.add_to_profile(matrix, has_linear_constraints(*GetFEModel()), model_->splits_matrix(), model_->sums_rows());
+  assembly_.add_to_profile(matrix, model_->matrix_form());
 }
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
@@ -218,8 +215,7 @@ void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& ti
 }
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
-  assembly_.tangent(system, *model_->solver().febio()->GetStiffnessMatrix(), has_linear_constraints(*GetFEModel()),
-                    time.timeIncrement);
+  assembly_.tangent(system, *model_->solver().febio()->GetStiffnessMatrix(), time.timeIncrement);
   model_->added_tangent(*this);
 }
 

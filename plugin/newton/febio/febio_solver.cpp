@@ -128,6 +128,11 @@ double* FEBioSolver::line_search_tolerance() {
   return search == nullptr ? nullptr : &search->m_LStol;
 }
 
+Solver::ResidualSquares FEBioSolver::residual_squares() const {
+  const ConvergenceInfo residual = febio()->GetResidualConvergence();
+  return {residual.norm, residual.norm0};
+}
+
 int FEBioSolver::iterations() const { return febio()->m_niter; }
 
 // ------------------------------------------------------------ the model

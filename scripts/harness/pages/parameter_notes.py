@@ -40,7 +40,7 @@ ABOUT = {
     "[which enforcement](../how-to/parameters.md#which-enforcement).",
     "ambient": "What wets the nodes that are not in contact; see [ambient conditions](../how-to/ambient.md).",
     "surfaces": "Which points see each other, and where (2.5) is integrated.",
-    "solution": "What the solver gets. The last three switch "
+    "solution": "What the solver gets. All but the first switch "
     "[what helps the solver](../how-to/solver.md#what-helps-the-solver). "
     "They act on the whole model: contacts that give one must give the same value.",
     "friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
@@ -179,6 +179,12 @@ NOTES = {
         "Where FEBio's line search left less than half of the last increment of a solution, take the next increment "
         "as a whole before the solution is accepted; once in a step.",
         "at most one iteration in such a step",
+        "not there",
+    ),
+    "solver_devices": Note(
+        "[Devices of the solver](../how-to/solver.md#devices-of-the-solver) that may act: `all`, `none`, or names with "
+        "commas between them. Where a step fails, none acts in the attempt after it, whatever stands here.",
+        "fewer devices: more iterations or a larger matrix",
         "not there",
     ),
     "seg_up": Note(

@@ -56,3 +56,13 @@ BOOST_AUTO_TEST_CASE(materials_are_read_again_where_solutes_follow_the_convectio
   parameters.penalties.update_penalty = true;
   BOOST_TEST(reads_properties_again(parameters, solvent));
 }
+
+BOOST_AUTO_TEST_CASE(a_device_of_the_solver_that_does_not_exist_is_an_error_that_names_what_does) {
+  ContactParameters parameters;
+  BOOST_TEST(complaints(parameters).empty());
+  parameters.helpers.devices.value = "kept_matrix, magic";
+  const std::vector<std::string> list = complaints(parameters);
+  BOOST_TEST_REQUIRE(list.size() == 1U);
+  for (const char* const part : {"<solver_devices>", "\"magic\"", "\"all\"", "loads_as_unknowns", "predictor"})
+    BOOST_TEST(list.front().find(part) != std::string::npos, part);
+}
