@@ -30,6 +30,7 @@ STUDIES = (
     "predictor",
     "price",
     "real_models",
+    "ablation",
     "robustness",
     "hertz",
     "linear_solvers",
