@@ -16,11 +16,9 @@
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FELinearConstraintManager.h>
 #include <FECore/FEModel.h>
-#include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FENodalLoad.h>
 #include <FECore/FETimeStepController.h>
-#include <FECore/JFNKStrategy.h>
 #include <FECore/log.h>
 #include <FECore/vector.h>
 
@@ -289,7 +287,7 @@ bool ModelContacts::sums_rows() const {
 void ModelContacts::added_tangent(const ContactInModel& contact) {
   const std::vector<ContactInModel*> contacts = active();
   if (contacts.back() != &contact) return;
-  matrix_.take(sums_rows() ? eliminated(contacts, *solver_.febio()->m_pK) : newton::RowOperations());
+  matrix_.take(sums_rows() ? eliminated(contacts, solver_.matrix()) : newton::RowOperations());
 }
 
 void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
@@ -365,15 +363,11 @@ void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
 void ModelContacts::request_matrix(bool is_needed) { matrix_.request(is_needed); }
 
-void ModelContacts::replace_matrix() {
-  if (!solver_.febio()->m_qnstrategy->ReformStiffness()) throw FactorizationError();
-  fem_.DoCallback(CB_MATRIX_REFORM);
-}
+void ModelContacts::replace_matrix() { solver_.form_matrix(); }
 
 void ModelContacts::evaluate_residual(Changed what) {
-  FENewtonSolver& solver = *solver_.febio();
-  const bool adds_up = what == Changed::loads && adds_up_residuals(solver);
-  if (!adds_up || !add_changes(fem_, active(), solver.m_R0)) solver.Residual(solver.m_R0);
+  const bool adds_up = what == Changed::loads && adds_up_residuals(*solver_.febio());
+  if (!adds_up || !add_changes(fem_, active(), solver_.vectors().residual)) solver_.renew_residual();
 }
 
 void ModelContacts::correct_residual() {
@@ -392,19 +386,17 @@ void ModelContacts::settle_status() {
 }
 
 MatrixUse ModelContacts::matrix_use() {
-  const FENewtonSolver* const solver = solver_.febio();
-  const FENewtonStrategy* const strategy = solver == nullptr ? nullptr : solver->m_qnstrategy;
-  if (strategy == nullptr) return MatrixUse::none;
-  const auto* without_jacobian = dynamic_cast<const JFNKStrategy*>(strategy);
-  if (without_jacobian != nullptr && !without_jacobian->m_bprecondition) return MatrixUse::none;
-  const bool kept = strategy->m_maxups > 0 || dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
-  return kept ? MatrixUse::kept : MatrixUse::each_iteration;
+  const newton::MatrixStrategy strategy = solver_.strategy();
+  if (strategy == newton::MatrixStrategy::none || strategy == newton::MatrixStrategy::residuals_alone)
+    return MatrixUse::none;
+  const bool is_kept = strategy == newton::MatrixStrategy::unchanged || solver_.most_updates() > 0;
+  return is_kept ? MatrixUse::kept : MatrixUse::each_iteration;
 }
 
 void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-  if (with == GoesOn::matrix && n > solver_.febio()->m_maxref) throw MaxStiffnessReformations();
+  if (with == GoesOn::matrix && n > solver_.most_matrices()) throw MaxStiffnessReformations();
   matrix_.reject(with);
 }
 
