@@ -89,47 +89,27 @@ Assembly::CoupledRow Assembly::coupled_row(const NodeEquations& equations, Side 
           is_rigid || equations.are_rigid({first, row.columns})};
 }
 
-Fingerprint Assembly::couplings() const {
-  Fingerprint found;
-  for_each_coupling([&](const std::vector<int>& ids) { found.add(ids); },
-                    [&](const UnknownLoad& load, const std::vector<int>& others) { found.add(load.equation, others); },
-                    [&](const std::vector<int>& own, const std::vector<int>& others) { found.add(own, others); });
-  return found;
-}
-
 Patch Assembly::in_matrix(const NodeEquations& equations, Side first, const TangentBlock& row) const {
   if (!splits(first)) return row.columns;
   const Location columns{first, row.columns};
   return without(row.columns, columns_beside(equations, {first, row.rows}, columns, equations.equations(columns)));
 }
 
-bool Assembly::fits_matrix(bool may_split) const {
-  return splits_ == (takes_rows_ && may_split) && couplings() == couplings_of_matrix_;
-}
-
-void Assembly::add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split, bool sums) {
+void Assembly::add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form) {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
-  const bool takes_loads = takes_blocks(matrix, is_constrained);
-  takes_rows_ = takes_loads && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
-  splits_ = takes_rows_ && may_split;
-  couplings_of_matrix_ = Fingerprint();
+  form_ = form;
+  const bool takes_all = takes_blocks(matrix, form.is_constrained);
+  const bool takes_loads = takes_all && form.has_loads;
+  takes_rows_ = takes_all && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   CoupledBlocks blocks(profile.Columns());
-  for_each_coupling(
-      [&](const std::vector<int>& ids) {
-        couplings_of_matrix_.add(ids);
-        blocks.add(ids);
-      },
-      [&](const UnknownLoad& load, const std::vector<int>& others) {
-        couplings_of_matrix_.add(load.equation, others);
-        if (!takes_loads) return blocks.add(others);
-        blocks.add_star(load.equation, others);
-        if (sums) blocks.add_sum(load.equation, load.node);
-      },
-      [&](const std::vector<int>& own, const std::vector<int>& others) {
-        couplings_of_matrix_.add(own, others);
-        blocks.add_rows(own, others);
-      });
+  for_each_coupling([&](const std::vector<int>& ids) { blocks.add(ids); },
+                    [&](const UnknownLoad& load, const std::vector<int>& others) {
+                      if (!takes_loads) return blocks.add(others);
+                      blocks.add_star(load.equation, others);
+                      if (form.sums_rows) blocks.add_sum(load.equation, load.node);
+                    },
+                    [&](const std::vector<int>& own, const std::vector<int>& others) { blocks.add_rows(own, others); });
   blocks.insert_into(profile);
 }
 
@@ -216,13 +196,14 @@ void Assembly::forget_matrix() {
   unknown_tractions_.clear();
 }
 
-void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt) {
+void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt) {
   const ContactInterface& core = contact_.core();
   TaskClock timed = core.measurements().clock(Task::stiffness);
   const PerSide<SurfaceFields> fields = contact_.fields();
   const RigidShellBottoms arms(surfaces_);
   const NodeEquations equations(dofs_, surfaces_, core);
-  TangentAssembly parts(core, equations, loads_, system, matrix, is_constrained);
+  TangentAssembly parts(core, equations, loads_, system, matrix,
+                        {takes_blocks(matrix, form_.is_constrained), form_.has_loads});
   beside_.clear();
   ContactInterface::AddRows add_rows;
   if (takes_rows_)

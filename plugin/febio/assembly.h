@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bound_contact.h"
-#include "fingerprint.h"
 #include "load_equations.h"
 #include "newton/border.h"
 #include "newton/row_operations.h"
@@ -26,17 +25,21 @@ struct UndecidedLoad {
   double change_by_condition;                    ///< the same of the unknown that `changed` adds
 };
 
+/// What FEBio's matrix takes of contacts.
+struct MatrixForm {
+  bool is_constrained = false;  ///< linear constraints tie degrees of freedom of the model to each other
+  bool has_loads = false;       ///< loads that have equations are unknowns
+  bool is_split = false;        ///< couplings may stand beside it
+  bool sums_rows = false;       ///< rows of loads take those of their nodes
+};
+
 class Assembly {
  public:
   Assembly(const BoundContact& contact, ContactSurfaces& surfaces, const DofMap& dofs, const LoadEquations& loads)
       : contact_(contact), surfaces_(surfaces), dofs_(dofs), loads_(loads) {}
 
-  /// Adds the blocks of the present active set to the profile of the matrix. `is_constrained`: whether linear
-  /// constraints tie degrees of freedom of the model to each other. `may_split`: whether couplings may stand beside it.
-  /// `sums`: whether rows of loads take those of their nodes.
-  void add_to_profile(FEGlobalMatrix& matrix, bool is_constrained, bool may_split, bool sums);
-  /// Whether they are those that were added last.
-  bool fits_matrix(bool may_split) const;
+  /// Adds the blocks of the present active set to the profile of the matrix.
+  void add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form);
 
   void residual(FEGlobalVector& residual, double dt) const;
   /// Adds what loads that have changed as the iteration began make of it. Returns whether that is known.
@@ -51,11 +54,13 @@ class Assembly {
   const BoundContact& contact() const { return contact_; }
   /// What of it is of nodes that begin the step in contact though they are open.
   void residual_ahead(FEGlobalVector& residual, double dt) const;
-  void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained, double dt);
+  void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt);
   /// Equations are numbered anew.
   void forget_matrix();
   /// What of the last tangent the matrix has no place for.
   const newton::MatrixPart& beside_matrix() const { return beside_; }
+  /// Whether the last tangent has loads as unknowns of the matrix.
+  bool has_unknown_loads() const { return !unknown_loads_.empty(); }
   /// Eliminates the unknowns of their nodes from the rows of loads that are unknowns, where the matrix allows it: all
   /// contacts have added their tangents. Returns what that takes.
   newton::RowOperations eliminate_nodes(FEGlobalMatrix& matrix) const;
@@ -76,12 +81,13 @@ class Assembly {
   };
   CoupledRow coupled_row(const NodeEquations& equations, mixture_contact::Side first,
                          const mixture_contact::TangentBlock& row) const;
-  Fingerprint couplings() const;
   /// The condition that a load follows what it depends on, which the matrix does not have.
   newton::Condition condition_of(const NodeEquations& equations, mixture_contact::Side first,
                                  const mixture_contact::LoadBlock& load) const;
   /// Whether couplings of a pass stand beside the matrix: where its loads are unknowns, for the same solvers.
-  bool splits(mixture_contact::Side first) const { return splits_ && loads_.has(first); }
+  bool splits(mixture_contact::Side first) const {
+    return takes_rows_ && form_.is_split && form_.has_loads && loads_.has(first);
+  }
   /// Those columns of a row that do not.
   mixture_contact::Patch in_matrix(const NodeEquations& equations, mixture_contact::Side first,
                                    const mixture_contact::TangentBlock& row) const;
@@ -92,9 +98,8 @@ class Assembly {
   ContactSurfaces& surfaces_;
   const DofMap& dofs_;
   const LoadEquations& loads_;
-  Fingerprint couplings_of_matrix_;
+  MatrixForm form_;          ///< of the matrix
   bool takes_rows_ = false;  ///< whether the matrix takes geometric parts by nodes
-  bool splits_ = false;      ///< whether couplings of these stand beside the matrix
   newton::MatrixPart beside_;
   std::vector<UnknownLoad> unknown_loads_;          ///< of the last tangent
   std::vector<UnknownTraction> unknown_tractions_;  ///< alike

@@ -72,7 +72,9 @@ void BoundContact::prepare_step() {
 bool BoundContact::begin_iteration(bool looks_ahead) {
   const TaskClock timed = core_->measurements().clock(Task::stiffness);
   const double dt = surfaces_[Side::primary].GetFEModel()->GetTime().timeIncrement;
-  return core_->begin_iteration(fields(), looks_ahead ? dt : 0);
+  // Between rigid bodies a node that closes too early moves the whole body.
+  const bool gives_way = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
+  return core_->begin_iteration(fields(), looks_ahead && gives_way ? dt : 0);
 }
 
 bool BoundContact::keeps_matrix() { return serves_again(*core_, fields()); }

@@ -45,6 +45,7 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.opening);
   archive(ar, multipliers.opening_before);
   archive(ar, multipliers.step_length);
+  archive(ar, multipliers.was_foretold);
   archive_flags(ar, multipliers.flux_coupled);
 }
 

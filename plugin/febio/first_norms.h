@@ -13,10 +13,10 @@
 /// the solver goes on until its norms meet their tolerances beside the first ones without that pull, too.
 class FirstNorms : public newton::Helper {
  public:
-  static constexpr const char* name = "first norms";
   using ActiveContacts = std::function<std::vector<ContactInModel*>()>;
 
-  FirstNorms(FEModel& fem, newton::FEBioSolver& solver, ActiveContacts contacts);
+  /// Keeps references. `record` counts the steps that begin with such nodes.
+  FirstNorms(FEModel& fem, newton::FEBioSolver& solver, ActiveContacts contacts, newton::DeviceRecord& record);
 
   void begin_step() override;
   void complete_residual() override;
@@ -27,6 +27,7 @@ class FirstNorms : public newton::Helper {
   FEModel& fem_;
   newton::FEBioSolver& solver_;
   ActiveContacts contacts_;
+  newton::DeviceRecord& record_;
   bool awaits_residual_ = false;  ///< of a step that has begun
   std::vector<double> residual_;  ///< the first one without the nodes that are open; empty where there are none
   double energy_ = 0;             ///< of it and the first increment

@@ -1,14 +1,9 @@
 #include "kept_matrix.h"
 
 #include "matrix_rows.h"
+#include "newton/norm.h"
 
 #include <FECore/DumpStream.h>
-#include <FECore/FEException.h>
-#include <FECore/FEModifiedNewtonStrategy.h>
-#include <FECore/FENewtonSolver.h>
-#include <FECore/FENewtonStrategy.h>
-#include <FECore/JFNKStrategy.h>
-#include <FECore/LinearSolver.h>
 #include <FECore/vector.h>
 
 #include <algorithm>
@@ -18,6 +13,11 @@ namespace {
 
 /// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
 constexpr int most_iterations = 50;
+
+/// What an iteration with a matrix that is kept may leave of the residual that the one before it has left. With
+/// corrections, which drop FEBio's updates, the residual falls evenly: at this rate ten iterations leave a thousandth,
+/// which one with another matrix mostly does. The size is a choice, that of ActiveSetOptions::most_left.
+constexpr double most_left = 0.5;
 
 /// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
 /// off by so much leaves as much to the next one.
@@ -44,13 +44,13 @@ void KeptMatrix::formed(const newton::MatrixParts& parts) {
 
 void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
   const bool is_another = follow();
-  const bool is_plain = begins && solver_.febio()->m_qnstrategy->m_nups == 0;
+  const bool is_plain = begins && solver_.updates() == 0;
   if (is_another || is_plain) prepare({}, parts);
 }
 
 std::optional<newton::Answer> KeptMatrix::answer(const std::vector<newton::Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
-  if (free_.empty()) free_ = split_.x.empty() ? solution(solver_.febio()->m_R0) : split_.x;
+  if (free_.empty()) free_ = split_.x.empty() ? solution(solver_.vectors().residual) : split_.x;
   const auto solve = [&](const std::vector<double>& right) { return solution(right); };
   std::optional<newton::Answer> found = border_.answer(solve, conditions, free_);
   if (!may_correct_) found.reset();
@@ -62,13 +62,13 @@ void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const ne
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
   };
-  finish(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts, solver_.febio()->m_R0,
+  finish(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts, solver_.vectors().residual,
                             left_by_sweeps),
          parts, conditions);
 }
 
 bool KeptMatrix::follow() {
-  if (number_ == solver_.febio()->m_ntotref) return false;
+  if (number_ == solver_.matrices()) return false;
   request(false);  // FEBio asks nobody after augmentations: it is there still
   begin();
   return true;
@@ -76,44 +76,52 @@ bool KeptMatrix::follow() {
 
 void KeptMatrix::begin() {
   restore();
-  number_ = solver_.febio()->m_ntotref;
+  number_ = solver_.matrices();
   border_.forget();
   taken_.clear();
   iterations_ = 0;
+  left_ = 0;
   may_correct_ = true;
+}
+
+bool KeptMatrix::is_spent() {
+  follow();
+  const double left = newton::norm(solver_.vectors().residual);
+  const double before = std::exchange(left_, left);
+  const bool has_been_corrected = iterations_ > 0;
+  return has_been_corrected && left > most_left * before && solver_.may_form_matrix();
 }
 
 bool KeptMatrix::is_due() {
   follow();
-  const FENewtonStrategy* const strategy = solver_.febio()->m_qnstrategy;
+  const newton::MatrixStrategy strategy = solver_.strategy();
   // JFNK takes differences from a residual of its own.
-  const bool is_kept = strategy != nullptr && dynamic_cast<const JFNKStrategy*>(strategy) == nullptr;
+  const bool is_kept = strategy == newton::MatrixStrategy::updated || strategy == newton::MatrixStrategy::unchanged;
   if (!may_correct_ || !is_kept) return true;
-  if (dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr) return iterations_ >= most_iterations;
-  return strategy->m_maxups > 0 && iterations_ + strategy->m_nups >= strategy->m_maxups - 1;
+  if (strategy == newton::MatrixStrategy::unchanged) return iterations_ >= most_iterations;
+  const int most_updates = solver_.most_updates();
+  return most_updates > 0 && iterations_ + solver_.updates() >= most_updates - 1;
 }
 
 void KeptMatrix::request(bool is_needed) {
-  FENewtonSolver& solver = *solver_.febio();
-  if (is_needed == is_requested_ || (is_needed && solver.m_bforceReform)) return;
-  solver.QNForceReform(is_needed);
+  if (is_needed == is_requested_ || (is_needed && solver_.is_matrix_forced())) return;
+  solver_.force_matrix(is_needed);
   is_requested_ = is_needed;
 }
 
 void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
   follow();
-  const FENewtonSolver& solver = *solver_.febio();
   // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
   // residual before the correction.
-  iterations_ += std::max(1, std::exchange(solver.m_qnstrategy->m_nups, 0));
+  iterations_ += std::max(1, solver_.drop_updates());
   prepare(conditions, parts);
 }
 
 std::vector<double> KeptMatrix::solution_of_changed(std::vector<double> changed) {
   std::vector<double> found(changed.size());
-  if (solver_.febio()->GetLinearSolver()->BackSolve(found, changed)) return found;
+  if (solver_.solve(found, std::move(changed))) return found;
   may_correct_ = false;
-  return std::vector<double>(changed.size());
+  return std::vector<double>(found.size());
 }
 
 std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
@@ -124,16 +132,15 @@ std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& righ
   const std::vector<double> changed = newton::applied(operations_, right);
   std::vector<double> found = solution_of_changed(changed);
   if (operations_.empty() || !may_correct_) return found;
-  if (MatrixRows(*solver_.febio()->m_pK).backward_error(found, changed) <= largest_backward_error) return found;
+  if (MatrixRows(solver_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
   undo_operations();
   return solution(right);
 }
 
 void KeptMatrix::undo_operations() {
-  FENewtonSolver& solver = *solver_.febio();
-  const MatrixRows rows(*solver.m_pK);
+  const MatrixRows rows(solver_.matrix());
   for (const newton::RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
-  if (!solver.GetLinearSolver()->Factor()) throw FactorizationError();
+  solver_.factorise();
   if (!std::exchange(found_.loses_pivots, true))
     solver_.log(
         "\nsliding-mixture: pivots are lost where rows of loads take those of their nodes, as in a body that is held "
@@ -141,7 +148,7 @@ void KeptMatrix::undo_operations() {
 }
 
 void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
-  const std::vector<double>& right = solver_.febio()->m_R0;
+  const std::vector<double>& right = solver_.vectors().residual;
   may_correct_ = true;
   free_.clear();
   bool is_checked = false;
@@ -159,7 +166,7 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
 
 void KeptMatrix::finish(newton::Split split, const newton::MatrixParts& parts,
                         const std::vector<newton::Condition>& conditions) {
-  std::vector<double>& right = solver_.febio()->m_R0;
+  std::vector<double>& right = solver_.vectors().residual;
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);
   if (!taken_.empty()) right = right - taken_;
@@ -180,13 +187,13 @@ void KeptMatrix::finish(newton::Split split, const newton::MatrixParts& parts,
 
 void KeptMatrix::solve() {
   if (operations_.empty()) return;
-  FENewtonSolver& solver = *solver_.febio();
+  std::vector<double>& right = solver_.vectors().residual;
   // FEBio's updates are made of right-hand sides that have taken nothing.
-  iterations_ += std::exchange(solver.m_qnstrategy->m_nups, 0);
-  taken_.resize(solver.m_R0.size());
-  std::vector<double> changed = newton::applied(operations_, solver.m_R0);
-  taken_ = taken_ + (solver.m_R0 - changed);
-  solver.m_R0 = std::move(changed);
+  iterations_ += solver_.drop_updates();
+  taken_.resize(right.size());
+  std::vector<double> changed = newton::applied(operations_, right);
+  taken_ = taken_ + (right - changed);
+  right = std::move(changed);
 }
 
 void KeptMatrix::take_parts_in() {
@@ -198,7 +205,7 @@ void KeptMatrix::take_parts_in() {
 
 void KeptMatrix::give_back() {
   if (taken_.empty()) return;
-  solver_.febio()->m_R0 += taken_;
+  solver_.vectors().residual += taken_;
   taken_.clear();
 }
 
@@ -222,8 +229,7 @@ void KeptMatrix::accept() {
 }
 
 void KeptMatrix::force_next() {
-  FENewtonSolver& solver = *solver_.febio();
-  if (!reform_augment_) reform_augment_ = std::exchange(solver.m_breformAugment, true);
+  if (!reform_augment_) reform_augment_ = std::exchange(solver_.forms_matrix_after_augmentations(), true);
   request(true);  // where a step begins
 }
 
@@ -231,5 +237,5 @@ void KeptMatrix::serialize(DumpStream& ar) { ar & found_.needs_parts & found_.lo
 
 void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
-  if (own) solver_.febio()->m_breformAugment = *own;
+  if (own) solver_.forms_matrix_after_augmentations() = *own;
 }

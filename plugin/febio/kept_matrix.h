@@ -34,6 +34,8 @@ class KeptMatrix {
   bool takes_operations() const { return !found_.loses_pivots; }
   /// FEBio has formed one to which contacts have done this.
   void take(newton::RowOperations operations) { operations_ = std::move(operations); }
+  /// Whether they have done anything to it.
+  bool has_operations() const { return !operations_.empty(); }
   /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
   void solve();
   /// FEBio's right-hand side is its own again: it is about to change.
@@ -45,6 +47,8 @@ class KeptMatrix {
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
   /// nothing is to be corrected with it, or is to be with parts in it.
   bool is_due();
+  /// An iteration with it has ended. Whether it has left too much of the residual for another one like it.
+  bool is_spent();
   /// Has FEBio form another one after this trial, or takes that back: not what others ask for.
   void request(bool is_needed);
   /// An iteration with it has been corrected: the next one is without FEBio's updates, and holds these conditions.
@@ -94,6 +98,7 @@ class KeptMatrix {
   newton::Border border_;
   int number_ = 0;             ///< of the matrix, as FEBio counts them in a step
   int iterations_ = 0;         ///< with it, up to the last that was corrected
+  double left_ = 0;            ///< of the residual, by the last iteration with it; 0 before any
   bool is_requested_ = false;  ///< another one, by request()
   bool may_correct_ = true;    ///< whether conditions can be held with it
   Found found_;
@@ -109,7 +114,6 @@ class KeptMatrix {
 /// Has FEBio's right-hand side as it was once a trial is made.
 class RightHandSide : public newton::Helper {
  public:
-  static constexpr const char* name = "right-hand side";
   /// Keeps a reference.
   explicit RightHandSide(KeptMatrix& matrix) : matrix_(matrix) {}
   void try_increment(const std::vector<double>& increment) override { matrix_.tried(increment); }

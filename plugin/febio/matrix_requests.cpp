@@ -1,11 +1,11 @@
 #include "matrix_requests.h"
 
 #include "host/linear_solvers.h"
+#include "newton/febio/febio_solver.h"
 
 #include <FECore/FEAnalysis.h>
 #include <FECore/FECoreKernel.h>
 #include <FECore/FENewtonSolver.h>
-#include <FECore/JFNKStrategy.h>
 #include <FECore/LinearSolver.h>
 
 #include <string>
@@ -44,7 +44,10 @@ bool takes_any_structure(FEModel& model) {
 
 bool takes_mixed_form(FEModel& model) {
   FENewtonSolver* const solver = newton_solver(model, model.GetCurrentStepIndex());
-  if (solver == nullptr || dynamic_cast<JFNKStrategy*>(solver->m_qnstrategy) != nullptr) return false;
+  using newton::MatrixStrategy;
+  const MatrixStrategy strategy = newton::FEBioSolver(model).strategy();
+  if (solver == nullptr || strategy == MatrixStrategy::preconditioner || strategy == MatrixStrategy::residuals_alone)
+    return false;
   // Of a matrix that is to have a symmetric structure pardiso neither scales rows nor matches pivots.
   return takes_any_structure(model) && takes_mixed_form(linear_solver_type(*solver));
 }

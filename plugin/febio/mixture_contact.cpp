@@ -147,9 +147,9 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
   // FEBio tries a step again with the unknowns that it began with, though elements may have eroded in it; and a matrix
   // with linear constraints takes whole blocks alone.
   const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
-  const bool any = core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
-                   model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
-                   dofs_.has_free_node(Side::secondary);
+  const bool any = model_->is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
+                   takes_mixed_form(*GetFEModel()) && !has_other_unknowns && model_->steps().allow_further_unknowns() &&
+                   dofs_.has_free_node(Side::primary) && dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
 }
 
@@ -240,7 +240,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
 
 void FEMixtureContact::BuildMatrixProfile(FEGlobalMatrix& matrix) {
   model_->steps().before_matrix();
-  assembly_.add_to_profile(matrix, has_linear_constraints(*GetFEModel()), model_->splits_matrix(), model_->sums_rows());
+  assembly_.add_to_profile(matrix, model_->matrix_form());
 }
 
 void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) {
@@ -248,8 +248,7 @@ void FEMixtureContact::LoadVector(FEGlobalVector& residual, const FETimeInfo& ti
 }
 
 void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
-  assembly_.tangent(system, *model_->solver().febio()->GetStiffnessMatrix(), has_linear_constraints(*GetFEModel()),
-                    time.timeIncrement);
+  assembly_.tangent(system, *model_->solver().febio()->GetStiffnessMatrix(), time.timeIncrement);
   model_->added_tangent(*this);
 }
 

@@ -14,12 +14,11 @@
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
 #include <FECore/FEGlobalMatrix.h>
+#include <FECore/FELinearConstraintManager.h>
 #include <FECore/FEModel.h>
-#include <FECore/FEModifiedNewtonStrategy.h>
 #include <FECore/FENewtonSolver.h>
 #include <FECore/FENodalLoad.h>
 #include <FECore/FETimeStepController.h>
-#include <FECore/JFNKStrategy.h>
 #include <FECore/log.h>
 #include <FECore/vector.h>
 
@@ -76,8 +75,8 @@ bool add_changes(FEModel& fem, const std::vector<ContactInModel*>& contacts, std
   return is_known;
 }
 
-/// Whether a helper is on: as the active contacts say that give it, or by its default.
-bool is_on(const HelperSwitch& which, const std::vector<ContactInModel*>& active) {
+/// Whether a helper has its own switch on: as the active contacts say that give it, or by its default.
+bool is_asked_for(const HelperSwitch& which, const std::vector<ContactInModel*>& active) {
   if (active.empty()) return false;
   const auto given = std::find_if(active.begin(), active.end(), [&](ContactInModel* contact) {
     return which.of(contact->bound().parameters()).given;
@@ -166,14 +165,18 @@ ModelContacts::ModelContacts(FEModel& fem)
       ambient_(fem, solver_, helpers_),
       matrix_(solver_) {
   const auto offer = [&](const HelperSwitch& which, std::unique_ptr<newton::Helper> helper) {
-    helpers_.add(which.name, std::move(helper), [this, which] { return is_on(which, active()); });
+    const auto is_helper_on = [this, which] { return is_on(which.device) && is_asked_for(which, active()); };
+    helpers_.add(which.device, std::move(helper), is_helper_on, devices_);
   };
   offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
   offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
   offer(predictor, std::make_unique<newton::Predictor>(solver_));
-  helpers_.add(RightHandSide::name, std::make_unique<RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
-  helpers_.add(FirstNorms::name, std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }),
-               [this] { return !active().empty(); });
+  helpers_.add(std::make_unique<RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
+  helpers_.add(
+      newton::Device::expected_contact,
+      std::make_unique<FirstNorms>(
+          fem, solver_, [this] { return active(); }, devices_),
+      [this] { return is_on(newton::Device::expected_contact) && !active().empty(); }, devices_);
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |
                       CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_REMESH | CB_SOLVED,
@@ -208,17 +211,50 @@ std::vector<SteppedContact*> ModelContacts::active_contacts() {
 std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) const {
   std::vector<std::string> list;
   for (const HelperSwitch& which : helper_switches) {
-    const std::string name = "<" + std::string(which.name) + "> ";
+    const std::string name = "<" + std::string(newton::name(which.device)) + "> ";
     const Given<bool>& one = which.of(contact.bound().parameters());
     const bool differs = std::any_of(contacts_.begin(), contacts_.end(), [&](ContactInModel* other) {
       const Given<bool>& its = which.of(other->bound().parameters());
       return one.given && its.given && one.value != its.value;
     });
     if (differs) list.push_back(name + "acts on the whole model, and another contact sets it otherwise.");
-    const std::string unavailable = helpers_.unavailable(which.name);
+    const std::string unavailable = helpers_.unavailable(which.device);
     if (one.given && one.value && !unavailable.empty()) list.push_back(name + unavailable);
   }
+  const Given<std::string>& devices = contact.bound().parameters().helpers.devices;
+  const bool differ = std::any_of(contacts_.begin(), contacts_.end(), [&](ContactInModel* other) {
+    const Given<std::string>& its = other->bound().parameters().helpers.devices;
+    return devices.given && its.given &&
+           newton::named_devices(devices.value).set != newton::named_devices(its.value).set;
+  });
+  if (differ) list.emplace_back("<solver_devices> acts on the whole model, and another contact sets it otherwise.");
   return list;
+}
+
+newton::DeviceSet ModelContacts::chosen_devices() const {
+  const auto gives = [](ContactInModel* contact) { return contact->bound().parameters().helpers.devices.given; };
+  const auto given = std::find_if(contacts_.begin(), contacts_.end(), gives);
+  const ContactParameters defaults;
+  const ContactParameters& parameters = given == contacts_.end() ? defaults : (*given)->bound().parameters();
+  return newton::named_devices(parameters.helpers.devices.value).set;
+}
+
+bool ModelContacts::is_on(newton::Device device) const {
+  return !devices_.is_suspended() && newton::has(chosen_devices(), device);
+}
+
+void ModelContacts::introduce_devices() {
+  if (std::exchange(are_devices_introduced_, true) || chosen_devices().all()) return;
+  say(fem_, "sliding-mixture: devices of the solver that are on: " + newton::names(chosen_devices()) + ".");
+}
+
+void ModelContacts::switch_devices_after_failure() {
+  if (devices_.is_suspended()) return devices_.resume();
+  if (!will_retry(fem_) || !solver_.is_newton() || chosen_devices().none()) return;
+  if (devices_.suspend())
+    say(fem_,
+        "sliding-mixture: a step has failed, and is tried again without the devices of the solver. This is said once "
+        "in a run.");
 }
 
 // ------------------------------------------------------------ FEBio's calls
@@ -235,39 +271,31 @@ void ModelContacts::activate(ContactInModel& contact) {
 
 void ModelContacts::prepare_step(ContactInModel& contact) {
   if (!steps_.prepare_step(&contact.bound())) return;
+  introduce_devices();
   ambient_.begin_step();
-  keep_matrix_if_it_fits();
+}
+
+MatrixForm ModelContacts::matrix_form() const {
+  return {fem_.GetLinearConstraintManager().LinearConstraints() > 0, is_on(newton::Device::loads_as_unknowns),
+          splits_matrix(), sums_rows()};
 }
 
 bool ModelContacts::splits_matrix() const {
   const FENewtonSolver* const solver = solver_.febio();
-  return solver != nullptr && adds_up_residuals(*solver) && !matrix_.needs_parts();
+  return is_on(newton::Device::deferred_coupling) && solver != nullptr && adds_up_residuals(*solver) &&
+         !matrix_.needs_parts();
 }
 
 bool ModelContacts::sums_rows() const {
   const FENewtonSolver* const solver = solver_.febio();
-  return solver != nullptr && matrix_.takes_operations() && adds_up_residuals(*solver) && are_alone(active(), fem_) &&
-         !adds_loads_last(fem_, *solver);
+  return is_on(newton::Device::row_operations) && solver != nullptr && matrix_.takes_operations() &&
+         adds_up_residuals(*solver) && are_alone(active(), fem_) && !adds_loads_last(fem_, *solver);
 }
 
 void ModelContacts::added_tangent(const ContactInModel& contact) {
   const std::vector<ContactInModel*> contacts = active();
   if (contacts.back() != &contact) return;
-  matrix_.take(sums_rows() ? eliminated(contacts, *solver_.febio()->m_pK) : newton::RowOperations());
-}
-
-void ModelContacts::keep_matrix_if_it_fits() {
-  // FEBio shapes the matrix of a model with contact anew for each iteration, at the first one of a step even what the
-  // bodies add. There the iteration has begun already, so that nothing but the shape is left to BuildMatrixProfile.
-  FENewtonSolver* const solver = solver_.febio();
-  if (solver == nullptr) return;
-  const std::vector<ContactInModel*> contacts = active();
-  const bool may_split = splits_matrix();
-  const bool fits = are_alone(contacts, fem_) && solver->m_pK->NonZeroes() > 0 && !helpers_.will_predict() &&
-                    steps_.has_begun() && std::all_of(contacts.begin(), contacts.end(), [&](ContactInModel* contact) {
-                      return contact->assembly().fits_matrix(may_split);
-                    });
-  solver->m_breshape = !fits;
+  matrix_.take(sums_rows() ? eliminated(contacts, solver_.matrix()) : newton::RowOperations());
 }
 
 void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
@@ -293,9 +321,9 @@ void ModelContacts::on_callback(unsigned int when) {
   // A mesh adaptor may have numbered the unknowns anew since FEBio stored the state that it tries a step again with.
   if (when == CB_UPDATE_TIME && fem_.MeshAdaptors() > 0 && solver_.is_newton()) begin_at_nodal_values(*solver_.febio());
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
-    solver_.febio()->m_breshape = true;  // the next iteration begins in BuildMatrixProfile
     steps_.matrix_formed();
     matrix_.formed(matrix_parts(contacts));
+    count_matrix();
     settle_status();
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) {
@@ -306,11 +334,28 @@ void ModelContacts::on_callback(unsigned int when) {
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
     note_overlap(contacts, fem_.GetCurrentTime(), reducible_);
+    devices_.resume();
     steps_.end_step();
     matrix_.end_step();
   }
-  if (when == CB_TIMESTEP_FAILED) reduce_penalties(fem_, contacts, reducible_);
-  if (when == CB_SOLVED) say(fem_, reducible_.summary());
+  if (when == CB_TIMESTEP_FAILED) {
+    reduce_penalties(fem_, contacts, reducible_);
+    switch_devices_after_failure();
+  }
+  if (when == CB_SOLVED) {
+    say(fem_, reducible_.summary());
+    say(fem_, devices_.summary());
+  }
+}
+
+void ModelContacts::count_matrix() {
+  const std::vector<ContactInModel*> contacts = active();
+  const bool has_loads = std::any_of(contacts.begin(), contacts.end(), [](const ContactInModel* contact) {
+    return contact->assembly().has_unknown_loads();
+  });
+  if (has_loads) devices_.acted(newton::Device::loads_as_unknowns);
+  if (matrix_.has_operations()) devices_.acted(newton::Device::row_operations);
+  if (!newton::are_empty(matrix_parts(contacts))) devices_.acted(newton::Device::deferred_coupling);
 }
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it
@@ -320,39 +365,40 @@ void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
 void ModelContacts::request_matrix(bool is_needed) { matrix_.request(is_needed); }
 
+void ModelContacts::replace_matrix() { solver_.form_matrix(); }
+
 void ModelContacts::evaluate_residual(Changed what) {
-  FENewtonSolver& solver = *solver_.febio();
-  const bool adds_up = what == Changed::loads && adds_up_residuals(solver);
-  if (!adds_up || !add_changes(fem_, active(), solver.m_R0)) solver.Residual(solver.m_R0);
+  const bool adds_up = what == Changed::loads && adds_up_residuals(*solver_.febio());
+  if (!adds_up || !add_changes(fem_, active(), solver_.vectors().residual)) solver_.renew_residual();
 }
 
 void ModelContacts::correct_residual() {
   evaluate_residual(Changed::loads);
   matrix_.correct(conditions(active(), solver_.time_increment()), matrix_parts(active()));
-  settle_status();
+  devices_.acted(newton::Device::kept_matrix);
 }
 
 void ModelContacts::settle_status() {
+  if (!is_on(newton::Device::active_set_prediction)) return;
   if (!adds_up_residuals(*solver_.febio())) return;  // FEBio's solution is not that of its right-hand side alone
   const auto may_settle = [&](ContactInModel& contact) { return !steps_.shares_nodes(contact.bound()); };
   const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
-  settle({active(), may_settle, evaluate_loads, solver_.time_increment()}, matrix_);
+  if (settle({active(), may_settle, evaluate_loads, solver_.time_increment()}, matrix_))
+    devices_.acted(newton::Device::active_set_prediction);
 }
 
 MatrixUse ModelContacts::matrix_use() {
-  const FENewtonSolver* const solver = solver_.febio();
-  const FENewtonStrategy* const strategy = solver == nullptr ? nullptr : solver->m_qnstrategy;
-  if (strategy == nullptr) return MatrixUse::none;
-  const auto* without_jacobian = dynamic_cast<const JFNKStrategy*>(strategy);
-  if (without_jacobian != nullptr && !without_jacobian->m_bprecondition) return MatrixUse::none;
-  const bool kept = strategy->m_maxups > 0 || dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
-  return kept ? MatrixUse::kept : MatrixUse::each_iteration;
+  const newton::MatrixStrategy strategy = solver_.strategy();
+  if (strategy == newton::MatrixStrategy::none || strategy == newton::MatrixStrategy::residuals_alone)
+    return MatrixUse::none;
+  const bool is_kept = strategy == newton::MatrixStrategy::unchanged || solver_.most_updates() > 0;
+  return is_kept ? MatrixUse::kept : MatrixUse::each_iteration;
 }
 
 void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-  if (with == GoesOn::matrix && n > solver_.febio()->m_maxref) throw MaxStiffnessReformations();
+  if (with == GoesOn::matrix && n > solver_.most_matrices()) throw MaxStiffnessReformations();
   matrix_.reject(with);
 }
 

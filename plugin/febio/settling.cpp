@@ -115,21 +115,22 @@ newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
   return parts;
 }
 
-void settle(const SettledModel& model, KeptMatrix& matrix) {
+bool settle(const SettledModel& model, KeptMatrix& matrix) {
   const auto may_change = [&](ContactInModel* contact) {
     return model.may_settle(*contact) && may_decide(contact->bound().core());
   };
-  if (std::none_of(model.contacts.begin(), model.contacts.end(), may_change)) return;
+  if (std::none_of(model.contacts.begin(), model.contacts.end(), may_change)) return false;
   std::vector<UndecidedNodes> nodes;
   for (ContactInModel* contact : model.contacts)
     nodes.emplace_back(contact->assembly(), may_change(contact), model.time_increment);
   const auto are_any = [](const UndecidedNodes& of_contact) { return of_contact.are_any(); };
-  if (std::none_of(nodes.begin(), nodes.end(), are_any)) return;
+  if (std::none_of(nodes.begin(), nodes.end(), are_any)) return false;
   std::optional<newton::Answer> answer = settled(nodes, matrix);
   const auto any_changed = [](const UndecidedNodes& of_contact) { return of_contact.any_changed(); };
-  if (!answer || std::none_of(nodes.begin(), nodes.end(), any_changed)) return;
+  if (!answer || std::none_of(nodes.begin(), nodes.end(), any_changed)) return false;
   for (const UndecidedNodes& of_contact : nodes) of_contact.begin_iteration();
   matrix.give_back();
   model.evaluate_residual();
   matrix.hold(conditions(model.contacts, model.time_increment), matrix_parts(model.contacts), std::move(*answer));
+  return true;
 }

@@ -23,8 +23,8 @@ struct SettledModel {
 };
 
 /// Opens nodes that would pull and closes those that would overlap, before FEBio solves. Where they do not settle
-/// nothing changes.
-void settle(const SettledModel& model, KeptMatrix& matrix);
+/// nothing changes. Returns whether any has opened or closed.
+bool settle(const SettledModel& model, KeptMatrix& matrix);
 
 /// What matrices with the loads of another status lack (see Assembly::conditions()).
 std::vector<newton::Condition> conditions(const std::vector<ContactInModel*>& contacts, double dt);

@@ -142,14 +142,14 @@ bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained) { return MatrixRo
 
 TangentAssembly::TangentAssembly(const ContactInterface& core, const NodeEquations& equations,
                                  const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix,
-                                 bool is_constrained)
+                                 Takes takes)
     : core_(core),
       equations_(equations),
       loads_(loads),
       system_(system),
       matrix_(matrix),
       rows_(matrix),
-      takes_blocks_(takes_blocks(matrix, is_constrained)) {}
+      takes_{takes.blocks, takes.blocks && takes.loads} {}
 
 TangentAssembly::Ids TangentAssembly::ids_of(const Location& rows, const Location& columns) const {
   Ids ids;
@@ -159,7 +159,7 @@ TangentAssembly::Ids TangentAssembly::ids_of(const Location& rows, const Locatio
 }
 
 bool TangentAssembly::is_free(const Ids& ids, const Location& columns) const {
-  return takes_blocks_ && !are_prescribed(ids.columns) && !equations_.are_rigid(columns);
+  return takes_.blocks && !are_prescribed(ids.columns) && !equations_.are_rigid(columns);
 }
 
 TangentAssembly::Kept& TangentAssembly::kept_of(const Patch& rows) {
@@ -250,7 +250,7 @@ void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   const Location rows{first, load.rows};
   const Location columns{first, load.place.columns};
   UnknownLoad own = loads_.unknown(equations_, core_, first, load.place);
-  const bool is_unknown = takes_blocks_ && own.equation >= 0;
+  const bool is_unknown = takes_.loads && own.equation >= 0;
   if (!is_unknown) return add(rows, columns, load.product().values);
   if (!has_mixed_form(load)) return;  // its product is zero
   add_mixed(own.equation, load, rows, columns);
@@ -258,7 +258,7 @@ void TangentAssembly::add_load(Side first, const LoadBlock& load) {
 }
 
 PerSide<bool> TangentAssembly::has_loads() const {
-  return {{takes_blocks_ && loads_.has(Side::primary), takes_blocks_ && loads_.has(Side::secondary)}};
+  return {{takes_.loads && loads_.has(Side::primary), takes_.loads && loads_.has(Side::secondary)}};
 }
 
 void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& rows, const Location& columns) {

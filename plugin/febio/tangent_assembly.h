@@ -21,9 +21,14 @@ class TangentAssembly {
   using Location = mixture_contact::ContactInterface::Location;
   using Rows = mixture_contact::IndexedVector<mixture_contact::TangentBlock>;
 
-  /// Keeps references. `is_constrained`: whether linear constraints tie degrees of freedom of the model to each other.
+  /// What the matrix takes as it is.
+  struct Takes {
+    bool blocks;  ///< blocks of free equations
+    bool loads;   ///< loads in mixed form, where it takes blocks
+  };
+  /// Keeps references.
   TangentAssembly(const mixture_contact::ContactInterface& core, const NodeEquations& equations,
-                  const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, bool is_constrained);
+                  const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, Takes takes);
 
   void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
   /// Adds blocks of one effect that have the rows of one node each, times a factor. What the matrix has no place for
@@ -77,7 +82,7 @@ class TangentAssembly {
   FELinearSystem& system_;
   FEGlobalMatrix& matrix_;
   MatrixRows rows_;
-  bool takes_blocks_;
+  Takes takes_;
   std::map<std::optional<int>, Kept> kept_;  ///< by the field of an effect; none: the traction
   std::vector<UnknownLoad> unknown_loads_;
   std::vector<UnknownTraction> unknown_tractions_;

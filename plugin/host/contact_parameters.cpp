@@ -65,6 +65,11 @@ void complain_of_unknown(std::vector<std::string>& list, const ContactParameters
   }
 }
 
+void complain_of_devices(std::vector<std::string>& list, const ContactParameters& p) {
+  for (const std::string& word : newton::named_devices(p.helpers.devices.value).unknown)
+    list.push_back("<solver_devices> names \"" + word + "\"; allowed: " + newton::allowed_devices() + ".");
+}
+
 void complain_of_friction(std::vector<std::string>& list, const ContactParameters& p) {
   require_not_negative(list, "fric_coeff", p.friction.fric_coeff.value);
   const bool is_part = p.friction.contact_frac.value >= 0 && p.friction.contact_frac.value <= 1;
@@ -144,6 +149,7 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   if (!std::isfinite(p.ambient.pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
   if (!std::isfinite(p.gap.offset.value)) list.emplace_back("<offset> is not a finite number.");
   complain_of_friction(list, p);
+  complain_of_devices(list, p);
   complain_of_unknown(list, p);
   return list;
 }

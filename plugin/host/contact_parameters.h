@@ -6,6 +6,7 @@
 #include "contact/base/indexed_vector.h"
 #include "contact/base/settings.h"
 #include "contact/base/side.h"
+#include "newton/devices.h"
 
 #include <array>
 #include <string>
@@ -88,6 +89,7 @@ struct HelperParameters {
   Given<bool> predictor;
   Given<bool> non_negative_concentrations{true};
   Given<bool> line_search_guard{true};
+  Given<std::string> devices{"all"};  ///< <solver_devices>: see newton::named_devices()
 };
 
 /// Parameters of FEBio's interfaces that this one has no use for, and a former name.
@@ -115,17 +117,18 @@ struct ContactParameters {
   bool self_contact = false;  ///< whether the surfaces have facets in common, as a host finds
 };
 
-/// The switch of one of the solver's helpers.
+/// The switch that one of the solver's helpers has beside <solver_devices>, under the name of the device.
 struct HelperSwitch {
-  const char* name;
+  newton::Device device;
   Given<bool> HelperParameters::* parameter;
 
   const Given<bool>& of(const ContactParameters& parameters) const { return parameters.helpers.*parameter; }
 };
-inline constexpr HelperSwitch predictor{"predictor", &HelperParameters::predictor};
-inline constexpr HelperSwitch non_negative_concentrations{"non_negative_concentrations",
+inline constexpr HelperSwitch predictor{newton::Device::predictor, &HelperParameters::predictor};
+inline constexpr HelperSwitch non_negative_concentrations{newton::Device::non_negative_concentrations,
                                                           &HelperParameters::non_negative_concentrations};
-inline constexpr HelperSwitch line_search_guard{"line_search_guard", &HelperParameters::line_search_guard};
+inline constexpr HelperSwitch line_search_guard{newton::Device::line_search_guard,
+                                                &HelperParameters::line_search_guard};
 inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concentrations, line_search_guard, predictor};
 
 /// What a parameter is measured in.
@@ -237,6 +240,7 @@ void for_each_solution_parameter(ContactParameters& p, const Take& take) {
   take_given({"non_negative_concentrations", "non-negative concentrations", Group::solution},
              p.helpers.non_negative_concentrations);
   take_given({"line_search_guard", "guard the line search", Group::solution}, p.helpers.line_search_guard);
+  take_given({"solver_devices", "devices of the solver", Group::solution}, p.helpers.devices);
 }
 
 template <class Take>

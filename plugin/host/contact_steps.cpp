@@ -45,7 +45,7 @@ bool ContactSteps::prepare_step(const void* told) {
 /// Not where a predictor does, which moves the model instead, and not where others hold the same nodes: all that would
 /// close of each would hold more together than there is to hold.
 bool ContactSteps::looks_ahead(const SteppedContact& contact) {
-  return !helpers_.will_predict() && !shares_nodes(contact);
+  return model_.may_look_ahead() && !helpers_.will_predict() && !shares_nodes(contact);
 }
 
 bool ContactSteps::shares_nodes(const SteppedContact& contact) {
@@ -158,7 +158,9 @@ void ContactSteps::bring_residual_up_to_date() {
 
 void ContactSteps::end_iteration() {
   bring_residual_up_to_date();  // hosts tell nobody of matrices that they form after augmentations
-  if (model_.matrix_use() != MatrixUse::kept || !stepper_.keep_matrix()) return;
+  if (model_.matrix_use() != MatrixUse::kept) return;
+  if (stepper_.phase() == Phase::evaluated && model_.is_matrix_spent()) return model_.replace_matrix();
+  if (!stepper_.keep_matrix()) return;
   bool changed = false;
   for (SteppedContact* contact : model_.active_contacts()) changed = contact->correct() || changed;
   if (changed) model_.correct_residual();

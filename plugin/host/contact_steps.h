@@ -66,6 +66,8 @@ class SteppedModel {
   virtual bool apply_ambient() = 0;
   /// Evaluates bodies and contacts at the present state, by way of ContactSteps::evaluate().
   virtual void evaluate() = 0;
+  /// Whether a step may begin with the status that nodes are expected to end it with.
+  virtual bool may_look_ahead() = 0;
   /// Within an evaluation: has the bodies evaluated after the contacts.
   virtual void evaluate_bodies_after_contacts() = 0;
   /// Evaluates the residual again, or what of it has changed.
@@ -75,6 +77,10 @@ class SteppedModel {
   virtual MatrixUse matrix_use() = 0;
   /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.
   virtual bool is_matrix_due() = 0;
+  /// An iteration has ended that is to go on with the matrix of before. Whether that leaves too much of the residual.
+  virtual bool is_matrix_spent() = 0;
+  /// Forms another one at this state, as the host does within its iterations.
+  virtual void replace_matrix() = 0;
   /// Says whether the next iteration needs a matrix of its own.
   virtual void request_matrix(bool is_needed) = 0;
   /// A converged state has been rejected for the n-th time in a step.

@@ -6,23 +6,32 @@
 
 namespace newton {
 
-void Helpers::add(std::string name, std::unique_ptr<Helper> helper, Switch is_on) {
-  helpers_.push_back({std::move(name), std::move(helper), std::move(is_on)});
+void Helpers::add(Device device, std::unique_ptr<Helper> helper, Switch is_on, DeviceRecord& record) {
+  helpers_.push_back({std::move(helper), std::move(is_on), device, &record});
 }
 
-std::string Helpers::unavailable(const std::string& name) const {
-  const auto named = [&](const Switched& switched) { return switched.name == name; };
-  const auto found = std::find_if(helpers_.begin(), helpers_.end(), named);
-  if (found == helpers_.end()) throw std::invalid_argument("no helper of the solver is named " + name);
+void Helpers::add(std::unique_ptr<Helper> helper, Switch is_on) {
+  helpers_.push_back({std::move(helper), std::move(is_on), std::nullopt, nullptr});
+}
+
+std::string Helpers::unavailable(Device device) const {
+  const auto is_it = [&](const Switched& switched) { return switched.device == device; };
+  const auto found = std::find_if(helpers_.begin(), helpers_.end(), is_it);
+  if (found == helpers_.end()) throw std::invalid_argument(std::string("no helper of the solver is ") + name(device));
   return found->helper->unavailable();
 }
 
 template <class Use>
-void Helpers::for_each(const Use& use) const {
+void Helpers::for_each_switched(const Use& use) const {
   if (solver_ == nullptr || !solver_->is_newton()) return;
-  for (const Switched& switched : helpers_) {
+  std::for_each(helpers_.begin(), helpers_.end(), use);
+}
+
+template <class Use>
+void Helpers::for_each(const Use& use) const {
+  for_each_switched([&](const Switched& switched) {
     if (switched.is_on()) use(*switched.helper);
-  }
+  });
 }
 
 template <class Ask>
@@ -32,12 +41,29 @@ bool Helpers::any(const Ask& ask) const {
   return found;
 }
 
+template <class Ask>
+bool Helpers::any_acts(const Ask& ask) {
+  bool found = false;
+  for_each_switched([&](const Switched& switched) {
+    if (found || !switched.is_on() || !ask(*switched.helper)) return;
+    found = true;
+    if (switched.device) switched.record->acted(*switched.device);
+  });
+  return found;
+}
+
 void Helpers::begin_step() {
   for_each([](Helper& helper) { helper.begin_step(); });
 }
 
 void Helpers::begin_iterations() {
-  for_each([](Helper& helper) { helper.begin_iterations(); });
+  for_each_switched([](const Switched& switched) {
+    if (switched.is_on()) {
+      switched.helper->begin_iterations();
+    } else {
+      switched.helper->let_go();
+    }
+  });
 }
 
 void Helpers::try_increment(const std::vector<double>& increment) {
@@ -45,11 +71,11 @@ void Helpers::try_increment(const std::vector<double>& increment) {
 }
 
 bool Helpers::adapt() {
-  return any([](Helper& helper) { return helper.adapt(); });
+  return any_acts([](Helper& helper) { return helper.adapt(); });
 }
 
 bool Helpers::adapt_before_residual() {
-  return any([](Helper& helper) { return helper.adapt_before_residual(); });
+  return any_acts([](Helper& helper) { return helper.adapt_before_residual(); });
 }
 
 bool Helpers::are_settled() {
@@ -57,7 +83,7 @@ bool Helpers::are_settled() {
 }
 
 bool Helpers::reject() {
-  return any([](Helper& helper) { return helper.rejects(); });
+  return any_acts([](Helper& helper) { return helper.rejects(); });
 }
 
 bool Helpers::will_predict() {
@@ -65,7 +91,7 @@ bool Helpers::will_predict() {
 }
 
 bool Helpers::predict(const std::function<void()>& arrived) {
-  return any([&](Helper& helper) { return helper.predict(arrived); });
+  return any_acts([&](Helper& helper) { return helper.predict(arrived); });
 }
 
 void Helpers::complete_residual() {

@@ -5,10 +5,12 @@
 #pragma once
 
 #include "archive.h"
+#include "devices.h"
 #include "solver.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,8 @@ class Helper {
   virtual void end_step() {}
   /// An attempt at a step has failed; the state is that of its start.
   virtual void rewind() {}
+  /// Iterations begin without its help: it takes back what it has changed of the solver and its model.
+  virtual void let_go() {}
 
   /// Whether it holds a nodal value, and leaves it to somebody else.
   virtual bool holds(Place /*place*/) const { return false; }
@@ -66,7 +70,8 @@ class Helper {
   virtual void archive(Archive& /*archive*/) {}
 };
 
-/// The helpers of a model. One that is switched off is not told of anything but restarts.
+/// The helpers of a model. One that is switched off is told of nothing but restarts, and lets go where iterations
+/// begin.
 class Helpers {
  public:
   /// None.
@@ -75,10 +80,12 @@ class Helpers {
 
   /// Switches that can change from step to step.
   using Switch = std::function<bool()>;
-  /// `name`: that of its switch, by which it is known here.
-  void add(std::string name, std::unique_ptr<Helper> helper, Switch is_on);
-  /// What Helper::unavailable() says of the one of this name.
-  std::string unavailable(const std::string& name) const;
+  /// Adds a device, by which it is known here. `record` counts where it acts, and is kept as a reference.
+  void add(Device device, std::unique_ptr<Helper> helper, Switch is_on, DeviceRecord& record);
+  /// Adds a helper that is no device.
+  void add(std::unique_ptr<Helper> helper, Switch is_on);
+  /// What Helper::unavailable() says of one.
+  std::string unavailable(Device device) const;
 
   void begin_step();
   void begin_iterations();
@@ -99,16 +106,23 @@ class Helpers {
 
  private:
   struct Switched {
-    std::string name;
     std::unique_ptr<Helper> helper;
     Switch is_on;
+    std::optional<Device> device;
+    DeviceRecord* record = nullptr;  ///< of a device
   };
+  /// Calls `use` with each helper and its switch, where the solver is one of Newton's kind.
+  template <class Use>
+  void for_each_switched(const Use& use) const;
   /// Calls `use` with each helper that is on.
   template <class Use>
   void for_each(const Use& use) const;
   /// Whether the answer of a helper that is on is yes; after the first one no more are asked.
   template <class Ask>
   bool any(const Ask& ask) const;
+  /// The same of an answer by which the helper acts.
+  template <class Ask>
+  bool any_acts(const Ask& ask);
 
   Solver* solver_ = nullptr;
   std::vector<Switched> helpers_;

@@ -19,8 +19,10 @@ class LineSearchGuard : public Helper {
   void begin_step() override;
   void try_increment(const std::vector<double>& increment) override;
   /// Whether a solution that the solver is about to accept took a small part of its last increment for all of it; if so
-  /// the next one is not searched. Once in a step: where increments are rounding, so is what the search finds.
+  /// the next one is not searched. Not where the residual that is left is rounding. Once in a step: where increments
+  /// are rounding, so is what the search finds.
   bool rejects() override;
+  void let_go() override { allow_search(); }
 
  private:
   void allow_search();

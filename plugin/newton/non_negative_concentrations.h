@@ -30,6 +30,7 @@ class NonNegativeConcentrations : public Helper {
   bool is_settled() const override;
   /// Frees all with the value 0 that they have: between steps, and in restart files, nothing is held.
   void end_step() override;
+  void let_go() override { release(); }
   bool holds(Place place) const override;
   void yield(Place place) override;
 

@@ -85,6 +85,12 @@ class Solver {
   virtual const std::vector<double>* reactions_of_clamp() const = 0;
   /// The tolerance of the line search, 0 for none; null where there is no line search.
   virtual double* line_search_tolerance() = 0;
+  /// Squares of the residual: of the last trial, over that which the step began with.
+  struct ResidualSquares {
+    double now;
+    double first;
+  };
+  virtual ResidualSquares residual_squares() const = 0;
   /// Iterations of the last step.
   virtual int iterations() const = 0;
 

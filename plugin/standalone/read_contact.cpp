@@ -83,6 +83,8 @@ void read_contacts(const Tag& section, Model& model) {
     if (const auto pressure = tag.find("ambient_pressure")) contact.ambient_pressure = read_parameter(*pressure, model);
     for (const Tag& ambient : tag.all("ambient_concentration")) read_ambient_concentration(ambient, model, contact);
     for (const std::string& notice : notices(contact.parameters)) model.notices.push_back(contact.name + ": " + notice);
+    if (contact.parameters.helpers.devices.given)
+      model.notices.push_back(contact.name + ": <solver_devices> has no effect: this engine has none of them.");
     check_surfaces(tag, model, contact);
     model.contacts.push_back(std::move(contact));
   }

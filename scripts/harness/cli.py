@@ -13,6 +13,7 @@ COMMANDS = {
     "indentation-study": "harness.indentation.command",
     "indentation-extremes": "harness.indentation.command",
     "indentation-convergence": "harness.indentation.command",
+    "ablation": "harness.studies.ablation.command",
     "hard-cases": "harness.studies.hard_cases.command",
     "hard-case": "harness.studies.hard_cases.command",
     "friction-cases": "harness.studies.friction.command",

@@ -32,6 +32,7 @@ class FakeSolver : public newton::Solver {
   bool known_totals = true;
   double tolerance = 0.9;
   bool searches = true;
+  ResidualSquares squares{1, 1};
   int taken_iterations = 3;
   double dt = 1;
   int step_of_analysis = 0;
@@ -100,6 +101,7 @@ class FakeSolver : public newton::Solver {
   void set_totals(const std::vector<double>& by) override { change = totals = by; }
   const std::vector<double>* reactions_of_clamp() const override { return clamps ? &reactions : nullptr; }
   double* line_search_tolerance() override { return searches ? &tolerance : nullptr; }
+  ResidualSquares residual_squares() const override { return squares; }
   int iterations() const override { return taken_iterations; }
   bool is_predictable() const override { return predictable; }
   double time_increment() const override { return dt; }

@@ -73,6 +73,21 @@ def test_indexing_knows_nothing_of_the_project() -> None:
     assert [name for path in sorted(INDEXING.iterdir()) for name in includes(path)] == []
 
 
+def test_members_of_febios_solver_are_named_behind_one_interface() -> None:
+    member = re.compile(
+        r"\b(m_R0|m_R1|m_breshape|m_qnstrategy|m_nups|m_maxups|m_breformAugment|m_ntotref|m_nref|m_maxref"
+        r"|m_bforceReform|m_LStol|m_pK|m_ui|QNForceReform|ReformStiffness)\b"
+    )
+    elsewhere = [
+        f"{path.name}: {line.strip()}"
+        for path in sorted((ROOT / "plugin").rglob("*"))
+        if path.suffix in (".h", ".cpp") and path.parent != HELPERS / "febio"
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if member.search(line)
+    ]
+    assert elsewhere == []
+
+
 def test_the_adapter_names_a_helper_where_it_registers_it_and_nowhere_else() -> None:
     helpers = "Predictor", "NonNegativeConcentrations", "LineSearchGuard"
     lines = [

@@ -31,6 +31,7 @@ STUDIES = (
     "price",
     "synthetic_scenes",
     "agreement",
+    "ablation",
     "robustness",
     "hertz",
     "linear_solvers",

@@ -42,7 +42,7 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
 
 NodeFlags ActiveSet::expected(const NodalGaps& now, double ahead) const {
   NodeFlags status = initial(now);
-  if (ahead == 0 || !can_expect()) return status;
+  if (ahead == 0 || !can_expect() || !laws_.multipliers.was_foretold) return status;
   const VectorXd openings = expected_openings(laws_, now, ahead);
   const bool may_open = may_open_ahead(status, now, openings);
   for (Index node = 0; node < status.count(); ++node) {

@@ -85,7 +85,8 @@ class ActiveSet {
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;
   /// Status where a step of `ahead` [s] begins: what the true gaps say, but that nodes which will have closed or opened
-  /// by its end, should they move as in the last step, have that status from its first iteration on (see can_expect()).
+  /// by its end, should they move as in the last step, have that status from its first iteration on (see can_expect()),
+  /// if the last step ended as the one before had foretold.
   /// One that closes too early is pulled there, and opens in the next iteration as any that is pulled.
   NodeFlags expected(const NodalGaps& now, double ahead) const;
   /// Whether it can be told ahead what nodes will do. Not with fields, whose exchange may push a node open that would
@@ -93,7 +94,9 @@ class ActiveSet {
   /// of both together would hold more than there is to hold. And nodes that may pull do not open.
   bool can_expect() const;
   /// Whether the last step began in contact, so that it tells what contact will do, and not only where it will begin.
-  bool foresees() const { return can_expect() && (laws_.multipliers.opening_before.array() < 0).any(); }
+  bool foresees() const {
+    return can_expect() && laws_.multipliers.was_foretold && (laws_.multipliers.opening_before.array() < 0).any();
+  }
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
   /// may be off by, so that none below it decides.
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;

@@ -12,6 +12,7 @@ namespace mixture_contact {
 void Multipliers::forget_motion() {
   opening_before.setConstant(opening.size(), std::numeric_limits<double>::infinity());
   step_length = 0;
+  was_foretold = true;
 }
 
 NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,

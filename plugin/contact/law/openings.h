@@ -13,7 +13,9 @@ VectorXd openings(const NodalLaws& laws, const NodalGaps& now);
 /// Takes openings over as those that the first step begins with, where none are known.
 void start_openings(NodalLaws& laws, const NodalGaps& now);
 
-/// Takes openings over as those that a step of `dt` ended with [s].
+/// Takes openings over as those that a step of `dt` ended with [s], and judges by them what the step before foretold:
+/// where it would have had nodes change status, whether that would have left less than half as many of them wrong.
+/// Where loads turn, surfaces roll or contact has just been found, the last step does not tell what the next one does.
 void take_openings(NodalLaws& laws, const NodalGaps& now, double dt);
 
 /// Openings after another `ahead` [s], should they change as in the last step; the present ones where that is unknown.

@@ -40,8 +40,8 @@ ABOUT = {
     "[which enforcement](../how-to/parameters.md#which-enforcement).",
     "ambient": "Values of the fluid that wets nodes out of contact; see [ambient conditions](../how-to/ambient.md).",
     "surfaces": "Which points see each other, and where (2.5) is integrated.",
-    "solution": "These parameters act on the solver. The last three switch "
-    "[devices](../how-to/solver.md#devices-with-a-switch). "
+    "solution": "These parameters act on the solver. All but the first switch "
+    "[devices](../how-to/solver.md#devices-of-the-solver). "
     "They act on the whole model: contacts that give one must give the same value.",
     "friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
     "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
@@ -182,6 +182,12 @@ NOTES = {
         "Where FEBio's line search left less than half of the last increment of a solution, take the next increment "
         "as a whole before the solution is accepted; once in a step.",
         "at most one iteration in such a step",
+        "not there",
+    ),
+    "solver_devices": Note(
+        "[Devices of the solver](../how-to/solver.md#devices-of-the-solver) that may act: `all`, `none`, or names with "
+        "commas between them. Where a step fails, none acts in the attempt after it, whatever stands here.",
+        "fewer devices: more iterations or a larger matrix",
         "not there",
     ),
     "seg_up": Note(

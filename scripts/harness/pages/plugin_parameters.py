@@ -29,7 +29,7 @@ _TABLE = re.compile(
 _REGISTERED = re.compile(r'ADD_(?:PARAMETER|PROPERTY)\((?:\w+\.)?(?P<member>[\w.]+), "(?P<name>\w+)"(?P<rest>[^;]*)')
 _STRUCT = re.compile(r"^struct (?P<name>\w+) \{\n(?P<body>.*?)^\};", re.MULTILINE | re.DOTALL)
 _DECLARED = re.compile(
-    r"^  (?:(?P<kind>bool|int|double|std::string)|Given<(?P<given>\w+)>|(?P<varying>Varying)"
+    r"^  (?:(?P<kind>bool|int|double|std::string)|Given<(?P<given>[\w:]+)>|(?P<varying>Varying)"
     r"|(?:mixture_contact::PerSide<)?(?P<struct>\w+Parameters)>?) "
     r"(?P<member>\w+)(?: = (?P<value>[^;]+)|\{+(?P<braced>[^{}]+)\}+)?;",
     re.MULTILINE,

@@ -84,6 +84,7 @@ _OWN = (
     "extrapolation",
     "non_negative_concentrations",
     "line_search_guard",
+    "solver_devices",
 )
 _MIXTURE_PARAMETERS = frozenset(
     [*_BASE, "symmetric_stiffness", *_SOLVENT, *_SOLUTE, *_FRICTION, *_SHELLS, "offset", "tension", *_OWN]

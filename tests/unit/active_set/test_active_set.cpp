@@ -220,6 +220,7 @@ BOOST_AUTO_TEST_CASE(
     a_step_begins_with_the_nodes_open_that_their_motion_opens_within_it_where_they_carry_next_to_nothing) {
   Approach approach(0.25, elastic);
   approach.step_to(-0.1 + 0.006, 1, slope);  // the nodes of x = 0: three of nine, with a hundredth of the load
+  forget_motion(*approach.contact);
   approach.step_to(-0.1 + 0.004, 1, slope);
   BOOST_TEST(approach.closed_where_a_step_begins(1.9) == all);
   BOOST_TEST(approach.closed_where_a_step_begins(2.1) == all - 3);
@@ -267,6 +268,22 @@ BOOST_AUTO_TEST_CASE(a_penalty_that_grows_looks_like_no_motion) {
   BOOST_TEST(laws.multipliers.opening[0] == std::numeric_limits<double>::infinity());
   take_openings(laws, gaps, 0.5);  // where a node has just come to face something no motion is known
   BOOST_TEST((expected_openings(laws, gaps, 1).array() == 0.125).all());
+}
+
+BOOST_AUTO_TEST_CASE(where_a_step_does_not_end_as_foretold_the_next_begins_with_what_is_closed) {
+  Approach approach(0.25, elastic);
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  NodalGaps gaps = approach.contact->pass(0).space().gaps();
+  const auto is_foretold_after = [&](double gap) {
+    gaps.gap.setConstant(gap);
+    take_openings(laws, gaps, 1);
+    return laws.multipliers.was_foretold;
+  };
+  BOOST_TEST(is_foretold_after(0.3));
+  BOOST_TEST(is_foretold_after(0.125));
+  BOOST_TEST(!is_foretold_after(0.125));  // it would have closed
+  BOOST_TEST(!is_foretold_after(0.05));   // nothing was foretold
+  BOOST_TEST(is_foretold_after(-0.025));
 }
 
 BOOST_AUTO_TEST_CASE(expectations_do_not_depend_on_the_unit_of_length) {

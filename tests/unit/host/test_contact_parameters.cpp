@@ -74,3 +74,13 @@ BOOST_AUTO_TEST_CASE(a_parameter_notes_its_load_curve_or_refuses_it) {
   BOOST_TEST(has_friction(parameters));
   BOOST_TEST(is_relieved_by_fluid(parameters));
 }
+
+BOOST_AUTO_TEST_CASE(a_device_of_the_solver_that_does_not_exist_is_an_error_that_names_what_does) {
+  ContactParameters parameters;
+  BOOST_TEST(complaints(parameters).empty());
+  parameters.helpers.devices.value = "kept_matrix, magic";
+  const std::vector<std::string> list = complaints(parameters);
+  BOOST_TEST_REQUIRE(list.size() == 1U);
+  for (const char* const part : {"<solver_devices>", "\"magic\"", "\"all\"", "loads_as_unknowns", "predictor"})
+    BOOST_TEST(list.front().find(part) != std::string::npos, part);
+}

@@ -98,7 +98,7 @@ class FakeHost : public SteppedModel {
       : matrices(use), helpers_(solver_), steps(*this, helpers_) {
     auto made = std::make_unique<FakeHelper>(notes);
     helper = made.get();
-    helpers_.add("fake", std::move(made), [] { return true; });
+    helpers_.add(std::move(made), [] { return true; });
     for (int n = 0; n < count; ++n) {
       contacts.push_back(std::make_unique<FakeContact>(std::string(1, char('A' + n)), notes));
       is_active.push_back(true);
@@ -161,6 +161,12 @@ class FakeHost : public SteppedModel {
     }
     return active;
   }
+  bool may_look_ahead() override { return true; }
+  bool is_matrix_spent() override { return is_spent; }
+  void replace_matrix() override {
+    notes.emplace_back("matrix at once");
+    form_matrix();
+  }
   bool apply_ambient() override {
     notes.emplace_back("ambient");
     return ambient_changes;
@@ -194,6 +200,7 @@ class FakeHost : public SteppedModel {
   bool ambient_changes = false;
   MatrixUse matrices;
   bool is_due = false;
+  bool is_spent = false;
 
  private:
   FakeSolver solver_;
@@ -283,6 +290,18 @@ BOOST_AUTO_TEST_CASE(quasi_newton_methods_get_a_matrix_where_the_active_set_must
   check(host.said(), {"helper trial", "matrix please"});
   host.form_matrix();
   host.said();
+  host.steps.end_iteration();  // the iteration has begun with the matrix
+  check(host.said(), {});
+}
+
+BOOST_AUTO_TEST_CASE(a_matrix_that_leaves_too_much_of_the_residual_is_replaced_at_once) {
+  FakeHost host(1, MatrixUse::kept);
+  host.start_step();
+  host.update(1.0);
+  host.is_spent = true;
+  host.said();
+  host.steps.end_iteration();
+  check(host.said(), {"matrix at once", "A begin", "ambient", "helper adapt", "helper residual"});
   host.steps.end_iteration();  // the iteration has begun with the matrix
   check(host.said(), {});
 }

@@ -48,6 +48,16 @@ BOOST_AUTO_TEST_CASE(it_acts_once_in_a_step) {
   BOOST_TEST(step.guard.rejects());
 }
 
+BOOST_AUTO_TEST_CASE(a_state_whose_residual_is_rounding_is_accepted) {
+  Searched step(0.4);
+  step.solver.squares = {1e-17, 1};
+  BOOST_TEST(!step.guard.rejects());
+  step.solver.squares = {0, 0};
+  BOOST_TEST(!step.guard.rejects());
+  step.solver.squares = {1e-12, 1};
+  BOOST_TEST(step.guard.rejects());
+}
+
 BOOST_AUTO_TEST_CASE(a_failed_attempt_leaves_the_search_as_it_was) {
   Searched step(0.4);
   step.guard.rejects();

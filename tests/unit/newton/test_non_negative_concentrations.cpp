@@ -124,14 +124,33 @@ BOOST_AUTO_TEST_CASE(after_a_cutback_the_vectors_are_those_of_the_start) {
 BOOST_AUTO_TEST_CASE(a_value_can_be_left_to_somebody_else) {
   Undershoot solver;
   newton::Helpers helpers(solver);
-  helpers.add("non_negative_concentrations", std::make_unique<NonNegativeConcentrations>(solver), [] { return true; });
+  newton::DeviceRecord record;
+  helpers.add(
+      newton::Device::non_negative_concentrations, std::make_unique<NonNegativeConcentrations>(solver),
+      [] { return true; }, record);
   helpers.adapt();
   BOOST_TEST(helpers.keeps(first, true));
   BOOST_TEST(!helpers.keeps(second, true));
   BOOST_TEST(!helpers.keeps(first, false));
   BOOST_TEST(!helpers.keeps(first, true));
   BOOST_TEST(solver.equation(first) == newton::prescribed(1));  // as it was
-  BOOST_CHECK_THROW(helpers.unavailable("another"), std::invalid_argument);
+  BOOST_TEST(record.summary().find("non_negative_concentrations 1") != std::string::npos);
+  BOOST_CHECK_THROW(helpers.unavailable(newton::Device::predictor), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_helper_that_is_switched_off_lets_go_where_iterations_begin) {
+  Undershoot solver;
+  newton::Helpers helpers(solver);
+  newton::DeviceRecord record;
+  helpers.add(
+      newton::Device::non_negative_concentrations, std::make_unique<NonNegativeConcentrations>(solver),
+      [&] { return !record.is_suspended(); }, record);
+  helpers.adapt();
+  BOOST_TEST(newton::is_prescribed(solver.equation(first)));
+  record.suspend();
+  helpers.begin_iterations();
+  BOOST_TEST(solver.equation(first) == 1);
+  BOOST_TEST(!helpers.adapt());
 }
 
 BOOST_AUTO_TEST_CASE(a_helper_that_is_off_and_a_solver_that_is_not_newtons_do_nothing) {
@@ -139,8 +158,10 @@ BOOST_AUTO_TEST_CASE(a_helper_that_is_off_and_a_solver_that_is_not_newtons_do_no
     Undershoot solver;
     solver.newton = !on;
     newton::Helpers helpers(solver);
-    helpers.add("non_negative_concentrations", std::make_unique<NonNegativeConcentrations>(solver),
-                [on] { return on; });
+    newton::DeviceRecord record;
+    helpers.add(
+        newton::Device::non_negative_concentrations, std::make_unique<NonNegativeConcentrations>(solver),
+        [on] { return on; }, record);
     BOOST_TEST(helpers.are_settled());
     BOOST_TEST(!helpers.adapt());
     BOOST_TEST(solver.equation(first) == 1);
