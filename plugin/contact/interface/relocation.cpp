@@ -9,7 +9,8 @@ Matrix3Xd without_overlap(const ContactInterface& contact, const PerSide<Matrix3
   Matrix3Xd moved = position[Side::primary];
   const Matrix3Xd normals = nodal_normals(contact.mesh(Side::primary), moved);
   for (Index node = 0; node < moved.cols(); ++node) {
-    if (hits[node] && hits[node]->gap < 0) moved.col(node) += hits[node]->gap * normals.col(node);
+    const std::optional<SurfaceHit>& hit = hits[node];
+    if (hit && hit->gap < 0) moved.col(node) += hit->gap * normals.col(node);
   }
   return moved;
 }

@@ -55,11 +55,11 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   return sums;
 }
 
-/// A node at an edge bears no load of a facet that the other surface opposes less than this part of what it opposes the
-/// best facet around the node: of a block on a plane not the sides, of an octagon on its side also the next one, whose
-/// normal is turned by 45 degrees. One that bore none takes it up at a larger part, so that a decision does not come
-/// and go with the steps.
+/// A node at an edge bears no load of a facet that the other surface opposes less than this part of how much it opposes
+/// the best facet around the node: on a plane a block's lower nodes bear none of its sides, while those of an octagon
+/// bear that of the next side, too, which is turned by 45 degrees.
 constexpr double least_part_of_best = 0.6;
+/// A node that bore none takes it up from here on, so that a decision does not come and go with the steps.
 constexpr double least_part_of_other = 0.75;
 
 /// How much the secondary surface opposes each primary facet, -n1.n2 at most, and the best facet around each node.
