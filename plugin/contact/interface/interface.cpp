@@ -50,15 +50,19 @@ void measure_slips(const std::vector<SidedPass>& passes, const PerSide<Matrix3Xd
   for (const SidedPass& pass : passes) pass.integral->measure_slips_from(seen_from(pass.side, from));
 }
 
+bool has_reduced_penalty(const Settings& settings) {
+  return settings.enforcement == Enforcement::penalty && settings.traction_reduction > 1;
+}
+
 /// Has the law of each node pass through the accepted state, from which a reduced penalty would be far: its loads would
-/// ask for overlaps that are as many times deeper as the penalty is smaller. A full penalty has no multipliers.
-void keep_loads(NodalLaws& laws, const NodalGaps& accepted, bool reduced) {
-  laws.multipliers.traction.setZero();
-  if (!reduced) return;
+/// ask for overlaps that are as many times deeper as the penalty is smaller.
+void keep_loads(ContactPass& pass) {
+  NodalLaws& laws = pass.laws();
+  const NodalGaps& gaps = pass.space().gaps();
   for (Index node = 0; node < laws.nodes(); ++node) {
     const double traction = laws.multipliers.accepted_traction[node];
-    if (traction < 0 && accepted.faces(node))
-      laws.multipliers.traction[node] = traction - laws.traction_penalty(node) * accepted.gap[node];
+    const bool bears = traction < 0 && gaps.faces(node);
+    laws.multipliers.traction[node] = bears ? traction - laws.traction_penalty(node) * gaps.gap[node] : 0;
   }
 }
 
@@ -191,6 +195,7 @@ void ContactInterface::end_iterations() {
   for (SidedPass& pass : passes_) {
     if (effects_.traction) pass.faced.reset();
     pass.integral->end_iterations();
+    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral);  // those that follow begin at the accepted state
   }
 }
 
@@ -370,8 +375,7 @@ void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<Ma
 
 void ContactInterface::update_laws(const Settings& settings) {
   const bool same = same_penalties(settings_, settings);
-  const bool reduced_before = settings_.traction_reduction > 1;
-  const bool reduced = settings.traction_reduction > 1;
+  const bool was_reduced = has_reduced_penalty(settings_);
   settings_.tolerances = settings.tolerances;
   settings_.friction = settings.friction;
   settings_.gap.offset = settings.gap.offset;
@@ -384,8 +388,8 @@ void ContactInterface::update_laws(const Settings& settings) {
   for (const SidedPass& pass : passes_) {
     NodalLaws& laws = pass.integral->laws();
     if (!same) laws.update_penalties();
-    if (settings_.enforcement == Enforcement::penalty && (reduced || reduced_before))
-      keep_loads(laws, pass.integral->space().gaps(), reduced);
+    if (was_reduced) laws.multipliers.traction.setZero();  // a full penalty has no multipliers
+    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral);
   }
 }
 
