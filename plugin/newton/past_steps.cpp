@@ -19,7 +19,7 @@ constexpr double regular_ratio = 5.0 / 3.0;
 /// Steps whose lengths differ by less than this part are equal.
 constexpr double same_length = 1e-6;
 /// A curve predicts nothing where its error of the last change is larger than this part of it.
-constexpr double largest_error = 1.0 / 3.0;
+constexpr double largest_extrapolation_error = 1.0 / 3.0;
 /// Terms below this part of the first one are rounding, and so are differences of the errors below this part of the
 /// last change.
 constexpr double negligible = 1e-6;
@@ -105,7 +105,7 @@ void PastSteps::judge(const Change& actual) {
   error_ = 1;
   if (changes_.empty()) return;
   const double whole = actual.values.norm();
-  double least = largest_error * whole;
+  double least = largest_extrapolation_error * whole;
   const Judged plain = judged(terms(in_time(actual.dt), highest_degree_in_time), actual.values).back();
   if (plain.error <= least) {
     in_time_ = plain.curve;
