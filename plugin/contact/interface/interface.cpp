@@ -186,8 +186,9 @@ bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
     return pass.integral->is_solution(seen_from(pass.side, fields));
   });
-  return agrees && (settings_.enforcement != Enforcement::lagrange_multipliers ||
-                    meets(gaps(fields), settings_.tolerances, effects_));
+  return agrees && faces_as_held(*this) &&
+         (settings_.enforcement != Enforcement::lagrange_multipliers ||
+          meets(gaps(fields), settings_.tolerances, effects_));
 }
 
 void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
@@ -365,6 +366,16 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.traction_reduction = settings.traction_reduction;
   check_.settings = settings_of_check(settings_);
   for (const SidedPass& pass : passes_) pass.integral->laws().update_penalties();
+}
+
+bool faces_as_held(const ContactInterface& contact) {
+  if (!contact.effects_.traction) return true;
+  return std::all_of(contact.passes_.begin(), contact.passes_.end(), [&](const SidedPass& pass) {
+    if (!pass.faced) return true;
+    NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
+                                      contact.settings_);
+    return next_facing(pass, std::move(facing)) == *pass.faced;
+  });
 }
 
 }  // namespace mixture_contact
