@@ -27,6 +27,7 @@ COMMANDS = {
     "predictor": "harness.studies.predictor.command",
     "real-models": "harness.studies.real_models.command",
     "robustness": "harness.studies.robustness.command",
+    "one-answer": "harness.studies.one_answer.command",
     "linear-solvers": "harness.studies.linear_solvers.command",
     "biphasic-hertz": "harness.studies.hertz.command",
     "elastic-hertz": "harness.studies.hertz.command",

@@ -31,6 +31,7 @@ STUDIES = (
     "price",
     "real_models",
     "robustness",
+    "one_answer",
     "hertz",
     "linear_solvers",
     "remeasurement",

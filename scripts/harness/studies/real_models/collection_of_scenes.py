@@ -33,7 +33,18 @@ from harness.models.parts import (
     pressure,
     push_rigid,
 )
-from harness.studies.real_models.slab_and_block import BASE, BLOCK, LOADED, LOWER, PAIR, SLAB, Elements, Shape, mesh
+from harness.studies.real_models.slab_and_block import (
+    BASE,
+    BLOCK,
+    LOADED,
+    LOWER,
+    PAIR,
+    SLAB,
+    Cells,
+    Elements,
+    Shape,
+    mesh,
+)
 
 DEPTH = 0.15
 """mm by which the block is moved down."""
@@ -169,7 +180,13 @@ class Scene:
             name=name,
             header=self.about,
             module=self.module,
-            mesh=mesh(self.elements, self.shape, self.primary, GAP if self.force is None else -OVERLAP, self.fineness),
+            mesh=mesh(
+                self.elements,
+                self.shape,
+                self.primary,
+                GAP if self.force is None else -OVERLAP,
+                Cells().times(self.fineness),
+            ),
             materials=materials,
             conditions=tuple(self._conditions(solutes)),
             control=Control(
