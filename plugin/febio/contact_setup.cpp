@@ -5,6 +5,7 @@
 #include "material_properties.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
+#include <FEBioMix/FEBiphasicAnalysis.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEElement.h>
 #include <FECore/FEMesh.h>
@@ -321,7 +322,10 @@ SolverKind ContactSetup::solver_kind() const {
 }
 
 void ContactSetup::update_laws(const BoundContact& contact, double reduction) const {
-  contact.core().update_laws(core_settings(parameters_, solver_kind(), reduction));
+  Settings settings = core_settings(parameters_, solver_kind(), reduction);
+  const bool stores = fem_.GetCurrentStep()->m_nanalysis == FEBiphasicAnalysis::TRANSIENT;
+  settings.solvent.time_step = stores ? fem_.GetTime().timeIncrement : 0;
+  contact.core().update_laws(settings);
 }
 
 bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind()); }

@@ -122,10 +122,12 @@ mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
   return mesh;
 }
 
-void Contact::update_laws(double time, double reduction) {
+void Contact::update_laws(double time, double dt, double reduction) {
   ContactParameters now = definition_.parameters;
   now.ambient.pressure = definition_.ambient_pressure.at(time, model_.curves);
-  core_->update_laws(core_settings(now, SolverKind::newton, reduction));
+  mixture_contact::Settings settings = core_settings(now, SolverKind::newton, reduction);
+  settings.solvent.time_step = dt;
+  core_->update_laws(settings);
 }
 
 bool Contact::has_reducible_penalty() const {

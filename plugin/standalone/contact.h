@@ -24,9 +24,9 @@ class Contact {
   /// A line that says which effects the contact exchanges, and why others are absent.
   const std::string& effects_line() const { return effects_line_; }
 
-  /// Takes laws as they are at a time: friction knows the ambient pressure, and an automatic penalty of the traction is
-  /// divided by `reduction`.
-  void update_laws(double time, double reduction);
+  /// Takes laws as they are at the end of a step of `dt` [s]: friction knows the ambient pressure, and an automatic
+  /// penalty of the traction is divided by `reduction`.
+  void update_laws(double time, double dt, double reduction);
   /// Whether a reduction has an effect.
   bool has_reducible_penalty() const;
   /// Reads the materials behind the facets again: the convective part follows the current flow.

@@ -120,7 +120,7 @@ void Problem::start_step(double time, double dt) {
     }
   }
   for (Contact& contact : contacts_) {
-    contact.update_laws(time, penalty_divisor_);
+    contact.update_laws(time, dt_, penalty_divisor_);
     if (reads_properties_again(contact.definition().parameters, contact.core().effects()))
       contact.update_properties(state_.values);
   }

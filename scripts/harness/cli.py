@@ -29,6 +29,7 @@ COMMANDS = {
     "synthetic-scenes": "harness.studies.synthetic_scenes.command",
     "agreement": "harness.studies.agreement.command",
     "robustness": "harness.studies.robustness.command",
+    "one-answer": "harness.studies.one_answer.command",
     "linear-solvers": "harness.studies.linear_solvers.command",
     "biphasic-hertz": "harness.studies.hertz.command",
     "elastic-hertz": "harness.studies.hertz.command",

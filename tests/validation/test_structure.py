@@ -33,6 +33,7 @@ STUDIES = (
     "agreement",
     "ablation",
     "robustness",
+    "one_answer",
     "hertz",
     "linear_solvers",
     "remeasurement",

@@ -24,9 +24,10 @@ enum class Integration {
 struct PenaltyRule {
   bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
   double value = 1.0;
+  double time_step = 0;  ///< in which elements store the field, where that counts [s]; 0: it does not
 
   friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {
-    return a.automatic == b.automatic && a.value == b.value;
+    return a.automatic == b.automatic && a.value == b.value && a.time_step == b.time_step;
   }
 };
 

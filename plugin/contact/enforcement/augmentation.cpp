@@ -44,8 +44,12 @@ const Tolerances::Field& tolerance_of_flux(const Tolerances& tolerances, const E
   return effects.solvent && field == 0 ? tolerances.solvent : tolerances.solute;
 }
 
+/// The relative gap that a penalty leaves is 1 over its factor, a round number as tolerances are: what rounding makes
+/// of either is not to decide which of them is larger.
+constexpr double rounding_of_round_numbers = 1e-3;
+
 bool within(const FieldGap& gap, const Tolerances::Field& tolerance) {
-  return (tolerance.relative <= 0 || gap.relative <= tolerance.relative) &&
+  return (tolerance.relative <= 0 || gap.relative <= (1 + rounding_of_round_numbers) * tolerance.relative) &&
          (tolerance.largest <= 0 || gap.largest <= tolerance.largest);
 }
 

@@ -33,6 +33,7 @@ bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>&
   bool any_correctable = false;
   for_each_correctable(contact, [&](Side, const HeldLinearisation&) { any_correctable = true; });
   if (!any_correctable) return contact.is_solution(fields);
+  if (!faces_as_held(contact)) return false;
   const TaskClock timed = contact.measurements().clock(Task::augmentation);
   bool all = true;
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {

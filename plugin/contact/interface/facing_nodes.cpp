@@ -92,14 +92,23 @@ NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes) {
   return in_contact;
 }
 
-void hold_facing(SidedPass& pass, NodeFlags facing) {
+NodeFlags next_facing(const SidedPass& pass, NodeFlags facing) {
+  if (!pass.faced) return facing;
   const int most_changes = pass.integral->active_set().options().most_facing_changes;
+  for (Index node = 0; node < facing.count(); ++node) {
+    const int changes = pass.faced_changes[node] + (facing[node] != (*pass.faced)[node] ? 1 : 0);
+    if (changes > most_changes) facing[node] = false;
+  }
+  return facing;
+}
+
+void hold_facing(SidedPass& pass, const NodeFlags& facing) {
+  NodeFlags next = next_facing(pass, facing);
   if (!pass.faced) pass.faced_changes.assign(facing.size(), 0);
   for (Index node = 0; node < facing.count(); ++node) {
     if (pass.faced && facing[node] != (*pass.faced)[node]) ++pass.faced_changes[node];
-    if (pass.faced_changes[node] > most_changes) facing[node] = false;
   }
-  pass.faced = std::move(facing);
+  pass.faced = std::move(next);
 }
 
 }  // namespace mixture_contact

@@ -40,9 +40,11 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
 
 NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 
-/// Takes over which nodes face contact, for an iteration that has begun. Nodes that change too often are at the edge of
-/// contact, as ActiveSet has it; here no load tells whether they are.
-void hold_facing(SidedPass& pass, NodeFlags facing);
+/// Which nodes an iteration that begins has facing contact, where `facing` do. Nodes that change too often are at the
+/// edge of contact, as ActiveSet has it; here no load tells whether they are.
+NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
+/// Takes over which nodes face contact, for an iteration that has begun, and counts the changes.
+void hold_facing(SidedPass& pass, const NodeFlags& facing);
 
 /// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position);

@@ -204,8 +204,9 @@ bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
     return pass.integral->is_solution(seen_from(pass.side, fields));
   });
-  return agrees && (settings_.enforcement != Enforcement::lagrange_multipliers ||
-                    meets(gaps(fields), settings_.tolerances, effects_));
+  return agrees && faces_as_held(*this) &&
+         (settings_.enforcement != Enforcement::lagrange_multipliers ||
+          meets(gaps(fields), settings_.tolerances, effects_));
 }
 
 void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
@@ -391,6 +392,16 @@ void ContactInterface::update_laws(const Settings& settings) {
     if (was_reduced) laws.multipliers.traction.setZero();  // a full penalty has no multipliers
     if (has_reduced_penalty(settings_)) keep_loads(*pass.integral);
   }
+}
+
+bool faces_as_held(const ContactInterface& contact) {
+  if (!contact.effects_.traction) return true;
+  return std::all_of(contact.passes_.begin(), contact.passes_.end(), [&](const SidedPass& pass) {
+    if (!pass.faced) return true;
+    NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
+                                      contact.settings_);
+    return next_facing(pass, std::move(facing)) == *pass.faced;
+  });
 }
 
 }  // namespace mixture_contact

@@ -54,6 +54,8 @@ class ContactInterface {
   void end_iterations();
   /// Whether a state found in iterations is a solution of the true laws.
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
+  /// Whether the nodes that face contact are still those that the iteration began with.
+  friend bool faces_as_held(const ContactInterface& contact);
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
@@ -141,5 +143,7 @@ class ContactInterface {
   bool searched_ = false;          ///< whether the last projection was a search everywhere
   mutable Measurements measurements_;
 };
+
+bool faces_as_held(const ContactInterface& contact);
 
 }  // namespace mixture_contact

@@ -20,6 +20,11 @@ double harmonic_mean(const Eigen::Ref<const VectorXd>& values) {
   return resistance > 0 ? count / resistance : std::numeric_limits<double>::infinity();
 }
 
+/// What a facet's elements store of the solvent in a time step of both sides' stiffness, as a conductance.
+double storage(double primary, double secondary, double time_step) {
+  return time_step > 0 ? in_series(1 / primary, 1 / secondary) / time_step : 0.0;
+}
+
 double apply(const PenaltyRule& rule, double base) { return rule.automatic ? rule.value * base : rule.value; }
 
 }  // namespace
@@ -44,9 +49,15 @@ Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, co
   }
   for (Index k = 0; k < fields; ++k) {
     const double secondary_conductance = harmonic_mean(secondary.conductance.row(k).transpose());
-    const PenaltyRule& rule = effects.solvent && k == 0 ? settings.solvent : settings.solute;
+    const bool is_solvent = effects.solvent && k == 0;
+    const PenaltyRule& rule = is_solvent ? settings.solvent : settings.solute;
     for (Index f = 0; f < facets; ++f) {
-      result.conductance(k, f) = in_series(primary.conductance(k, f), secondary_conductance);
+      double& conductance = result.conductance(k, f);
+      conductance = in_series(primary.conductance(k, f), secondary_conductance);
+      if (is_solvent && conductance > 0) {
+        const double stored = storage(primary.stiffness[f], secondary_stiffness, rule.time_step);
+        conductance = std::max(conductance, storage_part * stored);
+      }
       result.flux(k, f) = apply(rule, result.conductance(k, f));
     }
   }

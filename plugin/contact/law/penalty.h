@@ -11,8 +11,15 @@ struct Penalties {
   VectorXd traction;     ///< eps_n per facet [N/mm^3]
   MatrixXd flux;         ///< eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
   VectorXd stiffness;    ///< stiffness of the adjoining elements per facet (between rigid bodies: the penalty) [N/mm^3]
-  MatrixXd conductance;  ///< conductance of the adjoining elements per (field, facet), units of flux
+  MatrixXd conductance;  ///< conductance of the adjoining elements per (field, facet), units of flux; of the solvent at
+                         ///< least a part of what they store in a time step (see storage_part)
 };
+
+/// In a time step dt an element of stiffness E/h takes up solvent like a conductance of h/(E dt) [mm^3/(N s)]: in steps
+/// far below the time in which it drains, fluxes are that large, and a jump over a penalty that knows of flow alone is
+/// a large part of the pressure. This part of it, times the default factor, leaves a jump of a thousandth, as the
+/// default leaves of the traction's.
+inline constexpr double storage_part = default_traction_factor / default_flux_factor;
 
 /// Stiffness or conductance of two sides in series, doubled so that equal sides give their own value: 2 k1 k2 / (k1 +
 /// k2). An infinite side leaves twice the other; a zero side leaves zero.

@@ -80,6 +80,21 @@ BOOST_AUTO_TEST_CASE(explicit_penalties_are_taken_as_they_are) {
   check_close(result.stiffness[0], in_series(1, 3));  // what gaps are measured against stays that of the elements
 }
 
+BOOST_AUTO_TEST_CASE(the_solvent_conducts_at_least_a_part_of_what_elements_store_in_a_time_step) {
+  Sides sides;
+  sides.primary.stiffness.setConstant(2);
+  sides.secondary.stiffness.setConstant(2);
+  const Penalties steady = sides.result();
+  sides.settings.solvent.time_step = 1e9;
+  BOOST_TEST((sides.result().flux == steady.flux));
+  sides.settings.solvent.time_step = 1e-9;
+  const double stored = 0.5 / 1e-9;
+  check_close(sides.result().conductance(0, 0), storage_part * stored);
+  BOOST_TEST((sides.result().conductance.row(1) == steady.conductance.row(1)));
+  // Times the default factor it leaves as much of the pressure as that of the traction leaves of the overlap.
+  check_close(storage_part * default_flux_factor, default_traction_factor);
+}
+
 BOOST_AUTO_TEST_CASE(without_a_solvent_the_first_field_is_a_solute) {
   Sides sides;
   sides.effects = effects_of(false, 2);

@@ -40,6 +40,7 @@ from harness.studies.synthetic_scenes.slab_and_block import (
     LOWER,
     PAIR,
     SLAB,
+    Cells,
     Elements,
     Shape,
     mesh,
@@ -179,7 +180,13 @@ class Scene:
             name=name,
             header=self.about,
             module=self.module,
-            mesh=mesh(self.elements, self.shape, self.primary, GAP if self.force is None else -OVERLAP, self.fineness),
+            mesh=mesh(
+                self.elements,
+                self.shape,
+                self.primary,
+                GAP if self.force is None else -OVERLAP,
+                Cells().times(self.fineness),
+            ),
             materials=materials,
             conditions=tuple(self._conditions(solutes)),
             control=Control(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
@@ -68,12 +69,23 @@ def _facets(body: Body, height: float) -> Ids:
     return np.array([row for row in kept if len(row) == len(kept[0])], dtype=np.int64)
 
 
-def mesh(kind: Elements, shape: Shape, primary: str, gap: float, fineness: int = 1) -> Mesh:
-    """Slab (3 x 3 x 1 mm) and block (2 x 2 x 0.8 mm) at a distance `gap` (mm), whose meshes do not match; `fineness`
-    times as many elements along each edge.
-    """
-    slab = _of(kind, box((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (6 * fineness, 6 * fineness, 2 * fineness)))
-    block = _of(kind, box((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (5 * fineness, 5 * fineness, 2 * fineness)))
+@dataclass(frozen=True)
+class Cells:
+    """Hexahedra along the edges of slab and block, before they are cut into others."""
+
+    slab: int = 6
+    block: int = 5
+    high: int = 2
+
+    def times(self, fineness: int) -> Cells:
+        """So many times as many."""
+        return Cells(self.slab * fineness, self.block * fineness, self.high * fineness)
+
+
+def mesh(kind: Elements, shape: Shape, primary: str, gap: float, cells: Cells = Cells()) -> Mesh:
+    """Slab (3 x 3 x 1 mm) and block (2 x 2 x 0.8 mm) at a distance `gap` (mm), whose meshes do not match."""
+    slab = _of(kind, box((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (cells.slab, cells.slab, cells.high)))
+    block = _of(kind, box((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (cells.block, cells.block, cells.high)))
     surfaces = {
         UPPER: (slab, 1.0, 0),
         BASE: (slab, 0.0, 0),

@@ -1,0 +1,62 @@
+"""One answer at an edge of contact, however it is found, and in steps far below the time in which bodies drain."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from harness.errors import EngineNotFoundError, PluginNotFoundError
+from harness.run import engine
+from harness.studies.one_answer.answers import FULL, KEPT, SAME
+from harness.studies.one_answer.edge_scenes import SCENES
+from harness.studies.one_answer.ways import ENFORCED, WAYS, contact, time_step
+from harness.studies.robustness import differences, execution, variations
+from harness.studies.robustness.execution import Way
+from harness.studies.robustness.sanitized import Plugin
+from harness.studies.robustness.trial import Trial
+
+pytestmark = pytest.mark.mixture_only
+
+QUICK = ("punch", "sphere-loaded", "sphere-slides", "tet10-slide", "crack")
+SHORT = 1e-6
+"""s; an element drains in hundreds."""
+
+
+@pytest.fixture(scope="module")
+def way():
+    try:
+        engine.find_engine()
+        return Way(Plugin(engine.required_plugin()), timeout=600.0)
+    except (EngineNotFoundError, PluginNotFoundError) as error:
+        pytest.skip(str(error))
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_a_matrix_that_is_kept_leads_to_the_answer_of_full_newton(way, tmp_path, name):
+    scene = variations.watched(SCENES[name].feb(name))
+    runs = {method: execution.run(WAYS[method](scene), tmp_path / method, way) for method in (FULL, KEPT)}
+    assert all(run.how == "normal" for run in runs.values())
+    assert differences.largest(runs[KEPT].nodes, runs[FULL].nodes) <= SAME
+
+
+def test_steps_far_below_the_drainage_time_leave_no_jump_of_the_pressure(way, tmp_path):
+    """Multipliers as unknowns have next to none; they converge with either of MKL's solvers."""
+    scene = time_step(SHORT)(variations.watched(replace(SCENES["punch"], steps=1).feb("short")))
+    exact = {
+        solver: execution.run(ENFORCED["LAGMULT"](WAYS[solver](scene)), tmp_path / solver, way)
+        for solver in (FULL, "mkl_dss")
+    }
+    penalty = execution.run(WAYS[FULL](scene), tmp_path / "penalty", way)
+    assert all(run.how == "normal" for run in (*exact.values(), penalty))
+    assert differences.largest(exact["mkl_dss"].nodes, exact[FULL].nodes) <= SAME
+    assert np.abs(exact[FULL].nodes["p"]).max() > 0.0
+    assert differences.largest(penalty.nodes, exact[FULL].nodes) <= 5e-3
+
+
+def test_a_tolerance_that_equals_the_gap_of_the_penalty_is_met_alike_in_a_restarted_run(way, tmp_path):
+    """The default penalty leaves a thousandth of the drop, and rounding does not decide about another augmentation."""
+    scene = contact(laugon="AUGLAG", tolerance=1e-3)(WAYS[KEPT](SCENES["sphere-slides"].feb("restarted")))
+    found = {finding.variation: finding for finding in Trial(scene, way, tmp_path, 0).findings()}
+    assert found["restarted"].faults == ()
