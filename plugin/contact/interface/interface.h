@@ -101,8 +101,8 @@ class ContactInterface {
   /// Replaces stiffness and conductance of a surface's facets and recomputes the penalties.
   void update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance);
 
-  /// Takes penalties and tolerances from these settings, which may follow load curves; the others stay as they are. With
-  /// Enforcement::penalty a penalty of the traction that is reduced has multipliers that keep the accepted loads.
+  /// Takes penalties and tolerances from these settings, which may follow load curves; the others stay as they are.
+  /// With Enforcement::penalty a penalty of the traction that is reduced has multipliers that keep the accepted loads.
   void update_laws(const Settings& settings);
 
   const Effects& effects() const { return effects_; }
