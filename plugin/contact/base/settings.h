@@ -7,7 +7,7 @@ namespace mixture_contact {
 
 /// How the interface conditions are enforced.
 enum class Enforcement {
-  penalty,               ///< multipliers stay zero; gaps and jumps are flux / penalty
+  penalty,               ///< multipliers stay zero, but where penalties are reduced; gaps and jumps are flux / penalty
   augmented_lagrangian,  ///< multipliers take up the loads of converged solutions until gaps and jumps meet the
                          ///< tolerances
   lagrange_multipliers   ///< multipliers are unknowns of the same Newton solve, with equations of their own

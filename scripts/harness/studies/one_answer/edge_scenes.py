@@ -27,7 +27,7 @@ from harness.models.parts import (
     pressure,
 )
 from harness.studies.one_answer.tet15 import with_tet15
-from harness.studies.real_models.slab_and_block import (
+from harness.studies.synthetic_scenes.slab_and_block import (
     BASE,
     BLOCK,
     LOADED,
@@ -39,7 +39,7 @@ from harness.studies.real_models.slab_and_block import (
     Elements,
     Shape,
 )
-from harness.studies.real_models.slab_and_block import mesh as slab_and_block
+from harness.studies.synthetic_scenes.slab_and_block import mesh as slab_and_block
 from harness.studies.robustness.feb import Feb
 
 KIND = "sliding-mixture"
