@@ -103,13 +103,9 @@ class ContactInterface {
   /// Replaces stiffness and conductance of a surface's facets and recomputes the penalties.
   void update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance);
 
-<<<<<<< HEAD
   /// Takes penalties, tolerances and the offset from these settings, which may follow load curves; the others stay as
-  /// they are.
-=======
-  /// Takes penalties and tolerances from these settings, which may follow load curves; the others stay as they are.
-  /// With Enforcement::penalty a penalty of the traction that is reduced has multipliers that keep the accepted loads.
->>>>>>> passes
+  /// they are. With Enforcement::penalty a penalty of the traction that is reduced has multipliers that keep the accepted
+  /// loads.
   void update_laws(const Settings& settings);
 
   const Effects& effects() const { return effects_; }
