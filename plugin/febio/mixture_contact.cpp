@@ -133,7 +133,7 @@ int FEMixtureContact::InitEquations(int first) {
 }
 
 PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
-  const bool any = model_->is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
+  const bool any = model_->devices().is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
                    takes_mixed_form(*GetFEModel()) && model_->steps().allow_further_unknowns() &&
                    dofs_.has_free_node(Side::primary) && dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
