@@ -99,7 +99,7 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form) {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
   form_ = form;
   const bool takes_all = takes_blocks(matrix, form.is_constrained);
-  const bool takes_loads = takes_all && form.has_loads;
+  const bool takes_loads = takes_all && form.has(newton::Device::loads_as_unknowns);
   takes_rows_ = takes_all && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   CoupledBlocks blocks(profile.Columns());
@@ -107,7 +107,7 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form) {
                     [&](const UnknownLoad& load, const std::vector<int>& others) {
                       if (!takes_loads) return blocks.add(others);
                       blocks.add_star(load.equation, others);
-                      if (form.sums_rows) blocks.add_sum(load.equation, load.node);
+                      if (form.has(newton::Device::row_operations)) blocks.add_sum(load.equation, load.node);
                     },
                     [&](const std::vector<int>& own, const std::vector<int>& others) { blocks.add_rows(own, others); });
   blocks.insert_into(profile);
@@ -203,7 +203,7 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt
   const RigidShellBottoms arms(surfaces_);
   const NodeEquations equations(dofs_, surfaces_, core);
   TangentAssembly parts(core, equations, loads_, system, matrix,
-                        {takes_blocks(matrix, form_.is_constrained), form_.has_loads});
+                        {takes_blocks(matrix, form_.is_constrained), form_.has(newton::Device::loads_as_unknowns)});
   beside_.clear();
   ContactInterface::AddRows add_rows;
   if (takes_rows_)

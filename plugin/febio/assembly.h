@@ -4,6 +4,7 @@
 #include "bound_contact.h"
 #include "load_equations.h"
 #include "newton/border.h"
+#include "newton/devices.h"
 #include "newton/row_operations.h"
 #include "newton/splitting.h"
 
@@ -28,9 +29,8 @@ struct UndecidedLoad {
 /// What FEBio's matrix takes of contacts.
 struct MatrixForm {
   bool is_constrained = false;  ///< linear constraints tie degrees of freedom of the model to each other
-  bool has_loads = false;       ///< loads that have equations are unknowns
-  bool is_split = false;        ///< couplings may stand beside it
-  bool sums_rows = false;       ///< rows of loads take those of their nodes
+  newton::DeviceSet devices;    ///< those that may act on it
+  bool has(newton::Device device) const { return newton::has(devices, device); }
 };
 
 class Assembly {
@@ -86,7 +86,8 @@ class Assembly {
                                  const mixture_contact::LoadBlock& load) const;
   /// Whether couplings of a pass stand beside the matrix: where its loads are unknowns, for the same solvers.
   bool splits(mixture_contact::Side first) const {
-    return takes_rows_ && form_.is_split && form_.has_loads && loads_.has(first);
+    return takes_rows_ && form_.has(newton::Device::deferred_coupling) &&
+           form_.has(newton::Device::loads_as_unknowns) && loads_.has(first);
   }
   /// Those columns of a row that do not.
   mixture_contact::Patch in_matrix(const NodeEquations& equations, mixture_contact::Side first,

@@ -1,5 +1,7 @@
 #include "first_norms.h"
 
+#include "newton/febio/febio_system.h"
+
 #include <FEBioMech/FEResidualVector.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
@@ -38,7 +40,7 @@ void FirstNorms::try_increment(const std::vector<double>& /*increment*/) {
 
 bool FirstNorms::is_settled() const {
   if (residual_.empty()) return true;
-  const newton::ResidualTolerances tolerances = solver_.residual_tolerances();
+  const newton::ResidualTolerances tolerances = newton::FEBioSystem(fem_, solver_).residual_tolerances();
   const double residual = solver_.residual_squares().now;
   if (residual < tolerances.least_residual) return true;  // FEBio accepts that whatever its other tolerances
   const bool meets_residual = tolerances.residual <= 0 || residual <= tolerances.residual * (residual_ * residual_);

@@ -44,13 +44,13 @@ void KeptMatrix::formed(const newton::MatrixParts& parts) {
 
 void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
   const bool is_another = follow();
-  const bool is_plain = begins && solver_.updates() == 0;
+  const bool is_plain = begins && system_.updates() == 0;
   if (is_another || is_plain) prepare({}, parts);
 }
 
 std::optional<newton::Answer> KeptMatrix::answer(const std::vector<newton::Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
-  if (free_.empty()) free_ = split_.x.empty() ? solution(solver_.vectors().residual) : split_.x;
+  if (free_.empty()) free_ = split_.x.empty() ? solution(system_.solver().vectors().residual) : split_.x;
   const auto solve = [&](const std::vector<double>& right) { return solution(right); };
   std::optional<newton::Answer> found = border_.answer(solve, conditions, free_);
   if (!may_correct_) found.reset();
@@ -62,13 +62,13 @@ void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const ne
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
   };
-  finish(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts, solver_.vectors().residual,
-                            left_by_sweeps),
+  finish(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts,
+                            system_.solver().vectors().residual, left_by_sweeps),
          parts, conditions);
 }
 
 bool KeptMatrix::follow() {
-  if (number_ == solver_.matrices()) return false;
+  if (number_ == system_.matrices()) return false;
   request(false);  // FEBio asks nobody after augmentations: it is there still
   begin();
   return true;
@@ -76,36 +76,35 @@ bool KeptMatrix::follow() {
 
 void KeptMatrix::begin() {
   restore();
-  number_ = solver_.matrices();
+  number_ = system_.matrices();
   border_.forget();
   taken_.clear();
-  iterations_ = 0;
-  left_ = 0;
+  served_ = {};
   may_correct_ = true;
 }
 
 bool KeptMatrix::is_spent() {
   follow();
-  const double left = newton::norm(solver_.vectors().residual);
-  const double before = std::exchange(left_, left);
-  const bool has_been_corrected = iterations_ > 0;
-  return has_been_corrected && left > most_left * before && solver_.may_form_matrix();
+  const double left = newton::norm(system_.solver().vectors().residual);
+  const double before = std::exchange(served_.left, left);
+  const bool has_been_corrected = served_.iterations > 0;
+  return has_been_corrected && left > most_left * before && system_.may_form_matrix();
 }
 
 bool KeptMatrix::is_due() {
   follow();
-  const newton::MatrixStrategy strategy = solver_.strategy();
+  const newton::MatrixStrategy strategy = system_.strategy();
   // JFNK takes differences from a residual of its own.
   const bool is_kept = strategy == newton::MatrixStrategy::updated || strategy == newton::MatrixStrategy::unchanged;
   if (!may_correct_ || !is_kept) return true;
-  if (strategy == newton::MatrixStrategy::unchanged) return iterations_ >= most_iterations;
-  const int most_updates = solver_.most_updates();
-  return most_updates > 0 && iterations_ + solver_.updates() >= most_updates - 1;
+  if (strategy == newton::MatrixStrategy::unchanged) return served_.iterations >= most_iterations;
+  const int most_updates = system_.most_updates();
+  return most_updates > 0 && served_.iterations + system_.updates() >= most_updates - 1;
 }
 
 void KeptMatrix::request(bool is_needed) {
-  if (is_needed == is_requested_ || (is_needed && solver_.is_matrix_forced())) return;
-  solver_.force_matrix(is_needed);
+  if (is_needed == is_requested_ || (is_needed && system_.is_matrix_forced())) return;
+  system_.force_matrix(is_needed);
   is_requested_ = is_needed;
 }
 
@@ -113,13 +112,13 @@ void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const
   follow();
   // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
   // residual before the correction.
-  iterations_ += std::max(1, solver_.drop_updates());
+  served_.iterations += std::max(1, system_.drop_updates());
   prepare(conditions, parts);
 }
 
 std::vector<double> KeptMatrix::solution_of_changed(std::vector<double> changed) {
   std::vector<double> found(changed.size());
-  if (solver_.solve(found, std::move(changed))) return found;
+  if (system_.solve(found, std::move(changed))) return found;
   may_correct_ = false;
   return std::vector<double>(found.size());
 }
@@ -132,23 +131,23 @@ std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& righ
   const std::vector<double> changed = newton::applied(operations_, right);
   std::vector<double> found = solution_of_changed(changed);
   if (operations_.empty() || !may_correct_) return found;
-  if (MatrixRows(solver_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
+  if (MatrixRows(system_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
   undo_operations();
   return solution(right);
 }
 
 void KeptMatrix::undo_operations() {
-  const MatrixRows rows(solver_.matrix());
+  const MatrixRows rows(system_.matrix());
   for (const newton::RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
-  solver_.factorise();
+  system_.factorise();
   if (!std::exchange(found_.loses_pivots, true))
-    solver_.log(
+    system_.solver().log(
         "\nsliding-mixture: pivots are lost where rows of loads take those of their nodes, as in a body that is held "
         "by contact alone. From here on they take none.");
 }
 
 void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
-  const std::vector<double>& right = solver_.vectors().residual;
+  const std::vector<double>& right = system_.solver().vectors().residual;
   may_correct_ = true;
   free_.clear();
   bool is_checked = false;
@@ -160,13 +159,13 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   };
   const bool solves_anyway = !newton::are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // to be checked
-  const newton::SeenSweeps seen{reduction_, left_unseen * std::min(left_by_sweeps, solver_.increment_tolerance())};
+  const newton::SeenSweeps seen{reduction_, left_unseen * std::min(left_by_sweeps, system_.increment_tolerance())};
   finish(newton::split(solve_with_conditions, parts, right, left_by_sweeps, seen), parts, conditions);
 }
 
 void KeptMatrix::finish(newton::Split split, const newton::MatrixParts& parts,
                         const std::vector<newton::Condition>& conditions) {
-  std::vector<double>& right = solver_.vectors().residual;
+  std::vector<double>& right = system_.solver().vectors().residual;
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);
   if (!taken_.empty()) right = right - taken_;
@@ -187,9 +186,9 @@ void KeptMatrix::finish(newton::Split split, const newton::MatrixParts& parts,
 
 void KeptMatrix::solve() {
   if (operations_.empty()) return;
-  std::vector<double>& right = solver_.vectors().residual;
+  std::vector<double>& right = system_.solver().vectors().residual;
   // FEBio's updates are made of right-hand sides that have taken nothing.
-  iterations_ += solver_.drop_updates();
+  served_.iterations += system_.drop_updates();
   taken_.resize(right.size());
   std::vector<double> changed = newton::applied(operations_, right);
   taken_ = taken_ + (right - changed);
@@ -198,14 +197,14 @@ void KeptMatrix::solve() {
 
 void KeptMatrix::take_parts_in() {
   if (!std::exchange(found_.needs_parts, true))
-    solver_.log(
+    system_.solver().log(
         "\nsliding-mixture: couplings across the contact are large compared with the stiffness of the bodies. Later "
         "matrices hold them and have more entries.");
 }
 
 void KeptMatrix::give_back() {
   if (taken_.empty()) return;
-  solver_.vectors().residual += taken_;
+  system_.solver().vectors().residual += taken_;
   taken_.clear();
 }
 
@@ -229,7 +228,7 @@ void KeptMatrix::accept() {
 }
 
 void KeptMatrix::force_next() {
-  if (!reform_augment_) reform_augment_ = std::exchange(solver_.forms_matrix_after_augmentations(), true);
+  if (!reform_augment_) reform_augment_ = std::exchange(system_.forms_matrix_after_augmentations(), true);
   request(true);  // where a step begins
 }
 
@@ -237,5 +236,5 @@ void KeptMatrix::serialize(DumpStream& ar) { ar & found_.needs_parts & found_.lo
 
 void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
-  if (own) solver_.forms_matrix_after_augmentations() = *own;
+  if (own) system_.forms_matrix_after_augmentations() = *own;
 }

@@ -4,7 +4,7 @@
 
 #include "host/stepper.h"
 #include "newton/border.h"
-#include "newton/febio/febio_solver.h"
+#include "newton/febio/febio_system.h"
 #include "newton/helper.h"
 #include "newton/row_operations.h"
 #include "newton/splitting.h"
@@ -17,7 +17,8 @@ class DumpStream;
 
 class KeptMatrix {
  public:
-  explicit KeptMatrix(newton::FEBioSolver& solver) : solver_(solver) {}
+  /// Keeps a reference.
+  explicit KeptMatrix(const newton::FEBioSystem& system) : system_(system) {}
 
   /// FEBio has formed another one, as it said. It is solved with these parts beside it.
   void formed(const newton::MatrixParts& parts);
@@ -34,8 +35,6 @@ class KeptMatrix {
   bool takes_operations() const { return !found_.loses_pivots; }
   /// FEBio has formed one to which contacts have done this.
   void take(newton::RowOperations operations) { operations_ = std::move(operations); }
-  /// Whether they have done anything to it.
-  bool has_operations() const { return !operations_.empty(); }
   /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
   void solve();
   /// FEBio's right-hand side is its own again: it is about to change.
@@ -67,6 +66,11 @@ class KeptMatrix {
   void serialize(DumpStream& ar);
 
  private:
+  /// What iterations with the matrix have come to.
+  struct Served {
+    int iterations = 0;  ///< up to the last that was corrected
+    double left = 0;     ///< of the residual, by the last one; 0 before any
+  };
   /// What matrices of the model have shown.
   struct Found {
     bool needs_parts = false;   ///< parts are too large to stand beside them
@@ -94,11 +98,10 @@ class KeptMatrix {
   void take_parts_in();
   void restore();
 
-  newton::FEBioSolver& solver_;
+  const newton::FEBioSystem& system_;
   newton::Border border_;
-  int number_ = 0;             ///< of the matrix, as FEBio counts them in a step
-  int iterations_ = 0;         ///< with it, up to the last that was corrected
-  double left_ = 0;            ///< of the residual, by the last iteration with it; 0 before any
+  int number_ = 0;  ///< of the matrix, as FEBio counts them in a step
+  Served served_;
   bool is_requested_ = false;  ///< another one, by request()
   bool may_correct_ = true;    ///< whether conditions can be held with it
   Found found_;

@@ -1,7 +1,7 @@
 #include "matrix_requests.h"
 
 #include "host/linear_solvers.h"
-#include "newton/febio/febio_solver.h"
+#include "newton/febio/febio_system.h"
 
 #include <FECore/FEAnalysis.h>
 #include <FECore/FECoreKernel.h>
@@ -45,7 +45,8 @@ bool takes_any_structure(FEModel& model) {
 bool takes_mixed_form(FEModel& model) {
   FENewtonSolver* const solver = newton_solver(model, model.GetCurrentStepIndex());
   using newton::MatrixStrategy;
-  const MatrixStrategy strategy = newton::FEBioSolver(model).strategy();
+  newton::FEBioSolver present(model);
+  const MatrixStrategy strategy = newton::FEBioSystem(model, present).strategy();
   if (solver == nullptr || strategy == MatrixStrategy::preconditioner || strategy == MatrixStrategy::residuals_alone)
     return false;
   // Of a matrix that is to have a symmetric structure pardiso neither scales rows nor matches pivots.

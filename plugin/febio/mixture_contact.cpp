@@ -147,7 +147,7 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
   // FEBio tries a step again with the unknowns that it began with, though elements may have eroded in it; and a matrix
   // with linear constraints takes whole blocks alone.
   const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
-  const bool any = model_->is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
+  const bool any = model_->devices().is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
                    takes_mixed_form(*GetFEModel()) && !has_other_unknowns && model_->steps().allow_further_unknowns() &&
                    dofs_.has_free_node(Side::primary) && dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};

@@ -160,23 +160,24 @@ std::shared_ptr<ModelContacts> ModelContacts::of(FEModel& fem) {
 ModelContacts::ModelContacts(FEModel& fem)
     : fem_(fem),
       solver_(fem),
+      system_(fem, solver_),
+      devices_(fem, contacts_),
       helpers_(solver_),
       steps_(*this, helpers_),
       ambient_(fem, solver_, helpers_),
-      matrix_(solver_) {
+      matrix_(system_) {
   const auto offer = [&](const HelperSwitch& which, std::unique_ptr<newton::Helper> helper) {
-    const auto is_helper_on = [this, which] { return is_on(which.device) && is_asked_for(which, active()); };
-    helpers_.add(which.device, std::move(helper), is_helper_on, devices_);
+    const auto is_helper_on = [this, which] { return devices_.is_on(which.device) && is_asked_for(which, active()); };
+    helpers_.add(which.device, std::move(helper), is_helper_on, devices_.record());
   };
   offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
   offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
   offer(predictor, std::make_unique<newton::Predictor>(solver_));
   helpers_.add(std::make_unique<RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
+  auto first_norms = std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }, devices_.record());
   helpers_.add(
-      newton::Device::expected_contact,
-      std::make_unique<FirstNorms>(
-          fem, solver_, [this] { return active(); }, devices_),
-      [this] { return is_on(newton::Device::expected_contact) && !active().empty(); }, devices_);
+      newton::Device::expected_contact, std::move(first_norms),
+      [this] { return devices_.is_on(newton::Device::expected_contact) && !active().empty(); }, devices_.record());
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |
                       CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_REMESH | CB_SOLVED,
@@ -221,40 +222,9 @@ std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) cons
     const std::string unavailable = helpers_.unavailable(which.device);
     if (one.given && one.value && !unavailable.empty()) list.push_back(name + unavailable);
   }
-  const Given<std::string>& devices = contact.bound().parameters().helpers.devices;
-  const bool differ = std::any_of(contacts_.begin(), contacts_.end(), [&](ContactInModel* other) {
-    const Given<std::string>& its = other->bound().parameters().helpers.devices;
-    return devices.given && its.given &&
-           newton::named_devices(devices.value).set != newton::named_devices(its.value).set;
-  });
-  if (differ) list.emplace_back("<solver_devices> acts on the whole model, and another contact sets it otherwise.");
+  const std::string complaint = devices_.complaint(contact);
+  if (!complaint.empty()) list.push_back(complaint);
   return list;
-}
-
-newton::DeviceSet ModelContacts::chosen_devices() const {
-  const auto gives = [](ContactInModel* contact) { return contact->bound().parameters().helpers.devices.given; };
-  const auto given = std::find_if(contacts_.begin(), contacts_.end(), gives);
-  const ContactParameters defaults;
-  const ContactParameters& parameters = given == contacts_.end() ? defaults : (*given)->bound().parameters();
-  return newton::named_devices(parameters.helpers.devices.value).set;
-}
-
-bool ModelContacts::is_on(newton::Device device) const {
-  return !devices_.is_suspended() && newton::has(chosen_devices(), device);
-}
-
-void ModelContacts::introduce_devices() {
-  if (std::exchange(are_devices_introduced_, true) || chosen_devices().all()) return;
-  say(fem_, "sliding-mixture: devices of the solver that are on: " + newton::names(chosen_devices()) + ".");
-}
-
-void ModelContacts::switch_devices_after_failure() {
-  if (devices_.is_suspended()) return devices_.resume();
-  if (!will_retry(fem_) || !solver_.is_newton() || chosen_devices().none()) return;
-  if (devices_.suspend())
-    say(fem_,
-        "sliding-mixture: a step has failed, and is tried again without the devices of the solver. This is said once "
-        "in a run.");
 }
 
 // ------------------------------------------------------------ FEBio's calls
@@ -271,31 +241,32 @@ void ModelContacts::activate(ContactInModel& contact) {
 
 void ModelContacts::prepare_step(ContactInModel& contact) {
   if (!steps_.prepare_step(&contact.bound())) return;
-  introduce_devices();
+  devices_.introduce();
   ambient_.begin_step();
 }
 
 MatrixForm ModelContacts::matrix_form() const {
-  return {fem_.GetLinearConstraintManager().LinearConstraints() > 0, is_on(newton::Device::loads_as_unknowns),
-          splits_matrix(), sums_rows()};
-}
-
-bool ModelContacts::splits_matrix() const {
+  using newton::Device;
+  MatrixForm form{fem_.GetLinearConstraintManager().LinearConstraints() > 0, {}};
   const FENewtonSolver* const solver = solver_.febio();
-  return is_on(newton::Device::deferred_coupling) && solver != nullptr && adds_up_residuals(*solver) &&
-         !matrix_.needs_parts();
-}
-
-bool ModelContacts::sums_rows() const {
-  const FENewtonSolver* const solver = solver_.febio();
-  return is_on(newton::Device::row_operations) && solver != nullptr && matrix_.takes_operations() &&
-         adds_up_residuals(*solver) && are_alone(active(), fem_) && !adds_loads_last(fem_, *solver);
+  const bool adds_up = solver != nullptr && adds_up_residuals(*solver);
+  const auto allow = [&](Device device, bool is_possible) {
+    form.devices.set(static_cast<std::size_t>(device), is_possible && devices_.is_on(device));
+  };
+  allow(Device::loads_as_unknowns, true);
+  allow(Device::deferred_coupling, adds_up && !matrix_.needs_parts());
+  allow(Device::row_operations,
+        adds_up && matrix_.takes_operations() && are_alone(active(), fem_) && !adds_loads_last(fem_, *solver));
+  return form;
 }
 
 void ModelContacts::added_tangent(const ContactInModel& contact) {
   const std::vector<ContactInModel*> contacts = active();
   if (contacts.back() != &contact) return;
-  matrix_.take(sums_rows() ? eliminated(contacts, solver_.matrix()) : newton::RowOperations());
+  const bool sums_rows = matrix_form().has(newton::Device::row_operations);
+  newton::RowOperations operations = sums_rows ? eliminated(contacts, system_.matrix()) : newton::RowOperations();
+  devices_.count_matrix(contacts, !operations.empty());
+  matrix_.take(std::move(operations));
 }
 
 void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
@@ -323,7 +294,6 @@ void ModelContacts::on_callback(unsigned int when) {
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     steps_.matrix_formed();
     matrix_.formed(matrix_parts(contacts));
-    count_matrix();
     settle_status();
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) {
@@ -334,28 +304,18 @@ void ModelContacts::on_callback(unsigned int when) {
   for (ContactInModel* contact : contacts) contact->on_callback(when);
   if (when == CB_TIMESTEP_SOLVED) {
     note_overlap(contacts, fem_.GetCurrentTime(), reducible_);
-    devices_.resume();
+    devices_.record().resume();
     steps_.end_step();
     matrix_.end_step();
   }
   if (when == CB_TIMESTEP_FAILED) {
     reduce_penalties(fem_, contacts, reducible_);
-    switch_devices_after_failure();
+    devices_.fail_step(will_retry(fem_) && solver_.is_newton());
   }
   if (when == CB_SOLVED) {
     say(fem_, reducible_.summary());
-    say(fem_, devices_.summary());
+    say(fem_, devices_.record().summary());
   }
-}
-
-void ModelContacts::count_matrix() {
-  const std::vector<ContactInModel*> contacts = active();
-  const bool has_loads = std::any_of(contacts.begin(), contacts.end(), [](const ContactInModel* contact) {
-    return contact->assembly().has_unknown_loads();
-  });
-  if (has_loads) devices_.acted(newton::Device::loads_as_unknowns);
-  if (matrix_.has_operations()) devices_.acted(newton::Device::row_operations);
-  if (!newton::are_empty(matrix_parts(contacts))) devices_.acted(newton::Device::deferred_coupling);
 }
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it
@@ -365,40 +325,44 @@ void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
 void ModelContacts::request_matrix(bool is_needed) { matrix_.request(is_needed); }
 
-void ModelContacts::replace_matrix() { solver_.form_matrix(); }
+bool ModelContacts::replaces_matrix() {
+  if (!matrix_.is_spent()) return false;
+  system_.form_matrix();
+  return true;
+}
 
 void ModelContacts::evaluate_residual(Changed what) {
   const bool adds_up = what == Changed::loads && adds_up_residuals(*solver_.febio());
-  if (!adds_up || !add_changes(fem_, active(), solver_.vectors().residual)) solver_.renew_residual();
+  if (!adds_up || !add_changes(fem_, active(), solver_.vectors().residual)) system_.renew_residual();
 }
 
 void ModelContacts::correct_residual() {
   evaluate_residual(Changed::loads);
   matrix_.correct(conditions(active(), solver_.time_increment()), matrix_parts(active()));
-  devices_.acted(newton::Device::kept_matrix);
+  devices_.record().acted(newton::Device::kept_matrix);
 }
 
 void ModelContacts::settle_status() {
-  if (!is_on(newton::Device::active_set_prediction)) return;
+  if (!devices_.is_on(newton::Device::active_set_prediction)) return;
   if (!adds_up_residuals(*solver_.febio())) return;  // FEBio's solution is not that of its right-hand side alone
   const auto may_settle = [&](ContactInModel& contact) { return !steps_.shares_nodes(contact.bound()); };
   const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
   if (settle({active(), may_settle, evaluate_loads, solver_.time_increment()}, matrix_))
-    devices_.acted(newton::Device::active_set_prediction);
+    devices_.record().acted(newton::Device::active_set_prediction);
 }
 
 MatrixUse ModelContacts::matrix_use() {
-  const newton::MatrixStrategy strategy = solver_.strategy();
+  const newton::MatrixStrategy strategy = system_.strategy();
   if (strategy == newton::MatrixStrategy::none || strategy == newton::MatrixStrategy::residuals_alone)
     return MatrixUse::none;
-  const bool is_kept = strategy == newton::MatrixStrategy::unchanged || solver_.most_updates() > 0;
+  const bool is_kept = strategy == newton::MatrixStrategy::unchanged || system_.most_updates() > 0;
   return is_kept ? MatrixUse::kept : MatrixUse::each_iteration;
 }
 
 void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-  if (with == GoesOn::matrix && n > solver_.most_matrices()) throw MaxStiffnessReformations();
+  if (with == GoesOn::matrix && n > system_.most_matrices()) throw MaxStiffnessReformations();
   matrix_.reject(with);
 }
 

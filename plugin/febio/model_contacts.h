@@ -6,6 +6,7 @@
 #include "host/contact_steps.h"
 #include "host/reducible_penalties.h"
 #include "kept_matrix.h"
+#include "model_devices.h"
 
 #include <functional>
 #include <memory>
@@ -43,8 +44,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   newton::FEBioSolver& solver() { return solver_; }
   /// What automatic penalties of the traction are divided by at present.
   double penalty_reduction() const { return reducible_.divisor(); }
-  /// Whether a device of the solver may act at present.
-  bool is_on(newton::Device device) const;
+  const ModelDevices& devices() const { return devices_; }
   /// What the next matrix is to take of the contacts.
   MatrixForm matrix_form() const;
 
@@ -55,34 +55,21 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void evaluate_residual(mixture_contact::Changed what) override;
   void correct_residual() override;
   mixture_contact::MatrixUse matrix_use() override;
-  bool may_look_ahead() override { return is_on(newton::Device::expected_contact); }
-  bool is_matrix_due() override { return !is_on(newton::Device::kept_matrix) || matrix_.is_due(); }
-  bool is_matrix_spent() override { return matrix_.is_spent(); }
-  void replace_matrix() override;
+  bool may_look_ahead() override { return devices_.is_on(newton::Device::expected_contact); }
+  bool is_matrix_due() override { return !devices_.is_on(newton::Device::kept_matrix) || matrix_.is_due(); }
+  bool replaces_matrix() override;
   void request_matrix(bool is_needed) override;
   void rejected(int n, mixture_contact::GoesOn with) override;
   void accepted() override;
 
  private:
   std::vector<ContactInModel*> active() const;
-  /// Whether parts of the tangent may stand beside the matrix.
-  bool splits_matrix() const;
-  /// Whether rows of loads may take those of their nodes.
-  bool sums_rows() const;
-  /// Devices that the model's contacts leave on.
-  newton::DeviceSet chosen_devices() const;
-  /// Says at the first step which these are.
-  void introduce_devices();
-  /// Counts the devices that the matrix rests on which has been formed.
-  void count_matrix();
-  /// Has a step that has failed tried again without devices, and the next attempt after that with them.
-  void switch_devices_after_failure();
   void settle_status();
 
   FEModel& fem_;
   newton::FEBioSolver solver_;
-  newton::DeviceRecord devices_;
-  bool are_devices_introduced_ = false;
+  newton::FEBioSystem system_;
+  ModelDevices devices_;
   newton::Helpers helpers_;
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;

@@ -159,7 +159,7 @@ void ContactSteps::bring_residual_up_to_date() {
 void ContactSteps::end_iteration() {
   bring_residual_up_to_date();  // hosts tell nobody of matrices that they form after augmentations
   if (model_.matrix_use() != MatrixUse::kept) return;
-  if (stepper_.phase() == Phase::evaluated && model_.is_matrix_spent()) return model_.replace_matrix();
+  if (stepper_.phase() == Phase::evaluated && model_.replaces_matrix()) return;
   if (!stepper_.keep_matrix()) return;
   bool changed = false;
   for (SteppedContact* contact : model_.active_contacts()) changed = contact->correct() || changed;

@@ -77,10 +77,9 @@ class SteppedModel {
   virtual MatrixUse matrix_use() = 0;
   /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.
   virtual bool is_matrix_due() = 0;
-  /// An iteration has ended that is to go on with the matrix of before. Whether that leaves too much of the residual.
-  virtual bool is_matrix_spent() = 0;
-  /// Forms another one at this state, as the host does within its iterations.
-  virtual void replace_matrix() = 0;
+  /// An iteration has ended that is to go on with the matrix of before. Where that leaves too much of the residual,
+  /// forms another one at this state, as the host does within its iterations. Returns whether it has.
+  virtual bool replaces_matrix() = 0;
   /// Says whether the next iteration needs a matrix of its own.
   virtual void request_matrix(bool is_needed) = 0;
   /// A converged state has been rejected for the n-th time in a step.

@@ -6,7 +6,6 @@
 #include <FEBioMech/FESolidSolver2.h>
 #include <FEBioMix/FEBiphasicSoluteSolver.h>
 #include <FEBioMix/FEMultiphasicSolver.h>
-#include <FECore/Callback.h>
 #include <FECore/DumpMemStream.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEException.h>
@@ -15,15 +14,10 @@
 #include <FECore/FELoadController.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
-#include <FECore/FEModifiedNewtonStrategy.h>
-#include <FECore/FENewtonStrategy.h>
-#include <FECore/JFNKStrategy.h>
-#include <FECore/LinearSolver.h>
 #include <FECore/SparseMatrix.h>
 #include <FECore/log.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace newton {
@@ -35,61 +29,6 @@ FENewtonSolver* FEBioSolver::febio() const {
   FEAnalysis* const step = fem_.GetCurrentStep();
   return step == nullptr ? nullptr : dynamic_cast<FENewtonSolver*>(step->GetFESolver());
 }
-
-double FEBioSolver::increment_tolerance() const {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const char* name : {"dtol", "ptol", "ctol"}) {  // displacements, pressures, concentrations
-    const FEParam* const parameter = febio()->GetParameter(name);
-    if (parameter == nullptr || parameter->type() != FE_PARAM_DOUBLE) continue;
-    const double tolerance = parameter->value<double>();
-    if (tolerance > 0) smallest = std::min(smallest, tolerance);
-  }
-  return smallest;
-}
-
-ResidualTolerances FEBioSolver::residual_tolerances() const {
-  const FENewtonSolver& solver = *febio();
-  return {solver.m_Rtol, solver.m_Etol, solver.m_Rmin};
-}
-
-// ------------------------------------------------------------ the system of equations
-
-FEGlobalMatrix& FEBioSolver::matrix() const { return *febio()->m_pK; }
-
-bool FEBioSolver::solve(std::vector<double>& solution, std::vector<double> right) const {
-  return febio()->GetLinearSolver()->BackSolve(solution, right);
-}
-
-void FEBioSolver::factorise() const {
-  if (!febio()->GetLinearSolver()->Factor()) throw FactorizationError();
-}
-
-void FEBioSolver::form_matrix() const {
-  if (!febio()->m_qnstrategy->ReformStiffness()) throw FactorizationError();
-  fem_.DoCallback(CB_MATRIX_REFORM);
-}
-
-void FEBioSolver::renew_residual() { febio()->Residual(febio()->m_R0); }
-
-MatrixStrategy FEBioSolver::strategy() const {
-  const FENewtonSolver* const solver = febio();
-  const FENewtonStrategy* const strategy = solver == nullptr ? nullptr : solver->m_qnstrategy;
-  if (strategy == nullptr) return MatrixStrategy::none;
-  if (const auto* differences = dynamic_cast<const JFNKStrategy*>(strategy))
-    return differences->m_bprecondition ? MatrixStrategy::preconditioner : MatrixStrategy::residuals_alone;
-  const bool is_modified = dynamic_cast<const FEModifiedNewtonStrategy*>(strategy) != nullptr;
-  return is_modified ? MatrixStrategy::unchanged : MatrixStrategy::updated;
-}
-
-int FEBioSolver::matrices() const { return febio()->m_ntotref; }
-int FEBioSolver::most_matrices() const { return febio()->m_maxref; }
-bool FEBioSolver::may_form_matrix() const { return febio()->m_nref < febio()->m_maxref; }
-int FEBioSolver::updates() const { return febio()->m_qnstrategy->m_nups; }
-int FEBioSolver::most_updates() const { return febio()->m_qnstrategy->m_maxups; }
-int FEBioSolver::drop_updates() const { return std::exchange(febio()->m_qnstrategy->m_nups, 0); }
-bool FEBioSolver::is_matrix_forced() const { return febio()->m_bforceReform; }
-void FEBioSolver::force_matrix(bool is_forced) const { febio()->QNForceReform(is_forced); }
-bool& FEBioSolver::forms_matrix_after_augmentations() const { return febio()->m_breformAugment; }
 
 // ------------------------------------------------------------ nodal values
 

@@ -6,27 +6,10 @@
 #include <memory>
 
 class DumpMemStream;
-class FEGlobalMatrix;
 class FEModel;
 class FENewtonSolver;
 
 namespace newton {
-
-/// What FEBio makes of a matrix once it is formed.
-enum class MatrixStrategy {
-  none,            ///< the present step forms none
-  updated,         ///< updates of a quasi-Newton method, as many as most_updates(); 0: each iteration has its own
-  unchanged,       ///< modified Newton
-  preconditioner,  ///< of differences of residuals (JFNK)
-  residuals_alone  ///< the same without a matrix
-};
-
-/// FEBio's tolerances of squares of the residual, and of energy; 0 for none.
-struct ResidualTolerances {
-  double residual;        ///< over the first one
-  double energy;          ///< over the first one
-  double least_residual;  ///< below it no force is left
-};
 
 class FEBioSolver : public Solver {
  public:
@@ -35,39 +18,6 @@ class FEBioSolver : public Solver {
 
   /// Null where the present step is not solved by Newton's method.
   FENewtonSolver* febio() const;
-
-  /// The smallest of FEBio's tolerances on increments that are tested, each a part of what the step has changed by;
-  /// infinite where none is.
-  double increment_tolerance() const;
-  ResidualTolerances residual_tolerances() const;
-
-  // The system of equations. FEBio solves for the residual at the start of an iteration, vectors().residual.
-  FEGlobalMatrix& matrix() const;
-  /// Returns false where FEBio cannot solve.
-  bool solve(std::vector<double>& solution, std::vector<double> right) const;
-  /// Factorises the matrix as it is. Throws FEBio's error where that fails.
-  void factorise() const;
-  /// Forms a matrix at the present state, as FEBio does within its iterations, and informs everybody.
-  void form_matrix() const;
-  /// Evaluates the residual at the present state anew.
-  void renew_residual();
-
-  // When FEBio forms a matrix
-  MatrixStrategy strategy() const;
-  /// How many matrices it has formed in this step.
-  int matrices() const;
-  /// Its limit on those between two augmentations.
-  int most_matrices() const;
-  bool may_form_matrix() const;
-  int updates() const;
-  int most_updates() const;
-  /// Takes updates of the matrix back. Returns how many there were.
-  int drop_updates() const;
-  /// Whether it is to form one after the present trial.
-  bool is_matrix_forced() const;
-  void force_matrix(bool is_forced) const;
-  /// Whether it forms one after each augmentation.
-  bool& forms_matrix_after_augmentations() const;
 
   bool is_newton() const override { return febio() != nullptr; }
   int nodes() const override;

@@ -162,10 +162,11 @@ class FakeHost : public SteppedModel {
     return active;
   }
   bool may_look_ahead() override { return true; }
-  bool is_matrix_spent() override { return is_spent; }
-  void replace_matrix() override {
+  bool replaces_matrix() override {
+    if (!is_spent) return false;
     notes.emplace_back("matrix at once");
     form_matrix();
+    return true;
   }
   bool apply_ambient() override {
     notes.emplace_back("ambient");

@@ -1,0 +1,37 @@
+/// The devices of the solver in a model: which its contacts leave on, how often they act, and what the log says of
+/// them.
+#pragma once
+
+#include "contact_in_model.h"
+#include "newton/devices.h"
+
+#include <string>
+#include <vector>
+
+class FEModel;
+
+class ModelDevices {
+ public:
+  /// Keeps references; `contacts` are all of the model.
+  ModelDevices(FEModel& fem, const std::vector<ContactInModel*>& contacts) : fem_(fem), contacts_(contacts) {}
+
+  /// Whether a device may act at present.
+  bool is_on(newton::Device device) const;
+  /// What is wrong with those that a contact gives, beside the others: a sentence, or none.
+  std::string complaint(ContactInModel& contact) const;
+  /// Says at the first step which are on.
+  void introduce();
+  /// Counts those that a matrix rests on which has been formed.
+  void count_matrix(const std::vector<ContactInModel*>& contacts, bool has_operations);
+  /// A step has failed: has it tried again without devices, and the next attempt after that with them.
+  void fail_step(bool is_tried_again);
+  newton::DeviceRecord& record() { return record_; }
+
+ private:
+  newton::DeviceSet chosen() const;
+
+  FEModel& fem_;
+  const std::vector<ContactInModel*>& contacts_;
+  newton::DeviceRecord record_;
+  bool are_introduced_ = false;
+};
