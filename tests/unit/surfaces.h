@@ -194,6 +194,12 @@ inline Settings explicit_settings(double traction, double solvent, double solute
   return settings;
 }
 
+/// The same settings with a search radius [length], for surfaces that are farther apart than facets look by themselves.
+inline Settings looking_as_far_as(double radius, Settings settings) {
+  settings.search.radius = radius;
+  return settings;
+}
+
 /// Numbering of all unknowns of a scene: primary nodes first, each with its displacements and its fields; then the
 /// multipliers, where they are unknowns.
 struct GlobalLayout {

@@ -21,7 +21,8 @@ struct Approach {
   std::unique_ptr<ContactInterface> contact;
 
   explicit Approach(double overlap, const Effects& effects = effects_of(true, 1))
-      : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap), effects, explicit_settings(4, 2, 8)),
+      : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap), effects,
+              looking_as_far_as(2, explicit_settings(4, 2, 8))),
         contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
   }

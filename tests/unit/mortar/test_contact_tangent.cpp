@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(the_assembled_tangent_matches_differences_for_every_pair_of
 BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   std::mt19937 random(11);
   Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 2, 3), effects_of(true, 1),
-              explicit_settings(2.5, 1.5, 0.8));
+              looking_as_far_as(1, explicit_settings(2.5, 1.5, 0.8)));
   scene.disturb(0.02, random);
   const auto moved = scene.contact();
   moved->begin_iteration(scene.fields);
