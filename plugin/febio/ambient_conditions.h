@@ -34,7 +34,8 @@ class AmbientConditions {
   };
   /// A node, or that of the back face of a shell.
   using Face = std::pair<int, bool>;
-  /// Of the nodes of free-draining contacts; any contact may have them in contact.
+  /// The status of the nodes of free-draining contacts on which ambient conditions may act; any contact may have them
+  /// in contact.
   static std::map<Face, NodeStatus> status_of_nodes(const std::vector<ContactInModel*>& contacts);
   bool apply(const DofMap& dofs, const Face& face, const NodeStatus& status);
   bool apply(newton::Place place, const NodeStatus& status);

@@ -89,7 +89,7 @@ class Assembly {
     return takes_rows_ && form_.has(newton::Device::deferred_coupling) &&
            form_.has(newton::Device::loads_as_unknowns) && loads_.has(first);
   }
-  /// Those columns of a row that do not.
+  /// The columns of a row that FEBio's matrix holds.
   mixture_contact::Patch in_matrix(const NodeEquations& equations, mixture_contact::Side first,
                                    const mixture_contact::TangentBlock& row) const;
   /// Adds parts of residuals to a vector. Keeps references.

@@ -23,7 +23,7 @@ class ContactSetup {
   bool check_surfaces() const;
   bool check_ambient() const;
   bool check_mesh_adaptors() const;
-  /// Of the elements behind a surface.
+  /// Whether all elements behind a surface are shells; the log names one that is not.
   bool are_shells(mixture_contact::Side side) const;
 
   /// Makes the core from the materials. Returns whether that is possible; the log says if not.

@@ -57,7 +57,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   bool take_shell_bottoms();
   /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.
   void follow_surfaces();
-  /// Those whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
+  /// Surfaces whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
   mixture_contact::PerSide<bool> surfaces_with_load_equations() const;
 
   std::shared_ptr<ModelContacts> model_;

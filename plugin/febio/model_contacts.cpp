@@ -61,6 +61,12 @@ bool adds_up_residuals(const FENewtonSolver& solver) {
   return has_known_totals(solver);
 }
 
+/// Whether the formed matrix predicts which nodes open and close: FEBio's solution has to be that of its right-hand
+/// side alone.
+bool asks_the_matrix(const ModelDevices& devices, const newton::FEBioSolver& solver) {
+  return devices.is_on(newton::Device::active_set_prediction) && adds_up_residuals(*solver.febio());
+}
+
 /// Adds what the changed loads of contacts make of a residual. Returns false, and adds nothing, where part of it is not
 /// known.
 bool add_changes(FEModel& fem, const std::vector<ContactInModel*>& contacts, std::vector<double>& residual) {
@@ -294,7 +300,11 @@ void ModelContacts::on_callback(unsigned int when) {
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     steps_.matrix_formed();
     matrix_.formed(matrix_parts(contacts));
-    settle_status();
+    const auto may_settle = [&](ContactInModel& contact) { return !steps_.shares_nodes(contact.bound()); };
+    const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
+    if (asks_the_matrix(devices_, solver_) &&
+        settle({contacts, may_settle, evaluate_loads, solver_.time_increment()}, matrix_))
+      devices_.record().acted(newton::Device::active_set_prediction);
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) {
     steps_.end_iteration();
@@ -340,15 +350,6 @@ void ModelContacts::correct_residual() {
   evaluate_residual(Changed::loads);
   matrix_.correct(conditions(active(), solver_.time_increment()), matrix_parts(active()));
   devices_.record().acted(newton::Device::kept_matrix);
-}
-
-void ModelContacts::settle_status() {
-  if (!devices_.is_on(newton::Device::active_set_prediction)) return;
-  if (!adds_up_residuals(*solver_.febio())) return;  // FEBio's solution is not that of its right-hand side alone
-  const auto may_settle = [&](ContactInModel& contact) { return !steps_.shares_nodes(contact.bound()); };
-  const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
-  if (settle({active(), may_settle, evaluate_loads, solver_.time_increment()}, matrix_))
-    devices_.record().acted(newton::Device::active_set_prediction);
 }
 
 MatrixUse ModelContacts::matrix_use() {

@@ -64,7 +64,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
 
  private:
   std::vector<ContactInModel*> active() const;
-  void settle_status();
 
   FEModel& fem_;
   newton::FEBioSolver solver_;

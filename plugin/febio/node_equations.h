@@ -25,7 +25,7 @@ class NodeEquations {
   std::vector<int> coupled(const Location& at) const;
   /// A local vector at its equations; what belongs to a displacement that follows others stands at theirs.
   std::vector<newton::Condition::Entry> entries(const Location& at, const mixture_contact::VectorXd& values) const;
-  /// Those of all degrees of freedom of a node that have one of their own, exchanged or not.
+  /// The equations of all degrees of freedom of a node that have one of their own, exchanged or not.
   std::vector<int> unknowns(Side surface, int node) const;
   /// What an increment moves the nodes of the surfaces by [mm]; zero where they have no equations of their own.
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;

@@ -120,7 +120,8 @@ class Helpers {
   /// Whether the answer of a helper that is on is yes; after the first one no more are asked.
   template <class Ask>
   bool any(const Ask& ask) const;
-  /// The same of an answer by which the helper acts.
+  /// Whether the answer of a helper that is on is yes, by which it acts: its device counts that. After the first one no
+  /// more are asked.
   template <class Ask>
   bool any_acts(const Ask& ask);
 

@@ -212,7 +212,7 @@ def test_a_step_that_fails_after_elements_have_eroded_is_tried_again(solve):
         eroded = sum(map(int, re.findall(r"Deactivated elements: (\d+)", found.output)))
         ends.append((found.report.retries, eroded, small.table(folder / "nodes.txt")[-1]))
     (smooth, first, one), (failed, second, two) = ends
-    assert (smooth, failed) == (0, 1)
+    assert smooth == 0 < failed
     assert first == second == 8
     low = slice(3 * (CELLS + 1) ** 2, None)
     np.testing.assert_allclose(one[low], two[low], atol=1e-9)

@@ -66,12 +66,6 @@ def test_steps_that_go_on_as_predicted_end_with_their_first_iteration(runner, mo
     assert np.max(np.abs(plain.nodes["c1"] - ahead.nodes["c1"])) <= 1e-8 * np.max(plain.nodes["c1"])
 
 
-def test_the_matrix_is_shaped_anew_only_where_an_iteration_may_change_contact(runner):
-    """Each iteration but the first one of a step, and that of the first step."""
-    run = runner(Diffusion(control=Control(20, 100.0)).model())
-    assert run.log.count("= reforming stiffness matrix:") == run.report.iterations - run.report.steps + 1
-
-
 @pytest.mark.parametrize("penalty", [1e-4, 4e-4, 4e-3])
 def test_the_leak_follows_the_penalty(context, penalty):
     settings = ContactSettings(

@@ -25,7 +25,7 @@ class FacingPairs {
 
   /// Finds the facets that face each other within reach, the nearest of them for each point.
   void search(const FacingPositions& x, const Reach& reach);
-  /// The same without a search: points keep to the facets that the last search() found for them.
+  /// Finds the points at new positions without a search: they keep to the facets that the last search() found for them.
   void project_on_same_facets(const FacingPositions& x);
   /// Begins and ends the iterations of the points (see PointFinder); where a search would now find more, makes one.
   bool begin_iteration(const FacingPositions& x);

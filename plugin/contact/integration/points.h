@@ -89,8 +89,8 @@ class PointFinder {
   /// the result depends on the positions alone.
   virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) = 0;
 
-  /// The same without a search: points keep to the facets that the last search() found for them. The result depends on
-  /// that search and the positions alone.
+  /// Pairs at other positions without a search: points keep to the facets that the last search() found for them. The
+  /// result depends on that search and the positions alone.
   virtual FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) = 0;
 
   /// Begins a Newton iteration where the last search was made. Returns whether a search there would now find more,

@@ -55,7 +55,7 @@ class Visibility {
   static double first_met(const Screen& screen, const Way& way, double sense, int but);
   /// The deepest overlap that counts between a point and a facet that it meets.
   double deepest_overlap(const Vector3d& point, const Vector3d& normal, double gap, int own, int other) const;
-  /// Of the element behind a facet; 0 where it is not known.
+  /// Thickness of the element behind a facet [mm]; 0 where it is not known.
   static double element_thickness(const Screen& screen, int facet);
 
   std::vector<Screen> screens_;  ///< of the primary and of the secondary surface; empty where nothing is hidden

@@ -40,8 +40,8 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
 
 NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 
-/// Which nodes an iteration that begins has facing contact, where `facing` do. Nodes that change too often are at the
-/// edge of contact, as ActiveSet has it; here no load tells whether they are.
+/// Nodes that face contact in an iteration that begins, where `facing` do. Nodes that change too often are at the edge
+/// of contact, as ActiveSet has it; here no load tells whether they are.
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
 /// Takes over which nodes face contact, for an iteration that has begun, and counts the changes.
 void hold_facing(SidedPass& pass, const NodeFlags& facing);

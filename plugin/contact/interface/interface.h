@@ -80,7 +80,7 @@ class ContactInterface {
   /// penalty has grown.
   bool augment(const PerSide<SurfaceFields>& fields);
 
-  /// Which nodes of each surface are in contact and flux-coupled by it; the others have the ambient values.
+  /// The nodes of each surface that are in contact and flux-coupled by it; the others have the ambient values.
   PerSide<NodeFlags> nodes_in_contact() const;
 
   /// The nodes_in_contact() of an iteration that has begun: once in each, and only where there is an ambient. Nodes
@@ -104,8 +104,8 @@ class ContactInterface {
   void update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance);
 
   /// Takes penalties, tolerances and the offset from these settings, which may follow load curves; the others stay as
-  /// they are. With Enforcement::penalty a penalty of the traction that is reduced has multipliers that keep the accepted
-  /// loads.
+  /// they are. With Enforcement::penalty a penalty of the traction that is reduced has multipliers that keep the
+  /// accepted loads.
   void update_laws(const Settings& settings);
 
   const Effects& effects() const { return effects_; }

@@ -96,7 +96,7 @@ class ContactPass {
   /// Whether the tangents of nodes come as load blocks to those who take them.
   bool has_load_blocks() const { return method_->has_load_blocks(); }
 
-  /// Which primary nodes are in contact and flux-coupled by it; the others have the ambient values.
+  /// Primary nodes that are in contact and flux-coupled by it.
   NodeFlags flux_coupled() const { return geometry_->flux_coupled(); }
 
   const MortarSpace& space() const { return space_; }

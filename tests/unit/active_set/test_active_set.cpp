@@ -20,9 +20,10 @@ struct Approach {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
 
-  explicit Approach(double overlap, const Effects& effects = effects_of(true, 1))
+  /// `radius`: of the search; 0: facets look by themselves.
+  explicit Approach(double overlap, const Effects& effects = effects_of(true, 1), double radius = 0)
       : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap), effects,
-              looking_as_far_as(2, explicit_settings(4, 2, 8))),
+              looking_as_far_as(radius, explicit_settings(4, 2, 8))),
         contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
   }
@@ -167,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_hertz_contact_is_expected_to_grow_as_it_does) {
 }
 
 BOOST_AUTO_TEST_CASE(where_nothing_is_in_contact_gaps_are_expected_to_close_evenly) {
-  Approach approach(-0.6, elastic);
+  Approach approach(-0.6, elastic, 1);
   approach.step_to(-0.5, 1);
   approach.step_to(-0.4, 0.5);  // at 1/5 a second
   BOOST_TEST(approach.closed_where_a_step_begins(1.99) == 0);
@@ -312,7 +313,7 @@ BOOST_AUTO_TEST_CASE(expectations_do_not_depend_on_the_unit_of_length) {
 }
 
 BOOST_AUTO_TEST_CASE(what_closed_ahead_adds_to_the_residual_can_be_taken_out_of_it) {
-  Approach approach(-0.5, elastic);
+  Approach approach(-0.5, elastic, 2);
   const ContactInterface& contact = *approach.contact;
   const PerSide<SurfaceFields>& fields = approach.scene.fields;
   const GlobalLayout layout(approach.scene);

@@ -27,6 +27,7 @@ from harness.models.parts import (
     pressure,
 )
 from harness.studies.one_answer.tet15 import with_tet15
+from harness.studies.robustness.feb import Feb
 from harness.studies.synthetic_scenes.slab_and_block import (
     BASE,
     BLOCK,
@@ -40,7 +41,6 @@ from harness.studies.synthetic_scenes.slab_and_block import (
     Shape,
 )
 from harness.studies.synthetic_scenes.slab_and_block import mesh as slab_and_block
-from harness.studies.robustness.feb import Feb
 
 KIND = "sliding-mixture"
 STEP = 5.0
