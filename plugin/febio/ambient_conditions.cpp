@@ -1,7 +1,7 @@
 #include "ambient_conditions.h"
 
 #include "contact/base/indexed_vector.h"
-#include "newton/held_values.h"
+#include "solver/held_values.h"
 
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>

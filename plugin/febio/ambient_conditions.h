@@ -5,8 +5,8 @@
 #pragma once
 
 #include "contact_in_model.h"
-#include "newton/febio/febio_solver.h"
-#include "newton/helper.h"
+#include "solver/febio/febio_solver.h"
+#include "solver/helper.h"
 
 #include <map>
 #include <utility>

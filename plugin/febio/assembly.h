@@ -3,10 +3,10 @@
 
 #include "bound_contact.h"
 #include "load_equations.h"
-#include "newton/border.h"
-#include "newton/devices.h"
-#include "newton/row_operations.h"
-#include "newton/splitting.h"
+#include "solver/border.h"
+#include "solver/devices.h"
+#include "solver/row_operations.h"
+#include "solver/splitting.h"
 
 #include <functional>
 #include <vector>

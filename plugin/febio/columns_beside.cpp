@@ -1,6 +1,6 @@
 #include "columns_beside.h"
 
-#include "newton/solver.h"
+#include "solver/solver.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "first_norms.h"
 
-#include "newton/febio/febio_system.h"
+#include "solver/febio/febio_system.h"
 
 #include <FEBioMech/FEResidualVector.h>
 #include <FECore/FEModel.h>

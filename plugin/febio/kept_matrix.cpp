@@ -1,7 +1,7 @@
 #include "kept_matrix.h"
 
 #include "matrix_rows.h"
-#include "newton/norm.h"
+#include "solver/norm.h"
 
 #include <FECore/DumpStream.h>
 #include <FECore/vector.h>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "host/stepper.h"
-#include "newton/border.h"
-#include "newton/febio/febio_system.h"
-#include "newton/helper.h"
-#include "newton/row_operations.h"
-#include "newton/splitting.h"
+#include "solver/border.h"
+#include "solver/febio/febio_system.h"
+#include "solver/helper.h"
+#include "solver/row_operations.h"
+#include "solver/splitting.h"
 
 #include <optional>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "matrix_requests.h"
 
 #include "host/linear_solvers.h"
-#include "newton/febio/febio_system.h"
+#include "solver/febio/febio_system.h"
 
 #include <FECore/FEAnalysis.h>
 #include <FECore/FECoreKernel.h>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "contact/base/indexed_vector.h"
-#include "newton/row_operations.h"
-#include "newton/splitting.h"
+#include "solver/row_operations.h"
+#include "solver/splitting.h"
 
 #include <optional>
 #include <utility>

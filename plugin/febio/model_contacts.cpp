@@ -2,11 +2,11 @@
 
 #include "archive.h"
 #include "first_norms.h"
-#include "newton/febio/solver_totals.h"
-#include "newton/line_search_guard.h"
-#include "newton/non_negative_concentrations.h"
-#include "newton/predictor.h"
 #include "settling.h"
+#include "solver/febio/solver_totals.h"
+#include "solver/line_search_guard.h"
+#include "solver/non_negative_concentrations.h"
+#include "solver/predictor.h"
 
 #include <FEBioMech/FEResidualVector.h>
 #include <FEBioMech/FESolidSolver2.h>

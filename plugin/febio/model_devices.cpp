@@ -1,6 +1,6 @@
 #include "model_devices.h"
 
-#include "newton/splitting.h"
+#include "solver/splitting.h"
 
 #include <FECore/FEModel.h>
 #include <FECore/log.h>

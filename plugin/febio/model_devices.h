@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact_in_model.h"
-#include "newton/devices.h"
+#include "solver/devices.h"
 
 #include <string>
 #include <vector>

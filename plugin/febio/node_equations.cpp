@@ -2,7 +2,7 @@
 
 #include "contact/base/parallel.h"
 #include "contact/interface/multipliers.h"
-#include "newton/solver.h"
+#include "solver/solver.h"
 
 #include <algorithm>
 #include <iterator>

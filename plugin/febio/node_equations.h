@@ -4,7 +4,7 @@
 
 #include "dof_map.h"
 #include "linear_constraints.h"
-#include "newton/border.h"
+#include "solver/border.h"
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "columns_beside.h"
 #include "contact/base/parallel.h"
 #include "host/mixed_form.h"
-#include "newton/solver.h"
+#include "solver/solver.h"
 
 #include <FECore/FEGlobalMatrix.h>
 #include <FECore/FELinearSystem.h>

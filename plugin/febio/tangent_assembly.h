@@ -4,7 +4,7 @@
 #include "bound_contact.h"
 #include "load_equations.h"
 #include "matrix_rows.h"
-#include "newton/splitting.h"
+#include "solver/splitting.h"
 
 #include <map>
 #include <optional>

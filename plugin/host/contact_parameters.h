@@ -6,7 +6,7 @@
 #include "contact/base/indexed_vector.h"
 #include "contact/base/settings.h"
 #include "contact/base/side.h"
-#include "newton/devices.h"
+#include "solver/devices.h"
 
 #include <array>
 #include <string>

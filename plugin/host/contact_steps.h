@@ -4,7 +4,7 @@
 /// on which one it is, and the first one to be told does it for all.
 #pragma once
 
-#include "newton/helper.h"
+#include "solver/helper.h"
 #include "stepper.h"
 
 #include <optional>

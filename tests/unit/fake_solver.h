@@ -1,7 +1,7 @@
 /// A solver for tests of the helpers: a model of free and prescribed nodal values with any residual.
 #pragma once
 
-#include "newton/solver.h"
+#include "solver/solver.h"
 
 #include <Eigen/Core>
 

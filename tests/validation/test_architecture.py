@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 CORE = ROOT / "plugin" / "contact"
 UNIT = ROOT / "tests" / "unit"
-HELPERS = ROOT / "plugin" / "newton"
+HELPERS = ROOT / "plugin" / "solver"
 INDEXING = ROOT / "plugin" / "indexing"
 """Below all others: the core and the helpers index alike and know nothing of each other."""
 ADAPTER = ROOT / "plugin" / "febio"
@@ -55,7 +55,7 @@ def test_no_headers_include_each_other_in_a_circle() -> None:
 
 
 def test_unit_tests_stand_in_the_folders_of_the_core() -> None:
-    assert {path.parent.name for path in UNIT.rglob("test_*.cpp")} == {*floors(), "host", "newton"}
+    assert {path.parent.name for path in UNIT.rglob("test_*.cpp")} == {*floors(), "host", "solver"}
 
 
 def test_what_helps_the_solver_knows_nothing_of_contact() -> None:

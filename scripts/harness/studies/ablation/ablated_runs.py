@@ -16,7 +16,7 @@ from harness.run import engine
 from harness.studies.ablation.ablated_scenes import AblatedScene
 from harness.studies.price import table
 
-SOURCE = REPOSITORY / "plugin" / "newton" / "devices.h"
+SOURCE = REPOSITORY / "plugin" / "solver" / "devices.h"
 """Where the names of devices stand."""
 ALL, NONE = "all", "none"
 ACTED = re.compile(r"How often devices of the solver acted: (.*)\.$", re.MULTILINE)

@@ -1,5 +1,5 @@
 /// Operations on rows of a matrix leave solutions as they are where right-hand sides take them, too.
-#include "newton/row_operations.h"
+#include "solver/row_operations.h"
 
 #include "surfaces.h"
 

@@ -1,4 +1,4 @@
-#include "newton/border.h"
+#include "solver/border.h"
 
 #include "random_contact.h"
 

@@ -1,6 +1,6 @@
 #include "fake_solver.h"
-#include "newton/held_values.h"
-#include "newton/non_negative_concentrations.h"
+#include "solver/held_values.h"
+#include "solver/non_negative_concentrations.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 #include "solver_totals.h"
 
-#include "newton/solver.h"
+#include "solver/solver.h"
 
 #include <FEBioMech/FESolidSolver2.h>
 #include <FEBioMix/FEBiphasicSoluteSolver.h>

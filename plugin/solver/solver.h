@@ -1,4 +1,4 @@
-/// What the helpers need of a Newton solver and its model. FEBio's is in newton/febio, the tests have a fake one.
+/// What the helpers need of a Newton solver and its model. FEBio's is in solver/febio, the tests have a fake one.
 #pragma once
 
 #include "indexing/entries.h"

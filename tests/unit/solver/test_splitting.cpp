@@ -1,4 +1,4 @@
-#include "newton/splitting.h"
+#include "solver/splitting.h"
 
 #include "random_contact.h"
 

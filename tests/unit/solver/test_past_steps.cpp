@@ -1,4 +1,4 @@
-#include "newton/past_steps.h"
+#include "solver/past_steps.h"
 
 #include <boost/test/unit_test.hpp>
 

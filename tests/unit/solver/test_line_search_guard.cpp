@@ -1,5 +1,5 @@
 #include "fake_solver.h"
-#include "newton/line_search_guard.h"
+#include "solver/line_search_guard.h"
 
 #include <boost/test/unit_test.hpp>
 

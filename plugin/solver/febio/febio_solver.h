@@ -1,7 +1,7 @@
 /// FEBio's solver of the present step, as the helpers know it.
 #pragma once
 
-#include "newton/solver.h"
+#include "solver/solver.h"
 
 #include <memory>
 

@@ -1,5 +1,5 @@
 #include "fake_solver.h"
-#include "newton/predictor.h"
+#include "solver/predictor.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,4 @@
-#include "newton/devices.h"
+#include "solver/devices.h"
 
 #include <boost/test/unit_test.hpp>
 
