@@ -14,9 +14,20 @@
 #include <FECore/FEModel.h>
 #include <FECore/FESolver.h>
 
+#include <algorithm>
 #include <utility>
 
 using namespace mixture_contact;
+
+namespace {
+
+/// Whether no primary node is in contact.
+bool is_open(const ContactInterface& contact) {
+  const NodeFlags nodes = contact.nodes_in_contact()[Side::primary];
+  return std::none_of(nodes.begin(), nodes.end(), [](bool closed) { return closed; });
+}
+
+}  // namespace
 
 void BoundContact::build(PerSide<SurfaceMesh> meshes, const Effects& effects) {
   core_ = std::make_unique<ContactInterface>(std::move(meshes), effects, core_settings(parameters_));
@@ -66,6 +77,7 @@ void BoundContact::project() {
 }
 
 void BoundContact::prepare_step() {
+  begins_open_.reset();
   if (multiplier_layout(*core_).size() > 0) step_start_ = unknown_multipliers(*core_);
 }
 
@@ -74,7 +86,9 @@ bool BoundContact::begin_iteration(bool looks_ahead) {
   const double dt = surfaces_[Side::primary].GetFEModel()->GetTime().timeIncrement;
   // Between rigid bodies a node that closes too early moves the whole body.
   const bool gives_way = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
-  return core_->begin_iteration(fields(), looks_ahead && gives_way ? dt : 0);
+  const bool has_changed = core_->begin_iteration(fields(), looks_ahead && gives_way ? dt : 0);
+  if (!begins_open_) begins_open_ = is_open(*core_);
+  return has_changed;
 }
 
 bool BoundContact::keeps_matrix() { return serves_again(*core_, fields()); }
@@ -88,6 +102,11 @@ bool BoundContact::finds_overlap() {
   if (!std::exchange(said_overlap_, true))
     log_.line(penetration_line(log_.name(), names[Side::primary], names[Side::secondary], undetected));
   return !is_solution();
+}
+
+void BoundContact::fail_step() {
+  const bool began_open = core_->effects().traction && begins_open_.value_or(false);
+  if (began_open && !std::exchange(said_open_, true)) log_.line(open_contact_line(log_.name()));
 }
 
 void BoundContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {

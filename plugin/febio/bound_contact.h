@@ -7,6 +7,7 @@
 #include "host/contact_steps.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 class BoundContact : public mixture_contact::SteppedContact {
@@ -42,6 +43,8 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool correct() override;
   bool is_solution() override { return core_->is_solution(fields()); }
   bool finds_overlap() override;
+  /// A step has failed: says once where it began without a node in contact.
+  void fail_step();
 
   /// Multipliers that are unknowns, in a trial: those at the start of the step and FEBio's increments.
   void set_multipliers(const std::vector<double>& total, const std::vector<double>& increment);
@@ -61,4 +64,6 @@ class BoundContact : public mixture_contact::SteppedContact {
   int nodes_of_mesh_ = 0;
   mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
   bool said_overlap_ = false;             ///< in this run
+  std::optional<bool> begins_open_;       ///< no node was in contact where the step began; none: it has not begun
+  bool said_open_ = false;                ///< in this run
 };

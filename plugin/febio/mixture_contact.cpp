@@ -233,6 +233,7 @@ void FEMixtureContact::on_callback(unsigned int when) {
   }
   // Another analysis step tends to have other loads, and a step that is solved again with another mesh has no motion.
   if (when == CB_STEP_ACTIVE || when == CB_REMESH) forget_motion(core());
+  if (when == CB_TIMESTEP_FAILED) bound_.fail_step();
   if (when == CB_SOLVED) output_.log_timings();
 }
 

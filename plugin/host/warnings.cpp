@@ -37,6 +37,14 @@ std::string overlap_warning(const std::string& contact, const std::string& prima
   return text.str();
 }
 
+std::string open_contact_line(const std::string& contact) {
+  return "sliding-mixture \"" + contact +
+         "\": the step that has failed began without a node in contact. A body that this contact alone holds moves "
+         "freely until then. Gaps are averages around the nodes of the primary surface: they may be open though single "
+         "points overlap. Let the surfaces overlap more at the start, bring them together by a prescribed displacement "
+         "first, or refine the primary surface. This is said once in a run.";
+}
+
 std::string reduction_line(double time) {
   std::ostringstream text;
   text

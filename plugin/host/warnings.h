@@ -10,6 +10,10 @@
 std::string penetration_line(const std::string& contact, const std::string& primary, const std::string& secondary,
                              const mixture_contact::UndetectedPenetration& overlap);
 
+/// Says that a step has failed which began without a node in contact, and what a user can do about it; a contact's
+/// name.
+std::string open_contact_line(const std::string& contact);
+
 /// Says that automatic penalties are reduced from the next attempt at a step on.
 std::string reduction_line(double time);
 
