@@ -1,0 +1,51 @@
+"""A step that fails because the contact that should hold a body is open: the log says so."""
+
+from __future__ import annotations
+
+import pytest
+
+from harness.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
+from harness.run import engine
+
+pytestmark = pytest.mark.mixture_only
+
+SAID = "the step that has failed began without a node in contact"
+LOAD = '<surface_load type="pressure" surface="up-top"><pressure lc="1">{}</pressure></surface_load>'
+
+
+def _run(folder, gap: float, pressure: float, boundary=()):
+    """A block over another one, free to move along z, under a pressure on its top."""
+    parts = Parts()
+    parts.box("up", (0, 0, 1 + gap), (1, 1, 2), (2, 2, 2), "up")
+    parts.box("low", (-0.3, -0.3, 0), (1.3, 1.3, 1), (4, 4, 2), "low")
+    document = Document(
+        parts.mesh({"pair": ("up-bottom", "low-top")}),
+        (elastic("up", 1), elastic("low", 2)),
+        control=control("solid", 1, 1.0, retries=2),
+        boundary=(fixed("low-bottom", "x", "y", "z"), fixed("up-top", "x", "y"), *boundary),
+        loads=(LOAD.format(pressure),),
+        contacts=(contact("joint", "pair"),),
+        curves=(curve(1, (0, 0), (1, 1)),),
+    )
+    path = folder / "model.feb"
+    path.write_text(document.text())
+    return engine.run(path, plugin=engine.required_plugin(), check=False)
+
+
+def test_an_open_contact_that_should_hold_a_body_is_named(runner, tmp_path):
+    found = _run(tmp_path, gap=0.05, pressure=0.01)
+    assert not found.report.normal
+    assert found.output.count(SAID) == 1
+    assert '"joint"' in found.output.split(SAID)[0][-60:]
+
+
+def test_nothing_is_said_where_contact_began_closed(runner, tmp_path):
+    found = _run(tmp_path, gap=-0.01, pressure=50.0)  # so large that elements invert
+    assert not found.report.normal
+    assert SAID not in found.output
+
+
+def test_nothing_is_said_where_no_step_fails(runner, tmp_path):
+    found = _run(tmp_path, gap=0.02, pressure=0.0, boundary=(moved("up-top", "z", -0.05),))
+    assert found.report.normal
+    assert SAID not in found.output
