@@ -52,7 +52,7 @@ ALL_HEAD = """\
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/reported_results.py instead. -->
 
-Newton iterations, with retries in brackets, of the [reported kinds](../evidence/reported-scenes.md). Made with {stamp}.
+The table has Newton iterations, with retries in brackets, of the [reported kinds](../evidence/reported-scenes.md). It was made with {stamp}.
 
 {table}
 """
