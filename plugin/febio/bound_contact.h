@@ -43,7 +43,8 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool correct() override;
   bool is_solution() override { return core_->is_solution(fields()); }
   bool finds_overlap() override;
-  /// A step has failed: says once where it began without a node in contact.
+  /// A step has failed: where it began without a node in contact says so once, and has the next attempt begin with the
+  /// nodes closed around which single points overlap.
   void fail_step();
 
   /// Multipliers that are unknowns, in a trial: those at the start of the step and FEBio's increments.

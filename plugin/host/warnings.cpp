@@ -41,7 +41,7 @@ std::string open_contact_line(const std::string& contact) {
   return "sliding-mixture \"" + contact +
          "\": the step that has failed began without a node in contact. A body that this contact alone holds moves "
          "freely until then. Gaps are averages around the nodes of the primary surface: they may be open though single "
-         "points overlap. Let the surfaces overlap more at the start, bring them together by a prescribed displacement "
+         "points overlap. The next attempt begins in contact around points that do. If it fails, too: let the surfaces overlap more at the start, bring them together by a prescribed displacement "
          "first, or refine the primary surface. This is said once in a run.";
 }
 

@@ -1,11 +1,13 @@
-"""A step that fails because the contact that should hold a body is open: the log says so."""
+"""A step that fails because the contact that should hold a body is open is named, and tried again in contact."""
 
 from __future__ import annotations
 
 import pytest
 
+from harness.conversion import convert
 from harness.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
 from harness.run import engine
+from harness.studies.synthetic_scenes.reported.kinds_of_scene import SCENES
 
 pytestmark = pytest.mark.mixture_only
 
@@ -37,6 +39,17 @@ def test_an_open_contact_that_should_hold_a_body_is_named(runner, tmp_path):
     assert not found.report.normal
     assert found.output.count(SAID) == 1
     assert '"joint"' in found.output.split(SAID)[0][-60:]
+
+
+@pytest.mark.parametrize("name", ["punch-incompressible", "punch-round-friction"])
+def test_points_that_overlap_hold_a_body_at_the_second_attempt(runner, tmp_path, name):
+    """A sphere under a force: its lowest points overlap, and averages around the nodes are open."""
+    path = tmp_path / "converted.feb"
+    path.write_bytes(convert.convert(SCENES[name].write(name, tmp_path)).data)
+    found = engine.run(path, plugin=engine.required_plugin(), check=False)
+    assert found.report.normal, found.report.errors
+    assert found.output.count(SAID) == 1
+    assert found.report.retries == 1
 
 
 def test_nothing_is_said_where_contact_began_closed(runner, tmp_path):

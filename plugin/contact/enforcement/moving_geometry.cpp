@@ -105,7 +105,8 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
 }
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps, double ahead) const {
-  return point_ || augmented_ ? updated_status(now, gaps) : active_set_.expected(gaps, ahead);
+  if (point_ || augmented_) return updated_status(now, gaps);
+  return active_set_.or_overlapped(active_set_.expected(gaps, ahead), [this] { return space_.overlapped(); });
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {

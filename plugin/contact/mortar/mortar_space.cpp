@@ -187,6 +187,18 @@ const NodalGaps& MortarSpace::gaps() const {
   return *gaps_;
 }
 
+NodeFlags MortarSpace::overlapped() const {
+  NodeFlags found(nodes(), false);
+  for (const FacetPair& pair : facing_.pairs()) {
+    const Facet& facet = facing_.primary_facet(pair);
+    const FacetGapSums sums = gap_sums(pair);
+    for (Index a = 0; a < sums.cols(); ++a) {
+      if (sums(1, a) < offset_ * sums(0, a)) found[facet.node(a)] = true;
+    }
+  }
+  return found;
+}
+
 NodalGaps MortarSpace::averaged_gaps() const {
   NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size(), offset_};
   const IndexedVector<FacetPair>& pairs = facing_.pairs();

@@ -77,6 +77,9 @@ class MortarSpace {
   EffectTimings& effect_times() const { return effect_times_; }
   std::size_t memory() const;
 
+  /// Nodes of facets a part of which overlaps the other surface, though averages around them may be open.
+  NodeFlags overlapped() const;
+
  private:
   FacetGapSums gap_sums(const FacetPair& pair) const;
   NodalGaps averaged_gaps() const;

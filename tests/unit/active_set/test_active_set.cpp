@@ -351,3 +351,21 @@ BOOST_AUTO_TEST_CASE(a_node_that_slid_without_friction_begins_a_step_sliding) {
     for (Index node = 0; node < slips.count(); ++node) BOOST_TEST(slips[node] == slid);
   }
 }
+
+BOOST_AUTO_TEST_CASE(where_no_node_begins_closed_those_do_around_which_points_overlap_until_a_step_is_accepted) {
+  Approach approach(-0.2, elastic);
+  const NodeFlags open(all, false);
+  NodeFlags overlapped = open;
+  overlapped[4] = true;
+  NodeFlags other = open;
+  other[0] = true;
+  const auto begun = [&](const NodeFlags& status) {
+    return approach.contact->pass(0).active_set().or_overlapped(status, [&] { return overlapped; });
+  };
+  BOOST_TEST((begun(open) == open));
+  approach.contact->close_overlapped();
+  BOOST_TEST((begun(open) == overlapped));
+  BOOST_TEST((begun(other) == other));
+  approach.contact->accept_step(approach.scene.fields, 1);
+  BOOST_TEST((begun(open) == open));
+}
