@@ -13,6 +13,8 @@ DATA = Path("data", "reported-scenes.json")
 """Below docs/."""
 WAYS = {"converted": "converted", "defaults": "penalties deleted"}
 """Runs of ours that each scene has, as the table calls them."""
+TITLES = {"converted": "Converted models", "defaults": "Without their penalties, they"}
+"""The same runs, as a sentence calls them."""
 IN = 0.9
 """Part of the scenes in which ours is to take at most FEBio's iterations."""
 
@@ -52,7 +54,8 @@ ALL_HEAD = """\
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/reported_results.py instead. -->
 
-Newton iterations, with retries in brackets, of the [reported kinds](../evidence/reported-scenes.md). Made with {stamp}.
+The table gives Newton iterations for the [reported kinds](../evidence/reported-scenes.md), with retries in brackets.
+Made with {stamp}.
 
 {table}
 """
@@ -95,24 +98,24 @@ def _ours(row: Row) -> list[Took]:
 def summary(rows: Sequence[Row]) -> str:
     """How many scenes end, in which of them ours needs no more than FEBio's, and what both fail at."""
     sound = [row for row in rows if row.febio.ended]
-    parts = [f"{len(rows)} scenes; FEBio's interface ends {len(sound)} of them."]
-    for way, title in WAYS.items():
+    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes."]
+    for way in WAYS:
         runs: list[tuple[Row, Took]] = [(row, getattr(row, way)) for row in sound]
         both = [(row, run) for row, run in runs if run.ended]
         ratios = sorted(run.iterations / row.febio.iterations for row, run in both)
         fewer = sum(ratio <= 1.0 for ratio in ratios)
         more = sum(run.retries > row.febio.retries for row, run in both)
-        most = f", at most {ratios[-1]:.2f} times as many" if ratios else ""
+        most = f", none in more than {ratios[-1]:.2f} times as many" if ratios else ""
         parts.append(
-            f"{title.capitalize()}, {len(both)} of these end, {fewer} in at most FEBio's iterations"
-            f"{most}; {sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
+            f"{TITLES[way]} complete {len(both)} of these, {fewer} in at most FEBio's iterations{most}; "
+            f"{sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
         )
     beyond = [row for row in rows if not row.febio.ended]
     if not beyond:
         return " ".join(parts)
     ended = sum(row.converted.ended for row in beyond)
     return " ".join(
-        [*parts, f"Of the {len(beyond)} that FEBio's interface does not end the converted model ends {ended}."]
+        [*parts, f"Converted models complete {ended} of the {len(beyond)} that FEBio's interface does not."]
     )
 
 

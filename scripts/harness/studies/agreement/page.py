@@ -161,13 +161,13 @@ def headline(rows: Sequence[Row]) -> str:
         nearer = sum(pair.errors[1] < pair.errors[0] for pair in own)
         theirs, ours = ([pair.errors[k] for pair in own] for k in (0, 1))
         told.append(
-            f"of {len(own)} {name} the converted model is nearer to the fine answer in {nearer}; errors are "
-            f"{_span(ours)} for {_span(theirs)} with FEBio's interface"
+            f"The converted model is nearer to the fine answer in {nearer} of {len(own)} {name}. Its errors are "
+            f"{_span(ours)}, those of FEBio's interface {_span(theirs)}."
         )
     left = [2.0 * pair.febio.apart for pair in (*numbers, *fields)]
     return (
-        f"Not on a coarse mesh: {'; '.join(told)}. On the finest mesh the two differ by {100 * median(left):.1f} % in "
-        f"the median, up to {100 * max(left):.0f} %."
+        f"Not on a coarse mesh. {' '.join(told)} The two differ by {100 * median(left):.1f} % in the median on the "
+        f"finest mesh, and by up to {100 * max(left):.0f} %."
     )
 
 

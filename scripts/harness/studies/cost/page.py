@@ -74,12 +74,12 @@ def _headline(data: Sequence[Datum], problems: Sequence[Problem]) -> str:
         own = _point(data, problem, Parameter.DEFAULT, 0.0)
         good = [d for d in pareto.comparable(data, problem) if d.interface != OURS]
         told.append(
-            f"{pareto.error_of(own):.0e} in {own.iterations} iterations and {_time(own)} in problem {problem.value} "
-            f"({_theirs(own, good)})"
+            f"Defaults reach an error of {pareto.error_of(own):.0e} in problem {problem.value} in {own.iterations} "
+            f"iterations and {_time(own)}. {_theirs(own, good)}"
         )
     return (
-        f"Error with nothing set, and FEBio's interfaces, whose matrix is non-symmetric as well, at up to twice that "
-        f"error: {'; '.join(told)}."
+        f"{' '.join(told)} FEBio's interfaces may have up to twice the error here, and have a non-symmetric matrix as "
+        "well."
     )
 
 
@@ -88,9 +88,9 @@ def _theirs(own: Datum, good: Sequence[Datum]) -> str:
     error = ALIKE * pareto.error_of(own)
     best, fastest = pareto.cheapest(good, error), pareto.fastest(good, error)
     if best is None or fastest is None:
-        return "no setting of FEBio's reaches it"
-    faster = "FEBio's is the faster" if pareto.cost_of(fastest) < pareto.cost_of(own) else "ours is the faster"
-    return f"{best.iterations} and {_time(fastest)} with the best of FEBio's settings: {faster}"
+        return "No setting of FEBio's interfaces reaches it."
+    faster = "FEBio's is faster" if pareto.cost_of(fastest) < pareto.cost_of(own) else "`sliding-mixture` is faster"
+    return f"FEBio's best settings take {best.iterations} and {_time(fastest)}: {faster}."
 
 
 def _time(datum: Datum) -> str:

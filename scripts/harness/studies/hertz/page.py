@@ -39,7 +39,7 @@ HALF = 0.5
 
 
 def headline(sections: Sequence[Section]) -> str:
-    """How many figures meet the tolerances chosen for them, how near, and what stands beside them without any."""
+    """How many figures meet the tolerances chosen for them, how near, and the largest errors without one."""
     measures = [measure for section in sections for measure in section.measures]
     near = sum(_used(measure) > HALF for measure in measures)
     layers = max(error for problem in PROBLEMS for error in _layer_errors(problem).values())
@@ -47,10 +47,10 @@ def headline(sections: Sequence[Section]) -> str:
     hertz = max(abs(error) for _, found in _elastic_errors(rows) for error in found)
     return (
         f"{sum(measure.passed for measure in measures)} of {len(measures)} figures meet their tolerances, in "
-        f"{len(sections)} checks against closed forms, conforming references and balances; the tolerances are choices "
-        f"of this project, and {near} figures use more than half of theirs. Hertz's contacts have no tolerance and are "
-        "not among them: half-widths, radii and peaks of a cylinder and a sphere differ from the closed forms by up to "
-        f"{100.0 * hertz:.1f} %, those of thin biphasic layers, whose closed form is asymptotic, by up to "
+        f"{len(sections)} checks against closed forms, conforming references and balances. This project chose the "
+        f"tolerances, and {near} figures use more than half of theirs. Hertz's contacts have no tolerance and are not "
+        "among these figures. Half-widths, radii and peaks of a cylinder and a sphere differ from the closed forms by "
+        f"up to {100.0 * hertz:.1f} %. Those of thin biphasic layers, whose closed form is asymptotic, differ by up to "
         f"{100.0 * layers:.1f} %."
     )
 

@@ -65,9 +65,10 @@ def _headline(costs: Sequence[EffectCost]) -> str:
     first, last, fixed = scenes[0][0], scenes[-2][0], scenes[-1][0]
     most = max((own[0] for own in scenes), key=lambda cost: cost.share)
     return (
-        f"Of runs in which contact is at its dearest, it takes at most {_percent(most.share)} (`{most.scene}`): "
-        f"{_percent(first.share)} with traction alone, {_percent(last.share)} with solvent and four solutes beside it, "
-        f"and {_percent(fixed.share)} where nothing moves. What is not asked for has no unknown, no entry and no call."
+        f"The contact of thin blocks, whose part is large, takes at most {_percent(most.share)} of a run's time "
+        f"(`{most.scene}`). It takes {_percent(first.share)} with traction alone, {_percent(last.share)} with solvent "
+        f"and four solutes as well, and {_percent(fixed.share)} if nothing moves. Effects that are not exchanged have "
+        "no unknown, no matrix entry and no call."
     )
 
 
