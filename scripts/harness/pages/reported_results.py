@@ -25,6 +25,8 @@ HEAD = """\
 
 **{summary}**
 
+{details}
+
 A second collection of synthetic test scenes, written here after kinds of model that users report: thin shells and
 strips on rigid bodies, rods in tubes, whole outsides as surfaces, leaning and turned sides, sheets that fold onto
 themselves, crossed tubes, incongruent cylinders, hyperelastic blocks that slide, soft bodies between rigid plates,
@@ -68,6 +70,7 @@ def page(results: Results) -> str:
     return HEAD.format(
         stamp=results.stamp,
         summary=summary(rows),
+        details=details(rows),
         most=MOST,
         worse=_short(worse) if worse else "In no scene.",
     )
@@ -96,26 +99,29 @@ def _ours(row: Row) -> list[Took]:
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """How many scenes end, in which of them ours needs no more than FEBio's, and what both fail at."""
+    """How many scenes each way completes."""
     sound = [row for row in rows if row.febio.ended]
-    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes."]
-    for way in WAYS:
-        runs: list[tuple[Row, Took]] = [(row, getattr(row, way)) for row in sound]
-        both = [(row, run) for row, run in runs if run.ended]
-        ratios = sorted(run.iterations / row.febio.iterations for row, run in both)
-        fewer = sum(ratio <= 1.0 for ratio in ratios)
-        more = sum(run.retries > row.febio.retries for row, run in both)
-        most = f", none in more than {ratios[-1]:.2f} times as many" if ratios else ""
-        parts.append(
-            f"{TITLES[way]} complete {len(both)} of these, {fewer} in at most FEBio's iterations{most}; "
-            f"{sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
-        )
+    counts = [f"{TITLES[way]} complete {sum(getattr(row, way).ended for row in sound)} of these." for way in WAYS]
+    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes.", *counts]
     beyond = [row for row in rows if not row.febio.ended]
-    if not beyond:
-        return " ".join(parts)
-    ended = sum(row.converted.ended for row in beyond)
-    return " ".join(
-        [*parts, f"Converted models complete {ended} of the {len(beyond)} that FEBio's interface does not."]
+    if beyond:
+        ended = sum(row.converted.ended for row in beyond)
+        parts.append(f"Converted models complete {ended} of the {len(beyond)} that FEBio's interface does not.")
+    return " ".join(parts)
+
+
+def details(rows: Sequence[Row]) -> str:
+    """In how many scenes that both complete ours takes no more iterations than FEBio's, and in how many more."""
+    return " ".join(_details(way, [row for row in rows if row.febio.ended and getattr(row, way).ended]) for way in WAYS)
+
+
+def _details(way: str, both: Sequence[Row]) -> str:
+    ratios = sorted(getattr(row, way).iterations / row.febio.iterations for row in both)
+    more = sum(getattr(row, way).retries > row.febio.retries for row in both)
+    most = f" and at most {ratios[-1]:.2f} times as many" if ratios else ""
+    return (
+        f"{TITLES[way]} take at most FEBio's iterations in {sum(ratio <= 1.0 for ratio in ratios)} scenes{most}; "
+        f"{sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
     )
 
 
