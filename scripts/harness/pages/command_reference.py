@@ -27,8 +27,8 @@ HEAD = """\
 ```
 
 The sections below describe each command that runs or reads models. An installed `mixcontact` (`pip install .`) has the
-first ones, marked with a star. The exit code is 0 if the command is done and its checks hold, 1 if a check does not
-hold, 2 if the input cannot be used, and 4 if the command has a fault.
+first ones, marked with a star. The exit code is 0 if the command is done and its checks hold, and 1 if a check does not
+hold. It is 2 if the input cannot be used, and 4 if the command has a fault.
 
 """
 
@@ -65,7 +65,7 @@ def _section(function: Callable[..., None], star: bool) -> str:
     hints = typing.get_type_hints(function, include_extras=True)
     rows = [_row(parameter, hints[name]) for name, parameter in inspect.signature(function).parameters.items()]
     table = ["| option | default | meaning |", "|---|---|---|", *rows] if rows else []
-    title = f"## {function.__name__.replace('_', '-')}{' *' if star else ''}"
+    title = f"## `{function.__name__.replace('_', '-')}`{' *' if star else ''}"
     return "\n\n".join(filter(None, [title, about, "\n".join(table)]))
 
 
