@@ -61,9 +61,9 @@ PAGES: dict[str, Callable[[], str]] = {
 def pages(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation anew, from the code and from the results in docs/data.
+    """Write the generated pages of the documentation, from the code and from the results in docs/data.
 
-    With --check it also fails where the results in docs/data were not measured in one go.
+    It also fails with --check if the results in docs/data were not measured in one go.
     """
     if check:
         evidence.check_together(LIMITS)

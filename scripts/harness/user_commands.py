@@ -20,13 +20,13 @@ BAD_INPUT, OUR_FAULT = 2, 4
 
 _ABOUT = "Make, run and check models of contact between mixtures."
 FOR_EVERYBODY = {
-    "validate": "harness.validate.command",
-    "run": "harness.run.command",
-    "check": "harness.preflight.command",
     "convert": "harness.conversion.command",
+    "check": "harness.preflight.command",
+    "run": "harness.run.command",
+    "report": "harness.report.command",
+    "validate": "harness.validate.command",
     "plot": "harness.validate.command",
     "models": "harness.pages.command",
-    "report": "harness.report.command",
 }
 """Commands and the modules that hold their functions, which have the commands' names."""
 

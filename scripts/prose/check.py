@@ -24,6 +24,8 @@ PENDING = Path(__file__).parent / "pending.txt"
 ENTRY = "scripts/mixcontact"
 TALKING = ("preflight", "conversion", "run")
 """Folders of the harness with messages to users."""
+LISTED = re.compile(r"^  (?:[a-z-]+, )*[a-z-]+  +(?=\S)")
+"""Names of commands at the start of a line of the entry's help."""
 FEW_WORDS = 2
 """Spaces in a text that is a message, at least."""
 
@@ -63,12 +65,12 @@ def messages_of_python(text: str) -> list[Sentence]:
 
 
 def read(name: str) -> list[Sentence]:
-    """Sentences of a page. Each line of the entry's help counts as a cell of a table: it is a list of commands."""
+    """Sentences of a page. Each line of the entry's help counts as a cell of a table, without the names of commands."""
     text = (ROOT / name).read_text(encoding="utf-8")
     if name != ENTRY:
         return READERS[Path(name).suffix](text)
     lines = enumerate((ast.get_docstring(ast.parse(text)) or "").splitlines(), start=2)
-    return [Sentence(number, line.strip(), whole=False) for number, line in lines]
+    return [Sentence(number, LISTED.sub("", line).strip(), whole=False) for number, line in lines]
 
 
 READERS: dict[str, Callable[[str], list[Sentence]]] = {

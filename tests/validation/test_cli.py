@@ -134,6 +134,10 @@ def test_the_help_of_the_entry_lists_every_command():
     assert listed == {*COMMANDS, "build", "docs", "test"}
 
 
+def test_the_help_begins_with_the_commands_of_a_user(entry_module):
+    assert entry_module.known_commands()[:5] == ["convert", "check", "run", "report", "validate"]
+
+
 @pytest.fixture
 def fresh(tmp_path):
     """The entry as it stands in a new clone, where nothing is set up."""

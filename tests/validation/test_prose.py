@@ -62,6 +62,12 @@ def test_the_page_of_commands_is_checked():
     assert {"docs/reference/commands.md", "README.md", check.ENTRY} <= set(check.pages())
 
 
+def test_names_of_commands_in_the_help_are_no_prose():
+    said = [sentence.text for sentence in check.read(check.ENTRY)]
+    assert "run one model" in said
+    assert not any(text.startswith("price ") for text in said)
+
+
 def test_messages_are_read_without_comments():
     cpp = '// it tells\nlog("the gap " \n    "stands beside it"); f("short");\n'
     assert check.messages_of_cpp(cpp) == [Sentence(2, "the gap stands beside it", False)]

@@ -27,13 +27,13 @@ def convert(
     ],
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="The new file; by default <model>-mixture.feb beside the old one."),
+        typer.Option("--output", "-o", help="The new file; by default <model>-mixture.feb next to the old one."),
     ] = None,
     in_place: Annotated[bool, typer.Option("--in-place", help="Change the model file itself.")] = False,
 ) -> None:
     """Switch a model to sliding-mixture, keep all else byte for byte, and say what became of each parameter.
 
-    Contacts in included files go into new files beside these, which the new model reads.
+    Contacts in included files go into new files next to these, which the new model reads.
     Refuses where the physics would change. Exit code 0: written; 2: not converted.
     """
     if in_place and output is not None:

@@ -119,7 +119,7 @@ def indentation_study(
     timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = configurations.TIMEOUT,
     folder: Annotated[Path, typer.Option(help="Where runs and the table go.")] = RESULTS,
 ) -> None:
-    """Run problem 3.3 in the five configurations in which FEBio's interfaces fail, and tell how each run went."""
+    """Run problem 3.3 in the five configurations in which FEBio's interfaces fail, and list how each run went."""
     cases = [Case(c, interface, solver.module, solver.clamp, not default_penalties) for c in Configuration]
 
     def tell(row: Row) -> None:
@@ -139,7 +139,7 @@ def indentation_extremes(
     only: Annotated[list[str] | None, typer.Option(help="Cases by name, instead of all.")] = None,
     folder: Annotated[Path, typer.Option(help="Where runs, table and picture go.")] = RESULTS,
 ) -> None:
-    """Concentrations below 0 and above 1 mM in problem 3.3: beside bodies without contact, by mesh, and for d0 = d."""
+    """Concentrations below 0 and above 1 mM in problem 3.3, and in bodies without contact, by mesh and for d0 = d."""
     runs = extremes.run(Runner(folder / "runs", timeout=None), only)
     console.print(extremes.table(runs), markup=False)
     console.print(f"Written: {extremes.draw(runs, folder / 'indentation-extremes.png')}")

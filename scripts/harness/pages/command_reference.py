@@ -26,9 +26,9 @@ HEAD = """\
 {summary}
 ```
 
-What follows is of each command that runs models or reads them. An installed `mixcontact` (`pip install .`) has those
-marked with a star. Exit code 0: done, and what the command asks for holds; 1: it does not hold; 2: the input cannot be
-used; 4: a fault of the command.
+The sections below describe each command that runs or reads models. An installed `mixcontact` (`pip install .`) has the
+first ones, marked with a star. The exit code is 0 if the command is done and its checks hold, and 1 if a check does not
+hold. It is 2 if the input cannot be used, and 4 if the command has a fault.
 
 """
 
@@ -41,9 +41,10 @@ def page(functions: Sequence[Callable[..., None]], installed: Sequence[Callable[
     functions : sequence of callable
         All commands.
     installed : sequence of callable
-        Those that need no repository.
+        Commands that need no repository, in the order of the page, which has them first.
     """
-    ordered = sorted(functions, key=lambda function: function.__name__)
+    others = [function for function in functions if function not in installed]
+    ordered = [*installed, *sorted(others, key=lambda function: function.__name__)]
     sections = [_section(function, function in installed) for function in ordered]
     return HEAD.format(summary=_summary()) + "\n\n".join(sections) + "\n"
 
@@ -64,7 +65,7 @@ def _section(function: Callable[..., None], star: bool) -> str:
     hints = typing.get_type_hints(function, include_extras=True)
     rows = [_row(parameter, hints[name]) for name, parameter in inspect.signature(function).parameters.items()]
     table = ["| option | default | meaning |", "|---|---|---|", *rows] if rows else []
-    title = f"## {function.__name__.replace('_', '-')}{' *' if star else ''}"
+    title = f"## `{function.__name__.replace('_', '-')}`{' *' if star else ''}"
     return "\n\n".join(filter(None, [title, about, "\n".join(table)]))
 
 

@@ -13,6 +13,8 @@ DATA = Path("data", "reported-scenes.json")
 """Below docs/."""
 WAYS = {"converted": "converted", "defaults": "penalties deleted"}
 """Runs of ours that each scene has, as the table calls them."""
+TITLES = {"converted": "Converted models", "defaults": "Without their penalties, they"}
+"""The same runs, as a sentence calls them."""
 IN = 0.9
 """Part of the scenes in which ours is to take at most FEBio's iterations."""
 
@@ -22,6 +24,8 @@ HEAD = """\
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/reported_results.py instead. -->
 
 **{summary}**
+
+{details}
 
 A second collection of synthetic test scenes, written here after kinds of model that users report: thin shells and
 strips on rigid bodies, rods in tubes, whole outsides as surfaces, leaning and turned sides, sheets that fold onto
@@ -52,7 +56,8 @@ ALL_HEAD = """\
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/pages/reported_results.py instead. -->
 
-The table has Newton iterations, with retries in brackets, of the [reported kinds](../evidence/reported-scenes.md). It was made with {stamp}.
+The table gives Newton iterations for the [reported kinds](../evidence/reported-scenes.md), with retries in brackets.
+Made with {stamp}.
 
 {table}
 """
@@ -65,6 +70,7 @@ def page(results: Results) -> str:
     return HEAD.format(
         stamp=results.stamp,
         summary=summary(rows),
+        details=details(rows),
         most=MOST,
         worse=_short(worse) if worse else "In no scene.",
     )
@@ -93,26 +99,29 @@ def _ours(row: Row) -> list[Took]:
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """How many scenes end, in which of them ours needs no more than FEBio's, and what both fail at."""
+    """How many scenes each way completes."""
     sound = [row for row in rows if row.febio.ended]
-    parts = [f"{len(rows)} scenes; FEBio's interface ends {len(sound)} of them."]
-    for way, title in WAYS.items():
-        runs: list[tuple[Row, Took]] = [(row, getattr(row, way)) for row in sound]
-        both = [(row, run) for row, run in runs if run.ended]
-        ratios = sorted(run.iterations / row.febio.iterations for row, run in both)
-        fewer = sum(ratio <= 1.0 for ratio in ratios)
-        more = sum(run.retries > row.febio.retries for row, run in both)
-        most = f", at most {ratios[-1]:.2f} times as many" if ratios else ""
-        parts.append(
-            f"{title.capitalize()}, {len(both)} of these end, {fewer} in at most FEBio's iterations"
-            f"{most}; {sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
-        )
+    counts = [f"{TITLES[way]} complete {sum(getattr(row, way).ended for row in sound)} of these." for way in WAYS]
+    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes.", *counts]
     beyond = [row for row in rows if not row.febio.ended]
-    if not beyond:
-        return " ".join(parts)
-    ended = sum(row.converted.ended for row in beyond)
-    return " ".join(
-        [*parts, f"Of the {len(beyond)} that FEBio's interface does not end the converted model ends {ended}."]
+    if beyond:
+        ended = sum(row.converted.ended for row in beyond)
+        parts.append(f"Converted models complete {ended} of the {len(beyond)} that FEBio's interface does not.")
+    return " ".join(parts)
+
+
+def details(rows: Sequence[Row]) -> str:
+    """In how many scenes that both complete ours takes no more iterations than FEBio's, and in how many more."""
+    return " ".join(_details(way, [row for row in rows if row.febio.ended and getattr(row, way).ended]) for way in WAYS)
+
+
+def _details(way: str, both: Sequence[Row]) -> str:
+    ratios = sorted(getattr(row, way).iterations / row.febio.iterations for row in both)
+    more = sum(getattr(row, way).retries > row.febio.retries for row in both)
+    most = f" and at most {ratios[-1]:.2f} times as many" if ratios else ""
+    return (
+        f"{TITLES[way]} take at most FEBio's iterations in {sum(ratio <= 1.0 for ratio in ratios)} scenes{most}; "
+        f"{sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
     )
 
 

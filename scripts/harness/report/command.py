@@ -15,12 +15,12 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def report(
-    model: Annotated[Path, typer.Argument(help="A .feb file that has been run; log and plot file stand beside it.")],
-    output: Annotated[Path | None, typer.Option(help="Folder for the page; MODEL-report beside the model.")] = None,
+    model: Annotated[Path, typer.Argument(help="A .feb file; its log and plot file are next to it.")],
+    output: Annotated[Path | None, typer.Option(help="Folder for the page; MODEL-report next to the model.")] = None,
 ) -> None:
     """Make a page about the contact of a run: pressure on the deformed surfaces, curves over time, settings, warnings.
 
-    The page is one file, index.html, which opens from disk; its pictures stand beside it as PNG files, too.
+    The page is one file, index.html, which opens from disk. Its folder has the pictures as PNG files, too.
     """
     try:
         contents, page = (import_module(f"harness.report.{name}") for name in ("contents", "page"))

@@ -47,8 +47,8 @@ def validate(
 ) -> None:
     """Run the paper's problems, compare with the closed forms, and draw figures 3.2 to 3.4.
 
-    Without febio4 the embedded engine runs the models. Exit code 0: every tolerance is met; 1: one is missed; 3: none
-    is missed, but checks were left out.
+    The embedded engine runs the models if there is no febio4. Exit code 0: every tolerance is met; 1: one is missed;
+    3: none is missed, but checks were left out.
     """
     if interface is InterfaceType.CONFORMING:
         raise typer.BadParameter("'conforming' is what the others are compared with", param_hint="--interface")

@@ -26,7 +26,7 @@ def gallery(
 ) -> None:
     """Run the models that one would start from, and write their page with pictures, curves and run times.
 
-    With --only the others stay on the page where they were made with the same plugin and FEBio.
+    The other models stay on the page with --only, if they were made with the same plugin and FEBio.
     """
     chosen = {entry.model.name: entry for entry in entries.entries()}
     for name in only or []:

@@ -35,7 +35,7 @@ def agreement(
         raise HarnessError(f"no scene {', '.join(unknown)}; there is {', '.join(comparisons.MESHES)}")
     tell = partial(console.print, markup=False)
     rows = [row for name in only or comparisons.MESHES for row in comparisons.compare(name, folder, limit, tell)]
-    console.print(f"{page.headline(rows)}\n\n{page.tables(rows)}", markup=False)
+    console.print(f"{page.headline(rows)}\n\n{page.details(rows)}\n\n{page.tables(rows)}", markup=False)
     if docs and not only:
         stamped_rows.write(page.Results(provenance.stamp(limit), rows), DATA / page.SOURCE)
         for name, made in ((page.PAGE, page.page), (page.ALL, page.all_meshes)):

@@ -14,6 +14,7 @@ from harness.studies.agreement.comparisons import FEBIO, MESHES, OURS, Row
 from harness.studies.agreement.quantities import FACETS_AREA
 
 SOURCE, PAGE, ALL = "agreement.json", "evidence/agreement.md", "reference/agreement.md"
+NUMBERS, FIELDS = "forces, approaches, areas and contents", "fields (L2)"
 
 HEAD = """\
 # Is it the old answer?
@@ -21,6 +22,8 @@ HEAD = """\
 <!-- Written by `scripts/mixcontact pages`: change scripts/harness/studies/agreement/page.py instead. -->
 
 **{headline}**
+
+{details}
 
 A converted model has the penalties of the old one. FEBio's interfaces act at Gauss points of facets, this one on
 averages around nodes; where a curved face meets a flat one, coarse facets are seen by different gaps. Which answer is
@@ -100,7 +103,9 @@ def page(results: Results) -> str:
     """The page."""
     rows = results.rows
     one = _table(ONE, [row for row in rows if row.scene == ONE])
-    return HEAD.format(headline=headline(rows), stamp=results.stamp, coarse=coarse(rows), one=one)
+    return HEAD.format(
+        headline=headline(rows), details=details(rows), stamp=results.stamp, coarse=coarse(rows), one=one
+    )
 
 
 def all_meshes(results: Results) -> str:
@@ -153,22 +158,35 @@ def pairs(rows: Sequence[Row], fineness: int = 1) -> list[Pair]:
 
 def headline(rows: Sequence[Row]) -> str:
     """Not the same answer: by how much both are off, and which one is nearer how often."""
+    kinds = _kinds(rows)
+    counts = [f"{sum(a > b for a, b in _errors(own))} of {len(own)} {name}" for name, own in kinds.items()]
+    left = [2.0 * pair.febio.apart for own in kinds.values() for pair in own]
+    return (
+        f"Not on a coarse mesh. The converted model is nearer to the fine answer in {' and '.join(counts)}. The two "
+        f"differ by {100 * median(left):.1f} % in the median on the finest mesh, and by up to {100 * max(left):.0f} %."
+    )
+
+
+def details(rows: Sequence[Row]) -> str:
+    """Smallest and largest errors of both interfaces on the coarse mesh."""
+    told = []
+    for name, own in _kinds(rows).items():
+        theirs, ours = zip(*_errors(own), strict=True)
+        told.append(
+            f"Errors of {name} are {_span(ours)} in the converted model and {_span(theirs)} with FEBio's interface."
+        )
+    return " ".join(told)
+
+
+def _kinds(rows: Sequence[Row]) -> dict[str, list[Pair]]:
+    """Numbers and fields on the coarse mesh, by name."""
     found = pairs(rows)
     numbers = [pair for pair in found if pair.number and pair.febio.quantity != FACETS_AREA]
-    fields = [pair for pair in found if not pair.number]
-    told = []
-    for name, own in (("forces, approaches, areas and contents", numbers), ("fields (L2)", fields)):
-        nearer = sum(pair.errors[1] < pair.errors[0] for pair in own)
-        theirs, ours = ([pair.errors[k] for pair in own] for k in (0, 1))
-        told.append(
-            f"of {len(own)} {name} the converted model is nearer to the fine answer in {nearer}; errors are "
-            f"{_span(ours)} for {_span(theirs)} with FEBio's interface"
-        )
-    left = [2.0 * pair.febio.apart for pair in (*numbers, *fields)]
-    return (
-        f"Not on a coarse mesh: {'; '.join(told)}. On the finest mesh the two differ by {100 * median(left):.1f} % in "
-        f"the median, up to {100 * max(left):.0f} %."
-    )
+    return {NUMBERS: numbers, FIELDS: [pair for pair in found if not pair.number]}
+
+
+def _errors(own: Sequence[Pair]) -> list[tuple[float, float]]:
+    return [pair.errors for pair in own]
 
 
 def _span(values: Sequence[float]) -> str:

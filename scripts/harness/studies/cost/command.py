@@ -50,7 +50,7 @@ def cost(
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
-    """Measure error and cost over all parameters, problems and interfaces; with --error say what to set at what cost.
+    """Measure error and time over all parameters, problems and interfaces; --error names settings for an error.
 
     The measurement is some hundreds of runs; one that was interrupted goes on where it was.
     """

@@ -29,7 +29,7 @@ Limit = Annotated[float, typer.Option(help="s of processor time for each run.")]
 def friction_cases(
     only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
     mesh: Annotated[list[Fineness] | None, typer.Option(help="On this mesh alone.")] = None,
-    febio: Annotated[bool, typer.Option(help="FEBio's friction beside it, with two factors on its penalties.")] = True,
+    febio: Annotated[bool, typer.Option(help="Run FEBio's friction, too, with two factors on its penalties.")] = True,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "friction-cases",
     limit: Limit = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the data of the documentation, too.")] = False,
@@ -86,7 +86,7 @@ def friction_cost(
     / "friction-cost",
     limit: Limit = LIMIT,
 ) -> None:
-    """Measure what the tangential penalty and AUGLAG buy in slip that should not be, and what they cost."""
+    """Measure elastic slip against time, by tangential penalty and with AUGLAG."""
     runner = Runner(RESULTS / "friction-cost" / "runs", processor_limit=limit)
     data = stick_points.measure(stick_points.points(), runner)
     console.print(stick_points.least_time(data), markup=False)

@@ -35,8 +35,8 @@ def fuzz(
 ) -> None:
     """Run random scenes and random parameters until the time is over; exit code 1 where a fault was found.
 
-    A fault is a crash, NaN in the results of a run that ended, forces or flows of the two sides that do not cancel, or
-    a model that is refused without a message which names what is wrong. Each is a seed: `fuzz --seed N --count 1`.
+    A fault is a crash, NaN in the results of a run that ended, forces or flows of the two sides that do not cancel.
+    A refusal without a message that names the fault is one, too. Each is a seed: `fuzz --seed N --count 1`.
     """
     deadline = time.time() + 60.0 * minutes
     wanted = {}

@@ -38,7 +38,7 @@ def hard_cases(
 ) -> None:
     """Run the hard cases on two meshes with sliding-mixture and FEBio's interfaces, and write the table.
 
-    What was done is not done again. Exit code 0: sliding-mixture ends and passes everywhere.
+    A run that is done is kept. Exit code 0: sliding-mixture ends and passes everywhere.
     """
     for name in only or []:
         if name not in CASES:

@@ -27,6 +27,7 @@ def figures() -> Mapping[str, str]:
     measures = [measure for section in sections for measure in section.measures]
     return {
         "headline": headline(sections),
+        "details": details(),
         "checks": "\n".join(map(_check, sections)),
         "split": "\n".join(f"| {_cell(m.name)} | {m.value:.2g} |" for m in measures if any(s in m.name for s in SPLIT)),
         "layers": "\n".join(map(_layers, PROBLEMS)),
@@ -39,19 +40,25 @@ HALF = 0.5
 
 
 def headline(sections: Sequence[Section]) -> str:
-    """How many figures meet the tolerances chosen for them, how near, and what stands beside them without any."""
+    """How many figures meet the tolerances chosen for them, and how near."""
     measures = [measure for section in sections for measure in section.measures]
     near = sum(_used(measure) > HALF for measure in measures)
+    return (
+        f"{sum(measure.passed for measure in measures)} of {len(measures)} figures meet their tolerances, in "
+        f"{len(sections)} checks against closed forms, conforming references and balances. This project chose the "
+        f"tolerances, and {near} figures use more than half of theirs."
+    )
+
+
+def details() -> str:
+    """The largest errors of contacts that have no tolerance."""
     layers = max(error for problem in PROBLEMS for error in _layer_errors(problem).values())
     rows = files.read_csv(DATA / ELASTIC_SOURCE, ProfileRow)
     hertz = max(abs(error) for _, found in _elastic_errors(rows) for error in found)
     return (
-        f"{sum(measure.passed for measure in measures)} of {len(measures)} figures meet their tolerances, in "
-        f"{len(sections)} checks against closed forms, conforming references and balances; the tolerances are choices "
-        f"of this project, and {near} figures use more than half of theirs. Hertz's contacts have no tolerance and are "
-        "not among them: half-widths, radii and peaks of a cylinder and a sphere differ from the closed forms by up to "
-        f"{100.0 * hertz:.1f} %, those of thin biphasic layers, whose closed form is asymptotic, by up to "
-        f"{100.0 * layers:.1f} %."
+        "Hertz's contacts have no tolerance and are not among these figures. Half-widths, radii and peaks of a "
+        f"cylinder and a sphere differ from the closed forms by up to {100.0 * hertz:.1f} %. Those of thin biphasic "
+        f"layers, whose closed form is asymptotic, differ by up to {100.0 * layers:.1f} %."
     )
 
 

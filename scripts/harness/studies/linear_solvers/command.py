@@ -20,7 +20,7 @@ console = Console(highlight=False, soft_wrap=True)
 
 def linear_solvers(
     only: Annotated[list[str] | None, typer.Option(help="Solvers of this type alone; may be repeated.")] = None,
-    data: Annotated[Path, typer.Option(help="The file whose rows are measured anew.")] = RESULTS
+    data: Annotated[Path, typer.Option(help="The file whose rows are measured again.")] = RESULTS
     / "linear-solvers.json",
     build: Annotated[str, typer.Option(help="What is special about this FEBio, e.g. 'with SuperLU_MT'.")] = "",
 ) -> None:

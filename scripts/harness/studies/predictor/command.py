@@ -34,7 +34,7 @@ def predictor(
 ) -> None:
     """Run every model and every hard case without and with the predictor, and write the table.
 
-    What was done is not done again.
+    A run that is done is kept.
     """
     runner = Runner(folder / "runs", processor_limit=limit)
     chosen = [known for known in paired_models.known_models(mesh or list(Fineness)) if _wanted(known[0], only)]

@@ -177,9 +177,9 @@ def headline(joints: Sequence[Joint]) -> str:
     slower = sum(time > 1.0 for time in times)
     iterations = [ours.iterations / theirs.iterations for ours, theirs in ended]
     return (
-        f"On {len(ended)} of {len(joints)} scenes, joints of tetrahedra for the most part, both it and FEBio's "
-        f"interface end: it takes {min(iterations):.2f} to {max(iterations):.2f} times the iterations, and "
-        f"{min(times):.2f} to {max(times):.2f} times the run's time; FEBio's is the faster on {slower}."
+        f"`sliding-mixture` and FEBio's interface both complete {len(ended)} of {len(joints)} scenes, mostly joints of "
+        f"tetrahedra. `sliding-mixture` takes {min(iterations):.2f} to {max(iterations):.2f} times FEBio's iterations "
+        f"and {min(times):.2f} to {max(times):.2f} times its time; FEBio's is faster on {slower} of them."
     )
 
 

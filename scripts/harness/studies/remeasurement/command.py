@@ -28,7 +28,7 @@ def evidence(
         list[str] | None, typer.Option(help="Do this step alone, done or not; may be repeated.", metavar="STEP")
     ] = None,
 ) -> None:
-    """Measure all comparisons and all other evidence of the documentation anew, one step after the other.
+    """Measure all comparisons and all other evidence of the documentation again, one step after the other.
 
     Each run has one thread and, where it is compared with FEBio's interfaces, the same limit. A step whose files in
     docs/data were made with the plugin's present commit and that limit is left out, so that a run that was interrupted

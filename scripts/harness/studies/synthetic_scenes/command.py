@@ -36,7 +36,7 @@ def synthetic_scenes(
     The scenes `blocks` are run with the predictor as well. Runs that are in the folder already, of the same model with
     the same programs and limit, are kept, so that a study that was interrupted goes on.
 
-    Exit code 0: what FEBio's interface ends, sliding-mixture ends in all ways.
+    Exit code 0: sliding-mixture completes in all ways each scene that FEBio's interface completes.
     """
     study = STUDIES[collection]
     chosen = [name for name in study.scenes if not only or any(part in name for part in only)]
