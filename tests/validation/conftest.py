@@ -12,6 +12,7 @@ import pytest
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.models.interface import InterfaceType
+from harness.models.small import Document
 from harness.run import engine
 from harness.run.runner import Runner
 from harness.validate.checks import Context
@@ -52,3 +53,19 @@ def runner(interface: InterfaceType, runs_folder: Path) -> Runner:
 def context(runner: Runner, interface: InterfaceType) -> Context:
     """What the checks need."""
     return Context(runner, interface)
+
+
+@pytest.fixture
+def solve(runner, tmp_path):
+    """Runs a document; its folder, and what the run printed. Where it need not end, it may not."""
+
+    def run(name: str, document: Document | str, *, ends: bool = True, options=()):
+        folder = tmp_path / name
+        folder.mkdir()
+        path = folder / "model.feb"
+        path.write_text(document if isinstance(document, str) else document.text())
+        finished = engine.run(path, plugin=engine.required_plugin(), check=False, options=options)
+        assert finished.report.normal or not ends, finished.report.errors
+        return folder, finished
+
+    return run

@@ -9,29 +9,12 @@ import pytest
 
 from harness.models import small
 from harness.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, step
-from harness.run import engine
 
 pytestmark = pytest.mark.mixture_only
 
 RAMP = curve(1, (0, 0), (1, 1))
 EQUAL = 1e-9
 """mm. What is left between runs of the same problem: FEBio logs a dozen digits."""
-
-
-@pytest.fixture
-def solve(runner, tmp_path):
-    """Runs a document; its folder, and what the run printed. Where it need not end, it may not."""
-
-    def run(name: str, document: Document | str, *, ends: bool = True, options=()):
-        folder = tmp_path / name
-        folder.mkdir()
-        path = folder / "model.feb"
-        path.write_text(document if isinstance(document, str) else document.text())
-        finished = engine.run(path, plugin=engine.required_plugin(), check=False, options=options)
-        assert finished.report.normal or not ends, finished.report.errors
-        return folder, finished
-
-    return run
 
 
 def displacements(folder):

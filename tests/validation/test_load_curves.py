@@ -12,28 +12,11 @@ from harness.models import small
 from harness.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
 from harness.pages.plugin_parameters import registered
 from harness.preflight.rules.settings import FOLLOWED
-from harness.run import engine
 
 pytestmark = pytest.mark.mixture_only
 
 RAMP = curve(1, (0, 0), (1, 1))
 CONSTANT = curve(2, (0, 1), (1, 1))
-
-
-@pytest.fixture
-def solve(runner, tmp_path):
-    """Runs a document; its folder, and what the run printed."""
-
-    def run(name: str, document: Document, *, ends: bool = True):
-        folder = tmp_path / name
-        folder.mkdir()
-        path = folder / "model.feb"
-        path.write_text(document.text())
-        finished = engine.run(path, plugin=engine.required_plugin(), check=False)
-        assert finished.report.normal == ends, finished.report.errors
-        return folder, finished
-
-    return run
 
 
 def pressed(params: str, depth: float = 0.1, *, fluid: bool = False, drag: bool = False) -> Document:
