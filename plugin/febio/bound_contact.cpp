@@ -106,7 +106,7 @@ bool BoundContact::finds_overlap() {
 
 void BoundContact::fail_step() {
   const bool began_open = core_->effects().traction && begins_open_.value_or(false);
-  if (began_open) core_->close_overlapped();
+  if (began_open) core_->pass(0).laws().close_overlapped = true;
   if (began_open && !std::exchange(said_open_, true)) log_.line(open_contact_line(log_.name()));
 }
 

@@ -41,6 +41,7 @@ std::map<const FEModel*, std::weak_ptr<ModelContacts>>& registry() {
 }
 
 /// FEBio keeps callbacks of contacts that are gone.
+// NOLINTNEXTLINE(misc-const-correctness): the type that FEBio gives a callback
 bool call_back(FEModel* fem, unsigned int when, void* contacts) {
   const auto entry = registry().find(fem);
   const auto alive = entry == registry().end() ? nullptr : entry->second.lock();

@@ -40,14 +40,6 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   return status;
 }
 
-NodeFlags ActiveSet::or_overlapped(NodeFlags begun, const std::function<NodeFlags()>& overlapped) const {
-  const auto any = [](const NodeFlags& nodes) { return std::find(nodes.begin(), nodes.end(), true) != nodes.end(); };
-  if (!closes_overlapped_ || any(begun)) return begun;
-  NodeFlags closed = overlapped();
-  for (Index node = 0; node < closed.count(); ++node) closed[node] = closed[node] && may_close(node);
-  return closed;
-}
-
 NodeFlags ActiveSet::expected(const NodalGaps& now, double ahead) const {
   NodeFlags status = initial(now);
   if (ahead == 0 || !can_expect() || !laws_.multipliers.was_foretold) return status;

@@ -3,7 +3,6 @@
 
 #include "law/nodal_laws.h"
 
-#include <functional>
 #include <optional>
 
 namespace mixture_contact {
@@ -82,13 +81,6 @@ class ActiveSet {
 
   /// Lets only some nodes close.
   void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
-
-  /// Has steps begin with the nodes closed around which single points overlap, where no other node begins closed: for
-  /// an attempt after one that has failed for want of contact. A node that closes so opens again where it is pulled.
-  void close_overlapped(bool on) { closes_overlapped_ = on; }
-  /// The status `begun` that a step would begin with, or the nodes around which points overlap (see
-  /// close_overlapped()).
-  NodeFlags or_overlapped(NodeFlags begun, const std::function<NodeFlags()>& overlapped) const;
 
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;
@@ -169,7 +161,6 @@ class ActiveSet {
   const NodalLaws& laws_;
   ActiveSetOptions options_;
   std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
-  bool closes_overlapped_ = false;        ///< where steps begin
   IndexedVector<int> changes_;            ///< of each node's status since the iterations began
   IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
 };

@@ -106,7 +106,9 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps, double ahead) const {
   if (point_ || augmented_) return updated_status(now, gaps);
-  return active_set_.or_overlapped(active_set_.expected(gaps, ahead), [this] { return space_.overlapped(); });
+  NodeFlags expected = active_set_.expected(gaps, ahead);
+  const bool is_open = std::find(expected.begin(), expected.end(), true) == expected.end();
+  return is_open && laws_.close_overlapped ? overlapped_nodes(space_) : expected;
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {

@@ -152,15 +152,11 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   }
 }
 
-void ContactInterface::close_overlapped() {
-  for (const SidedPass& pass : passes_) pass.integral->close_overlapped(true);
-}
-
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields, double dt) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   for (const SidedPass& pass : passes_) {
     pass.integral->accept_step(seen_from(pass.side, fields), dt);
-    pass.integral->close_overlapped(false);
+    pass.integral->laws().close_overlapped = false;
   }
   if (!effects_.may_rub()) return;
   slips_from_ = {{fields[Side::primary].position, fields[Side::secondary].position}};

@@ -70,9 +70,6 @@ class ContactInterface {
   /// Takes a state over as that which the next step begins with: its tractions, which nodes are flux-coupled, and with
   /// friction the positions that slips are measured from; then iterations end with it, too. The step took dt [s].
   void accept_step(const PerSide<SurfaceFields>& fields, double dt);
-  /// Has steps begin with nodes closed around which single points overlap, where no other node begins closed, until a
-  /// step is accepted (see ActiveSet::close_overlapped()).
-  void close_overlapped();
   /// Forgets accepted steps: loads begin, and the surfaces begin to slide, where the next projection finds them.
   void forget_steps();
 

@@ -41,9 +41,6 @@ class ContactPass {
   /// effect with the next project().
   void restrict_active_set(const NodeFlags& nodes);
 
-  /// Whether steps may begin with nodes closed around which single points overlap (see ActiveSet::close_overlapped()).
-  void close_overlapped(bool on) { active_set_.close_overlapped(on); }
-
   /// How it evaluates the integral: for what a host that keeps its matrix asks (corrections.h), and start_inactive(),
   /// which begins an iteration with every node open, for a pass that joins others within a step.
   ContactGeometry& geometry() const { return *geometry_; }

@@ -123,6 +123,9 @@ class NodalLaws {
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;
+  /// Whether a step in which no node would begin in contact begins with those around which points overlap: in an
+  /// attempt after one that has failed for want of contact. A node that closes so opens again where it is pulled.
+  bool close_overlapped = false;
 
  private:
   /// Sets the trials, and bound and status where they have not been decided.

@@ -187,18 +187,6 @@ const NodalGaps& MortarSpace::gaps() const {
   return *gaps_;
 }
 
-NodeFlags MortarSpace::overlapped() const {
-  NodeFlags found(nodes(), false);
-  for (const FacetPair& pair : facing_.pairs()) {
-    const Facet& facet = facing_.primary_facet(pair);
-    const FacetGapSums sums = gap_sums(pair);
-    for (Index a = 0; a < sums.cols(); ++a) {
-      if (sums(1, a) < offset_ * sums(0, a)) found[facet.node(a)] = true;
-    }
-  }
-  return found;
-}
-
 NodalGaps MortarSpace::averaged_gaps() const {
   NodalGaps gaps{VectorXd::Zero(nodes()), VectorXd::Zero(nodes()), facing_.surface_size(), offset_};
   const IndexedVector<FacetPair>& pairs = facing_.pairs();
@@ -284,6 +272,18 @@ Patch MortarSpace::node_patch(Index node, const PairsAround& pairs) const {
 
 Patch MortarSpace::columns_of(const Patch& patch, int field) const {
   return patch.of_field(field, effects().traction && !symmetric_);
+}
+
+NodeFlags overlapped_nodes(const MortarSpace& space) {
+  NodeFlags found(space.nodes(), false);
+  for (const FacetPair& pair : space.facing().pairs()) {
+    const Facet& facet = space.facing().primary_facet(pair);
+    const FacetGapSums sums = space.gap_sums(pair);
+    for (Index a = 0; a < sums.cols(); ++a) {
+      if (sums(1, a) < space.offset() * sums(0, a)) found[facet.node(a)] = true;
+    }
+  }
+  return found;
 }
 
 }  // namespace mixture_contact

@@ -76,12 +76,10 @@ class MortarSpace {
   /// What linearising and tangents spend on single effects; whoever times them takes it.
   EffectTimings& effect_times() const { return effect_times_; }
   std::size_t memory() const;
-
-  /// Nodes of facets a part of which overlaps the other surface, though averages around them may be open.
-  NodeFlags overlapped() const;
+  /// Integrals over a pair of facets that gaps are averaged from.
+  FacetGapSums gap_sums(const FacetPair& pair) const;
 
  private:
-  FacetGapSums gap_sums(const FacetPair& pair) const;
   NodalGaps averaged_gaps() const;
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
 
@@ -97,5 +95,8 @@ class MortarSpace {
   mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
   mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, once they are asked for
 };
+
+/// Nodes of facets a part of which overlaps the other surface, though averages around them may be open.
+NodeFlags overlapped_nodes(const MortarSpace& space);
 
 }  // namespace mixture_contact
