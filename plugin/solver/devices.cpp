@@ -39,7 +39,7 @@ NamedDevices named_devices(const std::string& list) {
 }
 
 std::string allowed_devices() {
-  return "\"all\", \"none\", or names out of " + names(DeviceSet().set()) + " with commas between them";
+  return R"("all", "none", or names out of )" + names(DeviceSet().set()) + " with commas between them";
 }
 
 std::string names(const DeviceSet& set) {
