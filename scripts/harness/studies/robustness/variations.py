@@ -11,7 +11,7 @@ from harness.studies.robustness.feb import Element, Feb
 
 CUT = 0.5
 """What is left of a step that failed."""
-FEW, FEWEST = 8, 2
+FEW, FEWEST = 8, 3
 """Matrices in a step."""
 TOLERANCES = {"dtol": 1e-3, "min_residual": 1e-20}
 """Without which no step ends, with FEBio's own values."""
