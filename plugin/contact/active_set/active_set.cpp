@@ -1,7 +1,6 @@
 #include "active_set/active_set.h"
 
 #include "law/laws.h"
-#include "law/openings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,39 +39,8 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   return status;
 }
 
-NodeFlags ActiveSet::expected(const NodalGaps& now, double ahead) const {
-  NodeFlags status = initial(now);
-  if (ahead == 0 || !can_expect() || !laws_.multipliers.was_foretold) return status;
-  const VectorXd openings = expected_openings(laws_, now, ahead);
-  const bool may_open = may_open_ahead(status, now, openings);
-  for (Index node = 0; node < status.count(); ++node) {
-    if (status[node]) {
-      status[node] = !may_open || !opens(now, openings[node]);
-    } else {
-      status[node] = may_close(node) && openings[node] < 0;
-    }
-  }
-  return status;
-}
-
-bool ActiveSet::can_expect() const {
+bool ActiveSet::may_predict() const {
   return laws_.effects().nodal_fields() == 0 && !laws_.has_twin() && !laws_.bear_tension();
-}
-
-bool ActiveSet::opens(const NodalGaps& now, double opening) const {
-  return opening > options_.touch_fraction * now.size;
-}
-
-bool ActiveSet::may_open_ahead(const NodeFlags& status, const NodalGaps& now, const VectorXd& openings) const {
-  double all = 0;
-  double opening = 0;
-  for (Index node = 0; node < status.count(); ++node) {
-    if (!status[node]) continue;
-    const double load = laws_.traction_penalty(node) * now.gap[node] + laws_.multipliers.traction[node];
-    all -= now.area[node] * load;
-    if (opens(now, openings[node])) opening -= now.area[node] * load;
-  }
-  return opening < options_.most_opening_load * all;
 }
 
 NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, double doubt) const {
