@@ -1,9 +1,9 @@
 #include "interface/pass.h"
 
 #include "base/bytes.h"
+#include "conditions/openings.h"
 #include "enforcement/fixed_geometry.h"
 #include "enforcement/moving_geometry.h"
-#include "law/openings.h"
 #include "mortar/slips.h"
 
 namespace mixture_contact {
