@@ -169,7 +169,7 @@ NOTES = {
         "Form the first matrix of a step at a state that is predicted from the last steps: of every variable whose "
         "last change was predicted to a third, where no load curve turns. A step may then end with its first "
         "iteration. A predicted state is dropped where an element is inverted or the residual is larger than that of "
-        "the plain start. Not available where there are rigid bodies. See [explanation](../how-to/devices.md#the-predictor).",
+        "the plain start. Not available with rigid bodies. See [devices](../how-to/devices.md#the-predictor).",
         "memory for the nodal values of five steps, two evaluations of the residual and a copy of the state in a step",
         "not there",
     ),

@@ -47,7 +47,7 @@ def interface() -> Figure:
     """Two bodies that touch: what passes in contact, and a gap at an open point, through which nothing passes."""
     figure = _figure(6.4, 3.6)
     axes = figure.subplots()
-    x = np.linspace(-4.0, 4.0, 401)
+    x = np.linspace(-4.0, 4.0, 101)
     lower, upper = np.zeros_like(x), _outline(x)
     axes.fill_between(x, lower, -2.0, color=LIGHT)
     axes.fill_between(x, upper, 3.0, color=SAND)
@@ -90,7 +90,7 @@ def primary() -> Figure:
     """A bump, finer than the facets of the other side: coarse averages overlook it, its own nodes do not."""
     figure = _figure(6.4, 3.5)
     left, right = figure.subplots(1, 2)
-    bump = np.linspace(-3.0, 3.0, 601)
+    bump = np.linspace(-3.0, 3.0, 151)
     for axes, depth, title in ((left, 0.32, "wrong: coarse side primary"), (right, 0.0, "right: fine side primary")):
         height = 0.55 - (0.55 + depth) * np.exp(-((bump / 0.34) ** 2)) + 0.02 * bump**2
         axes.fill_between(bump, height, 2.6, color=SAND)
