@@ -40,11 +40,6 @@ void NodalLaws::update_penalties() {
   penalties_ = at_nodes(mixture_contact::penalties(primary_, secondary_, effects_, settings_), primary_);
 }
 
-VectorXd NodalLaws::admissible(const VectorXd& traction) const {
-  const NormalCondition& condition = normal();
-  return traction.unaryExpr([&](double value) { return condition.admissible(value); });
-}
-
 void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
   loads.traction.setZero(nodes());
   loads.flux.setZero(effects_.scalar_fields(), nodes());

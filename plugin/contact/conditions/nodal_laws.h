@@ -85,8 +85,6 @@ class NodalLaws {
   LawValue traction_trial(Index node, double gap) const {
     return augmented(multipliers.traction[node], traction_penalty(node), gap);
   }
-  /// Tractions as the condition admits them.
-  VectorXd admissible(const VectorXd& traction) const;
 
   /// Sets traction and fluxes of the nodes in contact to lambda + eps times gap or jump; without penalty, to lambda.
   void load(NodalLoads& loads, bool with_penalty) const;
