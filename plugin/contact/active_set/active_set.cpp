@@ -1,6 +1,5 @@
 #include "active_set/active_set.h"
 
-#include "law/laws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,16 +30,14 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   for (Index node = 0; node < laws_.nodes(); ++node) {
     // Surfaces that exchange no traction touch whatever the penalty.
     const double penalty = laws_.effects().traction ? laws_.traction_penalty(node) : laws_.penalties().stiffness[node];
-    const double lambda = laws_.multipliers.traction[node];
-    const LawValue law = laws_.bear_tension() ? two_sided_traction(lambda, penalty, now.gap[node])
-                                              : normal_traction(lambda, penalty, now.gap[node], touch);
-    status.push_back(may_close(node) && now.faces(node) && law.derivative > 0);
+    const LawValue trial = augmented(laws_.multipliers.traction[node], penalty, now.gap[node]);
+    status.push_back(may_close(node) && now.faces(node) && laws_.normal().begins(trial, touch));
   }
   return status;
 }
 
 bool ActiveSet::may_predict() const {
-  return laws_.effects().nodal_fields() == 0 && !laws_.has_twin() && !laws_.bear_tension();
+  return laws_.effects().nodal_fields() == 0 && !laws_.has_twin() && laws_.normal().may_part();
 }
 
 NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, double doubt) const {
@@ -48,7 +45,7 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, 
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
     const bool sticks = !predicted.slips.empty() && !predicted.slips[node];
-    const bool holds = laws_.bear_tension() || sticks || predicted.traction[node] <= least;
+    const bool holds = sticks || laws_.normal().stays(predicted.traction[node], least);
     const bool stays = may_close(node) && now.faces(node) && holds;
     status.push_back(predicted.in_contact[node] ? stays : closes(now, node, least));
   }
@@ -114,7 +111,7 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
   const FrictionBands bands = friction_bands(predicted);
   for (Index node = 0; node < slips.count(); ++node) {
     if (!predicted.in_contact[node]) continue;
-    const bool pulled = !laws_.bear_tension() && predicted.traction[node] > 0;
+    const bool pulled = !laws_.normal().stays(predicted.traction[node], 0);
     const double bound = laws_.rubbing(predicted, node);
     if (pulled || !(bound > 0)) {  // nothing holds it
       slips[node] = true;
@@ -211,8 +208,8 @@ double ActiveSet::negligible(double largest_traction, double surface_size) const
 }
 
 bool ActiveSet::closes(const NodalGaps& now, Index node, double negligible) const {
-  const double overlap_load = laws_.multipliers.traction[node] + laws_.traction_penalty(node) * now.gap[node];
-  return may_close(node) && now.faces(node) && (laws_.bear_tension() || overlap_load < -negligible);
+  const double trial = laws_.traction_trial(node, now.gap[node]).value;
+  return may_close(node) && now.faces(node) && laws_.normal().closes(trial, negligible);
 }
 
 }  // namespace mixture_contact

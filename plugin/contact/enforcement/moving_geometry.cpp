@@ -137,7 +137,8 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   if (!predicted && !augmented && method_.predicts()) {
     laws_.drop_new_fluxes(next.geometric_flux);
-    const VectorXd traction = laws_.admissible(next.geometric_traction);  // one that closes around overlap is pulled
+    // A node that closes around points that overlap is pulled.
+    const VectorXd traction = admissible(laws_.normal(), next.geometric_traction);
     next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
   }
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
@@ -222,7 +223,7 @@ NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
   if (point_) return method_.predicted_loads(*point_, fields);
   NodalLoads loads = initial_averages(fields);
   method_.load(loads);
-  loads.traction = laws_.admissible(loads.traction);
+  loads.traction = admissible(laws_.normal(), loads.traction);
   return loads;
 }
 

@@ -158,7 +158,6 @@ class FakeHost : public SteppedModel {
     }
     return active;
   }
-  bool may_look_ahead() override { return true; }
   bool replaces_matrix() override {
     if (!is_spent) return false;
     notes.emplace_back("matrix at once");
