@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from harness.cli import main
 from harness.closed_forms.penalty_leak import relative_jump
 from harness.errors import ModelError
 from harness.models import composite
@@ -35,6 +34,7 @@ from harness.preflight.model import read
 from harness.preflight.penalty import leak, penalty
 from harness.preflight.sides import TRACTION, Joint, solute
 from harness.user_commands import FOR_EVERYBODY, commands
+from studies.cli import main
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
 SOUND = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
@@ -345,7 +345,7 @@ def test_exit_codes_and_json(tmp_path):
 
 def test_a_file_that_cannot_be_read(tmp_path):
     finished = subprocess.run(
-        [sys.executable, "-m", "harness", "check", str(tmp_path / "none.feb")],
+        [sys.executable, "-m", "studies", "check", str(tmp_path / "none.feb")],
         env={**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts"), "COLUMNS": "200"},
         capture_output=True,
         text=True,
