@@ -37,12 +37,15 @@ from harness.user_commands import FOR_EVERYBODY, commands
 from studies.cli import main
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
+EXPECTED = {"joint-before": ["leak"]}
+"""Rules that speak of a model of the collection, which is there for `convert` to change."""
 SOUND = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 
 
 @pytest.mark.parametrize("path", COLLECTION, ids=lambda path: path.stem)
 def test_the_collection_raises_no_alarm(path):
-    assert [finding for finding in check(path) if finding.severity is not Severity.NOTE] == []
+    rules = [finding.rule for finding in check(path) if finding.severity is not Severity.NOTE]
+    assert rules == EXPECTED.get(path.stem, [])
 
 
 def generated():

@@ -91,7 +91,7 @@ def _do(step: Step, folder: Path) -> bool:
     """Do a step, with what it says in a file; whether all of its commands came to their ends."""
     with (folder / f"{step.name}.log").open("w", encoding="utf-8") as log:
         for arguments in step.commands_in(folder):
-            command = [sys.executable, "-m", "harness", *arguments]
+            command = [sys.executable, "-m", "studies", *arguments]
             done = subprocess.run(command, cwd=REPOSITORY, stdout=log, stderr=subprocess.STDOUT, check=False)
             if done.returncode not in (DONE, DOES_NOT_HOLD):
                 return False
