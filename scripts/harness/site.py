@@ -32,6 +32,7 @@ from harness.studies.predictor import page as predictor
 from harness.studies.price import page as price
 from harness.studies.price import run_times
 from harness.studies.remeasurement.steps import LIMITS
+from harness.studies.run_tables import page as run_tables
 from harness.user_commands import FOR_EVERYBODY, function
 
 EVIDENCE = (
@@ -40,6 +41,7 @@ EVIDENCE = (
     curves_table.PAGE,
     cost.PAGE,
     price.PAGE,
+    run_tables.PAGE,
     run_times.PAGE,
     hertz.PAGE,
     predictor.PAGE,

@@ -36,6 +36,7 @@ STUDIES = (
     "one_answer",
     "hertz",
     "linear_solvers",
+    "run_tables",
     "remeasurement",
 )
 """Rooms within studies, the lowest first."""
