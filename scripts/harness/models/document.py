@@ -66,6 +66,8 @@ class Model:
     gas_constant : float
         R in the units of the model.
     springs : tuple of Springs
+    further_plot : tuple of str
+        FEBio's names of plot variables beside those that every model has.
     node_log : bool
         Whether the node data are logged, which takes long for large meshes.
     """
@@ -89,6 +91,7 @@ class Model:
     gas_constant: float = GAS_CONSTANT
     springs: tuple[Springs, ...] = ()
     node_log: bool = True
+    further_plot: tuple[str, ...] = ()
 
     @property
     def n_solutes(self) -> int:
@@ -292,7 +295,7 @@ def _log_parts(model: Model, log: Element) -> None:
 def _plot_variables(model: Model) -> tuple[str, ...]:
     fluid = () if model.module == "solid" else ("effective fluid pressure", "fluid flux")
     solutes = ("effective solute concentration", "solute concentration", "solute flux") if model.n_solutes else ()
-    return ("displacement", "stress", *fluid, "contact gap", "contact pressure", *solutes)
+    return ("displacement", "stress", *fluid, "contact gap", "contact pressure", *solutes, *model.further_plot)
 
 
 def _check(model: Model) -> None:

@@ -13,7 +13,6 @@ from harness.errors import HarnessError
 from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.models.knee.bearing import Load
-from harness.models.knee.tissues import Bodies
 from harness.models.knee.whole_knee import Knee
 from harness.models.knee.whole_mesh import Size
 from harness.pages import collection, verification
@@ -73,7 +72,6 @@ def models(
     ctx: typer.Context,
     family: Annotated[Family | None, typer.Argument(help="A model of this family; else the collection.")] = None,
     size: Annotated[Size, typer.Option(help="Of the knee: how fine the mesh is.")] = Size.SMALL,
-    bodies: Annotated[Bodies, typer.Option(help="Of the knee: cartilage and menisci.")] = Bodies.ELASTIC,
     load: Annotated[Load, typer.Option(help="Of the knee: 700 N, or one cycle of gait.")] = Load.STANCE,
     contact: Annotated[Whose, typer.Option(help="Of the knee: the plugin's contact or FEBio's.")] = Whose.MIXTURE,
     friction: Annotated[float, typer.Option(min=0.0, help="Of the knee: coefficient in all contacts.")] = 0.0,
@@ -90,11 +88,11 @@ def models(
         return
     if output is None or output.suffix != ".feb":
         raise typer.BadParameter(f"`models {family.value}` needs a file that ends in .feb", param_hint="--output")
-    interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else bodies.febio_interface
-    _write(Knee(interface, size, bodies, load, friction, name=output.stem).model(), output)
+    interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else InterfaceType.ELASTIC
+    _write(Knee(interface, size, load, friction, name=output.stem).model(), output)
 
 
-_OF_KNEE, _OF_COLLECTION = ("size", "bodies", "load", "contact", "friction", "output"), ("folder", "check")
+_OF_KNEE, _OF_COLLECTION = ("size", "load", "contact", "friction", "output"), ("folder", "check")
 """Options."""
 
 

@@ -15,7 +15,7 @@ from enum import Enum
 import numpy as np
 
 from harness.models.knee.whole_mesh import FEMUR, TIBIA
-from harness.models.parts import Condition, Control, Curve, Param, TimeStepper, hold_rigid, push_rigid, turn_rigid
+from harness.models.parts import Condition, Control, Curve, TimeStepper, hold_rigid, push_rigid, turn_rigid
 
 STANCE = 700.0
 """N."""
@@ -29,7 +29,7 @@ GAIT_FORCE = ((0.0, 0.0), (0.15, 2.15), (0.32, 1.2), (0.5, 2.61), (0.65, 0.25), 
 """Time, s, and force in body weights."""
 GAIT_FLEXION = ((0.0, 0.0), (0.16, 15.0), (0.4, 3.0), (0.72, 30.0), (1.0, 0.0))
 """Time, s, and flexion, degrees."""
-FORCE, STEPS, FLUID, FLEXION = 1, 2, 3, 4
+FORCE, STEPS, FLEXION = 1, 2, 3
 """Numbers of the load curves."""
 
 
@@ -55,20 +55,17 @@ class Loading:
     flexion : Curve, optional
         rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one
         rotation is given and another one free.
-    fluid : Curve
-        Concentration of the synovial fluid, as a part of its last value.
     """
 
     end: float
     largest_step: tuple[tuple[float, float], ...]
     force: Curve
-    fluid: Curve
     flexion: Curve | None = None
 
     @property
     def curves(self) -> tuple[Curve, ...]:
         """Load curves in the order of their numbers."""
-        first = (self.force, Curve(self.largest_step), self.fluid)
+        first = (self.force, Curve(self.largest_step))
         return first if self.flexion is None else (*first, self.flexion)
 
     def conditions(self) -> tuple[Condition, ...]:
@@ -79,22 +76,20 @@ class Loading:
         others = (turn_rigid(FEMUR, "v", 0.0), turn_rigid(FEMUR, "w", 0.0))
         return (tibia, hold_rigid(FEMUR, "xy"), turn_rigid(FEMUR, "u", 1.0, FLEXION), *others, push)
 
-    def control(self, solver: tuple[Param, ...]) -> Control:
+    def control(self) -> Control:
         """Steps that adapt, with limits that all interfaces share."""
         stepper = TimeStepper(1.0, retries=8, optimal_iterations=15, must_points=STEPS)
-        return Control(1, self.largest_step[0][1], reformations=25, stepper=stepper, solver=solver, end=self.end)
+        return Control(1, self.largest_step[0][1], reformations=25, stepper=stepper, end=self.end)
 
 
-def stance(held: float) -> Loading:
-    """700 N within 0.2 s, then held until `held` s; nothing is held where that is 0.2."""
+def stance() -> Loading:
+    """700 N within 0.2 s; then nothing changes in elastic bodies."""
     step = RISE / 10
-    steps = ((0.0, step), (RISE, step), *((time, time / 5) for time in (1.0, 10.0, 100.0) if time <= held))
-    force = Curve(((0.0, 0.0), (RISE, STANCE)))
-    return Loading(held, steps, force, Curve(((0.0, 0.0), (10.0, 1.0))))
+    return Loading(RISE, ((0.0, step), (RISE, step)), Curve(((0.0, 0.0), (RISE, STANCE))))
 
 
 def gait() -> Loading:
     """One cycle in 1 s."""
     force = Curve(tuple((time, part * BODY_WEIGHT) for time, part in GAIT_FORCE), SMOOTH)
     flexion = Curve(tuple((time, float(np.deg2rad(angle))) for time, angle in GAIT_FLEXION), SMOOTH)
-    return Loading(1.0, ((0.0, 0.02), (0.5, 0.02), (1.0, 0.02)), force, Curve(((0.0, 0.0), (1.0, 1.0))), flexion)
+    return Loading(1.0, ((0.0, 0.02), (0.5, 0.02), (1.0, 0.02)), force, flexion)
