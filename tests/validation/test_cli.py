@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.machinery
-import importlib.util
 import os
 import re
 import subprocess
@@ -27,15 +25,6 @@ def harness(*arguments, **environment):
         text=True,
         check=False,
     )
-
-
-@pytest.fixture
-def entry_module():
-    """`scripts/mixcontact` as a module."""
-    loader = importlib.machinery.SourceFileLoader("entry", str(REPOSITORY / "scripts" / "mixcontact"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
-    loader.exec_module(module)
-    return module
 
 
 @pytest.fixture
@@ -120,7 +109,7 @@ def test_run_quotes_febio_where_it_fails(runner, tmp_path):
     assert "modulus" in finished.stderr
 
 
-def test_the_help_of_the_entry_lists_every_command():
+def test_the_help_of_the_entry_lists_every_command(entry_module):
     """`scripts/mixcontact --help` needs no set-up, so its list is written out; it is that of the harness."""
     done = subprocess.run(
         [sys.executable, str(REPOSITORY / "scripts" / "mixcontact"), "--help"],
@@ -131,7 +120,7 @@ def test_the_help_of_the_entry_lists_every_command():
     entries = re.findall(r"^  ((?:[a-z-]+, )*[a-z-]+)  +\S", done.stdout, re.MULTILINE)
     listed = {name for entry in entries for name in entry.split(", ")}
     assert done.stdout.startswith("Usage: scripts/mixcontact ")
-    assert listed == {*COMMANDS, "build", "docs", "test"}
+    assert listed == {*COMMANDS, *entry_module.OWN_COMMANDS}
 
 
 def test_the_help_begins_with_the_commands_of_a_user(entry_module):

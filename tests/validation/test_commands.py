@@ -41,7 +41,7 @@ SMALL = {
     "cmake --preset default": "cmake -S {root} --preset default -B configured -DMIXCONTACT_BUILD_PLUGIN=OFF",
     "cmake --build --preset default": "cmake --build {build}",
     "ctest --preset default": "ctest --test-dir {build} --no-tests=error -R laws",
-    "cpack --config build/CPackConfig.cmake": "cpack --config {build}/CPackConfig.cmake -B packed",
+    "scripts/mixcontact archive": "cpack --config {build}/CPackConfig.cmake -B packed",
     # Without installing Snakemake: the same command of the harness, or its help where it would make many runs.
     "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
     "scripts/mixcontact cost --error 1e-3 --problem 3.2": "{harness} cost --error 1e-3 --problem 3.2",

@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace newton {
+
 /// Rows of a column as FEBio's profile has them: intervals, ascending, none touching the next.
 using RowIntervals = std::vector<SparseMatrixProfile::RowEntry>;
 
@@ -61,3 +63,5 @@ class CoupledBlocks {
   mixture_contact::IndexedVector<Block> blocks_;
   mixture_contact::IndexedVector<Sum> sums_;
 };
+
+}  // namespace newton

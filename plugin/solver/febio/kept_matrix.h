@@ -2,7 +2,6 @@
 /// contacts change of its use.
 #pragma once
 
-#include "host/stepper.h"
 #include "solver/border.h"
 #include "solver/febio/febio_system.h"
 #include "solver/helper.h"
@@ -15,26 +14,28 @@
 
 class DumpStream;
 
+namespace newton {
+
 class KeptMatrix {
  public:
   /// Keeps a reference.
-  explicit KeptMatrix(const newton::FEBioSystem& system) : system_(system) {}
+  explicit KeptMatrix(const FEBioSystem& system) : system_(system) {}
 
   /// FEBio has formed another one, as it said. It is solved with these parts beside it.
-  void formed(const newton::MatrixParts& parts);
+  void formed(const MatrixParts& parts);
   /// FEBio goes on after an iteration: the same of a matrix that it has told nobody of, and of the one it has where
   /// iterations begin with it and without updates.
-  void go_on(const newton::MatrixParts& parts, bool begins);
+  void go_on(const MatrixParts& parts, bool begins);
   /// What it has for its solution with these conditions, parts beside it as they stand; none where that is singular or
   /// nothing is to be corrected with it.
-  std::optional<newton::Answer> answer(const std::vector<newton::Condition>& conditions);
+  std::optional<Answer> answer(const std::vector<Condition>& conditions);
   /// FEBio's next solution is to meet these conditions and no others, and to be what it has answered: the right-hand
   /// side has changed with the conditions.
-  void hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts, newton::Answer answer);
+  void hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer);
   /// Whether contacts may add rows of it to others.
   bool takes_operations() const { return !found_.loses_pivots; }
   /// FEBio has formed one to which contacts have done this.
-  void take(newton::RowOperations operations) { operations_ = std::move(operations); }
+  void take(RowOperations operations) { operations_ = std::move(operations); }
   /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
   void solve();
   /// FEBio's right-hand side is its own again: it is about to change.
@@ -51,10 +52,10 @@ class KeptMatrix {
   /// Has FEBio form another one after this trial, or takes that back: not what others ask for.
   void request(bool is_needed);
   /// An iteration with it has been corrected: the next one is without FEBio's updates, and holds these conditions.
-  void correct(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
+  void correct(const std::vector<Condition>& conditions, const MatrixParts& parts);
 
-  /// A converged state has been rejected: the next iteration has a matrix of its own, or this one.
-  void reject(mixture_contact::GoesOn with);
+  /// A converged state has been rejected, and the next iteration is to be with this matrix, corrected.
+  void keep_next() { restore(); }
   /// A converged state has been accepted. What follows, an augmentation or a step, has a matrix where FEBio's settings
   /// say so, and where conditions were held with this one.
   void accept();
@@ -82,9 +83,9 @@ class KeptMatrix {
   /// Begins with another one.
   void begin();
   /// Has FEBio's next solution meet conditions, and the parts with them.
-  void prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts);
+  void prepare(const std::vector<Condition>& conditions, const MatrixParts& parts);
   /// Has FEBio's next solution meet conditions, once the right-hand side has been split.
-  void finish(newton::Split split, const newton::MatrixParts& parts, const std::vector<newton::Condition>& conditions);
+  void finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions);
   /// The solution for a right-hand side that has taken the row operations of the matrix. Zero, and nothing may be
   /// corrected from then on, where FEBio cannot solve.
   std::vector<double> solution_of_changed(std::vector<double> changed);
@@ -98,24 +99,24 @@ class KeptMatrix {
   void take_parts_in();
   void restore();
 
-  const newton::FEBioSystem& system_;
-  newton::Border border_;
+  const FEBioSystem& system_;
+  Border border_;
   int number_ = 0;  ///< of the matrix, as FEBio counts them in a step
   Served served_;
   bool is_requested_ = false;  ///< another one, by request()
   bool may_correct_ = true;    ///< whether conditions can be held with it
   Found found_;
-  newton::RowOperations operations_;
-  std::vector<double> taken_;                     ///< what the right-hand side is without until there is a trial
-  newton::Split split_;                           ///< how that was found, but for conditions; its product is taken
-  newton::MatrixParts split_parts_;               ///< of that, until there is a trial
-  double reduction_ = newton::unknown_reduction;  ///< of splits, as the last trials have shown it
+  RowOperations operations_;
+  std::vector<double> taken_;             ///< what the right-hand side is without until there is a trial
+  Split split_;                           ///< how that was found, but for conditions; its product is taken
+  MatrixParts split_parts_;               ///< of that, until there is a trial
+  double reduction_ = unknown_reduction;  ///< of splits, as the last trials have shown it
   std::vector<double> free_;            ///< the solution without conditions, with parts as they stood, once it is known
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };
 
 /// Has FEBio's right-hand side as it was once a trial is made.
-class RightHandSide : public newton::Helper {
+class RightHandSide : public Helper {
  public:
   /// Keeps a reference.
   explicit RightHandSide(KeptMatrix& matrix) : matrix_(matrix) {}
@@ -124,3 +125,5 @@ class RightHandSide : public newton::Helper {
  private:
   KeptMatrix& matrix_;
 };
+
+}  // namespace newton

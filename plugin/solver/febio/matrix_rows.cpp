@@ -13,6 +13,8 @@
 
 using namespace mixture_contact;
 
+namespace newton {
+
 namespace {
 
 /// A column of a block: its equation and its place.
@@ -117,16 +119,15 @@ VectorXd eliminating(CRSSparseMatrix& matrix, const std::vector<int>& unknowns, 
 constexpr double most_growth = 1e5;
 
 /// Whether the diagonal of a row would be lost in what it takes of others.
-bool hides_diagonal(CRSSparseMatrix& matrix, const newton::RowOperation& operation) {
+bool hides_diagonal(CRSSparseMatrix& matrix, const RowOperation& operation) {
   double taken = 0;
-  for (const newton::RowOperation::Term& term : operation.terms)
-    taken += term.factor * matrix.get(term.row, operation.row);
+  for (const RowOperation::Term& term : operation.terms) taken += term.factor * matrix.get(term.row, operation.row);
   return !(std::abs(taken) <= most_growth * std::abs(matrix.get(operation.row, operation.row)));
 }
 
 /// Adds the terms of an operation to its row, or takes them away.
-void add_terms(CRSSparseMatrix& matrix, const newton::RowOperation& operation, double sign) {
-  for (const newton::RowOperation::Term& term : operation.terms)
+void add_terms(CRSSparseMatrix& matrix, const RowOperation& operation, double sign) {
+  for (const RowOperation::Term& term : operation.terms)
     add(sign * term.factor, row_of(matrix, term.row), row_of(matrix, operation.row));
 }
 
@@ -160,21 +161,21 @@ void MatrixRows::subtract(const IndexedVector<MatrixBlock>& blocks) const {
   });
 }
 
-std::optional<newton::RowOperation> MatrixRows::eliminate(const std::vector<int>& unknowns, int row) const {
+std::optional<RowOperation> MatrixRows::eliminate(const std::vector<int>& unknowns, int row) const {
   const Row target = row_of(*rows_, row);
   const bool has_places = !unknowns.empty() && std::all_of(unknowns.begin(), unknowns.end(), [&](int unknown) {
     return has_places_for(target, row_of(*rows_, unknown));
   });
   if (!has_places) return std::nullopt;
   const VectorXd factors = eliminating(*rows_, unknowns, row);
-  newton::RowOperation operation{row, {}};
+  RowOperation operation{row, {}};
   for (Index i = 0; i < factors.size(); ++i) operation.terms.push_back({mixture_contact::at(unknowns, i), factors[i]});
   if (operation.terms.empty() || hides_diagonal(*rows_, operation)) return std::nullopt;
   add_terms(*rows_, operation, 1);
   return operation;
 }
 
-void MatrixRows::undo(const newton::RowOperation& operation) const { add_terms(*rows_, operation, -1); }
+void MatrixRows::undo(const RowOperation& operation) const { add_terms(*rows_, operation, -1); }
 
 double MatrixRows::backward_error(const std::vector<double>& solution, const std::vector<double>& right) const {
   const int rows = rows_->Rows();
@@ -186,3 +187,5 @@ double MatrixRows::backward_error(const std::vector<double>& solution, const std
   });
   return *std::max_element(largest.begin(), largest.end());
 }
+
+}  // namespace newton

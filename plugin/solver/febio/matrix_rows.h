@@ -15,7 +15,7 @@
 class CRSSparseMatrix;
 class FEGlobalMatrix;
 
-using newton::MatrixBlock;
+namespace newton {
 
 class MatrixRows {
  public:
@@ -30,9 +30,9 @@ class MatrixRows {
   /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. None, and the
   /// row is as it was, where it has no place for an entry of theirs, where their rows do not determine them, and where
   /// what the row has on the diagonal would be lost beside what it takes.
-  std::optional<newton::RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
+  std::optional<RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
   /// Takes back what a row has taken of others.
-  void undo(const newton::RowOperation& operation) const;
+  void undo(const RowOperation& operation) const;
   /// By which part of its entries a row of the matrix, or its right-hand side, would have to be another one for a
   /// solution to be exact, at most (Oettli and Prager 1964, Numerische Mathematik 6, 405-409).
   double backward_error(const std::vector<double>& solution, const std::vector<double>& right) const;
@@ -40,3 +40,5 @@ class MatrixRows {
  private:
   CRSSparseMatrix* rows_;
 };
+
+}  // namespace newton

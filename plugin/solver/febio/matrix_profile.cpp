@@ -9,6 +9,8 @@
 
 using namespace mixture_contact;
 
+namespace newton {
+
 namespace {
 
 using Interval = SparseMatrixProfile::RowEntry;
@@ -202,3 +204,5 @@ void CoupledBlocks::insert_into(SparseMatrixProfile& profile) {
                   }
                 });
 }
+
+}  // namespace newton

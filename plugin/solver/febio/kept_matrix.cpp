@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <utility>
 
+namespace newton {
+
 namespace {
 
 /// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
@@ -36,34 +38,33 @@ constexpr double largest_backward_error = 1e-9;
 
 }  // namespace
 
-void KeptMatrix::formed(const newton::MatrixParts& parts) {
+void KeptMatrix::formed(const MatrixParts& parts) {
   is_requested_ = false;  // FEBio has taken the request
   begin();
   prepare({}, parts);
 }
 
-void KeptMatrix::go_on(const newton::MatrixParts& parts, bool begins) {
+void KeptMatrix::go_on(const MatrixParts& parts, bool begins) {
   const bool is_another = follow();
   const bool is_plain = begins && system_.updates() == 0;
   if (is_another || is_plain) prepare({}, parts);
 }
 
-std::optional<newton::Answer> KeptMatrix::answer(const std::vector<newton::Condition>& conditions) {
+std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
   if (free_.empty()) free_ = split_.x.empty() ? solution(system_.solver().vectors().residual) : split_.x;
   const auto solve = [&](const std::vector<double>& right) { return solution(right); };
-  std::optional<newton::Answer> found = border_.answer(solve, conditions, free_);
+  std::optional<Answer> found = border_.answer(solve, conditions, free_);
   if (!may_correct_) found.reset();
   return found;
 }
 
-void KeptMatrix::hold(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts,
-                      newton::Answer answer) {
+void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer) {
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
     return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
   };
-  finish(newton::split_near(split_, std::move(answer.x), solve_with_conditions, parts,
-                            system_.solver().vectors().residual, left_by_sweeps),
+  finish(split_near(split_, std::move(answer.x), solve_with_conditions, parts, system_.solver().vectors().residual,
+                    left_by_sweeps),
          parts, conditions);
 }
 
@@ -85,7 +86,7 @@ void KeptMatrix::begin() {
 
 bool KeptMatrix::is_spent() {
   follow();
-  const double left = newton::norm(system_.solver().vectors().residual);
+  const double left = norm(system_.solver().vectors().residual);
   const double before = std::exchange(served_.left, left);
   const bool has_been_corrected = served_.iterations > 0;
   return has_been_corrected && left > most_left * before && system_.may_form_matrix();
@@ -93,11 +94,11 @@ bool KeptMatrix::is_spent() {
 
 bool KeptMatrix::is_due() {
   follow();
-  const newton::MatrixStrategy strategy = system_.strategy();
+  const MatrixStrategy strategy = system_.strategy();
   // JFNK takes differences from a residual of its own.
-  const bool is_kept = strategy == newton::MatrixStrategy::updated || strategy == newton::MatrixStrategy::unchanged;
+  const bool is_kept = strategy == MatrixStrategy::updated || strategy == MatrixStrategy::unchanged;
   if (!may_correct_ || !is_kept) return true;
-  if (strategy == newton::MatrixStrategy::unchanged) return served_.iterations >= most_iterations;
+  if (strategy == MatrixStrategy::unchanged) return served_.iterations >= most_iterations;
   const int most_updates = system_.most_updates();
   return most_updates > 0 && served_.iterations + system_.updates() >= most_updates - 1;
 }
@@ -108,7 +109,7 @@ void KeptMatrix::request(bool is_needed) {
   is_requested_ = is_needed;
 }
 
-void KeptMatrix::correct(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
+void KeptMatrix::correct(const std::vector<Condition>& conditions, const MatrixParts& parts) {
   follow();
   // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
   // residual before the correction.
@@ -124,11 +125,11 @@ std::vector<double> KeptMatrix::solution_of_changed(std::vector<double> changed)
 }
 
 std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
-  return solution_of_changed(newton::applied(operations_, right));
+  return solution_of_changed(applied(operations_, right));
 }
 
 std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
-  const std::vector<double> changed = newton::applied(operations_, right);
+  const std::vector<double> changed = applied(operations_, right);
   std::vector<double> found = solution_of_changed(changed);
   if (operations_.empty() || !may_correct_) return found;
   if (MatrixRows(system_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
@@ -138,7 +139,7 @@ std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& righ
 
 void KeptMatrix::undo_operations() {
   const MatrixRows rows(system_.matrix());
-  for (const newton::RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
+  for (const RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
   system_.factorise();
   if (!std::exchange(found_.loses_pivots, true))
     system_.solver().log(
@@ -146,7 +147,7 @@ void KeptMatrix::undo_operations() {
         "by contact alone. From here on they take none.");
 }
 
-void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const newton::MatrixParts& parts) {
+void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixParts& parts) {
   const std::vector<double>& right = system_.solver().vectors().residual;
   may_correct_ = true;
   free_.clear();
@@ -157,14 +158,13 @@ void KeptMatrix::prepare(const std::vector<newton::Condition>& conditions, const
   const auto solve_with_conditions = [&](const std::vector<double>& each) {
     return border_.solution(solve, conditions, each);
   };
-  const bool solves_anyway = !newton::are_empty(parts) || !conditions.empty();
+  const bool solves_anyway = !are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // to be checked
-  const newton::SeenSweeps seen{reduction_, left_unseen * std::min(left_by_sweeps, system_.increment_tolerance())};
-  finish(newton::split(solve_with_conditions, parts, right, left_by_sweeps, seen), parts, conditions);
+  const SeenSweeps seen{reduction_, left_unseen * std::min(left_by_sweeps, system_.increment_tolerance())};
+  finish(split(solve_with_conditions, parts, right, left_by_sweeps, seen), parts, conditions);
 }
 
-void KeptMatrix::finish(newton::Split split, const newton::MatrixParts& parts,
-                        const std::vector<newton::Condition>& conditions) {
+void KeptMatrix::finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions) {
   std::vector<double>& right = system_.solver().vectors().residual;
   if (!split.converges) take_parts_in();
   taken_ = std::move(split.product);
@@ -190,7 +190,7 @@ void KeptMatrix::solve() {
   // FEBio's updates are made of right-hand sides that have taken nothing.
   served_.iterations += system_.drop_updates();
   taken_.resize(right.size());
-  std::vector<double> changed = newton::applied(operations_, right);
+  std::vector<double> changed = applied(operations_, right);
   taken_ = taken_ + (right - changed);
   right = std::move(changed);
 }
@@ -210,16 +210,10 @@ void KeptMatrix::give_back() {
 
 void KeptMatrix::tried(const std::vector<double>& solution) {
   if (!split_.x.empty() && !split_parts_.empty()) {
-    const double seen = newton::seen_reduction(split_, std::exchange(split_parts_, {}), solution);
+    const double seen = seen_reduction(split_, std::exchange(split_parts_, {}), solution);
     reduction_ = std::max(seen, remembered * reduction_);
   }
   give_back();
-}
-
-void KeptMatrix::reject(mixture_contact::GoesOn with) {
-  // With a matrix other nodes may be in contact: quasi-Newton methods would go on with that of those that were.
-  if (with == mixture_contact::GoesOn::matrix) return force_next();
-  restore();
 }
 
 void KeptMatrix::accept() {
@@ -238,3 +232,5 @@ void KeptMatrix::restore() {
   const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
   if (own) system_.forms_matrix_after_augmentations() = *own;
 }
+
+}  // namespace newton
