@@ -1,7 +1,7 @@
 /// Augmented Lagrangian updates: lambda takes the load of a converged solution; slow fields get a larger penalty.
 #pragma once
 
-#include "law/nodal_laws.h"
+#include "conditions/nodal_laws.h"
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 /// How far nodes are from a change of status, and how that goes on.
 #pragma once
 
-#include "law/nodal_laws.h"
+#include "conditions/nodal_laws.h"
 
 namespace mixture_contact {
 

@@ -1,9 +1,10 @@
 /// The laws at the nodes of a surface: penalties, multipliers, and the loads that they make of gaps and jumps.
 #pragma once
 
-#include "law/friction.h"
-#include "law/nodal_loads.h"
-#include "law/penalty.h"
+#include "conditions/friction.h"
+#include "conditions/nodal_loads.h"
+#include "conditions/normal.h"
+#include "conditions/penalty.h"
 
 namespace mixture_contact {
 
@@ -73,17 +74,17 @@ class NodalLaws {
   VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
 
   // The largest multiples of stiffness and conductance that augmentations may bring penalties to
-  double largest_traction_factor() const {
-    return traction_factor(has_twin(), bear_tension()) / settings_.traction_reduction;
-  }
+  double largest_traction_factor() const { return normal().penalty_factor(has_twin()) / settings_.traction_reduction; }
   double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
 
   /// Whether the surface that these nodes face has conditions of its own.
   bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
-  /// Whether nodes in contact may pull.
-  bool bear_tension() const { return settings_.gap.tension; }
-  /// Tractions as the laws admit them.
-  VectorXd admissible(const VectorXd& traction) const { return bear_tension() ? traction : traction.cwiseMin(0.0); }
+  /// The condition between traction and gap.
+  const NormalCondition& normal() const { return normal_condition(settings_.gap); }
+  /// lambda_n + eps_n g of a node [MPa], whether or not it is in contact, and its derivative with the gap.
+  LawValue traction_trial(Index node, double gap) const {
+    return augmented(multipliers.traction[node], traction_penalty(node), gap);
+  }
 
   /// Sets traction and fluxes of the nodes in contact to lambda + eps times gap or jump; without penalty, to lambda.
   void load(NodalLoads& loads, bool with_penalty) const;

@@ -1,4 +1,4 @@
-#include "law/openings.h"
+#include "conditions/openings.h"
 
 #include <cmath>
 #include <limits>
@@ -60,7 +60,7 @@ VectorXd openings(const NodalLaws& laws, const NodalGaps& now) {
   VectorXd found = VectorXd::Constant(laws.nodes(), std::numeric_limits<double>::infinity());
   for (Index node = 0; node < laws.nodes(); ++node) {
     if (!now.faces(node)) continue;
-    const double traction = laws.multipliers.traction[node] + laws.traction_penalty(node) * now.gap[node];
+    const double traction = laws.traction_trial(node, now.gap[node]).value;
     found[node] = traction < 0 ? traction / laws.penalties().stiffness[node] : now.gap[node];
   }
   return found;

@@ -1,4 +1,4 @@
-#include "law/point_integral.h"
+#include "mortar/point_integral.h"
 
 namespace mixture_contact {
 namespace {

@@ -1,4 +1,4 @@
-#include "law/friction.h"
+#include "conditions/friction.h"
 
 #include <algorithm>
 

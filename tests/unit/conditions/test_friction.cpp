@@ -1,4 +1,4 @@
-#include "contact/law/friction.h"
+#include "contact/conditions/friction.h"
 
 #include "random_contact.h"
 

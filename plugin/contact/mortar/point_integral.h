@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/local_layout.h"
+#include "conditions/law_value.h"
 #include "geometry/kinematics.h"
-#include "law/laws.h"
 
 namespace mixture_contact {
 

@@ -1,4 +1,4 @@
-#include "law/nodal_loads.h"
+#include "conditions/nodal_loads.h"
 
 namespace mixture_contact {
 

@@ -1,6 +1,4 @@
-#include "law/nodal_laws.h"
-
-#include "law/laws.h"
+#include "conditions/nodal_laws.h"
 
 #include <Eigen/QR>
 
@@ -47,12 +45,15 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
   loads.flux.setZero(effects_.scalar_fields(), nodes());
   for (Index node = 0; node < nodes(); ++node) {
     if (!loads.in_contact[node]) continue;
-    if (effects_.traction) loads.traction[node] = multipliers.traction[node];
-    if (effects_.traction && with_penalty) loads.traction[node] += traction_penalty(node) * loads.gap[node];
+    if (effects_.traction) {
+      const double penalty = with_penalty ? traction_penalty(node) : 0.0;
+      const LawValue trial = augmented(multipliers.traction[node], penalty, loads.gap[node]);
+      loads.traction[node] = NormalCondition::load(trial, loads.in_contact[node]).value;
+    }
     for (int field = 0; field < effects_.scalar_fields(); ++field) {
       if (!loads.exchanges(field, node)) continue;
       const double penalty = with_penalty ? flux_penalty(field, node) : 0.0;
-      loads.flux(field, node) = normal_flux(multipliers.flux(field, node), penalty, loads.jump(field, node)).value;
+      loads.flux(field, node) = augmented(multipliers.flux(field, node), penalty, loads.jump(field, node)).value;
     }
   }
   if (loads.friction.empty()) return;

@@ -1,4 +1,4 @@
-#include "contact/law/penalty.h"
+#include "contact/conditions/penalty.h"
 
 #include "surfaces.h"
 

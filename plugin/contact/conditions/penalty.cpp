@@ -1,4 +1,4 @@
-#include "law/penalty.h"
+#include "conditions/penalty.h"
 
 #include <algorithm>
 #include <cmath>

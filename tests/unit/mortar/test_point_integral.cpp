@@ -1,4 +1,4 @@
-#include "contact/law/point_integral.h"
+#include "contact/mortar/point_integral.h"
 
 #include "random_contact.h"
 
