@@ -33,6 +33,7 @@ from studies.predictor import page as predictor
 from studies.price import page as price
 from studies.price import run_times
 from studies.remeasurement.steps import LIMITS
+from studies.run_tables import page as run_tables
 
 EVIDENCE = (
     hard_cases.PAGE,
@@ -40,6 +41,7 @@ EVIDENCE = (
     curves_table.PAGE,
     cost.PAGE,
     price.PAGE,
+    run_tables.PAGE,
     run_times.PAGE,
     hertz.PAGE,
     predictor.PAGE,

@@ -27,7 +27,7 @@ ROOMS = {
         *("files", "limit", "timing", "diagnosis", "workflow", "closed_forms", "models", "post", "friction_checks"),
         *("indentation", "engines", "pages", "hard_cases", "fuzz", "cost", "friction", "predictor", "price"),
         *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers"),
-        *("remeasurement", "cli", "site", "__main__"),
+        *("run_tables", "remeasurement", "cli", "site", "__main__"),
     ),
 }
 """Folders and files directly in each package, the lowest first."""

@@ -119,7 +119,7 @@ def _indentation() -> Entry:
 def _joint() -> Entry:
     return Entry(
         "Cartilage on cartilage under cyclic load",
-        "A section of a joint in synovial fluid. Change the curvature, the loading curve, and the solute.",
+        "This is a section of a joint in synovial fluid. Change the curvature, the loading curve, and the solute.",
         joint.Joint(plot=True).model(),
         joint.Joint(cycles=1, across=10, through=4).model(),
         Section(mirrored=True),
@@ -132,7 +132,7 @@ def _release() -> Entry:
     released = joint.Joint(source=joint.Source.UPPER, name="joint-release")
     return Entry(
         "Cartilage on cartilage, a solute crosses",
-        "What one layer holds, a drug or a contrast agent, goes into the other one and into the synovial fluid.",
+        "A drug or a contrast agent in one layer goes into the other one and into the synovial fluid.",
         replace(released, plot=True).model(),
         replace(released, cycles=1, across=10, through=4).model(),
         Section(mirrored=True),
@@ -143,8 +143,8 @@ def _release() -> Entry:
 def _graft() -> Entry:
     return Entry(
         "A graft in a defect, fed across its wall",
-        "Repair tissue and host of different material in a press fit, in three dimensions. Change both materials and "
-        "what feeds them.",
+        "Repair tissue and host of different material are in a press fit, in three dimensions. Change both materials "
+        "and the solution around them.",
         graft.Graft(plot=True).model(),
         graft.Graft(around=2, outward=4, up=2, control=Control(5, 200.0)).model(),
         UPRIGHT,

@@ -25,45 +25,31 @@ HEAD = """\
 
 {details}
 
-A converted model has the penalties of the old one. FEBio's interfaces act at Gauss points of facets, this one on
-averages around nodes; where a curved face meets a flat one, coarse facets are seen by different gaps. Which answer is
-the nearer one says a finer mesh: scenes of the [synthetic collection](synthetic-scenes.md), a block pressed into a
-slab, on the mesh that they have there and on finer ones whose nodes hold all of the coarse one's, with FEBio's
-interface and converted. Automatic penalties grow with the mesh.
+A converted model has the penalties of the old one. FEBio's interfaces act at Gauss points of facets,
+`sliding-mixture` on averages around nodes. Both see coarse facets of a curved face by different gaps. Finer meshes show
+which answer is the nearer one. Scenes of the [synthetic collection](synthetic-scenes.md), a block pressed into a slab,
+run with FEBio's interface and converted, on their mesh and on finer ones.
 
-The reference is the mean of both on the finest mesh. *Apart* is half of the difference of the two there: what is not
-known of it; where an error is not much above, which one is nearer cannot be told. Errors of a number are relative to
-the reference's; those of a field are differences at the nodes of the coarsest mesh over the field's largest value:
-the largest one, the mean, and the root of the mean square (L2). The area of contact is (INT p dA)^2 / INT p^2 dA,
-which is the area itself where the pressure is uniform. That of the facets with a pressure counts whole facets: a
-converted model's pressure is interpolated between nodes, so that facets around the edge have a trace of it on any
-mesh; the two do not go to one limit, and the headline leaves it out. Made with {stamp}.
-
-On the coarse mesh; of a field L2, and in brackets the largest difference:
+The reference is the mean of both on the finest mesh. *Apart* is half of the difference of the two there. An error that
+is not much above it does not decide which answer is nearer. Errors of a number are relative to the reference's. Errors
+of a field are differences at the nodes of the coarsest mesh over the field's largest value, by the root of the mean
+square (L2), and in brackets the largest. The area of contact is (INT p dA)^2 / INT p^2 dA.
 
 {coarse}
 
-Errors of one scene from mesh to mesh; [all scenes](../reference/agreement.md) have such tables.
+[Converted models on finer meshes](../reference/agreement.md) has all meshes. Made with {stamp}.
 
-{one}
-
-What this says:
-
-- Averages around nodes see the gap of a curved face over several facets at once, Gauss points at places: that is where
-  the two differ most.
-- Forces, approaches and contents are in the first rows of each table, with the area of contact.
-- The largest difference of a field is that of few nodes: at the edge of contact, where a node is in contact in one
-  answer and ambient in the other. The mean and L2 differences are several times smaller.
-- Compare the two answers of a model of your own on your mesh and on a finer one before you trust either.
-
-## Again
+- Forces, approaches and contents differ least, and the area of contact most.
+- The largest difference of a field is that of few nodes at the edge of contact. Such a node is in contact in one answer
+  and ambient in the other.
+- Compare the two answers of your own model on your mesh and on a finer one before you trust either.
 
 ```console
 scripts/mixcontact agreement --docs
 scripts/mixcontact agreement --only biphasic
 ```
 
-Data: [agreement.json](../data/agreement.json).
+[agreement.json](../data/agreement.json) holds all values.
 """
 
 ALL_HEAD = """\
@@ -71,13 +57,13 @@ ALL_HEAD = """\
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/studies/agreement/page.py instead. -->
 
-The scenes of [is it the old answer?](../evidence/agreement.md), where it says what the columns are. Mesh is by how much
-finer it is than that of the collection. Made with {stamp}.
+These are the scenes of [is it the old answer?](../evidence/agreement.md), which describes the columns. *Mesh* is the
+number of its elements along an edge, over that of the collection. The area of the facets with a pressure counts whole
+facets. The two interfaces do not go to one limit there, because a converted model's pressure is interpolated between
+nodes, and facets around the edge have a trace of it on any mesh. Made with {stamp}.
 
 {tables}
 """
-ONE = "biphasic"
-"""The scene whose table stands on the page."""
 
 
 @dataclass(frozen=True)
@@ -102,10 +88,7 @@ def read() -> Results:
 def page(results: Results) -> str:
     """The page."""
     rows = results.rows
-    one = _table(ONE, [row for row in rows if row.scene == ONE])
-    return HEAD.format(
-        headline=headline(rows), details=details(rows), stamp=results.stamp, coarse=coarse(rows), one=one
-    )
+    return HEAD.format(headline=headline(rows), details=details(rows), stamp=results.stamp, coarse=coarse(rows))
 
 
 def all_meshes(results: Results) -> str:

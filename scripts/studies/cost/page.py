@@ -22,9 +22,9 @@ OURS = InterfaceType.MIXTURE.value
 ALIKE = 2.0
 """Errors within this factor count as the same."""
 NOTES = {
-    Problem.CONVECTION: "In problem 3.2 the whole error need not fall with the mesh: the closed form has bodies that "
+    Problem.CONVECTION: "The whole error of problem 3.2 need not fall with the mesh: the closed form has bodies that "
     "do not deform, and the deformation of these is part of the difference.",
-    Problem.INDENTATION: "In problem 3.3 the reference has a finer mesh than any run in the table.",
+    Problem.INDENTATION: "The reference of problem 3.3 has a finer mesh than any run in the table.",
 }
 """What has to be known of a problem to read the tables."""
 
@@ -54,10 +54,16 @@ def figures() -> Mapping[str, str]:
         "details": _details(data, problems),
         "recommendation": "\n".join(_recommended(data, problems, advice) for advice in RECOMMENDED),
         "problems": ", ".join(problem.value for problem in problems),
-        "discretisation": _discretisation(data),
-        "notes": "\n\n".join(NOTES[problem] for problem in problems if problem in NOTES),
-        "comparison": pareto.comparison(data),
         "failed": _failed(data),
+    }
+
+
+def tables(data: Sequence[Datum]) -> Mapping[str, str]:
+    """Errors by mesh and time step, with notes on them, and the least time of each interface for an error."""
+    return {
+        "discretisation": _discretisation(data),
+        "notes": " ".join(NOTES.values()),
+        "comparison": pareto.comparison(data),
     }
 
 
@@ -65,7 +71,7 @@ def _point(data: Sequence[Datum], problem: Problem, parameter: Parameter, value:
     wanted = (problem.value, OURS, parameter.value, value)
     found = [d for d in data if (d.problem, d.interface, d.parameter, d.value) == wanted]
     if not found:
-        raise DataFileError(f"{SOURCE}: no run of {', '.join(map(str, wanted))}; `cost --docs` writes it anew")
+        raise DataFileError(f"{SOURCE}: no run of {', '.join(map(str, wanted))}; `cost --docs` writes it")
     return found[0]
 
 

@@ -23,6 +23,12 @@ def figures() -> Mapping[str, str]:
         "turned": turned_line(rows),
         "torque_table": _table(rows, "torque", "angle [degrees]", published.ANGLES, published.TORQUE),
         "pressed": pressed_line(rows),
+    }
+
+
+def spheres(rows: Sequence[Row]) -> Mapping[str, str]:
+    """Tables of the concentric spheres, with friction and without it."""
+    return {
         "spheres_table": _table(rows, SPHERES, "way [mm]", published.WAYS, published.SPHERES),
         "smooth_table": _table(rows, SMOOTH_SPHERES, "way [mm]", published.WAYS, published.SMOOTH_SPHERES),
     }

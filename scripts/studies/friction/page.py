@@ -26,14 +26,23 @@ def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
     headlines = [_headline(rows, mesh) for mesh in Fineness]
-    models = [row for row in scene_results.read(DOCS / scene_results.DATA).rows if row.name.startswith(RUBS)]
+    models = _models()
     return {
         "beside": beside(models),
-        "models": "\n".join(map(_model, models)),
         "headline": " ".join(headlines),
-        "cases": "\n".join(_lines(rows)),
         **stick_points.figures(files.read_csv(DATA / stick_points.SOURCE, stick_points.Datum)),
     }
+
+
+def tables() -> Mapping[str, str]:
+    """Cases with friction and without it, and synthetic test scenes with FEBio's friction and ours."""
+    rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
+    return {"friction_cases": "\n".join(_lines(rows)), "friction_scenes": "\n".join(map(_model, _models()))}
+
+
+def _models() -> list[Row]:
+    """Synthetic test scenes with friction."""
+    return [row for row in scene_results.read(DOCS / scene_results.DATA).rows if row.name.startswith(RUBS)]
 
 
 def beside(models: Sequence[Row]) -> str:
@@ -43,8 +52,8 @@ def beside(models: Sequence[Row]) -> str:
         for pairs in ([(row.converted, row) for row in models], [(row.defaults, row) for row in models])
     )
     return (
-        f"With the penalties of FEBio's interface {converted} of {len(models)} take at most its iterations, with the "
-        f"defaults, which are stiffer, {defaults}."
+        f"{converted} of {len(models)} scenes take at most the iterations of FEBio's interface with its penalties, and "
+        f"{defaults} with the defaults, which are stiffer."
     )
 
 
@@ -72,9 +81,9 @@ def _headline(rows: Table, mesh: Fineness) -> str:
     most = sum(ratio <= MOST_ITERATIONS for ratio in ratios)
     more = sum(with_it.retries > without.retries for with_it, without in ended)
     return (
-        f"On the {mesh.value} mesh {len(ended)} of {len(own)} scenes end, with {min(ratios):.2f} to {max(ratios):.2f} "
-        f"times the iterations of the same scene without friction, {most} of them with at most {MOST_ITERATIONS:g} "
-        f"times; scenes with more steps tried again than without: {more}."
+        f"{len(ended)} of {len(own)} scenes complete on the {mesh.value} mesh, with {min(ratios):.2f} to "
+        f"{max(ratios):.2f} times the iterations of the same scene without friction: {most} with at most "
+        f"{MOST_ITERATIONS:g} times, {more} with more repeated steps."
     )
 
 

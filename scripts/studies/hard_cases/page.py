@@ -14,19 +14,19 @@ from studies.hard_cases.scene import Fineness, Interface
 from studies.pages.evidence import DATA, EvidencePage
 
 SOURCE, PICTURE = "hard-cases.csv", "images/hard-cases.svg"
+ABOUT = {name: case.about for name, case in CASES.items()}
+"""What each case is about."""
 
 
 def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     found = files.read_csv(DATA / SOURCE, Outcome)
-    about = {name: case.about for name, case in CASES.items()}
     return {
         "headline": _headline(found),
         "details": _details(found),
         "summary": outcomes.summary(found),
         "not_run": _not_run(found),
-        "better": _better(found, about),
-        "table": outcomes.table(found, about),
+        "better": _better(found, ABOUT),
     }
 
 
@@ -109,9 +109,9 @@ def _better(found: list[Outcome], about: Mapping[str, str]) -> str:
         if runs:
             told = " and ".join(f"{run.short} with {run.interface.replace('febio-', 'factor ')}" for run in runs)
             lines.append(f"- {about[case]}, {mesh} mesh: {told}, `sliding-mixture` {row[outcomes.OURS].short}")
-    shorter = "passes with fewer iterations, or fewer steps tried again, than `sliding-mixture`"
-    head = f"In {len(lines)} of these scenes a run with FEBio's interface {shorter}:" if lines else ""
-    return "\n\n".join(filter(None, [head, "\n".join(lines)])) or f"In none of these scenes a run of FEBio's {shorter}."
+    shorter = "passes with fewer iterations, or fewer repeated steps, than `sliding-mixture`"
+    head = f"A run with FEBio's interface {shorter} in {len(lines)} of these scenes:" if lines else ""
+    return "\n\n".join(filter(None, [head, "\n".join(lines)])) or f"No run with FEBio's interface {shorter}."
 
 
 PAGE = EvidencePage("evidence/hard-cases.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

@@ -27,27 +27,27 @@ HEAD = """\
 
 {details}
 
-A second collection of synthetic test scenes, written here after kinds of model that users report: thin shells and
-strips on rigid bodies, rods in tubes, whole outsides as surfaces, leaning and turned sides, sheets that fold onto
-themselves, crossed tubes, incongruent cylinders, hyperelastic blocks that slide, soft bodies between rigid plates,
-rigid cams, punches and wheels, nearly incompressible bodies, impacts, elements that erode, steps without drainage; in
-one pass and two, with augmentations on small penalties, friction and quasi-Newton methods, in tetrahedra, hexahedra,
-wedges and shells. Scenes are small, and were chosen so that FEBio's interface ends them, before ours was run; many
-differ in one choice alone.
+This second collection of synthetic test scenes was written here after kinds of model that users report:
 
-Each is run with FEBio's interface, through `scripts/mixcontact convert` with the same penalties, and with the penalties
-deleted. The limit is the same for all and counts processor time.
+- thin shells and strips on rigid bodies, rods in tubes, whole outsides as surfaces, leaning and turned sides;
+- sheets that fold onto themselves, crossed tubes, incongruent cylinders, hyperelastic blocks that slide;
+- soft bodies between rigid plates, rigid cams, punches and wheels, nearly incompressible bodies, impacts;
+- elements that erode, steps without drainage.
+
+They have one pass or two, augmentations on small penalties, friction and quasi-Newton methods, in tetrahedra,
+hexahedra, wedges and shells. Scenes are small, and many differ in one choice alone. They were chosen so that FEBio's
+interface completes them, before `sliding-mixture` was run.
+
+Each scene runs with FEBio's interface, through `scripts/mixcontact convert` with the same penalties, and with the
+penalties deleted. The limit is the same for all. This command runs the scenes of one name, or without `--only` all:
 
 ```console
 scripts/mixcontact synthetic-scenes --collection reported --only crossed-tubes
 ```
 
-runs those of a name; without `--only` all of them. Made with {stamp}.
-
-Numbers are Newton iterations, with retries of time steps in brackets.
-
-[All scenes](../reference/reported-scenes.md) have a row each. In these ours is worse than FEBio's: it fails, takes more
-retries, or more than {most} times the iterations.
+[All scenes](../reference/reported-scenes.md) have a row each, with Newton iterations, and retries of time steps in
+brackets. These scenes are worse than with FEBio's interface: the run fails, has more retries, or takes more than {most}
+times the iterations. Made with {stamp}.
 
 {worse}
 """

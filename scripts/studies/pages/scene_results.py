@@ -20,41 +20,37 @@ HEAD = """\
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/scene_results.py instead. -->
 
-Scenes written here, which no user sent, of what models of users hold: element types, materials, loads, rigid bodies,
-porous bodies with and without solutes, each with the FEBio interface that a user would take and the parameters that a
-user would give it. Each is run in four ways: with FEBio's interface; through `scripts/mixcontact convert`, with the
-same penalties; with the penalties deleted, so that the plugin chooses them; and so with `predictor` 1 as well. The
-limit is the same for all and counts processor time.
+These scenes were written here, and no user sent them. They have the element types, materials, loads, rigid and porous
+bodies of users' models, each with the FEBio interface and the parameters that a user would take. Each runs with FEBio's
+interface, through `scripts/mixcontact convert` with the same penalties, with the penalties deleted, and so with
+`predictor` 1 as well. The limit is the same for all. This command runs one scene, or without `--only` all:
 
 ```console
 scripts/mixcontact synthetic-scenes --only elements-hex8
 ```
 
-runs one of them; without `--only` all of them. Made with {stamp}.
-
 {summary}
 
-The numbers are Newton iterations, with retries of time steps in brackets. *Differ by*: the largest difference
-of the last state between FEBio's interface and the converted model, at any node, relative to the largest
-displacement, and the same of pressure and concentrations. Where contact is uniform and the penalty is given in
-numbers the two are equal to 1e-8 (`tests/synthetic_scenes/test_uniform_contact.py`). In these scenes a curved face
-meets a flat one, and the meshes are coarse: FEBio's interfaces act at Gauss points of facets, this one on means
-around nodes, and they see the same facets by different gaps. {finer} Pressures differ most at nodes that one
-interface has in contact and the other at the ambient pressure: at the edge of contact and, with FEBio's
-interfaces, at single nodes within it. The predictor is off but in the last column of runs; it is not available in
-models with rigid bodies.
+*Differ by* is the largest difference of the last state between FEBio's interface and the converted model, at any node.
+It is relative to the largest displacement, or to the largest value of a field. Both models are equal to 1e-8 if contact
+is uniform and the penalty is given in numbers (`tests/synthetic_scenes/test_uniform_contact.py`). These scenes have a
+curved face on a flat one and coarse meshes. FEBio's interfaces act at Gauss points of facets, `sliding-mixture` on
+averages around nodes. {finer} Pressures differ most at the edge of contact.
 
-[All scenes](../reference/synthetic-scenes.md) have a row each. These are worse than FEBio's, or not comparable:
+[All scenes](../reference/synthetic-scenes.md) have a row each, with Newton iterations, and retries in brackets. These
+are worse than with FEBio's interface, or not comparable:
 
 {table}
+
+Made with {stamp}.
 """
 ALL_HEAD = """\
 # Synthetic test scenes: all scenes
 
 <!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/scene_results.py instead. -->
 
-Newton iterations, with retries in brackets, of the [synthetic test scenes](../evidence/synthetic-scenes.md), where it
-says what the columns are. Made with {stamp}.
+The table has Newton iterations, with retries in brackets. The page of the
+[synthetic test scenes](../evidence/synthetic-scenes.md) describes the columns. Made with {stamp}.
 
 {table}
 """
@@ -185,7 +181,7 @@ def finer(rows: Sequence[Row]) -> str:
     difference = {row.name: row.converted.difference for row in rows}
     pairs = [(one, two) for one, two in FINER if one in difference and two in difference]
     found = [f"from {difference[one]:.1%} (`{one}`) to {difference[two]:.1%} (`{two}`)" for one, two in pairs]
-    return f"With half the element size the difference of displacements falls {' and '.join(found)}." if found else ""
+    return f"The difference of displacements falls with half the element size, {' and '.join(found)}." if found else ""
 
 
 def table(rows: Sequence[Row]) -> str:
@@ -234,17 +230,17 @@ def cell(took: Took) -> str:
 def summary(rows: Sequence[Row]) -> str:
     """How many scenes end, how many are no worse than FEBio's, and what the limit and the predictor do."""
     sound = [row for row in rows if row.febio.ended]
-    parts = [f"{len(rows)} scenes; FEBio's interface ends {len(sound)} of them."]
-    for name, of in (("Converted", "converted"), ("With the penalties deleted", "defaults")):
+    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes."]
+    for name, of in (("Converted models", "converted"), ("Models with the penalties deleted", "defaults")):
         runs: list[tuple[Row, Took]] = [(row, getattr(row, of)) for row in sound]
         ended = sum(run.ended for _, run in runs)
         fewer = sum(run.ended and run.iterations <= row.febio.iterations for row, run in runs)
         harmed = sum(bool(row.worse(run)) for row, run in runs)
         parts.append(
-            f"{name}, {ended} of these end, {fewer} in at most FEBio's iterations; {harmed} are worse: they fail, or "
-            f"take more retries, or more than {MOST} times the iterations."
+            f"{name} complete {ended} of these, {fewer} in at most FEBio's iterations, and {harmed} are worse."
         )
-    return " ".join([*parts, _apart(sound), _predictor(rows), _limit(rows)])
+    parts.append(f"Worse is a run that fails, has more retries, or takes more than {MOST} times the iterations.")
+    return "\n\n".join([" ".join(parts), f"{_apart(sound)} {_predictor(rows)} {_limit(rows)}".strip()])
 
 
 def _apart(rows: Sequence[Row]) -> str:
@@ -256,8 +252,8 @@ def _apart(rows: Sequence[Row]) -> str:
         return ""
     return (
         f"The answers are not the same: the largest difference of a displacement is {median(displacements):.1%} of the "
-        f"largest displacement in the median, up to {displacements[-1]:.0%}, and that of a field {min(fields):.0%} to "
-        f"{max(fields):.0%} in {len(fields)} porous scenes ([which is nearer](agreement.md))."
+        f"largest displacement in the median, and up to {displacements[-1]:.0%}. That of a field is "
+        f"{min(fields):.0%} to {max(fields):.0%} in {len(fields)} porous scenes ([which is nearer](agreement.md))."
     )
 
 
@@ -267,8 +263,8 @@ def _predictor(rows: Sequence[Row]) -> str:
     both = [(plain, predicted) for plain, predicted in runs if plain.ended and predicted.ended]
     without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
     return (
-        f"With the predictor, which {len(runs)} of the scenes can have, {sum(took.ended for _, took in runs)} end; the "
-        f"{len(both)} that end with it and without it take {with_it} iterations with it and {without} without it."
+        f"The predictor is available in {len(runs)} scenes; {sum(took.ended for _, took in runs)} of these complete. "
+        f"The {len(both)} that complete with it and without it take {with_it} iterations with it and {without} without."
     )
 
 

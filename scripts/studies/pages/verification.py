@@ -151,14 +151,15 @@ _INTRODUCTION = """\
 
 <!-- Written by `scripts/mixcontact verification-report`; change scripts/harness/validate/checks.py instead. -->
 
-Each figure with its tolerance, the runs behind it, and how to make it again. Made with {stamp}, full Newton. All of it:
+This report has each figure with its tolerance, the runs behind it, and a command that repeats it. It was made with
+{stamp}, full Newton. This command makes all of it:
 
 ```console
 scripts/mixcontact verification-report
 ```
 
 "Whole" is the conforming reference: the same mesh as one body. The tolerances are those of FEBio's Newton iterations.
-What they say together stands in [verification](../evidence/verification.md)."""
+[Verification](../evidence/verification.md) sums them up."""
 
 
 def _text(section: Section) -> str:

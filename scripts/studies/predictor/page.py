@@ -20,7 +20,6 @@ def figures() -> Mapping[str, str]:
     pairs = paired_models.pairs(files.read_csv(DATA / SOURCE, Took))
     return {
         "summary": summary_table.summary(pairs),
-        "table": summary_table.table(pairs),
         "missing": _missing({pair.name for pair in pairs}),
     }
 

@@ -31,7 +31,7 @@ def summary(pairs: Sequence[Pair]) -> str:
     predicted = sum(pair.predicted.iterations for pair in ended)
     harmed = [pair for pair in pairs if pair.harms]
     return (
-        f"{len(pairs)} models; {len(ended)} end with the predictor and without it, in {predicted} and {without} "
-        f"iterations. In {len(harmed) or 'none'} it does harm: a run that fails, more retries, or more than {MOST} "
-        "times the iterations."
+        f"{len(ended)} of {len(pairs)} models complete with the predictor and without it, in {predicted} and {without} "
+        f"iterations. The predictor does harm in {len(harmed) or 'none'} of them: a run that fails, more retries, or "
+        f"more than {MOST} times the iterations."
     )

@@ -184,23 +184,22 @@ def headline(joints: Sequence[Joint]) -> str:
 
 
 def joints_table(joints: Sequence[Joint]) -> str:
-    """The contacts of each scene in one row, as Markdown: ours, then FEBio's, then ours with the predictor."""
-    heads = ("scene", "iterations", "retries", "matrices", "time, ours over FEBio's", "our contact, part of the run")
-    more = ("points on a primary facet", "matrix entries, ours over FEBio's", "less time")
-    predicted = ("with `predictor` 1: iterations", "retries", "time over FEBio's")
-    columns = (*heads, *more, *predicted)
+    """The contacts of each scene in one row, as Markdown: ours, then FEBio's."""
+    heads = ("scene", "iterations", "retries", "matrices", "time over FEBio's", "contact, part of the run")
+    more = ("points on a primary facet", "matrix entries over FEBio's", "less time")
+    columns = (*heads, *more)
     lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
     return "\n".join([*lines, *map(_row, joints)])
 
 
 def _row(joint: Joint) -> str:
-    ours, predicted, theirs = joint
+    ours, _, theirs = joint
     both = [f"{a}, {b}" for a, b in zip(_counts(ours), _counts(theirs), strict=True)]
     less = theirs if theirs.ended and (not ours.ended or ours.ratio > 1.0) else ours
     points = f"{ours.points / ours.facets:.1f}"
     entries = f"{ours.entries / theirs.entries:.2f}"
     cells = (ours.scene, *both, _ratio(ours, theirs), f"{100 * ours.share:.0f} %", points, entries, f"`{less.type}`")
-    return "| " + " | ".join((*cells, *_counts(predicted)[:2], _ratio(predicted, theirs))) + " |"
+    return "| " + " | ".join(cells) + " |"
 
 
 def _ratio(price: JointPrice, theirs: JointPrice) -> str:

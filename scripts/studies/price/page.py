@@ -10,7 +10,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from studies import files
-from studies.pages import evidence
 from studies.pages.evidence import DATA, EvidencePage
 from studies.price import febio_matrices, joints
 from studies.price.effect_costs import EffectCost
@@ -46,7 +45,6 @@ def figures() -> Mapping[str, str]:
         "headline": f"{_headline(costs)} {joints.headline(measured)}",
         "details": f"{_details(costs)} {febio_matrices.headline(matrices, measured)}",
         "matrices": febio_matrices.matrices_table(matrices, measured),
-        "matrices_stamp": str(evidence.stamp_of(DATA / MATRICES)),
         "joints": joints.joints_table(measured),
         "facets": str(next(iter(effects_added().values())).section),
         "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),

@@ -106,20 +106,13 @@ _INTRODUCTION = """\
 
 <!-- Written by `scripts/mixcontact gallery --folder docs`: change scripts/harness/collection/entries.py instead. -->
 
-Models to start from, each a file in `models/` whose head says what is prescribed, its units and how to run it. All use
-mm, N, s, nmol and K; hence MPa, mM = nmol/mm³, mm⁴/(N s) for permeabilities and mm²/s for diffusivities. The pictures
-show the effective concentration over the deformed bodies.
-
-To make one your own, copy its file, change it and run the copy. To change the mesh as well, the builders are in
-`scripts/harness/models`. This runs all of them, draws the pictures and writes this page:
+Start from one of these models: copy its file in `models/`, change it and run the copy. The head of each file describes
+conditions and units (mm, N, s, nmol, K). The pictures show the effective concentration over the deformed bodies.
+Builders of the meshes are in `scripts/harness/models`. These commands run all models, draw the pictures and write this
+page; the second has fewer elements and steps, and writes to `results/gallery`.
 
 ```console
 scripts/mixcontact gallery --folder docs
-```
-
-The same with fewer elements and steps goes to `results/gallery`:
-
-```console
 scripts/mixcontact gallery --small
 ```"""
 
