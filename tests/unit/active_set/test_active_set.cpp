@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_step_that_would_begin_open_begins_with_overlapping_points
   approach.contact->project(approach.scene.position());
   const NodeFlags around = overlapped_nodes(approach.contact->pass(0).space());
   approach.contact->pass(0).laws().close_overlapped = true;
-  const std::ptrdiff_t begun = approach.closed_where_a_step_begins(0);
+  const std::ptrdiff_t begun = approach.closed_where_a_step_begins();
   BOOST_TEST(begun == std::count(around.begin(), around.end(), true));
   approach.contact->accept_step(approach.scene.fields);
   BOOST_TEST(!approach.contact->pass(0).laws().close_overlapped);
