@@ -1,12 +1,9 @@
-#include "contact/interface/past_iterations.h"
 
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <vector>
 
 using namespace test;
@@ -107,14 +104,9 @@ BOOST_AUTO_TEST_CASE(nodes_that_change_together_too_often_change_one_at_a_time) 
   }
 }
 
-// ------------------------------------------------------------ nodes that are expected to close or open in a step
+// ------------------------------------------------------------ where a step begins
 
-/// Around the nodes of x = 0, 1/2, 1 it adds a sixth, a half, five sixths of itself to the overlap.
-constexpr double slope = 0.6;
 const Effects elastic = effects_of(false, 0);
-
-/// When a gap beside contact closes that has changed like this in a time of 1: its power 2/3 changes evenly.
-double closes_after(double from, double to) { return 1 / (std::pow(from / to, 2.0 / 3.0) - 1); }
 
 BOOST_AUTO_TEST_CASE(a_node_that_slid_without_friction_begins_a_step_sliding) {
   Effects effects = effects_of(false, 0);
