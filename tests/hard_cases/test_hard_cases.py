@@ -9,14 +9,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.pages.evidence import DATA
 from harness.post.compare import missed
 from harness.run import engine, logdata
-from harness.studies import files
-from harness.studies.hard_cases import heat_map, outcomes, page, record, variants
-from harness.studies.hard_cases.catalogue import CASES
-from harness.studies.hard_cases.outcomes import Outcome
-from harness.studies.hard_cases.scene import Fineness, Interface
+from studies import files
+from studies.hard_cases import heat_map, outcomes, page, record, variants
+from studies.hard_cases.catalogue import CASES
+from studies.hard_cases.outcomes import Outcome
+from studies.hard_cases.scene import Fineness, Interface
+from studies.pages.evidence import DATA
 
 RETRIES = {"cutback-at-touch": 1}
 """Retries of a case: this one is forced."""

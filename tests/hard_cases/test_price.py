@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from harness.errors import DataFileError
-from harness.models import pairs
 from harness.models.interface import InterfaceType
-from harness.studies.price import bars, effect_costs, joints, page, paired_runs, table
-from harness.studies.price.paired_runs import Timed
-from harness.studies.price.scenes import Kind, Scene, effects_added
+from studies.models import pairs
+from studies.price import bars, effect_costs, joints, page, paired_runs, table
+from studies.price.paired_runs import Timed
+from studies.price.scenes import Kind, Scene, effects_added
 
 LOG = """
 sliding-mixture "a joint": time in the contact [s]

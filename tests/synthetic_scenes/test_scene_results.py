@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from harness.pages import scene_results
-from harness.pages.scene_results import AT_LIMIT, UNAVAILABLE, Row, Took
 from harness.run.provenance import Stamp
+from studies.pages import scene_results
+from studies.pages.scene_results import AT_LIMIT, UNAVAILABLE, Row, Took
 
 FEBIO = Took(True, 10, 30, 0, difference=0.0)
 ENDED = Took(True, 10, 28, 1, difference=0.01)

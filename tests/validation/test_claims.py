@@ -9,9 +9,9 @@ from statistics import median
 
 import pytest
 
-from harness.pages import front
 from harness.paths import DOCS, REPOSITORY
-from harness.studies.limit import LIMIT, NEARLY
+from studies.limit import LIMIT, NEARLY
+from studies.pages import front
 
 DATA = DOCS / "data"
 OURS = "sliding-mixture"
