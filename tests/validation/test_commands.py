@@ -52,7 +52,6 @@ SMALL = {
     "scripts/mixcontact price --docs": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
     "scripts/mixcontact predictor --mesh coarse --docs": "{harness} predictor --help",
-    "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact friction-cases --docs --no-febio": "{harness} friction-cases --help",
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
