@@ -107,6 +107,7 @@ WAYS: Mapping[str, Change] = {
     "BFGS 3": method("BFGS", 3),
     "BFGS 10": method("BFGS", 10),
     "Broyden": method("Broyden", 10),
+    "modified Newton": method("modified Newton", 10),
     "mkl_dss": linear_solver("mkl_dss"),
 }
 """One answer to the tolerance of the solver."""
