@@ -14,6 +14,7 @@ COMMANDS = {
     "indentation-extremes": "harness.indentation.command",
     "indentation-convergence": "harness.indentation.command",
     "ablation": "harness.studies.ablation.command",
+    "knee": "harness.studies.knees.command",
     "hard-cases": "harness.studies.hard_cases.command",
     "hard-case": "harness.studies.hard_cases.command",
     "friction-cases": "harness.studies.friction.command",

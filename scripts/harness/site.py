@@ -28,6 +28,7 @@ from harness.studies.friction import curves_table
 from harness.studies.friction import page as friction
 from harness.studies.hard_cases import page as hard_cases
 from harness.studies.hertz import page as hertz
+from harness.studies.knees import page as knees
 from harness.studies.predictor import page as predictor
 from harness.studies.price import page as price
 from harness.studies.price import run_times
@@ -42,6 +43,7 @@ EVIDENCE = (
     price.PAGE,
     run_times.PAGE,
     hertz.PAGE,
+    knees.PAGE,
     predictor.PAGE,
 )
 """Pages of evidence, which are made from the results of studies."""

@@ -15,7 +15,7 @@ from harness.paths import REPOSITORY
 
 HARNESS = REPOSITORY / "scripts" / "harness"
 ROOMS = (
-    *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post", "report"),
+    *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post", "report", "ecosystem"),
     *("indentation", "validate", "pages", "studies", "user_commands", "cli", "site", "__main__"),
 )
 """Folders and files directly in the harness, the lowest first."""
@@ -35,6 +35,7 @@ STUDIES = (
     "robustness",
     "one_answer",
     "hertz",
+    "knees",
     "linear_solvers",
     "remeasurement",
 )
