@@ -8,11 +8,11 @@ from types import SimpleNamespace
 from typing import get_args
 
 import pytest
+from harness.models.pressed_blocks import PressedBlocks
 from lxml import etree
 
-from harness.models.pressed_blocks import PressedBlocks
-from harness.pages.plugin_parameters import registered
 from harness.run import engine
+from studies.pages.plugin_parameters import registered
 
 ATTRIBUTES = {"type", "name", "surface_pair"}
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from harness.models.interface import InterfaceType
-from harness.studies.knees import page
-from harness.studies.knees.knee_run import KneeRun
+from studies.knees import page
+from studies.knees.knee_run import KneeRun
 
 OURS = KneeRun(
     load="stance",

@@ -9,17 +9,17 @@ import sys
 
 import pytest
 
-from harness.cli import COMMANDS, main
 from harness.models.diffusion import Diffusion
 from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.paths import REPOSITORY
+from studies.cli import COMMANDS, main
 
 
 def harness(*arguments, **environment):
     """Run the command line in a process of its own."""
     return subprocess.run(
-        [sys.executable, "-m", "harness", *map(str, arguments)],
+        [sys.executable, "-m", "studies", *map(str, arguments)],
         env={**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts"), "COLUMNS": "200", **environment},
         capture_output=True,
         text=True,

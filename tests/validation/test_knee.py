@@ -12,7 +12,6 @@ from lxml import etree
 from scipy.spatial import cKDTree
 from typer.testing import CliRunner
 
-from harness import cli
 from harness.models.interface import InterfaceType
 from harness.models.knee import bearing, whole_mesh
 from harness.models.knee.bearing import Load
@@ -20,6 +19,7 @@ from harness.models.knee.structured_blocks import Block
 from harness.models.knee.whole_knee import Knee
 from harness.models.knee.whole_mesh import Size
 from harness.models.mesh import Mesh
+from studies import cli
 
 EQUATIONS = {Size.SMALL: 25e3, Size.MEDIUM: 100e3, Size.LARGE: 300e3}
 
