@@ -8,10 +8,10 @@ from types import SimpleNamespace
 from typing import get_args
 
 import pytest
-from harness.models.pressed_blocks import PressedBlocks
 from lxml import etree
 
 from harness.run import engine
+from studies.models.pressed_blocks import PressedBlocks
 from studies.pages.plugin_parameters import registered
 
 ATTRIBUTES = {"type", "name", "surface_pair"}

@@ -21,15 +21,13 @@ from studies.knees.knee_run import KneeRun
 from studies.pages.evidence import DATA
 
 console = Console(highlight=False, soft_wrap=True)
-LIMIT = 900.0
-"""s of processor time for one run."""
 
 
 def knee(
     stance: Annotated[Size, typer.Option(help="How fine the knee in stance is.")] = Size.SMALL,
     gait: Annotated[Size, typer.Option(help="How fine the knee in gait is.")] = Size.COARSE,
     folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "knee",
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = page.LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write data, page and picture of the documentation.")] = False,
 ) -> None:
     """Run the elastic knee with sliding-mixture and with FEBio's interface, and draw the pressure of both.

@@ -10,6 +10,8 @@ from studies import files
 from studies.knees.knee_run import KneeRun
 from studies.pages.evidence import DATA, EvidencePage
 
+LIMIT = 900.0
+"""s of processor time for one run."""
 SOURCE, PICTURE = "knee.csv", "knee.png"
 _OURS = InterfaceType.MIXTURE.value
 _LIMITS = """\
