@@ -101,6 +101,8 @@ def _folder(name: str) -> str:
 
 
 def _difference(run: Ended, reference: Ended) -> float:
-    if run.nodes is None or reference.nodes is None:
+    """Infinite where one of both has failed, which is no answer at all."""
+    failed = any(each.how != "normal" for each in (run, reference))
+    if failed or run.nodes is None or reference.nodes is None:
         return float("inf")
     return differences.largest(run.nodes, reference.nodes)
