@@ -18,6 +18,10 @@ double Bilateral::penalty_factor(bool both_ways) const {
   return std::min(one_sided_factor(both_ways), tension_traction_factor);
 }
 
+VectorXd admissible(const NormalCondition& condition, const VectorXd& tractions) {
+  return tractions.unaryExpr([&](double traction) { return condition.admissible(traction); });
+}
+
 const NormalCondition& normal_condition(const GapRule& gap) {
   static const Unilateral unilateral;
   static const Bilateral bilateral;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/settings.h"
+#include "base/types.h"
 #include "conditions/law_value.h"
 
 #include <algorithm>
@@ -65,6 +66,9 @@ class Bilateral final : public NormalCondition {
   double residual_gap(double gap, double /*traction*/) const override { return gap; }
   double penalty_factor(bool both_ways) const override;
 };
+
+/// The nearest tractions of nodes that a condition allows [MPa].
+VectorXd admissible(const NormalCondition& condition, const VectorXd& tractions);
 
 /// The condition that a user's choice of gaps asks for.
 const NormalCondition& normal_condition(const GapRule& gap);
