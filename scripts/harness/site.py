@@ -30,10 +30,20 @@ from harness.studies.hard_cases import page as hard_cases
 from harness.studies.hertz import page as hertz
 from harness.studies.predictor import page as predictor
 from harness.studies.price import page as price
+from harness.studies.price import run_times
 from harness.studies.remeasurement.steps import LIMITS
 from harness.user_commands import FOR_EVERYBODY, function
 
-EVIDENCE = (hard_cases.PAGE, friction.PAGE, curves_table.PAGE, cost.PAGE, price.PAGE, hertz.PAGE, predictor.PAGE)
+EVIDENCE = (
+    hard_cases.PAGE,
+    friction.PAGE,
+    curves_table.PAGE,
+    cost.PAGE,
+    price.PAGE,
+    run_times.PAGE,
+    hertz.PAGE,
+    predictor.PAGE,
+)
 """Pages of evidence, which are made from the results of studies."""
 
 PAGES: dict[str, Callable[[], str]] = {

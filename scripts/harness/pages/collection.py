@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from harness.models.ball_in_socket import BallInSocket
 from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
@@ -11,7 +12,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.models.layers import Layers
-from harness.models.parts import Control
+from harness.models.parts import Control, Param
 from harness.models.plate_on_layer import PlateOnLayer
 from harness.models.sliding_joint import SlidingJoint
 from harness.pages.gallery import entries
@@ -20,6 +21,20 @@ from harness.pages.gallery import entries
 def before_migration() -> Model:
     """A small model with one of FEBio's own interfaces, for `convert` to change."""
     return Diffusion(InterfaceType.SOLUTE, elements=5, control=Control(50, 160.0), name="before-migration").model()
+
+
+def joint_before() -> Model:
+    """A joint in its simplest shape with FEBio's interface and a penalty of the usual kind, for `convert` to change."""
+    params = (Param("laugon", "PENALTY"), Param("auto_penalty", True), Param("penalty", 10.0))
+    contact = InterfaceType.ELASTIC.value
+    return BallInSocket(
+        elements=6, primary="socket", contact=contact, params=params, name="joint-before", plot=True
+    ).model()
+
+
+def to_convert() -> list[Model]:
+    """Models with FEBio's own interfaces."""
+    return [before_migration(), joint_before()]
 
 
 def models() -> list[Model]:
@@ -39,13 +54,13 @@ def models() -> list[Model]:
 
 def write(folder: Path) -> list[Path]:
     """Write the collection into `folder` and return the paths."""
-    return [model.write(folder) for model in (*models(), before_migration())]
+    return [model.write(folder) for model in (*models(), *to_convert())]
 
 
 def outdated(folder: Path) -> list[str]:
     """Names of the files in `folder` that are missing or differ from what `write` would write."""
     names = []
-    for model in (*models(), before_migration()):
+    for model in (*models(), *to_convert()):
         path = folder / f"{model.name}.feb"
         if not path.is_file() or path.read_text(encoding="iso-8859-1") != model.text():
             names.append(path.name)

@@ -106,7 +106,7 @@ HEAD = """\
 The matrix of the contact is non-symmetric, and with `LAGMULT` it has zeros on its diagonal. `pardiso`, FEBio's default,
 and `mkl_dss` solve every model here. Both are part of MKL. An FEBio without MKL has `skyline` as its default, which
 cannot; give `superlu_mt` there, in the model or as the default in `febio.xml`. `pardiso` is given
-[smaller matrices](../explanation/matrix.md#loads-as-unknowns-of-the-linear-solver) than the others with `PENALTY` and
+[smaller matrices](../how-to/devices.md) than the others with `PENALTY` and
 `AUGLAG`.
 
 Each cell is a run of a small model: diffusion between two cubes of 3 elements (3.1), and confined creep of a biphasic

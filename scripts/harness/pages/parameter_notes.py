@@ -41,7 +41,7 @@ ABOUT = {
     "ambient": "Values of the fluid that wets nodes out of contact; see [ambient conditions](../how-to/ambient.md).",
     "surfaces": "Which points see each other, and where (2.5) is integrated.",
     "solution": "These parameters act on the solver. All but the first switch "
-    "[devices](../how-to/solver.md#devices-of-the-solver). "
+    "[devices](../how-to/devices.md). "
     "They act on the whole model: contacts that give one must give the same value.",
     "friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
     "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
@@ -169,7 +169,7 @@ NOTES = {
         "Form the first matrix of a step at a state that is predicted from the last steps: of every variable whose "
         "last change was predicted to a third, where no load curve turns. A step may then end with its first "
         "iteration. A predicted state is dropped where an element is inverted or the residual is larger than that of "
-        "the plain start. Not available where there are rigid bodies. See [explanation](../explanation/predictor.md).",
+        "the plain start. Not available with rigid bodies. See [devices](../how-to/devices.md#the-predictor).",
         "memory for the nodal values of five steps, two evaluations of the residual and a copy of the state in a step",
         "not there",
     ),
@@ -185,7 +185,7 @@ NOTES = {
         "not there",
     ),
     "solver_devices": Note(
-        "[Devices of the solver](../how-to/solver.md#devices-of-the-solver) that may act: `all`, `none`, or names with "
+        "[Devices of the solver](../how-to/devices.md) that may act: `all`, `none`, or names with "
         "commas between them. Where a step fails, none acts in the attempt after it, whatever stands here.",
         "fewer devices: more iterations or a larger matrix",
         "not there",

@@ -1,4 +1,4 @@
-"""Sketches of the explanation: the interface, averages around nodes, Gauss points and segments."""
+"""Sketches: the interface, the primary side, averages around nodes, Gauss points and segments."""
 
 from __future__ import annotations
 
@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 
 FOLDER = "images/sketches"
 DARK, MIDDLE, LIGHT = "#1d2f49", "#4f74a3", "#dfe7f0"
+BROWN, SAND, RED = "#8a5a2b", "#f0e6d8", "#b3261e"
+CONTACT = 1.6
+"""Half of the width in contact in the sketch of the interface."""
 ARROW = {"arrowstyle": "-|>", "color": DARK, "lw": 1.4}
 
 
@@ -25,6 +28,7 @@ def draw(folder: Path) -> list[Path]:
     goal.mkdir(parents=True, exist_ok=True)
     return [
         _saved(interface(), goal / "interface.svg"),
+        _saved(primary(), goal / "primary.svg"),
         _saved(averages(), goal / "averages.svg"),
         _saved(integration(), goal / "integration.svg"),
     ]
@@ -40,44 +44,73 @@ def _figure(width: float, height: float) -> Figure:
 
 
 def interface() -> Figure:
-    """Two bodies, the gap along the primary normal, and what passes."""
-    figure = _figure(6.4, 3.4)
+    """Two bodies that touch: what passes in contact, and a gap at an open point, through which nothing passes."""
+    figure = _figure(6.4, 3.6)
     axes = figure.subplots()
-    x = np.linspace(-3.0, 3.0, 121)
-    lower, upper = -0.1 * x**2, 0.55 + 0.16 * x**2
+    x = np.linspace(-4.0, 4.0, 101)
+    lower, upper = np.zeros_like(x), _outline(x)
     axes.fill_between(x, lower, -2.0, color=LIGHT)
-    axes.fill_between(x, upper, 3.0, color="#f0e6d8")
+    axes.fill_between(x, upper, 3.0, color=SAND)
     axes.plot(x, lower, color=DARK, lw=2)
-    axes.plot(x, upper, color="#8a5a2b", lw=2)
-    _normal(axes)
-    for at, text in ((-0.62, "traction"), (-0.02, "solvent"), (0.58, "solutes")):
-        axes.annotate("", (at, 1.3), (at, -0.75), arrowprops={**ARROW, "color": MIDDLE, "arrowstyle": "<|-|>"})
-        axes.text(at, -0.85, text, ha="center", va="top", fontsize=8, color=MIDDLE)
-    axes.text(-2.9, -1.85, "primary body 1", fontsize=9)
-    axes.text(-2.9, 2.75, "secondary body 2", fontsize=9)
-    for side in (-2.75, 2.0):
-        axes.text(side, 0.35, "ambient\n$\\tilde p^*$, $\\tilde c^*$", fontsize=8)
-    axes.text(2.45, -0.98, "$\\gamma_1$", fontsize=10)
-    axes.text(2.45, 1.25, "$\\gamma_2$", fontsize=10)
+    axes.plot(x, upper, color=BROWN, lw=2)
+    axes.plot((-CONTACT, CONTACT), (0.0, 0.0), color="black", lw=4, solid_capstyle="butt")
+    axes.text(0.0, 1.62, "in contact", ha="center", fontsize=9, weight="bold")
+    for at, text in ((-1.0, "traction"), (0.0, "solvent"), (1.0, "solutes")):
+        axes.annotate("", (at, 1.0), (at, -1.0), arrowprops={**ARROW, "color": MIDDLE, "arrowstyle": "<|-|>"})
+        axes.text(at, -1.1, text, ha="center", va="top", fontsize=9, color=MIDDLE)
+    _gap(axes)
+    axes.text(-3.9, -1.85, "primary body 1", fontsize=9)
+    axes.text(-3.9, 2.7, "secondary body 2", fontsize=9)
+    axes.text(-3.95, 0.28, "open: ambient fluid,\n$\\tilde p^*$, $\\tilde c^*$", fontsize=8.5, va="center")
+    axes.text(3.75, -0.3, r"$\gamma_1$", fontsize=10)
+    axes.text(3.75, 1.42, r"$\gamma_2$", fontsize=10)
     axes.set_axis_off()
-    axes.set(xlim=(-3, 3), ylim=(-2, 3))
+    axes.set(xlim=(-4, 4), ylim=(-2, 3))
     return figure
 
 
-def _normal(axes: Axes) -> None:
-    """A point, its normal, and the point that it faces."""
-    foot = np.array([1.25, -0.1 * 1.25**2])
-    normal = np.array([0.25, 1.0]) / np.hypot(0.25, 1.0)
-    ray = foot + np.linspace(0.0, 3.0, 3001)[:, None] * normal
-    head = ray[np.argmax(ray[:, 1] > 0.55 + 0.16 * ray[:, 0] ** 2)]
-    axes.plot(*np.array([foot, head]).T, ":", color=DARK, lw=1)
-    (x, y), (above, up) = foot, foot + 0.7 * normal
-    axes.annotate("", (float(above), float(up)), (float(x), float(y)), arrowprops=ARROW)
+def _outline(x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The lower side of the upper body: flat where it touches, and rising outside."""
+    return 0.18 * np.clip(np.abs(x) - CONTACT, 0.0, None) ** 2
+
+
+def _gap(axes: Axes) -> None:
+    """An open point, its normal, the point that it faces, and the gap between both."""
+    foot, head = np.array([2.95, 0.0]), np.array([2.95, float(_outline(np.array(2.95)))])
+    axes.plot(*np.array([foot, head]).T, ":", color=DARK, lw=1.4)
     axes.plot(*np.array([foot, head]).T, "o", color=DARK, ms=4)
-    _name(axes, foot, (0.12, -0.22), "$\\mathbf{x}_1$")
-    _name(axes, head, (0.1, 0.12), "$\\mathbf{x}_2$")
-    _name(axes, foot + 0.62 * normal, (0.1, 0.0), "$\\mathbf{n}_1$")
-    _name(axes, head, (-0.38, -0.42), "$g$")
+    _name(axes, foot, (-0.1, -0.34), r"$\mathbf{x}_1$")
+    _name(axes, head, (-0.1, 0.14), r"$\mathbf{x}_2$")
+    _name(axes, 0.5 * (foot + head), (0.1, -0.1), "gap $g$")
+    axes.annotate("", (2.3, 0.75), (2.3, 0.0), arrowprops=ARROW)
+    _name(axes, np.array([2.3, 0.75]), (-0.32, 0.0), r"$\mathbf{n}_1$")
+
+
+def primary() -> Figure:
+    """A bump, finer than the facets of the other side: coarse averages overlook it, its own nodes do not."""
+    figure = _figure(6.4, 3.5)
+    left, right = figure.subplots(1, 2)
+    bump = np.linspace(-3.0, 3.0, 151)
+    for axes, depth, title in ((left, 0.32, "wrong: coarse side primary"), (right, 0.0, "right: fine side primary")):
+        height = 0.55 - (0.55 + depth) * np.exp(-((bump / 0.34) ** 2)) + 0.02 * bump**2
+        axes.fill_between(bump, height, 2.6, color=SAND)
+        axes.fill_between(bump, 0.0, -1.5, color=LIGHT, zorder=0)
+        axes.plot(bump, height, color=BROWN, lw=2)
+        axes.plot((-3, 3), (0, 0), color=DARK, lw=2)
+        axes.set_title(title, fontsize=10)
+        axes.set_axis_off()
+        axes.set(xlim=(-3, 3), ylim=(-1.7, 2.6))
+    left.fill_between(
+        bump, np.minimum(0.55 - 0.87 * np.exp(-((bump / 0.34) ** 2)) + 0.02 * bump**2, 0.0), 0.0, color=RED
+    )
+    coarse = np.arange(-3.0, 3.1, 2.0) + 0.0
+    left.plot(coarse, np.zeros_like(coarse), "o", color=DARK, ms=6, clip_on=False)
+    left.text(0.0, -0.75, "no force: the average gaps\nat these nodes are open", ha="center", va="top", fontsize=8.5)
+    fine = np.linspace(-2.7, 2.7, 19)
+    right.plot(fine, 0.55 - 0.55 * np.exp(-((fine / 0.34) ** 2)) + 0.02 * fine**2, "o", color=BROWN, ms=4)
+    right.annotate("", (0.0, 0.95), (0.0, 0.05), arrowprops=ARROW)
+    right.text(0.0, -0.75, "force at first touch: the node\nat the tip closes", ha="center", va="top", fontsize=8.5)
+    return figure
 
 
 def _name(axes: Axes, at: NDArray[np.float64], shift: tuple[float, float], text: str) -> None:
@@ -119,7 +152,7 @@ def integration() -> Figure:
     for axes, title in ((left, "Gauss points"), (right, "segments")):
         axes.text(0.5, 1.12, title, ha="center", fontsize=10)
         axes.add_patch(Rectangle((0, 0), 1, 1, facecolor=LIGHT, edgecolor=DARK, lw=2))
-        axes.plot((cut[0], cut[0]), (-0.06, 1.06), (-0.06, 1.06), (cut[1], cut[1]), color="#8a5a2b", lw=1.2, ls="--")
+        axes.plot((cut[0], cut[0]), (-0.06, 1.06), (-0.06, 1.06), (cut[1], cut[1]), color=BROWN, lw=1.2, ls="--")
         axes.set(xlim=(-0.15, 1.15), ylim=(-0.2, 1.22), aspect="equal")
         axes.set_axis_off()
     at = 0.5 + np.array([-1.0, 1.0]) / np.sqrt(12.0)

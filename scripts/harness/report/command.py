@@ -20,7 +20,8 @@ def report(
 ) -> None:
     """Make a page about the contact of a run: pressure on the deformed surfaces, curves over time, settings, warnings.
 
-    The page is one file, index.html, which opens from disk. Its folder has the pictures as PNG files, too.
+    The page is one file, index.html, which opens from disk. Its folder also has the pictures as PNG files, and the
+    contact surfaces at the time of the largest force as VTK files for PyVista and ParaView.
     """
     try:
         contents, page = (import_module(f"harness.report.{name}") for name in ("contents", "page"))
