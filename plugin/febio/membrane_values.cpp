@@ -2,12 +2,12 @@
 
 BEGIN_FECORE_CLASS(FEMixtureSolutePermeance, FECoreClass)
   ADD_PARAMETER(solute, "sol", FE_PARAM_ATTRIBUTE, "$(solutes)")->setLongName("solute");
-  ADD_PARAMETER(value, "mixture_solute_permeance")->setLongName("permeance of the membrane");
+  ADD_PARAMETER(value, "mixture_solute_permeance")->setLongName("membrane permeance");
 END_FECORE_CLASS()
 
 BEGIN_FECORE_CLASS(FEMixtureReflection, FECoreClass)
   ADD_PARAMETER(solute, "sol", FE_PARAM_ATTRIBUTE, "$(solutes)")->setLongName("solute");
-  ADD_PARAMETER(value, "mixture_reflection")->setLongName("reflection coefficient of the membrane");
+  ADD_PARAMETER(value, "mixture_reflection")->setLongName("membrane reflection coefficient");
 END_FECORE_CLASS()
 
 void read_membrane(const MembraneProperties& properties, MembraneParameters& membrane) {

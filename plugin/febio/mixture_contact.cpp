@@ -66,10 +66,10 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
       .SetLongName("ambient concentration");
   ADD_PROPERTY(membrane_.permeances, "solute_permeance", FEProperty::Optional)
       ->SetDefaultType("mixture_solute_permeance")
-      .SetLongName("permeance of the membrane");
+      .SetLongName("membrane permeance");
   ADD_PROPERTY(membrane_.reflections, "reflection", FEProperty::Optional)
       ->SetDefaultType("mixture_reflection")
-      .SetLongName("reflection coefficient of the membrane");
+      .SetLongName("membrane reflection coefficient");
 END_FECORE_CLASS()
 
 FEMixtureContact::FEMixtureContact(FEModel* fem)

@@ -96,7 +96,7 @@ void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
     if (!is_solvent && left_out.solutes) field.obstacles.emplace_back("<concentration_penalty> is 0");
     const std::vector<int>& stopped = left_out.stopped_solutes;
     if (std::find(stopped.begin(), stopped.end(), field.solute) != stopped.end())
-      field.obstacles.emplace_back("its <solute_permeance> is 0 and its <reflection> is 1");
+      field.obstacles.emplace_back("<solute_permeance> is 0, <reflection> 1");
   }
 }
 

@@ -20,6 +20,7 @@ from harness.models.parts import (
     TEMPERATURE,
     Control,
     Param,
+    displace,
     fix,
     initial_concentration,
     initial_pressure,
@@ -30,7 +31,7 @@ from harness.run.runner import Runner
 
 pytestmark = pytest.mark.mixture_only
 
-STEADY = Control(40, 3e4, solver=(Param("min_residual", 1e-40),))
+STEADY = Control(40, 3e4)
 ENFORCEMENTS = {
     "penalty": (),
     "augmented": (Param("laugon", "AUGLAG"),),
@@ -76,35 +77,38 @@ def test_steady_flow_through_films_of_all_kinds(runner, film):
 
 
 def test_steady_flow_through_a_film_that_moves(runner):
-    """In a stiff solid, whose surfaces are free to move and to be searched for."""
-    scene = Membrane(control=STEADY)
+    """In a stiff solid, whose surfaces are free to move and to be searched for.
+
+    Displacements there are rounding in the end, and no measure of convergence.
+    """
+    scene = Membrane(control=replace(STEADY, displacement_tolerance=0.0))
     model = scene.model()
     stiff = {
-        name: replace(mixture, solid=replace(mixture.solid, modulus=1e7)) for name, mixture in model.materials.items()
+        name: replace(mixture, solid=replace(mixture.solid, modulus=1e6)) for name, mixture in model.materials.items()
     }
-    held = (fix("all", "xy"), fix("bottom", "z"), fix("top", "z"), *model.conditions[1:])
+    held = (fix("all", "xy"), fix("bottom", "z"), displace("top", "z", -1e-7), *model.conditions[1:])
     run = runner(replace(model, name="membrane-moving", materials=stiff, conditions=held))
     assert "exchanges traction, solvent, solute 1" in run.log
     assert steady_error(run, scene.closed_form()) <= 1e-6
 
 
-@pytest.mark.parametrize("elements", [10, 20])
-def test_transient_diffusion_through_a_film(runner, elements):
-    """Two layers of different material and a film of finite permeance: closed form 2.4."""
+def test_transient_diffusion_through_a_film(runner):
+    """Two layers of different material and a film of finite permeance, closed form 2.4, on two meshes."""
     permeance = 4e-4
     settings = ContactSettings(extra=film_params(Film(1e-3, permeance, 1.0), sol="1"))
-    model = Composite(settings=settings, elements=elements, control=Control(100, 20.0)).model()
-    history = runner(replace(model, name=f"film-{elements}")).nodes
-    late = history.times >= 500.0
-    z = model.mesh.nodes[:, 2]
-    exact = np.array(
-        [
-            AMBIENT * composite_slab.concentration(z, t, FIRST, SECOND, conductance=permeance)
-            for t in history.times[late]
-        ]
-    )
-    error = np.abs(history["c1"][late] - exact).max() / AMBIENT
-    assert error <= {10: 1e-2, 20: 5e-3}[elements]
+
+    def error(elements, control):
+        model = Composite(settings=settings, elements=elements, control=control).model()
+        history = runner(replace(model, name=f"film-{elements}")).nodes
+        late = history.times >= 500.0
+        z = model.mesh.nodes[:, 2].copy()
+        z[np.unique(model.mesh.parts[1].elements) - 1] += 1e-12  # both sides of the film are at the same place
+        exact = [composite_slab.concentration(z, t, FIRST, SECOND, conductance=permeance) for t in history.times[late]]
+        return np.abs(history["c1"][late] / AMBIENT - exact).max()
+
+    coarse, fine = error(10, Control(100, 20.0)), error(20, Control(200, 10.0))
+    assert coarse <= 1e-2
+    assert fine <= 0.6 * coarse
 
 
 def test_a_film_of_finite_permeance_is_the_same_law_as_a_penalty(runner):
@@ -121,23 +125,16 @@ def test_a_film_of_finite_permeance_is_the_same_law_as_a_penalty(runner):
 def test_osmosis_at_rest(runner):
     """Two swelling bodies, each with its own solute, and a film that lets the solvent pass alone: [p] = R T [c]."""
     film = film_params(Film(1e-3, 0.0, 1.0), sol="1")
-    scene = Diffusion(
-        settings=ContactSettings(extra=film),
-        elements=4,
-        control=Control(40, 2e4, solver=(Param("min_residual", 1e-40),)),
-    )
-    model = scene.model()
+    model = Diffusion(settings=ContactSettings(extra=film), elements=4, control=Control(40, 2e4)).model()
     # The lower face meets a bath; the upper body is sealed but for the film.
-    begin = [
-        c
-        for name, value in (("lower", 1.0), ("upper", 2.0))
-        for c in (initial_concentration(name, value), initial_pressure(name, -GAS_CONSTANT * TEMPERATURE * 1.0))
-    ]
+    bodies = {part.name: np.unique(part.elements) for part in model.mesh.parts}
+    begin = (
+        *(initial_concentration(name, value) for name, value in (("lower", 1.0), ("upper", 2.0))),
+        *(initial_pressure(name, -GAS_CONSTANT * TEMPERATURE) for name in bodies),
+    )
+    mesh = replace(model.mesh, node_sets={**model.mesh.node_sets, **bodies})
     model = replace(
-        model,
-        name="osmosis",
-        conditions=(*model.conditions, *begin),
-        element_columns=("p", "c"),
+        model, name="osmosis", mesh=mesh, conditions=(*model.conditions, *begin), element_columns=("p", "c")
     )
     run = runner(model)
     p, c = (run.elements[name][-1] for name in ("p", "c"))

@@ -7,8 +7,8 @@ equilibrium with the mixture, they read, over the membrane,
     w = L_p ([q] - sigma R T [c~]),        c~_out = c~_in e^F - j (e^F - 1)/((1 - sigma) w),    F = (1 - sigma) w/P.
 
 Layers whose solute diffuses as in free solution (d = d0, kappa~ = 1) obey the same two with 1/L_p = L/k, sigma = 0 and
-P = phi_w d/L: Darcy's law in q, and convection with diffusion (`two_layer_convection`). All three are in series: w and j
-are the same in each, drops of q add up, and c~ is passed on from one to the next. What is left is one equation for w.
+P = phi_w d/L: Darcy's law in q, and convection with diffusion (`two_layer_convection`). All three are in series: w and
+j are the same in each, drops of q add up, and c~ is passed on from one to the next. What is left is one equation for w.
 """
 
 from __future__ import annotations
