@@ -13,8 +13,8 @@ import pytest
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
 from harness.models.parts import Param
-from harness.models.pressed_blocks import PressedBlocks
 from harness.run.runner import Runner, RunResult
+from studies.models.pressed_blocks import PressedBlocks
 
 CONTACTS = (InterfaceType.MIXTURE.value, InterfaceType.ELASTIC.value)
 AUTOMATIC = (Param("auto_penalty", True), Param("penalty", 10.0))

@@ -15,11 +15,11 @@ import pytest
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.models.interface import InterfaceType
-from harness.models.small import Document
 from harness.paths import REPOSITORY
 from harness.run import engine
 from harness.run.runner import Runner
 from harness.validate.checks import Context
+from studies.models.small import Document
 
 
 def pytest_configure(config: pytest.Config) -> None:

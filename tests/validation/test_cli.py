@@ -9,17 +9,17 @@ import sys
 
 import pytest
 
-from harness.cli import COMMANDS, main
 from harness.models.diffusion import Diffusion
 from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.paths import REPOSITORY
+from studies.cli import COMMANDS, main
 
 
 def harness(*arguments, **environment):
     """Run the command line in a process of its own."""
     return subprocess.run(
-        [sys.executable, "-m", "harness", *map(str, arguments)],
+        [sys.executable, "-m", "studies", *map(str, arguments)],
         env={**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts"), "COLUMNS": "200", **environment},
         capture_output=True,
         text=True,
@@ -167,12 +167,24 @@ def test_commands_that_read_and_write_files_compile_nothing(entry_module, monkey
     assert done == [()]
 
 
+@pytest.mark.parametrize(("arguments", "steps"), [([], [("report",)]), (["--run"], ["compiled"])])
+def test_report_compiles_where_it_runs_the_model_first(entry_module, monkeypatch, arguments, steps):
+    done = []
+    monkeypatch.setattr(entry_module, "set_up_python", lambda groups=(): done.append(groups))
+    monkeypatch.setattr(entry_module, "set_up", lambda *_: done.append("compiled"))
+    monkeypatch.setattr(entry_module, "harness", len)
+    entry_module.main(["report", "model.feb", *arguments])
+    assert done == steps
+    assert "report" in entry_module.groups_of("report", [*arguments])
+
+
 @pytest.mark.parametrize(
     ("arguments", "targets"),
     [
         (["validate"], "for_models"),
         (["run", "model.feb"], "for_models"),
         (["run", "model.feb", "--engine", "standalone"], "plugin/all"),
+        (["report", "model.feb", "--run"], "for_models"),
         (["engines"], "plugin/all"),
         (["test", "--unit"], "all"),
         (["build"], "all"),

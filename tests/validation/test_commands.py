@@ -126,7 +126,7 @@ def pages():
 @pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
 def test_the_commands_of_a_page_run(scratch, page):
     plugin, febio = plugin_library().resolve(), engine.find_engine()
-    harness = f"env PYTHONPATH={REPOSITORY / 'scripts'} python -m harness"
+    harness = f"env PYTHONPATH={REPOSITORY / 'scripts'} python -m studies"
     places = {
         "root": REPOSITORY,
         "harness": harness,

@@ -8,16 +8,16 @@ from dataclasses import asdict, replace
 
 import pytest
 
-from harness import site
-from harness.cli import COMMANDS
 from harness.errors import DataFileError, HarnessError
-from harness.pages import evidence, front
-from harness.pages.evidence import EvidencePage
 from harness.paths import DOCS, REPOSITORY
 from harness.run import provenance
 from harness.run.provenance import Stamp
-from harness.studies.remeasurement import command
-from harness.studies.remeasurement.steps import ALONE, LIMITS, STEPS, Step
+from studies import site
+from studies.cli import COMMANDS
+from studies.pages import evidence, front
+from studies.pages.evidence import EvidencePage
+from studies.remeasurement import command
+from studies.remeasurement.steps import ALONE, LIMITS, STEPS, Step
 
 STAMP = Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 60.0)
 MEASURED = re.compile(r"\d ?%|\b\d+ (?:Newton )?iterations\b|\b\d+ retries\b|\b\d+(?:\.\d+)? times (?:as|FEBio|the)\b")
