@@ -81,7 +81,7 @@ def test_steady_flow_through_a_film_that_moves(runner):
 
     Displacements there are no measure of convergence, and the steps end before changes are rounding.
     """
-    scene = Membrane(control=Control(5, 1e6, displacement_tolerance=0.0))
+    scene = Membrane(control=Control(3, 1e6, displacement_tolerance=0.0))
     model = scene.model()
     stiff = {
         name: replace(mixture, solid=replace(mixture.solid, modulus=1e6)) for name, mixture in model.materials.items()
