@@ -13,6 +13,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.models.layers import Layers
+from harness.models.membrane import Membrane
 from harness.models.parts import Control, Param
 from harness.models.plate_on_layer import PlateOnLayer
 from harness.models.sliding_joint import SlidingJoint
@@ -44,6 +45,7 @@ def models() -> list[Model]:
         *(Convection(peclet=peclet, plot=True).model() for peclet in PRESSURES),
         Composite(plot=True).model(),
         Layers(plot=True).model(),
+        Membrane(plot=True).model(),
         Confined(plot=True).model(),
         PlateOnLayer(plot=True).model(),
         SlidingJoint(plot=True).model(),
