@@ -34,7 +34,7 @@ COMMANDS = {
     "linear-solvers": "studies.linear_solvers.command",
     "biphasic-hertz": "studies.hertz.command",
     "elastic-hertz": "studies.hertz.command",
-    "evidence": "studies.remeasurement.command",
+    "evidence": "studies.evidence.command",
     "gallery": "studies.pages.gallery.command",
     "pages": "studies.site",
     "verification-report": "studies.pages.command",

@@ -24,10 +24,11 @@ ROOMS = {
         *("indentation", "validate", "collection", "user_commands"),
     ),
     "studies": (
-        *("files", "limit", "timing", "diagnosis", "workflow", "closed_forms", "models", "post", "friction_checks"),
+        *("feb", "files", "limit", "tables", "timing", "diagnosis", "workflow"),
+        *("closed_forms", "models", "post", "friction_checks"),
         *("indentation", "engines", "pages", "hard_cases", "fuzz", "cost", "friction", "predictor", "price"),
         *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers", "knees"),
-        *("run_tables", "remeasurement", "cli", "site", "__main__"),
+        *("run_tables", "evidence", "cli", "site", "__main__"),
     ),
 }
 """Folders and files directly in each package, the lowest first."""

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from studies.feb import Feb
 from studies.one_answer.ways import ENFORCED, WAYS, Renumbered
 from studies.robustness import differences, execution, variations
 from studies.robustness.execution import Ended, Way
-from studies.robustness.feb import Feb
 from studies.robustness.trial import Trial
 
 SAME = 1e-8

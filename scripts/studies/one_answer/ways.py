@@ -9,8 +9,8 @@ import numpy as np
 from lxml import etree
 
 from harness.run.logdata import History
-from studies.robustness import feb as xml
-from studies.robustness.feb import Feb
+from studies import feb as xml
+from studies.feb import Feb
 
 Change = Callable[[Feb], Feb]
 
