@@ -45,7 +45,6 @@ class ContactSetup {
  private:
   bool has_sound_values() const;
   bool have_no_inner_facets() const;
-  std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
   SolverKind solver_kind() const;
   std::optional<FacetMaterials> facet_materials() const;
   /// The materials behind the facets, with a stiffness for rigid bodies that have no deformable one to touch.

@@ -29,7 +29,7 @@ enum class Motion {
   untouched    ///< the surfaces never touch: their traction has no penalty
 };
 
-/// Adds what penalties of 0 leave out to the obstacles of the fields.
+/// Adds what penalties of 0, and membranes that stop a field, leave out to the obstacles of the fields.
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
 /// What a model says about friction.

@@ -15,6 +15,7 @@ from harness.models.indentation import Indentation
 from harness.models.interface import InterfaceType
 from harness.models.joint import Joint, Source
 from harness.models.layers import Layers
+from harness.models.membrane import Membrane
 from harness.models.parts import Control, Param
 from harness.models.plate_on_layer import PlateOnLayer
 from harness.models.platens import Platens
@@ -54,6 +55,7 @@ def models() -> list[Model]:
         *(Convection(peclet=peclet, plot=True).model() for peclet in PRESSURES),
         Composite(plot=True).model(),
         Layers(plot=True).model(),
+        Membrane(plot=True).model(),
         Confined(plot=True).model(),
         PlateOnLayer(plot=True).model(),
         SlidingJoint(plot=True).model(),
