@@ -118,7 +118,7 @@ def scratch(runner, tmp_path) -> Path:
 @pytest.mark.mixture_only
 def pages():
     """Every page with commands; the commands of some take less than 2 s of processor time."""
-    quick = ("README.md", "first-model.md", "messages.md", "restart.md", "agreement.md", "friction-curves.md")
+    quick = ("README.md", "first-model.md", "messages.md", "agreement.md", "friction-curves.md")
     quick += ("predictor.md",)
     slow = {page: [] if page.name in quick else [pytest.mark.slow] for page in PAGES if blocks(page)}
     return [pytest.param(page, marks=marks) for page, marks in slow.items()]

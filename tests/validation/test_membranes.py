@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from harness.closed_forms import composite_slab
-from harness.closed_forms.membrane import Faces, Film
+from harness.closed_forms.film import Faces, Film
 from harness.models.composite import AMBIENT, FIRST, SECOND, Composite
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings

@@ -83,6 +83,12 @@ class Layered:
         raise NotImplementedError
 
     @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """What holds and closes the layers, and what is prescribed."""
+        closing = (displace("top", "z", -self.CLOSING),) if self.CLOSING else ()
+        return (fix("all", "xy"), fix("bottom", "z"), *closing, *self.prescribed)
+
+    @property
     def element_columns(self) -> tuple[str, ...]:
         """Element data to write."""
         return ()
@@ -94,7 +100,6 @@ class Layered:
 
     def model(self) -> Model:
         """The model of these choices."""
-        closing = (displace("top", "z", -self.CLOSING),) if self.CLOSING else ()
         mesh = column(self.interface, self.layers, bottom=self.BOTTOM, section=self.section, gap=self.GAP)
         return Model(
             name=self.title,
@@ -102,7 +107,7 @@ class Layered:
             module=self.module_used,
             mesh=mesh,
             materials=self.materials,
-            conditions=(fix("all", "xy"), fix("bottom", "z"), *closing, *self.prescribed),
+            conditions=self.conditions,
             control=self.control,
             contacts=contacts(self.interface, mesh, self.settings),
             element_columns=self.element_columns,

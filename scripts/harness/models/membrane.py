@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from harness.closed_forms.membrane import Faces, Film, Steady, layer, steady
+from harness.closed_forms.film import Faces, Film, Steady, layer, steady
 from harness.models.interface import ContactSettings
 from harness.models.layered import Layered, one_above_the_other
 from harness.models.mesh import Layer

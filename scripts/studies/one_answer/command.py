@@ -11,13 +11,13 @@ from rich.console import Console
 
 from harness.paths import RESULTS
 from harness.run import engine
+from studies import feb as xml
 from studies import files
+from studies.feb import Feb
 from studies.one_answer.answers import Answer, Answers
 from studies.one_answer.edge_scenes import SCENES
-from studies.robustness import feb as xml
 from studies.robustness import sanitized
 from studies.robustness.execution import Way
-from studies.robustness.feb import Feb
 from studies.robustness.sanitized import Plugin
 
 console = Console(highlight=False, soft_wrap=True)
