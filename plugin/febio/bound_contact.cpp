@@ -86,6 +86,7 @@ bool BoundContact::begin_iteration(bool looks_ahead) {
   const double dt = surfaces_[Side::primary].GetFEModel()->GetTime().timeIncrement;
   // Between rigid bodies a node that closes too early moves the whole body.
   const bool gives_way = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) core_->pass(pass).laws().between_rigid_bodies = !gives_way;
   const bool has_changed = core_->begin_iteration(fields(), looks_ahead && gives_way ? dt : 0);
   if (!begins_open_) begins_open_ = is_open(*core_);
   return has_changed;
