@@ -14,6 +14,7 @@ COMMANDS = {
     "indentation-extremes": "studies.indentation.command",
     "indentation-convergence": "studies.indentation.command",
     "ablation": "studies.ablation.command",
+    "knee": "studies.knees.command",
     "hard-cases": "studies.hard_cases.command",
     "hard-case": "studies.hard_cases.command",
     "friction-cases": "studies.friction.command",

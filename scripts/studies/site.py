@@ -17,6 +17,7 @@ from studies.friction import curves_table
 from studies.friction import page as friction
 from studies.hard_cases import page as hard_cases
 from studies.hertz import page as hertz
+from studies.knees import page as knees
 from studies.pages import (
     command_reference,
     evidence,
@@ -44,6 +45,7 @@ EVIDENCE = (
     run_tables.PAGE,
     run_times.PAGE,
     hertz.PAGE,
+    knees.PAGE,
     predictor.PAGE,
 )
 """Pages of evidence, which are made from the results of studies."""

@@ -132,3 +132,14 @@ def test_the_picture_is_drawn(tmp_path):
     made = [outcome("sliding-mixture", 40), outcome("febio-1", 0, ended=False)]
     text = heat_map.draw(made, tmp_path / "heat.svg").read_text()
     assert "<svg" in text
+
+
+def test_every_case_has_one_group_in_the_picture():
+    grouped = [case for cases in heat_map.GROUPS.values() for case in cases]
+    assert sorted(grouped) == sorted(CASES)
+
+
+def test_rows_with_failures_come_first():
+    fails = outcome("febio-1000", 0, ended=False)
+    rows = {("curved-1-to-8", "coarse"): {}, ("edge-on-face", "coarse"): {"febio-1000": fails}}
+    assert list(heat_map.ordered(rows)) == ["edges, corners, large motion", "meshes"]

@@ -26,7 +26,6 @@ PROGRAMS = ("scripts/mixcontact", "febio4", "cmake", "cpack", "ctest", "export",
 
 SMALL = {
     # What this test is a part of; .ci/run must call it and be a valid script.
-    "scripts/mixcontact test": "test -x {root}/scripts/mixcontact",
     ".ci/run": "bash -n {root}/.ci/run && grep -q 'scripts/mixcontact test' {root}/.ci/run",
     # The whole takes minutes.
     "scripts/mixcontact validate": "scripts/mixcontact validate --only leak --folder results",
@@ -52,10 +51,11 @@ SMALL = {
     "scripts/mixcontact price --docs": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
     "scripts/mixcontact predictor --mesh coarse --docs": "{harness} predictor --help",
-    "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact friction-cases --docs --no-febio": "{harness} friction-cases --help",
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
+    "scripts/mixcontact knee --docs": "{harness} knee --help",
+    "scripts/mixcontact models knee --output knee.feb": "{harness} models knee --size coarse --output knee.feb",
     "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",

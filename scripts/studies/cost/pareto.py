@@ -16,26 +16,12 @@ from matplotlib.ticker import LogLocator
 from studies.cost.point_runs import Datum
 from studies.cost.points import Parameter, Problem
 
-LOOKS = {
-    "sliding-mixture": ("#7a1f1f", "#7a1f1f"),
-    "sliding-biphasic-solute": ("#2f5d9e", "none"),
-    "sliding-multiphasic": ("#4f9a8a", "#cfe6e1"),
-}
-"""Colour of lines and of the inside of marks: filled, empty, light, so that grey tells them apart, too."""
+LOOKS = {"sliding-mixture": "#7a1f1f", "sliding-biphasic-solute": "#2f5d9e", "sliding-multiphasic": "#2a8f7c"}
+"""Colours of the interfaces."""
 SMALLEST = 1e-12
 """Errors below are drawn there."""
-MARKERS = {
-    Parameter.MESH: "s",
-    Parameter.STEP: "D",
-    Parameter.ORDER: "v",
-    Parameter.INTEGRATION: "h",
-    Parameter.PENALTY: "o",
-    Parameter.AUGLAG: "^",
-    Parameter.LAGMULT: "X",
-    Parameter.PREDICTOR: ">",
-    Parameter.NEWTON: "P",
-    Parameter.DEFAULT: "*",
-}
+FEW = (1, 1.2, 1.5, 2, 3, 5, 7)
+"""Ticks of an axis that spans less than a decade."""
 DISCRETISATION = (Parameter.MESH, Parameter.STEP)
 
 
@@ -77,78 +63,65 @@ def cheapest(data: Sequence[Datum], error: float) -> Datum | None:
 
 
 def draw(data: Sequence[Datum], path: Path) -> Path:
-    """Error against time, a panel for each problem that has data."""
+    """Error against time: a panel for each problem that has data, a line for each interface, one below the other."""
     mpl.use("Agg")
     problems = [problem for problem in Problem if any(d.problem == problem.value for d in data)]
-    figure = Figure(figsize=(max(7.0, 3.3 * len(problems)), 4.4), layout="constrained", facecolor="white")
-    for axes, problem in zip(np.atleast_1d(figure.subplots(1, len(problems))), problems, strict=True):
+    figure = Figure(figsize=(5.4, 0.5 + 2.9 * len(problems)), layout="constrained", facecolor="white")
+    for axes, problem in zip(np.atleast_1d(figure.subplots(len(problems), 1)), problems, strict=True):
         _panel(axes, comparable(data, problem))
         _mark_failed(axes, comparable(data, problem, ended=False))
+        _ticks(axes)
         whole = problem is Problem.INDENTATION
-        axes.set_xlabel("processor time [s]" if whole else "processor time over that\nof the conforming reference [-]")
+        axes.set_xlabel("processor time [s]" if whole else "processor time over that of the conforming reference [-]")
         axes.set_ylabel("error against the finest run [-]" if whole else "error of the contact [-]")
-        axes.set_title(f"problem {problem.value}", fontsize=10, pad=10)
-    figure.legend(handles=_handles(data), fontsize=8, ncols=4, loc="outside lower center", frameon=False)
+        axes.set_title(f"problem {problem.value}", fontsize=11, loc="left")
+    handles = [Line2D([], [], color=colour, marker="o", markersize=4, label=name) for name, colour in LOOKS.items()]
+    figure.legend(handles=handles, fontsize=9, ncols=3, loc="outside upper center", frameon=False, columnspacing=1.0)
     figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
     return path
 
 
 def _panel(axes: Axes, data: Sequence[Datum]) -> None:
-    axes.set(yscale="log")
+    """Settings as dots, and for each interface a line through those that no other of its settings beats.
+
+    The predictor, which is off by default, is not on the line.
+    """
+    axes.set(xscale="log", yscale="log")
     axes.spines[["top", "right"]].set_visible(False)
-    for datum in data:
-        default = datum.parameter == Parameter.DEFAULT.value
-        colour, fill = LOOKS[datum.interface]
-        low, high = span_of(datum)
-        axes.errorbar(
-            cost_of(datum),
-            max(error_of(datum), SMALLEST),
-            xerr=[[cost_of(datum) - low], [high - cost_of(datum)]],
-            fmt=MARKERS[Parameter(datum.parameter)],
-            color=colour,
-            ecolor="#b0b0b0",
-            elinewidth=0.7,
-            markersize=13 if default else 5,
-            markerfacecolor=fill,
-            zorder=3 if default else 2,
-        )
-    front = pareto(data)
-    axes.step([cost_of(d) for d in front], [max(error_of(d), SMALLEST) for d in front], "k:", where="post", lw=0.9)
+    axes.grid(alpha=0.25)
+    for name, colour in LOOKS.items():
+        own = [d for d in data if d.interface == name]
+        axes.plot(list(map(cost_of, own)), list(map(_shown, own)), "o", color=colour, markersize=3.5, alpha=0.35, mew=0)
+        front = pareto([d for d in own if d.parameter != Parameter.PREDICTOR.value])
+        line = {"color": colour, "marker": "o", "markersize": 4.5, "linewidth": 1.8}
+        axes.step(list(map(cost_of, front)), list(map(_shown, front)), where="post", **line)
+
+
+def _ticks(axes: Axes) -> None:
+    """Plain numbers on an axis that spans a few decades at most."""
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = axis.get_view_interval()
+        axis.set_minor_formatter("")
+        if high < 1000.0 * low:
+            axis.set_major_locator(LogLocator(subs=FEW if high < 10.0 * low else (1, 2, 5)))
+            axis.set_major_formatter("{x:g}")
+
+
+def _shown(datum: Datum) -> float:
+    return max(error_of(datum), SMALLEST)
 
 
 def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
     """Runs that did not end, at the upper edge of the panel: over the time that they reached, or right where times are
     relative to those of a reference, which such runs are not compared with.
     """
-    if not data:
-        return
     for datum in data:
-        colour, fill = LOOKS[datum.interface]
-        place = (cost_of(datum), axes.get_xaxis_transform()) if math.isfinite(cost_of(datum)) else (1, axes.transAxes)
-        mark = axes.plot(place[0], 1, MARKERS[Parameter(datum.parameter)], transform=place[1], clip_on=False)[0]
-        mark.set(color=colour, markerfacecolor=fill, markersize=5, gid=f"failed {datum.interface}")
-    axes.text(1.0, 0.95, "did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
-    if data[0].problem == Problem.INDENTATION.value:
-        axes.set_xscale("log")
-        for axis in (axes.xaxis, axes.yaxis):  # both span a decade or two
-            axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-            axis.set_major_formatter("{x:g}")
-            axis.set_minor_formatter("")
-
-
-def _handles(data: Sequence[Datum]) -> list[Line2D]:
-    """Interfaces by colour and filling, parameters by mark, of those that the data have."""
-    varied = {datum.parameter for datum in data}
-    interfaces = [
-        Line2D([], [], marker="s", linestyle="", color=colour, markerfacecolor=fill, label=name)
-        for name, (colour, fill) in LOOKS.items()
-    ]
-    parameters = [
-        Line2D([], [], marker=marker, linestyle="", color="0.4", markerfacecolor="none", label=parameter.value)
-        for parameter, marker in MARKERS.items()
-        if parameter not in DISCRETISATION and parameter.value in varied
-    ]
-    return [*interfaces, *parameters, Line2D([], [], color="k", linestyle=":", linewidth=0.9, label="least of all")]
+        known = math.isfinite(cost_of(datum))
+        place = (cost_of(datum), axes.get_xaxis_transform()) if known else (1, axes.transAxes)
+        mark = axes.plot(place[0], 1, "x", transform=place[1], clip_on=False, color=LOOKS[datum.interface])[0]
+        mark.set(markersize=5, gid=f"failed {datum.interface}")
+    if data:
+        axes.text(1.0, 0.95, "x: did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
 
 
 LEVELS = tuple(10.0**-k for k in range(1, 8))

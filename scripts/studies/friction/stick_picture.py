@@ -7,70 +7,69 @@ from pathlib import Path
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
+from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from studies.friction.stick_points import Datum, Parameter, Problem
 
 PICTURE = "images/friction-cost.svg"
-LOOKS = {"sliding-mixture": ("#7a1f1f", "#7a1f1f"), "sliding-biphasic": ("#2f5d9e", "none")}
-"""Colour of lines and of the inside of marks."""
-MARKERS = {Parameter.DEFAULT: "*", Parameter.TANGENTIAL: "v", Parameter.PENALTY: "o", Parameter.AUGLAG: "^"}
+LOOKS = {"sliding-mixture": "#7a1f1f", "sliding-biphasic": "#2f5d9e"}
+"""Colours of the interfaces."""
 LABELS = {
     Problem.STICK: (
         "slip that should not be, over the shear [-]",
-        "processor time over that\nof the conforming reference [-]",
+        "processor time over that of the conforming reference [-]",
     ),
     Problem.PARTIAL: ("error of the half-width that sticks [-]", "processor time [s]"),
 }
 
 
 def draw(data: Sequence[Datum], path: Path) -> Path:
-    """Both problems, as SVG."""
-    figure = Figure(figsize=(8.6, 4.3), layout="constrained", facecolor="white")
-    all_axes = figure.subplots(1, len(Problem))
-    for axes, problem in zip(all_axes, Problem, strict=True):
+    """Both problems, one below the other, with a line for each interface, as SVG."""
+    figure = Figure(figsize=(5.4, 6.6), layout="constrained", facecolor="white")
+    for axes, problem in zip(figure.subplots(len(Problem), 1), Problem, strict=True):
         _panel(axes, [d for d in data if d.problem == problem.value and d.ended])
         _mark_failed(axes, [d for d in data if d.problem == problem.value and not d.ended])
         axes.set(xlabel=LABELS[problem][1], ylabel=LABELS[problem][0], xscale="log", yscale="log")
-        axes.xaxis.set_major_formatter(ScalarFormatter())
+        axes.xaxis.set_major_formatter("{x:g}")
         axes.xaxis.set_minor_formatter(NullFormatter())
-        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 3.0, 4.0, 5.0)))
-        axes.set_title(problem.value, fontsize=10, pad=10)
-    found = {label: line for axes in all_axes for line, label in zip(*axes.get_legend_handles_labels(), strict=True)}
-    figure.legend(found.values(), found, fontsize=8, ncols=3, loc="outside lower center", frameon=False)
+        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 2.5, 3.0, 5.0)))
+        axes.set_title(problem.value, fontsize=11, loc="left")
+    handles = [Line2D([], [], color=colour, marker="o", markersize=4, label=name) for name, colour in LOOKS.items()]
+    handles.append(Line2D([], [], color="0.3", marker="*", linestyle="", markersize=10, label="defaults"))
+    figure.legend(handles=handles, fontsize=9, ncols=3, loc="outside upper center", frameon=False)
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Date": None})
+    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
     return path
 
 
 def _panel(axes: Axes, data: Sequence[Datum]) -> None:
+    """Settings as dots, the default as a star, and a line through those that no other one of the interface beats."""
     axes.spines[["top", "right"]].set_visible(False)
-    for interface, parameter in dict.fromkeys((d.interface, d.parameter) for d in data):
-        own = [d for d in data if (d.interface, d.parameter) == (interface, parameter)]
-        colour, fill = LOOKS[interface]
-        default = parameter == Parameter.DEFAULT.value
-        axes.errorbar(
-            [d.time for d in own],
-            [d.error for d in own],
-            xerr=[[d.time - d.time_low for d in own], [d.time_high - d.time for d in own]],
-            ecolor="#b0b0b0",
-            elinewidth=0.7,
-            marker=MARKERS[Parameter(parameter)],
-            linestyle=":",
-            linewidth=0.8,
-            color=colour,
-            markerfacecolor=fill,
-            markersize=12 if default else 5,
-            label=f"{interface}, {parameter}",
-        )
+    axes.grid(alpha=0.25)
+    for name, colour in LOOKS.items():
+        own = [d for d in data if d.interface == name]
+        axes.plot([d.time for d in own], [d.error for d in own], "o", color=colour, markersize=4, alpha=0.35, mew=0)
+        front = _front(own)
+        line = {"color": colour, "marker": "o", "markersize": 4.5, "linewidth": 1.8}
+        axes.step([d.time for d in front], [d.error for d in front], where="post", **line)
+        default = [d for d in own if d.parameter == Parameter.DEFAULT.value]
+        axes.plot([d.time for d in default], [d.error for d in default], "*", color=colour, markersize=12)
+
+
+def _front(data: Sequence[Datum]) -> list[Datum]:
+    """Data than which no other one is both faster and more accurate, from the fastest on."""
+    front: list[Datum] = []
+    for datum in sorted(data, key=lambda d: (d.time, d.error)):
+        if not front or datum.error < front[-1].error:
+            front.append(datum)
+    return front
 
 
 def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
     """Runs that did not end, in a row at the upper right corner: they have neither an error nor a time to compare."""
     for number, datum in enumerate(data):
-        colour, fill = LOOKS[datum.interface]
-        mark = MARKERS[Parameter(datum.parameter)]
-        drawn = axes.plot(1.0 - 0.05 * number, 1.0, mark, transform=axes.transAxes, clip_on=False)[0]
-        drawn.set(color=colour, markerfacecolor=fill, markersize=6, gid=f"failed {datum.interface}")
+        drawn = axes.plot(1.0 - 0.04 * number, 1.0, "x", transform=axes.transAxes, clip_on=False)[0]
+        drawn.set(color=LOOKS[datum.interface], markersize=6, gid=f"failed {datum.interface}")
     if data:
-        axes.text(1.0, 0.97, "did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
+        axes.text(1.0, 0.96, "x: did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
