@@ -83,6 +83,9 @@ void BoundContact::prepare_step() {
 
 bool BoundContact::begin_iteration() {
   const TaskClock timed = core_->measurements().clock(Task::stiffness);
+  const bool is_any_free = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass)
+    core_->pass(pass).laws().between_rigid_bodies = !is_any_free;
   const bool has_changed = core_->begin_iteration(fields());
   if (!begins_open_) begins_open_ = is_open(*core_);
   return has_changed;

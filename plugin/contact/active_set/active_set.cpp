@@ -1,8 +1,8 @@
 #include "active_set/active_set.h"
 
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -82,6 +82,7 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   const bool cycles = !changes_.empty() &&
                       *std::max_element(changes_.begin(), changes_.end()) > options_.most_joint_changes;
   if (cycles) updated = with_first_change(before, updated);
+  if (counts && waits(before, updated)) updated = before;
   ContactStatus status{updated, updated};
   for (Index node = 0; node < updated.count(); ++node) {
     if (counts && updated[node] != before[node]) ++changes_[node];
@@ -90,8 +91,13 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   return status;
 }
 
+bool ActiveSet::waits(const NodeFlags& before, const NodeFlags& updated) {
+  return laws_.between_rigid_bodies && any(before) && !any(updated) && !std::exchange(has_waited_, true);
+}
+
 void ActiveSet::start_counting() {
   changes_.fill(laws_.nodes(), 0);
+  has_waited_ = false;
   if (laws_.effects().has_friction()) slip_changes_.fill(laws_.nodes(), 0);
 }
 

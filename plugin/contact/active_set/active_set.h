@@ -64,6 +64,10 @@ struct ActiveSetOptions {
 /// A node that closes within iterations begins as one does where iterations begin. A node that sticks and is pulled
 /// slides before it opens: what pulls it may be what holds it.
 ///
+/// Rigid bodies that would part at once do not in the first iteration of a step that says so: they move along chords
+/// there, which leaves a gap of second order in the rotation, and a body that this contact alone holds has no stiffness
+/// without it.
+///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
 /// then on. Where nodes keep changing together, closed pulled and open overlapping, the first of those that would
@@ -140,12 +144,15 @@ class ActiveSet {
   /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
   /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
   bool turns_round(const NodalLoads& predicted, Index node) const;
+  /// Whether all nodes in contact between rigid bodies would open, for the first time in a step.
+  bool waits(const NodeFlags& before, const NodeFlags& updated);
   /// Whether a node that is not in contact comes into it.
   bool closes(const NodalGaps& now, Index node, double negligible) const;
 
   const NodalLaws& laws_;
   ActiveSetOptions options_;
   std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
+  bool has_waited_ = false;               ///< since the iterations began
   IndexedVector<int> changes_;            ///< of each node's status since the iterations began
   IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
 };

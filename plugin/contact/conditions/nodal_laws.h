@@ -126,6 +126,8 @@ class NodalLaws {
   /// Whether a step in which no node would begin in contact begins with those around which points overlap: in an
   /// attempt after one that has failed for want of contact. A node that closes so opens again where it is pulled.
   bool close_overlapped = false;
+  /// Whether no node of either surface moves by itself.
+  bool between_rigid_bodies = false;
 
  private:
   /// Sets the trials, and bound and status where they have not been decided.

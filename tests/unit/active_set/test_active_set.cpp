@@ -80,6 +80,20 @@ BOOST_AUTO_TEST_CASE(nodes_leave_where_they_are_pulled) {
   BOOST_TEST(approach.flux_coupled() == 0);
 }
 
+BOOST_AUTO_TEST_CASE(rigid_bodies_part_an_iteration_later_once_in_a_step) {
+  Approach approach(0.125, effects_of(false, 0));
+  approach.contact->pass(0).laws().between_rigid_bodies = true;
+  approach.move_to(-0.125);
+  BOOST_TEST(approach.closed() == all);
+  BOOST_TEST(!approach.contact->is_solution(approach.scene.fields));
+  approach.move_to(-0.125);
+  BOOST_TEST(approach.closed() == 0);
+  approach.move_to(0.125);
+  approach.move_to(-0.125);
+  BOOST_TEST(approach.closed() == 0);
+  BOOST_TEST(approach.closed_where_a_step_begins() == 0);
+}
+
 BOOST_AUTO_TEST_CASE(nodes_that_keep_changing_carry_load_but_are_not_flux_coupled) {
   Approach approach(0.125);
   for (int change = 1; change <= ActiveSetOptions().most_status_changes; ++change) {
