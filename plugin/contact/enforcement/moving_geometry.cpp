@@ -105,7 +105,7 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
 }
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
-  NodeFlags status = updated_status(now, gaps);
+  const NodeFlags status = updated_status(now, gaps);
   const bool closes_overlapped = !point_ && !augmented_ && laws_.close_overlapped && !any(status);
   return closes_overlapped ? overlapped_nodes(space_) : status;
 }

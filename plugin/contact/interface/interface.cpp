@@ -115,8 +115,8 @@ void check(const ContactInterface::State& state, const ContactInterface& contact
 ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings)
     : mesh_(std::move(mesh)),
       effects_(std::move(effects)),
-      settings_(settings),
-      check_{settings_of_check(settings), NodeFlags(mesh_[Side::secondary].nodes, false), {}},
+      settings_(std::move(settings)),
+      check_{settings_of_check(settings_), NodeFlags(mesh_[Side::secondary].nodes, false), {}},
       measurements_(effects_.scalar_fields()) {
   if (settings_.two_pass && settings_.enforcement == Enforcement::lagrange_multipliers) {
     throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
