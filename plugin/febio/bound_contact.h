@@ -32,7 +32,6 @@ class BoundContact : public mixture_contact::SteppedContact {
   /// Values at the nodes, as the core takes them.
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const;
 
-  std::vector<int> nodes() const override { return surfaces_.mesh_nodes(); }
   void project() override;
   void prepare_step() override;
   void end_iterations() override { core_->end_iterations(); }

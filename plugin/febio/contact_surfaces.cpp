@@ -45,13 +45,6 @@ int ContactSurfaces::common_facets() const {
   return count;
 }
 
-std::vector<int> ContactSurfaces::mesh_nodes() const {
-  NodeNumbers numbers = node_numbers();
-  std::vector<int> nodes = std::move(numbers[Side::primary]);
-  nodes.insert(nodes.end(), numbers[Side::secondary].begin(), numbers[Side::secondary].end());
-  return nodes;
-}
-
 NodeNumbers ContactSurfaces::node_numbers() const {
   NodeNumbers numbers;
   for (const Side side : both_sides) {

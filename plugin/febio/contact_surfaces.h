@@ -21,8 +21,6 @@ class ContactSurfaces {
   /// How many facets both have in common.
   int common_facets() const;
 
-  /// The nodes of both surfaces, as the mesh counts them.
-  std::vector<int> mesh_nodes() const;
   /// Numbers in the mesh of the nodes of each surface.
   mixture_contact::NodeNumbers node_numbers() const;
   /// Whether facets of a surface may have changed since the last call.

@@ -296,10 +296,9 @@ void ModelContacts::on_callback(unsigned int when) {
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     steps_.matrix_formed();
     matrix_.formed(matrix_parts(contacts));
-    const auto may_settle = [&](ContactInModel& contact) { return !steps_.shares_nodes(contact.bound()); };
     const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
     if (asks_the_matrix(devices_, solver_) &&
-        settle({contacts, may_settle, evaluate_loads, solver_.time_increment()}, matrix_))
+        settle({contacts, evaluate_loads, solver_.time_increment()}, matrix_))
       devices_.record().acted(newton::Device::active_set_prediction);
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) {

@@ -116,9 +116,7 @@ newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
 }
 
 bool settle(const SettledModel& model, newton::KeptMatrix& matrix) {
-  const auto may_change = [&](ContactInModel* contact) {
-    return model.may_settle(*contact) && may_decide(contact->bound().core());
-  };
+  const auto may_change = [](ContactInModel* contact) { return may_decide(contact->bound().core()); };
   if (std::none_of(model.contacts.begin(), model.contacts.end(), may_change)) return false;
   std::vector<UndecidedNodes> nodes;
   for (ContactInModel* contact : model.contacts)

@@ -17,7 +17,6 @@
 /// What settling needs of a model.
 struct SettledModel {
   std::vector<ContactInModel*> contacts;                    ///< all that are active
-  std::function<bool(ContactInModel& contact)> may_settle;  ///< not where others have conditions at its nodes
   std::function<void()> evaluate_residual;                  ///< with loads that have changed
   double time_increment;                                    ///< [s]
 };

@@ -1,26 +1,8 @@
 #include "contact_steps.h"
 
 #include <algorithm>
-#include <map>
 
 namespace mixture_contact {
-namespace {
-
-/// Those that have a node in common with another one.
-std::set<const SteppedContact*> with_common_nodes(const std::vector<SteppedContact*>& contacts) {
-  std::set<const SteppedContact*> sharing;
-  if (contacts.size() < 2) return sharing;
-  std::map<int, const SteppedContact*> owners;
-  for (const SteppedContact* contact : contacts) {
-    for (const int node : contact->nodes()) {
-      const SteppedContact* const owner = owners.insert({node, contact}).first->second;
-      if (owner != contact) sharing.insert({owner, contact});
-    }
-  }
-  return sharing;
-}
-
-}  // namespace
 
 void ContactSteps::activate(SteppedContact& contact) {
   reset_rounds();
@@ -31,7 +13,6 @@ void ContactSteps::activate(SteppedContact& contact) {
 
 void ContactSteps::reset_rounds() {
   for (Round* const round : {&evaluations_, &trials_, &preparations_, &convergences_}) round->reset();
-  sharing_.reset();
 }
 
 bool ContactSteps::prepare_step(const void* told) {
@@ -40,11 +21,6 @@ bool ContactSteps::prepare_step(const void* told) {
   helpers_.begin_step();
   for (SteppedContact* contact : model_.active_contacts()) contact->prepare_step();
   return true;
-}
-
-bool ContactSteps::shares_nodes(const SteppedContact& contact) {
-  if (!sharing_) sharing_ = with_common_nodes(model_.active_contacts());
-  return sharing_->count(&contact) > 0;
 }
 
 Changed ContactSteps::Changes::kind() const {

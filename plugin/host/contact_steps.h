@@ -7,8 +7,6 @@
 #include "solver/helper.h"
 #include "stepper.h"
 
-#include <optional>
-#include <set>
 #include <vector>
 
 namespace mixture_contact {
@@ -23,8 +21,6 @@ class SteppedContact {
   SteppedContact& operator=(SteppedContact&&) = delete;
   virtual ~SteppedContact() = default;
 
-  /// Nodes of the model that its surfaces have.
-  virtual std::vector<int> nodes() const = 0;
   virtual void project() = 0;
   virtual void prepare_step() = 0;
   virtual void end_iterations() = 0;
@@ -114,8 +110,6 @@ class ContactSteps {
 
   /// Whether matrices may have further unknowns that follow nodal values.
   bool allow_further_unknowns() const { return !helpers_.multiply_by_matrix(); }
-  /// Whether other active contacts have nodes of this one, too.
-  bool shares_nodes(const SteppedContact& contact);
   /// Whether an iteration has begun at the present state, so that nothing but the matrix is left to do.
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 
@@ -140,7 +134,6 @@ class ContactSteps {
   Round trials_;
   Round preparations_;
   Round convergences_;
-  std::optional<std::set<const SteppedContact*>> sharing_;  ///< active contacts that have nodes in common with others
 };
 
 }  // namespace mixture_contact

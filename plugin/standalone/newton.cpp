@@ -25,12 +25,6 @@ class ContactAtState : public mixture_contact::SteppedContact {
   ContactAtState(const Problem& problem, Contact& contact, Log& log)
       : problem_(problem), contact_(contact), log_(log) {}
 
-  std::vector<int> nodes() const override {
-    std::vector<int> all;
-    for (const mixture_contact::Side side : mixture_contact::both_sides)
-      all.insert(all.end(), contact_.nodes(side).begin(), contact_.nodes(side).end());
-    return all;
-  }
   void project() override { contact_.project(problem_.values()); }
   void prepare_step() override {}
   void end_iterations() override { contact_.core().end_iterations(); }

@@ -39,7 +39,7 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
 }
 
 bool ActiveSet::may_predict() const {
-  return laws_.effects().nodal_fields() == 0 && !laws_.has_twin() && laws_.normal().may_part();
+  return laws_.effects().nodal_fields() == 0 && !laws_.may_meet_itself() && laws_.normal().may_part();
 }
 
 NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, double doubt) const {

@@ -87,9 +87,8 @@ class ActiveSet {
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;
   /// Whether solutions with the matrix may tell what nodes will do. Not with fields, whose exchange may push a node
-  /// open that would close, or the other way round: either may be an equilibrium. Not where the other side has
-  /// conditions, too: those of both together would hold more than there is to hold. And nodes that may pull do not
-  /// open.
+  /// open that would close, or the other way round: either may be an equilibrium. Not where a surface may meet itself:
+  /// a fold has other facets to face at the end of an iteration. And nodes that may pull do not open.
   bool may_predict() const;
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
   /// may be off by, so that none below it decides.

@@ -83,7 +83,9 @@ class NodalLaws {
   double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
 
   /// Whether the surface that these nodes face has conditions of its own.
-  bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
+  bool has_twin() const { return settings_.two_pass || may_meet_itself(); }
+  /// Whether the surface may come to face parts of itself.
+  bool may_meet_itself() const { return primary_.may_meet_itself(); }
   /// The condition between traction and gap.
   const NormalCondition& normal() const { return normal_condition(settings_.gap); }
   /// lambda_n + eps_n g of a node [MPa], whether or not it is in contact, and its derivative with the gap.

@@ -24,7 +24,6 @@ using Notes = std::vector<std::string>;
 class FakeContact : public SteppedContact {
  public:
   FakeContact(std::string name, Notes& notes) : name_(std::move(name)), notes_(notes) {}
-  std::vector<int> nodes() const override { return own_nodes; }
   void project() override {}
   void prepare_step() override { note("prepare"); }
   void end_iterations() override { note("end"); }
@@ -42,7 +41,6 @@ class FakeContact : public SteppedContact {
   bool is_solution() override { return solution; }
   bool finds_overlap() override { return overlap; }
 
-  std::vector<int> own_nodes;
   bool loads_change = false;
   bool serves = true;
   bool solution = true;
@@ -488,23 +486,6 @@ BOOST_AUTO_TEST_CASE(after_a_dropped_prediction_the_step_starts_plainly) {
         {"model", "A end", "B end", "helper iterations", "A begin", "B begin", "ambient", "helper residual"});
   host.update(1.0);
   BOOST_TEST(host.augment());
-}
-
-BOOST_AUTO_TEST_CASE(contacts_that_hold_the_same_nodes_are_known) {
-  FakeHost host(3);
-  host.contacts[0]->own_nodes = {1, 2};
-  host.contacts[1]->own_nodes = {3};
-  host.contacts[2]->own_nodes = {4, 2};
-  host.start_step();
-  BOOST_TEST(host.steps.shares_nodes(*host.contacts[0]));
-  BOOST_TEST(!host.steps.shares_nodes(*host.contacts[1]));
-  BOOST_TEST(host.steps.shares_nodes(*host.contacts[2]));
-  host.update(1.0);
-  BOOST_TEST(host.augment());
-  host.is_active[2] = false;
-  host.steps.reset_rounds();
-  host.start_step();
-  BOOST_TEST(!host.steps.shares_nodes(*host.contacts[0]));
 }
 
 BOOST_AUTO_TEST_CASE(matrices_have_no_further_unknowns_where_a_helper_multiplies_by_them) {
