@@ -4,6 +4,7 @@
 #include "exports.h"
 #include "mixture_contact.h"
 #include "output_variables.h"
+#include "tied_contact.h"
 
 #include <FECore/FECoreKernel.h>
 
@@ -18,6 +19,7 @@ MIXCONTACT_EXPORT void GetPluginVersion(int& major, int& minor, int& patch) {
 MIXCONTACT_EXPORT void PluginInitialize(FECoreKernel& kernel) {
   FECoreKernel::SetInstance(&kernel);
   REGISTER_FECORE_CLASS(FEMixtureContact, "sliding-mixture");
+  REGISTER_FECORE_CLASS(FEMixtureTie, "tied-mixture");
   REGISTER_FECORE_CLASS(FEMixtureAmbientConcentration, "mixture_ambient_concentration");
   register_output_variables();
 }
