@@ -23,9 +23,9 @@ with warnings.catch_warnings():  # ziamath finds its font by a function that Pyt
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from harness.errors import HarnessError
-from harness.pages.api_reference import api_pages
 from harness.paths import REPOSITORY
-from harness.site import pages
+from studies.pages.api_reference import api_pages
+from studies.site import pages
 
 ziamath.config.math.color = "currentColor"
 ziamath.config.svg2 = False

@@ -5,10 +5,10 @@
 #include "contact/interface/corrections.h"
 #include "contact/interface/residual_ahead.h"
 #include "host/mixed_form.h"
-#include "matrix_profile.h"
 #include "matrix_requests.h"
-#include "matrix_rows.h"
 #include "rigid_shell_bottoms.h"
+#include "solver/febio/matrix_profile.h"
+#include "solver/febio/matrix_rows.h"
 #include "tangent_assembly.h"
 
 #include <FECore/FEGlobalMatrix.h>
@@ -102,7 +102,7 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form) {
   const bool takes_loads = takes_all && form.has(newton::Device::loads_as_unknowns);
   takes_rows_ = takes_all && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
-  CoupledBlocks blocks(profile.Columns());
+  newton::CoupledBlocks blocks(profile.Columns());
   for_each_coupling([&](const std::vector<int>& ids) { blocks.add(ids); },
                     [&](const UnknownLoad& load, const std::vector<int>& others) {
                       if (!takes_loads) return blocks.add(others);
@@ -222,7 +222,7 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt
 
 newton::RowOperations Assembly::eliminate_nodes(FEGlobalMatrix& matrix) const {
   const TaskClock timed = contact_.core().measurements().clock(Task::stiffness);
-  const MatrixRows rows(matrix);
+  const newton::MatrixRows rows(matrix);
   IndexedVector<std::optional<newton::RowOperation>> made(count_of(unknown_loads_));
   in_parallel(made.count(), [&](Index n) {
     const UnknownLoad& load = mixture_contact::at(unknown_loads_, n);

@@ -180,7 +180,7 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
   offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
   offer(predictor, std::make_unique<newton::Predictor>(solver_));
-  helpers_.add(std::make_unique<RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
+  helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
   auto first_norms = std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }, devices_.record());
   helpers_.add(
       newton::Device::expected_contact, std::move(first_norms),
@@ -364,8 +364,10 @@ MatrixUse ModelContacts::matrix_use() {
 void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
   // FEBio counts reformations anew after this: the limit on them is to hold all the same.
-  if (with == GoesOn::matrix && n > system_.most_matrices()) throw MaxStiffnessReformations();
-  matrix_.reject(with);
+  if (with == GoesOn::correction) return matrix_.keep_next();
+  if (n > system_.most_matrices()) throw MaxStiffnessReformations();
+  // Other nodes may be in contact: quasi-Newton methods would go on with the matrix of those that were.
+  matrix_.force_next();
 }
 
 void ModelContacts::accepted() { matrix_.accept(); }

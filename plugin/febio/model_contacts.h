@@ -5,8 +5,8 @@
 #include "host/contact_parameters.h"
 #include "host/contact_steps.h"
 #include "host/reducible_penalties.h"
-#include "kept_matrix.h"
 #include "model_devices.h"
+#include "solver/febio/kept_matrix.h"
 
 #include <functional>
 #include <memory>
@@ -75,6 +75,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   ReduciblePenalties reducible_;
   std::vector<ContactInModel*> contacts_;        ///< in the order of the model
   std::set<const ContactInModel*> unactivated_;  ///< whose state is not known to the core yet
-  KeptMatrix matrix_;
+  newton::KeptMatrix matrix_;
   mixture_contact::Round dumps_;
 };

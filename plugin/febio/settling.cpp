@@ -83,7 +83,7 @@ class UndecidedNodes {
 };
 
 /// Asks the matrix until the nodes stay. Returns the answer that they do with; none where they do not.
-std::optional<newton::Answer> settled(std::vector<UndecidedNodes>& nodes, KeptMatrix& matrix) {
+std::optional<newton::Answer> settled(std::vector<UndecidedNodes>& nodes, newton::KeptMatrix& matrix) {
   for (int answers = 0; answers < most_answers; ++answers) {
     std::vector<newton::Condition> conditions;
     for (const UndecidedNodes& of_contact : nodes) of_contact.add_conditions(conditions);
@@ -115,7 +115,7 @@ newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
   return parts;
 }
 
-bool settle(const SettledModel& model, KeptMatrix& matrix) {
+bool settle(const SettledModel& model, newton::KeptMatrix& matrix) {
   const auto may_change = [&](ContactInModel* contact) {
     return model.may_settle(*contact) && may_decide(contact->bound().core());
   };

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "contact_in_model.h"
-#include "kept_matrix.h"
+#include "solver/febio/kept_matrix.h"
 
 #include <functional>
 #include <vector>
@@ -24,7 +24,7 @@ struct SettledModel {
 
 /// Opens nodes that would pull and closes those that would overlap, before FEBio solves. Where they do not settle
 /// nothing changes. Returns whether any has opened or closed.
-bool settle(const SettledModel& model, KeptMatrix& matrix);
+bool settle(const SettledModel& model, newton::KeptMatrix& matrix);
 
 /// What matrices with the loads of another status lack (see Assembly::conditions()).
 std::vector<newton::Condition> conditions(const std::vector<ContactInModel*>& contacts, double dt);

@@ -39,8 +39,8 @@ bool are_shells(FEMixtureSurface& surface, Side side, const ContactLog& log) {
     const FEElement* const element = surface.Element(i).m_elem[0].pe;
     if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
     log.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") +
-               "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
-               "\" is no shell. Leave it out, or give the shells a contact of their own.");
+              "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
+              "\" is no shell. Leave it out, or give the shells a contact of their own.");
     return false;
   }
   return true;

@@ -115,8 +115,8 @@ std::vector<int> alone(std::vector<int> equations, const LocalLayout& layout, In
 }
 
 /// Takes the columns of these nodes out of a block. Returns them as FEBio's matrix has them, K = -dR/du.
-MatrixBlock taken_out(MatrixBlock& block, const NodeFlags& nodes, const LocalLayout& columns) {
-  MatrixBlock taken;
+newton::MatrixBlock taken_out(newton::MatrixBlock& block, const NodeFlags& nodes, const LocalLayout& columns) {
+  newton::MatrixBlock taken;
   const Index count = std::count(nodes.begin(), nodes.end(), true);
   if (count == 0) return taken;
   taken.rows = block.rows;
@@ -138,7 +138,7 @@ bool are_prescribed(const std::vector<int>& equations) {
   return std::any_of(equations.begin(), equations.end(), [](int equation) { return newton::is_prescribed(equation); });
 }
 
-bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained) { return MatrixRows(matrix) && !is_constrained; }
+bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained) { return newton::MatrixRows(matrix) && !is_constrained; }
 
 TangentAssembly::TangentAssembly(const ContactInterface& core, const NodeEquations& equations,
                                  const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix,
@@ -166,7 +166,7 @@ TangentAssembly::Kept& TangentAssembly::kept_of(const Patch& rows) {
   return kept_[rows.fields.empty() ? std::optional<int>() : rows.fields.front()];
 }
 
-void TangentAssembly::keep(const Patch& rows, MatrixBlock block) {
+void TangentAssembly::keep(const Patch& rows, newton::MatrixBlock block) {
   Kept& kept = kept_of(rows);
   if (kept.blocks.empty()) kept.rows = rows;
   kept.blocks.push_back(std::move(block));
@@ -214,9 +214,9 @@ void TangentAssembly::add_rows(Side first, const Rows& rows, double factor, newt
 
 void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, double factor, newton::MatrixPart* beside) {
   const Index count = std::min(batch_size, rows.count() - begin);
-  IndexedVector<MatrixBlock> made(count);
+  IndexedVector<newton::MatrixBlock> made(count);
   IndexedVector<IndexedVector<Index>> bound(count);
-  IndexedVector<MatrixBlock> apart(count);
+  IndexedVector<newton::MatrixBlock> apart(count);
   in_parallel(count, [&](Index n) {
     const TangentBlock& block = rows[begin + n];
     const Location row{first, block.rows};
@@ -226,7 +226,7 @@ void TangentAssembly::add_batch(Side first, const Rows& rows, Index begin, doubl
       apart[n] = taken_out(made[n], columns_beside(equations_, row, columns, made[n].columns), columns.patch.layout());
     bound[n] = take_out_bound(row, columns, made[n].columns);
   });
-  for (MatrixBlock& block : apart) {
+  for (newton::MatrixBlock& block : apart) {
     if (block.values.size() > 0) beside->add(std::move(block));
   }
   rows_.subtract(made);

@@ -3,7 +3,7 @@
 
 #include "bound_contact.h"
 #include "load_equations.h"
-#include "matrix_rows.h"
+#include "solver/febio/matrix_rows.h"
 #include "solver/splitting.h"
 
 #include <map>
@@ -67,11 +67,11 @@ class TangentAssembly {
   /// Blocks of one effect on their way into the matrix.
   struct Kept {
     mixture_contact::Patch rows;  ///< of the first one
-    mixture_contact::IndexedVector<MatrixBlock> blocks;
+    mixture_contact::IndexedVector<newton::MatrixBlock> blocks;
   };
   Kept& kept_of(const mixture_contact::Patch& rows);
   /// Keeps a block until there are enough of them for threads to share.
-  void keep(const mixture_contact::Patch& rows, MatrixBlock block);
+  void keep(const mixture_contact::Patch& rows, newton::MatrixBlock block);
   void take_over(Kept& kept) const;
   /// Adds a block by FEBio's own assembly, after all that came before it in the same rows.
   void assemble(const mixture_contact::Patch& rows, const FEElementMatrix& block);
@@ -81,7 +81,7 @@ class TangentAssembly {
   const LoadEquations& loads_;
   FELinearSystem& system_;
   FEGlobalMatrix& matrix_;
-  MatrixRows rows_;
+  newton::MatrixRows rows_;
   Takes takes_;
   std::map<std::optional<int>, Kept> kept_;  ///< by the field of an effect; none: the traction
   std::vector<UnknownLoad> unknown_loads_;

@@ -2,9 +2,9 @@
 
 #include "bound_contact.h"
 #include "contact/base/parallel.h"
-#include "matrix_profile.h"
-#include "matrix_rows.h"
 #include "rigid_shell_bottoms.h"
+#include "solver/febio/matrix_profile.h"
+#include "solver/febio/matrix_rows.h"
 #include "tangent_assembly.h"
 
 #include <FECore/FEGlobalMatrix.h>
@@ -27,28 +27,52 @@ Patch with_displacements(Patch patch) {
   return patch;
 }
 
-/// A block of the tangent as FEBio takes it, K = -dR/du. Displacements that the patch does not have get no equations.
-FEElementMatrix element_matrix(const NodeEquations& equations, const Patch& patch, const MatrixXd& values) {
-  const Patch all = with_displacements(patch);
-  const LocalLayout own = patch.layout();
-  const LocalLayout layout = all.layout();
-  const std::vector<int> own_ids = equations.equations(at_primary(patch));
-  std::vector<int> ids(indexing::entries(layout.size()), -1);
-  const auto place = [&](Index entry) {
-    return patch.displacements ? entry : layout.scalar(entry / own.per_node(), entry % own.per_node());
-  };
-  FEElementMatrix block;
-  block.resize(indexing::as_int(layout.size()), indexing::as_int(layout.size()));
-  block.zero();
-  for (Index i = 0; i < own.size(); ++i) {
-    mixture_contact::at(ids, place(i)) = mixture_contact::at(own_ids, i);
-    double* const row = block[indexing::as_int(place(i))];
-    for (Index j = 0; j < own.size(); ++j) row[place(j)] = -values(i, j);
+/// A local vector or matrix of a patch at its places among blocks that begin with displacements. Those that the patch
+/// does not have get no equations.
+class InFullBlocks {
+ public:
+  InFullBlocks(const NodeEquations& equations, const Patch& patch)
+      : own_(patch.layout()),
+        all_(with_displacements(patch).layout()),
+        is_same_(patch.displacements),
+        nodes_(equations.nodes(at_primary(patch))),
+        ids_(indexing::entries(all_.size()), -1) {
+    const std::vector<int> own_ids = equations.equations(at_primary(patch));
+    for (Index i = 0; i < own_.size(); ++i) mixture_contact::at(ids_, place(i)) = mixture_contact::at(own_ids, i);
   }
-  block.SetNodes(equations.nodes(at_primary(all)));
-  block.SetIndices(ids);
-  return block;
-}
+
+  void add(const VectorXd& values, FEGlobalVector& residual) {
+    std::vector<double> entries(ids_.size(), 0.0);
+    for (Index i = 0; i < own_.size(); ++i) mixture_contact::at(entries, place(i)) = values[i];
+    residual.Assemble(nodes_, ids_, entries);
+  }
+
+  /// Adds a block of the tangent, K = -dR/du.
+  void add(const MatrixXd& values, FELinearSystem& system) const {
+    const int size = indexing::as_int(all_.size());
+    FEElementMatrix block;
+    block.resize(size, size);
+    block.zero();
+    for (Index i = 0; i < own_.size(); ++i) {
+      double* const row = block[indexing::as_int(place(i))];
+      for (Index j = 0; j < own_.size(); ++j) row[place(j)] = -values(i, j);
+    }
+    block.SetNodes(nodes_);
+    block.SetIndices(ids_);
+    system.Assemble(block);
+  }
+
+ private:
+  Index place(Index entry) const {
+    return is_same_ ? entry : all_.scalar(entry / own_.per_node(), entry % own_.per_node());
+  }
+
+  LocalLayout own_;
+  LocalLayout all_;
+  bool is_same_;
+  std::vector<int> nodes_;
+  std::vector<int> ids_;
+};
 
 /// Blocks on their way into a matrix that FEBio stores by rows.
 class Batch {
@@ -66,8 +90,8 @@ class Batch {
   }
 
  private:
-  MatrixRows rows_;
-  IndexedVector<MatrixBlock> blocks_;
+  newton::MatrixRows rows_;
+  IndexedVector<newton::MatrixBlock> blocks_;
 };
 
 }  // namespace
@@ -78,18 +102,21 @@ NodeEquations TieAssembly::equations_of(const Tie& tie) const {
             const LocalLayout layout = patch.layout();
             const int node = *patch.multiplier_node;
             for (Index i = 0; layout.has_displacements() && i < 3; ++i)
-              mixture_contact::at(ids, layout.displacement(layout.nodes(), i)) =
-                  patch.fields.empty() ? first + indexing::as_int(tie.first_unknown(node) + i) : -1;
+              mixture_contact::at(
+                  ids, layout.displacement(layout.nodes(), i)) = patch.fields.empty()
+                                                                     ? first +
+                                                                           indexing::as_int(tie.first_unknown(node) + i)
+                                                                     : -1;
             for (Index k = 0; k < layout.scalar_fields(); ++k)
-              mixture_contact::at(ids, layout.flux_multiplier(k)) = first +
-                                                                    indexing::as_int(tie.unknown(node, patch.fields[k]));
+              mixture_contact::at(
+                  ids, layout.flux_multiplier(k)) = first + indexing::as_int(tie.unknown(node, patch.fields[k]));
           }};
 }
 
 void TieAssembly::add_to_profile(const Tie& tie, FEGlobalMatrix& matrix) const {
   const NodeEquations equations = equations_of(tie);
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
-  CoupledBlocks blocks(profile.Columns());
+  newton::CoupledBlocks blocks(profile.Columns());
   tie.for_each_patch([&](const Patch& patch) {
     const bool is_rigid = equations.are_rigid(at_primary(patch));  // FEBio couples a body by all that its nodes have
     blocks.add(equations.coupled(at_primary(is_rigid ? with_displacements(patch) : patch)));
@@ -101,10 +128,7 @@ void TieAssembly::residual(const Tie& tie, FEGlobalVector& residual, double dt) 
   const NodeEquations equations = equations_of(tie);
   const RigidShellBottoms arms(surfaces_);
   tie.residual(fields_of(surfaces_, dofs_, tie.effects()), dt, [&](const Patch& patch, const VectorXd& values) {
-    std::vector<int> nodes = equations.nodes(at_primary(patch));
-    std::vector<int> ids = equations.equations(at_primary(patch));
-    std::vector<double> entries(values.data(), values.data() + values.size());
-    residual.Assemble(nodes, ids, entries);
+    InFullBlocks(equations, patch).add(values, residual);
   });
 }
 
@@ -119,7 +143,7 @@ void TieAssembly::tangent(const Tie& tie, FELinearSystem& system, FEGlobalMatrix
     if (takes_blocks && !are_prescribed(ids) && !equations.are_rigid(at_primary(patch))) {
       batch.add(std::move(ids), values);
     } else {
-      system.Assemble(element_matrix(equations, patch, values));
+      InFullBlocks(equations, patch).add(values, system);
     }
   });
   if (batch) batch.finish();

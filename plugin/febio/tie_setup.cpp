@@ -99,9 +99,7 @@ Matrix3Xd TieSetup::relocated(const Tie& tie) const {
   return without_gaps(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
 }
 
-Settings TieSetup::settings() const {
-  return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_));
-}
+Settings TieSetup::settings() const { return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_)); }
 
 bool TieSetup::update(Tie& tie) const {
   const std::vector<std::string> wrong = complaints(parameters_);

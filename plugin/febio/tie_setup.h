@@ -22,8 +22,8 @@ class TieSetup {
   std::unique_ptr<mixture_contact::Tie> build() const;
   /// The primary nodes once their gaps are closed.
   mixture_contact::Matrix3Xd relocated(const mixture_contact::Tie& tie) const;
-  /// Takes penalties and tolerances as they are at this time, and materials where penalties follow them. Returns whether
-  /// all values make sense; the log says which do not.
+  /// Takes penalties and tolerances as they are at this time, and materials where penalties follow them. Returns
+  /// whether all values make sense; the log says which do not.
   bool update(mixture_contact::Tie& tie) const;
   mixture_contact::Settings settings() const;
 

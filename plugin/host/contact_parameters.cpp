@@ -1,5 +1,6 @@
 #include "contact_parameters.h"
 
+#include "contact/conditions/normal.h"
 #include "contact/geometry/quadrature.h"
 #include "penalty_reduction.h"
 
@@ -215,7 +216,9 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   using namespace mixture_contact;
   Settings settings;
   settings.enforcement = enforcement(p.enforcement.laugon);
-  const double factor = std::min(traction_factor(sees_both_ways(p), p.gap.tension), largest_traction_factor(solver));
+  const GapRule gap{p.gap.offset.value, p.gap.tension, !left_out(p).contact};
+  const double factor = std::min(normal_condition(gap).penalty_factor(sees_both_ways(p)),
+                                 largest_traction_factor(solver));
   const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
   settings.traction = penalty_rule(p.penalties.traction, p.penalties.auto_penalty, factor);
   settings.traction_reduction = borne_reduction(p, factor, reduction);
@@ -232,7 +235,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.symmetric = p.enforcement.symmetric_stiffness;
   settings.integration = integration(p);
   settings.integration_order = p.integration.order;
-  settings.gap = {p.gap.offset.value, p.gap.tension, !left_out(p).contact};
+  settings.gap = gap;
   settings.search = {p.search.radius.given ? p.search.radius.value : 0, p.search.tolerance.value};
   return settings;
 }

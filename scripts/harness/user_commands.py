@@ -26,7 +26,7 @@ FOR_EVERYBODY = {
     "report": "harness.report.command",
     "validate": "harness.validate.command",
     "plot": "harness.validate.command",
-    "models": "harness.pages.command",
+    "models": "harness.collection.command",
 }
 """Commands and the modules that hold their functions, which have the commands' names."""
 

@@ -3,7 +3,7 @@
     python scripts/prose/check.py [file ...]
 
 The help of each command is on the page of commands. Messages are texts of several words in the plugin's sources and in
-those of the commands for users. Exit code 1: something was found that is not pending.
+those of the commands for users. Exit code 1: something was found.
 """
 
 from __future__ import annotations
@@ -20,7 +20,6 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from prose.rules import Rule, house  # noqa: E402
 from prose.text import Sentence, sentences  # noqa: E402
 
-PENDING = Path(__file__).parent / "pending.txt"
 ENTRY = "scripts/mixcontact"
 TALKING = ("preflight", "conversion", "run")
 """Folders of the harness with messages to users."""
@@ -36,12 +35,6 @@ def pages() -> list[str]:
     found += [*(ROOT / "plugin").rglob("*.cpp"), *(ROOT / "plugin").rglob("*.h")]
     found += [path for folder in TALKING for path in (ROOT / "scripts" / "harness" / folder).rglob("*.py")]
     return [*sorted(path.relative_to(ROOT).as_posix() for path in found), ENTRY]
-
-
-def pending() -> tuple[str, ...]:
-    """Pages that are not held to the style yet; a name that ends with a slash is a folder of them."""
-    lines = PENDING.read_text(encoding="utf-8").splitlines()
-    return tuple(line for line in lines if line and not line.startswith("#"))
 
 
 def messages_of_cpp(text: str) -> list[Sentence]:
@@ -93,16 +86,11 @@ def findings(name: str, rules: list[Rule]) -> list[str]:
 
 
 def main(names: list[str]) -> int:
-    rules, failed, later = house(), 0, () if names else pending()
-    for name in names or pages():
-        found = findings(name, rules)
-        if name.startswith(later):
-            print(f"{name}: {len(found)} findings, pending")
-            continue
-        failed += len(found)
-        print("".join(f"{line}\n" for line in found), end="")
-    print(f"prose: {failed} findings")
-    return 1 if failed else 0
+    rules = house()
+    found = [line for name in names or pages() for line in findings(name, rules)]
+    print("".join(f"{line}\n" for line in found), end="")
+    print(f"prose: {len(found)} findings")
+    return 1 if found else 0
 
 
 if __name__ == "__main__":

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from harness.models import pairs
-from harness.models.pairs import Kind
 from harness.models.parts import Param, fix
 from harness.run import engine, logdata
+from studies.models import pairs
+from studies.models.pairs import Kind
 
 REASON = "No traction: the displacements of both surfaces are fixed."
 SAME = 1e-9

@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models import pairs
-from harness.models.pairs import Kind, Pair
 from harness.models.parts import Mixture, Param
 from harness.post import compare
+from studies.models import pairs
+from studies.models.pairs import Kind, Pair
 
 BODIES = ("lower", "upper")
 SURFACES = ("lower-top", "upper-bottom")

@@ -1,5 +1,5 @@
 /// Blocks come into the profile of FEBio's matrix as they do by FEBio's own insertion.
-#include "febio/matrix_profile.h"
+#include "solver/febio/matrix_profile.h"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -7,6 +7,10 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+using newton::CoupledBlocks;
+using newton::RowIntervals;
+using newton::unite;
 
 namespace {
 

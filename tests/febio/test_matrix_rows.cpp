@@ -1,6 +1,6 @@
 /// Blocks go to the same places of FEBio's matrix, with the same sums, as by FEBio's own assembly, whatever the number
 /// of threads.
-#include "febio/matrix_rows.h"
+#include "solver/febio/matrix_rows.h"
 
 #include "contact/base/parallel.h"
 
@@ -22,6 +22,7 @@
 #endif
 
 using namespace mixture_contact;
+using namespace newton;
 
 namespace {
 

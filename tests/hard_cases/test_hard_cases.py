@@ -9,14 +9,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.pages.evidence import DATA
 from harness.post.compare import missed
 from harness.run import engine, logdata
-from harness.studies import files
-from harness.studies.hard_cases import heat_map, outcomes, page, record, variants
-from harness.studies.hard_cases.catalogue import CASES
-from harness.studies.hard_cases.outcomes import Outcome
-from harness.studies.hard_cases.scene import Fineness, Interface
+from studies import files
+from studies.hard_cases import heat_map, outcomes, page, record, variants
+from studies.hard_cases.catalogue import CASES
+from studies.hard_cases.outcomes import Outcome
+from studies.hard_cases.scene import Fineness, Interface
+from studies.pages.evidence import DATA
 
 RETRIES = {"cutback-at-touch": 1}
 """Retries of a case: this one is forced."""
@@ -132,3 +132,14 @@ def test_the_picture_is_drawn(tmp_path):
     made = [outcome("sliding-mixture", 40), outcome("febio-1", 0, ended=False)]
     text = heat_map.draw(made, tmp_path / "heat.svg").read_text()
     assert "<svg" in text
+
+
+def test_every_case_has_one_group_in_the_picture():
+    grouped = [case for cases in heat_map.GROUPS.values() for case in cases]
+    assert sorted(grouped) == sorted(CASES)
+
+
+def test_rows_with_failures_come_first():
+    fails = outcome("febio-1000", 0, ended=False)
+    rows = {("curved-1-to-8", "coarse"): {}, ("edge-on-face", "coarse"): {"febio-1000": fails}}
+    assert list(heat_map.ordered(rows)) == ["edges, corners, large motion", "meshes"]

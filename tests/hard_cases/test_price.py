@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from harness.errors import DataFileError
-from harness.models import pairs
 from harness.models.interface import InterfaceType
-from harness.studies.price import bars, effect_costs, joints, page, paired_runs, table
-from harness.studies.price.paired_runs import Timed
-from harness.studies.price.scenes import Kind, Scene, effects_added
+from studies.models import pairs
+from studies.price import bars, effect_costs, joints, page, paired_runs, table
+from studies.price.paired_runs import Timed
+from studies.price.scenes import Kind, Scene, effects_added
 
 LOG = """
 sliding-mixture "a joint": time in the contact [s]
@@ -141,11 +141,11 @@ def test_a_table_of_joints_names_the_run_that_takes_less_time():
 
     ours, predicted, theirs = price(joints.OURS, 1.25), price(joints.PREDICTED, 1.1), price("sliding-elastic", 1.0)
     default = "| knee | 60, 50 | 0, 1 | 60, 40 | 1.25 (1.00 to 1.50) | 20 % | 6.0 | 1.00 | `sliding-elastic` |"
-    assert row(ours, predicted, theirs) == f"{default} 45 | 2 | 1.10 (1.00 to 1.50) |"
-    assert "| `sliding-mixture` | 45 |" in row(price(joints.OURS, 0.8), predicted, theirs)
+    assert row(ours, predicted, theirs) == default
+    assert "| `sliding-mixture` |" in row(price(joints.OURS, 0.8), predicted, theirs)
     failed = row(ours, predicted, price("sliding-elastic", 1.0, ended=False))
     assert "60, fails" in failed
-    assert failed.endswith("| `sliding-mixture` | 45 | 2 |  |")
+    assert failed.endswith("| `sliding-mixture` |")
     with pytest.raises(DataFileError, match="'knee' is not there with all contacts"):
         joints.arranged([ours, theirs])
 

@@ -7,11 +7,11 @@ import pytest
 from lxml import etree
 
 from harness.models.parts import Solid
-from harness.studies.hard_cases import rubbing, variants
-from harness.studies.hard_cases.catalogue import CASES, rotation
-from harness.studies.hard_cases.press import Press, stress, stretches
-from harness.studies.hard_cases.scene import Fineness, Interface
-from harness.studies.hard_cases.uniaxial import drained
+from studies.hard_cases import rubbing, variants
+from studies.hard_cases.catalogue import CASES, rotation
+from studies.hard_cases.press import Press, stress, stretches
+from studies.hard_cases.scene import Fineness, Interface
+from studies.hard_cases.uniaxial import drained
 
 
 def volumes(mesh):

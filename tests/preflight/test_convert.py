@@ -14,18 +14,18 @@ from harness.conversion.convert import convert
 from harness.conversion.fates import DROPPED, Action
 from harness.conversion.spans import Edit
 from harness.errors import HarnessError, ModelError
-from harness.models import pairs
-from harness.models.ambient import Apart
 from harness.models.confined import Confined
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
-from harness.models.pairs import Kind
 from harness.models.parts import Param, concentration, pressure
-from harness.pages.plugin_parameters import registered
 from harness.paths import REPOSITORY
 from harness.preflight.contact_types import CONVERTIBLE, TYPES, UNLIMITED_SEARCH
 from harness.preflight.model import read
 from harness.preflight.rules.settings import CHOICES
+from studies.models import pairs
+from studies.models.ambient import Apart
+from studies.models.pairs import Kind
+from studies.pages.plugin_parameters import registered
 
 
 def text(*params, interface=InterfaceType.SOLUTE):

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from harness.errors import ModelError
-from harness.models.ambient import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Param, fluid_flux, pressure
 from harness.paths import DOCS, REPOSITORY
 from harness.preflight.finding import Severity
+from studies.models.ambient import Apart
 
 PREFLIGHT = REPOSITORY / "scripts" / "harness" / "preflight"
 CONTACT = re.compile(r"<contact( [^>]*?)/?>(?:.*?</contact>)?", re.DOTALL)

@@ -10,12 +10,12 @@ from older_formats import VERSIONS, in_instances, older
 
 from harness.conversion.convert import convert
 from harness.errors import ModelError
-from harness.models.ambient import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType
-from harness.models.pairs import Kind, of_kinds
 from harness.preflight.check import check
 from harness.run import febfile
+from studies.models.ambient import Apart
+from studies.models.pairs import Kind, of_kinds
 
 FILES = 400
 SEED = 20120103

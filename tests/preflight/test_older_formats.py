@@ -13,13 +13,13 @@ from harness.conversion.convert import convert
 from harness.errors import ModelError
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType
-from harness.models.pairs import Kind, of_kinds
 from harness.models.parts import Curve, concentration, fix, pressure
 from harness.paths import REPOSITORY
 from harness.preflight.check import check
 from harness.preflight.model import read
 from harness.preflight.xml_file import place
 from harness.run import febfile
+from studies.models.pairs import Kind, of_kinds
 
 GALLERY = ("before-migration", "diffusion", "indentation", "joint", "platens", "sliding-joint")
 

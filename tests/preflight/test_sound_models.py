@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from harness.cli import main
 from harness.closed_forms.penalty_leak import relative_jump
 from harness.errors import ModelError
 from harness.models import composite
@@ -35,14 +34,18 @@ from harness.preflight.model import read
 from harness.preflight.penalty import leak, penalty
 from harness.preflight.sides import TRACTION, Joint, solute
 from harness.user_commands import FOR_EVERYBODY, commands
+from studies.cli import main
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
+EXPECTED = {"joint-before": ["leak"]}
+"""Rules that speak of a model of the collection, which is there for `convert` to change."""
 SOUND = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 
 
 @pytest.mark.parametrize("path", COLLECTION, ids=lambda path: path.stem)
 def test_the_collection_raises_no_alarm(path):
-    assert [finding for finding in check(path) if finding.severity is not Severity.NOTE] == []
+    rules = [finding.rule for finding in check(path) if finding.severity is not Severity.NOTE]
+    assert rules == EXPECTED.get(path.stem, [])
 
 
 def generated():
@@ -345,7 +348,7 @@ def test_exit_codes_and_json(tmp_path):
 
 def test_a_file_that_cannot_be_read(tmp_path):
     finished = subprocess.run(
-        [sys.executable, "-m", "harness", "check", str(tmp_path / "none.feb")],
+        [sys.executable, "-m", "studies", "check", str(tmp_path / "none.feb")],
         env={**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts"), "COLUMNS": "200"},
         capture_output=True,
         text=True,

@@ -13,8 +13,8 @@ import pytest
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
 from harness.models.parts import Param
-from harness.models.pressed_blocks import PressedBlocks
 from harness.run.runner import Runner, RunResult
+from studies.models.pressed_blocks import PressedBlocks
 
 CONTACTS = (InterfaceType.MIXTURE.value, InterfaceType.ELASTIC.value)
 AUTOMATIC = (Param("auto_penalty", True), Param("penalty", 10.0))
@@ -26,7 +26,10 @@ def report() -> SimpleNamespace:
     for name in ("pyfebio", "pyvista"):
         pytest.importorskip(name, reason="`report` needs the libraries of scripts/requirements-report.txt")
     return SimpleNamespace(
-        **{name: import_module(f"harness.report.{name}") for name in ("contents", "history", "page", "plot_file")}
+        **{
+            name: import_module(f"harness.report.{name}")
+            for name in ("contents", "history", "page", "plot_file", "vtk_files")
+        }
     )
 
 
@@ -61,6 +64,24 @@ def test_page_holds_its_pictures(runner: Runner, contact: str, tmp_path: Path, r
     assert text.count("data:image/png;base64,") == len(pictures)
     assert not re.search(r'(src|href)="(?!data:)', text)  # nothing from the network or from another file
     assert contact in text
+
+
+@pytest.mark.parametrize("contact", CONTACTS)
+def test_surfaces_are_written_for_pyvista_and_paraview(
+    runner: Runner, contact: str, tmp_path: Path, report: SimpleNamespace
+) -> None:
+    """The force is the sum of pressure times area over the triangles of a file, where all facets are level."""
+    result = _run(runner, contact)
+    plot = report.plot_file.read(result.folder / f"{result.model.name}.xplt")
+    surfaces = report.history.contacts(plot)
+    files = report.vtk_files.write_surfaces(plot, surfaces, len(plot.states) - 1, tmp_path)
+    assert [file.name for file in files] == [
+        f"surface-{place}-{each.surface.name}.vtp" for place, each in enumerate(surfaces, start=1)
+    ]
+    for file, each in zip(files, surfaces, strict=True):
+        mesh = pytest.importorskip("pyvista").read(file)
+        area = mesh.compute_cell_sizes(length=False, volume=False)["Area"]
+        assert (mesh["contact pressure"] * area).sum() == pytest.approx(each.mean[-1] * each.area[-1], rel=1e-6)
 
 
 def test_run_without_contact_pressure_says_what_to_ask_for(

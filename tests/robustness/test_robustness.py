@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from harness.cli import COMMANDS
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.paths import MODELS
 from harness.run import engine
 from harness.run.logdata import History
-from harness.studies.robustness import archives, differences, feb, sanitized, solvers, trial, variations
-from harness.studies.robustness.execution import Way
-from harness.studies.robustness.sanitized import Plugin
-from harness.studies.robustness.trial import Trial
 from harness.user_commands import commands
+from studies.cli import COMMANDS
+from studies.robustness import archives, differences, feb, sanitized, solvers, trial, variations
+from studies.robustness.execution import Way
+from studies.robustness.sanitized import Plugin
+from studies.robustness.trial import Trial
 
 STEPS = 4
 

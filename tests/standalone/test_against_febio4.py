@@ -18,8 +18,8 @@ from harness.models.parts import Control, Param
 from harness.run import engine
 from harness.run.hosts import FEBIO4, STANDALONE
 from harness.run.runner import Runner, RunResult
-from harness.validate import engine_agreement
-from harness.validate.engine_agreement import differences, strict
+from studies.engines import engine_agreement
+from studies.engines.engine_agreement import differences, strict
 
 BAR = engine_agreement.SMOOTH
 """Largest difference of a nodal variable, relative to its largest value."""

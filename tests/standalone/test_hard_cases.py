@@ -12,9 +12,9 @@ from harness.errors import EngineNotFoundError
 from harness.post.compare import missed
 from harness.run.hosts import STANDALONE
 from harness.run.runner import Runner
-from harness.studies.hard_cases import invariants, variants
-from harness.studies.hard_cases.catalogue import CASES
-from harness.studies.hard_cases.scene import Fineness, Interface
+from studies.hard_cases import invariants, variants
+from studies.hard_cases.catalogue import CASES
+from studies.hard_cases.scene import Fineness, Interface
 
 SELECTED = (
     "touch-gap-1e-12",

@@ -8,10 +8,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from harness.studies.agreement import comparisons, page, quantities
-from harness.studies.agreement.comparisons import FEBIO, OURS, Row
-from harness.studies.synthetic_scenes.collection_of_scenes import SCENES
-from harness.studies.synthetic_scenes.slab_and_block import PAIR
+from studies.agreement import comparisons, page, quantities
+from studies.agreement.comparisons import FEBIO, OURS, Row
+from studies.synthetic_scenes.collection_of_scenes import SCENES
+from studies.synthetic_scenes.slab_and_block import PAIR
 
 
 def test_meshes_are_nested():

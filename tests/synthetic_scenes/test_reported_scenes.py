@@ -9,11 +9,11 @@ import pytest
 from lxml import etree
 
 from harness.conversion import convert
-from harness.pages.scene_results import Took
-from harness.studies.limit import LIMIT
-from harness.studies.synthetic_scenes import comparison, kept_runs
-from harness.studies.synthetic_scenes.reported.kinds_of_scene import SCENES
-from harness.studies.synthetic_scenes.reported.shapes import MIDDLES, arc, box, mapped, shell
+from studies.limit import LIMIT
+from studies.pages.scene_results import Took
+from studies.synthetic_scenes import comparison, kept_runs
+from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
+from studies.synthetic_scenes.reported.shapes import MIDDLES, arc, box, mapped, shell
 
 QUICK = ("punch-flat-tilts", "rod-in-tube-outsides", "ring-between-plates")
 ELEMENTS = {"hex8", "hex20", "hex27", "tet4", "tet10", "tet15", "penta6", "penta15", "quad4", "tri3"}

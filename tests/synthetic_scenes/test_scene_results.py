@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from harness.pages import scene_results
-from harness.pages.scene_results import AT_LIMIT, UNAVAILABLE, Row, Took
 from harness.run.provenance import Stamp
+from studies.pages import scene_results
+from studies.pages.scene_results import AT_LIMIT, UNAVAILABLE, Row, Took
 
 FEBIO = Took(True, 10, 30, 0, difference=0.0)
 ENDED = Took(True, 10, 28, 1, difference=0.01)
@@ -25,7 +25,7 @@ def test_the_predictor_is_compared_where_both_runs_end():
     predicted = Took(True, 10, 20, 0, difference=0.01)
     told = scene_results.summary([*ROWS, Row("three", "three bodies", FEBIO, ENDED, ENDED, predicted)])
     assert (
-        "which 2 of the scenes can have, 1 end; the 1 that end with it and without it take 20 iterations with it"
+        "is available in 2 scenes; 1 of these complete. The 1 that complete with it and without it take 20 iterations"
         in told
     )
 

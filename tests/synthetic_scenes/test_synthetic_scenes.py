@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from harness.pages import scene_results
-from harness.studies.limit import LIMIT
-from harness.studies.synthetic_scenes import comparison
-from harness.studies.synthetic_scenes.all_scenes import SCENES
+from studies.limit import LIMIT
+from studies.pages import scene_results
+from studies.synthetic_scenes import comparison
+from studies.synthetic_scenes.all_scenes import SCENES
 
 QUICK = ("material-Mooney-Rivlin", "rigid-free", "quasi-newton", "shells-back")
 SLOW = (

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from harness.conversion import convert
-from harness.models import small
-from harness.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
 from harness.run import engine
+from studies.models import small
+from studies.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
 
 PENALTY = "<laugon>{laugon}</laugon><auto_penalty>0</auto_penalty><penalty>100</penalty>"
 """MPa/mm, which leaves an overlap of a few thousandths of an element."""

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from harness.models import facing
-from harness.models.facing import FacingScene
-from harness.models.small import table
 from harness.run import engine
 from harness.run.febio_log import Report
+from studies.models import facing
+from studies.models.facing import FacingScene
+from studies.models.small import table
 
 BAR = 1e-8
 """Of forces and pressures, relative."""

@@ -1,9 +1,9 @@
 /// Random pairs of facets in contact, and central differences with derived steps, for the unit tests.
 #pragma once
 
+#include "contact/conditions/normal.h"
 #include "contact/geometry/projection.h"
-#include "contact/law/laws.h"
-#include "contact/law/point_integral.h"
+#include "contact/mortar/point_integral.h"
 
 #include <Eigen/Geometry>
 
@@ -189,14 +189,15 @@ struct RandomContact {
 
   PointLoads loads(const PointKinematics& point, const VectorXd& q) const {
     PointLoads result;
-    result.traction = normal_traction(lambda, penalty, point.gap, 0.0);
+    const LawValue trial = augmented(lambda, penalty, point.gap);
+    result.traction = NormalCondition::load(trial, Unilateral().begins(trial, 0));
     result.weight = weight;
     result.time_increment = dt;
     result.flux.resize(layout.scalar_fields());
     const PairVector h = point.jump_weights();
     const PairFields values = fields(q);
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      result.flux[k] = normal_flux(flux_lambda[k], flux_penalty[k], h.dot(values.col(k)));
+      result.flux[k] = augmented(flux_lambda[k], flux_penalty[k], h.dot(values.col(k)));
     }
     return result;
   }

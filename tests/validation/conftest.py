@@ -5,17 +5,21 @@
 
 from __future__ import annotations
 
+import importlib.machinery
+import importlib.util
 import os
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.models.interface import InterfaceType
-from harness.models.small import Document
+from harness.paths import REPOSITORY
 from harness.run import engine
 from harness.run.runner import Runner
 from harness.validate.checks import Context
+from studies.models.small import Document
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -26,6 +30,15 @@ def pytest_configure(config: pytest.Config) -> None:
 def interface() -> InterfaceType:
     """What joins the bodies in this session."""
     return InterfaceType(os.environ.get("MIXCONTACT_INTERFACE", InterfaceType.MIXTURE.value))
+
+
+@pytest.fixture(scope="module")
+def entry_module() -> ModuleType:
+    """`scripts/mixcontact` as a module."""
+    loader = importlib.machinery.SourceFileLoader("entry", str(REPOSITORY / "scripts" / "mixcontact"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
 
 
 @pytest.fixture(autouse=True)

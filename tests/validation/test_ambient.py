@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness.models.ambient import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
 from harness.models.interface import InterfaceType
 from harness.models.parts import concentration, pressure
-from harness.models.patches import Patches
 from harness.post import compare
+from studies.models.ambient import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
+from studies.models.patches import Patches
 
 
 def ambient(times):

@@ -7,8 +7,8 @@ import re
 import numpy as np
 import pytest
 
-from harness.models import small
-from harness.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, step
+from studies.models import small
+from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, step
 
 pytestmark = pytest.mark.mixture_only
 

@@ -11,7 +11,7 @@ import pytest
 def api_reference():
     """The module that makes the pages, where its parser is installed."""
     pytest.importorskip("tree_sitter_cpp", reason="`scripts/mixcontact docs` installs it")
-    return importlib.import_module("harness.pages.api_reference")
+    return importlib.import_module("studies.pages.api_reference")
 
 
 def test_every_header_of_the_core_is_in_the_reference(api_reference):

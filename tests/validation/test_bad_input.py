@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from harness.models.ambient import Apart
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Param
 from harness.run import engine
+from studies.models.ambient import Apart
 
 pytestmark = pytest.mark.mixture_only
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness.closed_forms.biphasic_layers import EDGE
-from harness.models.biphasic_hertz import LENGTH, THICKNESS, BiphasicHertz, BiphasicLine, BiphasicSphere
-from harness.pages.evidence import DATA
-from harness.post import contact_growth
-from harness.studies import files
-from harness.studies.hertz.growth_records import SPHERES, Record, largest_errors
-from harness.studies.hertz.page import SOURCE
+from studies import files
+from studies.closed_forms.biphasic_layers import EDGE
+from studies.hertz.growth_records import SPHERES, Record, largest_errors
+from studies.hertz.page import SOURCE
+from studies.models.biphasic_hertz import LENGTH, THICKNESS, BiphasicHertz, BiphasicLine, BiphasicSphere
+from studies.pages.evidence import DATA
+from studies.post import contact_growth
 
 BAR = 0.03
 COARSE = BiphasicLine()

@@ -9,9 +9,9 @@ from statistics import median
 
 import pytest
 
-from harness.pages import front
 from harness.paths import DOCS, REPOSITORY
-from harness.studies.limit import LIMIT, NEARLY
+from studies.limit import LIMIT, NEARLY
+from studies.pages import front
 
 DATA = DOCS / "data"
 OURS = "sliding-mixture"
@@ -77,7 +77,7 @@ def test_cost_says_whose_run_is_the_faster_at_the_same_error():
 
 
 def test_the_predictor_has_a_column_of_its_own_in_the_table_of_costs():
-    table = (DOCS / "evidence" / "cost.md").read_text(encoding="utf-8").split("## Beside FEBio's interfaces")[1]
+    table = (DOCS / "reference" / "runs.md").read_text(encoding="utf-8").split("## Least time for an error")[1]
     lines = [line.split(" | ") for line in table.splitlines() if line.startswith("| 3.")]
     assert len(lines) > 10
     assert not any("predictor" in cell for line in lines for cell in line[:-1])

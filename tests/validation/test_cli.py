@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.machinery
-import importlib.util
 import os
 import re
 import subprocess
@@ -11,31 +9,22 @@ import sys
 
 import pytest
 
-from harness.cli import COMMANDS, main
 from harness.models.diffusion import Diffusion
 from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.paths import REPOSITORY
+from studies.cli import COMMANDS, main
 
 
 def harness(*arguments, **environment):
     """Run the command line in a process of its own."""
     return subprocess.run(
-        [sys.executable, "-m", "harness", *map(str, arguments)],
+        [sys.executable, "-m", "studies", *map(str, arguments)],
         env={**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts"), "COLUMNS": "200", **environment},
         capture_output=True,
         text=True,
         check=False,
     )
-
-
-@pytest.fixture
-def entry_module():
-    """`scripts/mixcontact` as a module."""
-    loader = importlib.machinery.SourceFileLoader("entry", str(REPOSITORY / "scripts" / "mixcontact"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
-    loader.exec_module(module)
-    return module
 
 
 @pytest.fixture
@@ -120,7 +109,7 @@ def test_run_quotes_febio_where_it_fails(runner, tmp_path):
     assert "modulus" in finished.stderr
 
 
-def test_the_help_of_the_entry_lists_every_command():
+def test_the_help_of_the_entry_lists_every_command(entry_module):
     """`scripts/mixcontact --help` needs no set-up, so its list is written out; it is that of the harness."""
     done = subprocess.run(
         [sys.executable, str(REPOSITORY / "scripts" / "mixcontact"), "--help"],
@@ -131,7 +120,7 @@ def test_the_help_of_the_entry_lists_every_command():
     entries = re.findall(r"^  ((?:[a-z-]+, )*[a-z-]+)  +\S", done.stdout, re.MULTILINE)
     listed = {name for entry in entries for name in entry.split(", ")}
     assert done.stdout.startswith("Usage: scripts/mixcontact ")
-    assert listed == {*COMMANDS, "build", "docs", "test"}
+    assert listed == {*COMMANDS, *entry_module.OWN_COMMANDS}
 
 
 def test_the_help_begins_with_the_commands_of_a_user(entry_module):
@@ -178,12 +167,24 @@ def test_commands_that_read_and_write_files_compile_nothing(entry_module, monkey
     assert done == [()]
 
 
+@pytest.mark.parametrize(("arguments", "steps"), [([], [("report",)]), (["--run"], ["compiled"])])
+def test_report_compiles_where_it_runs_the_model_first(entry_module, monkeypatch, arguments, steps):
+    done = []
+    monkeypatch.setattr(entry_module, "set_up_python", lambda groups=(): done.append(groups))
+    monkeypatch.setattr(entry_module, "set_up", lambda *_: done.append("compiled"))
+    monkeypatch.setattr(entry_module, "harness", len)
+    entry_module.main(["report", "model.feb", *arguments])
+    assert done == steps
+    assert "report" in entry_module.groups_of("report", [*arguments])
+
+
 @pytest.mark.parametrize(
     ("arguments", "targets"),
     [
         (["validate"], "for_models"),
         (["run", "model.feb"], "for_models"),
         (["run", "model.feb", "--engine", "standalone"], "plugin/all"),
+        (["report", "model.feb", "--run"], "for_models"),
         (["engines"], "plugin/all"),
         (["test", "--unit"], "all"),
         (["build"], "all"),

@@ -8,19 +8,15 @@ from scipy.linalg import toeplitz
 from scipy.special import erfc
 
 from harness.closed_forms import (
-    biphasic_layers,
-    cattaneo_mindlin,
     composite_slab,
     confined_compression,
-    hertz,
-    incline,
     penalty_leak,
-    sliding_plate,
     steady_convection,
     transient_diffusion,
     two_layer_convection,
 )
-from harness.post import half_ellipse
+from studies.closed_forms import biphasic_layers, cattaneo_mindlin, hertz, incline, sliding_plate
+from studies.post import half_ellipse
 
 SLAB = {"height": 2.0, "diffusivity": 5e-4}
 FIRST = composite_slab.Layer(1.0, diffusivity=5e-4, porosity=0.8, solubility=1.0)

@@ -26,7 +26,6 @@ PROGRAMS = ("scripts/mixcontact", "febio4", "cmake", "cpack", "ctest", "export",
 
 SMALL = {
     # What this test is a part of; .ci/run must call it and be a valid script.
-    "scripts/mixcontact test": "test -x {root}/scripts/mixcontact",
     ".ci/run": "bash -n {root}/.ci/run && grep -q 'scripts/mixcontact test' {root}/.ci/run",
     # The whole takes minutes.
     "scripts/mixcontact validate": "scripts/mixcontact validate --only leak --folder results",
@@ -41,7 +40,7 @@ SMALL = {
     "cmake --preset default": "cmake -S {root} --preset default -B configured -DMIXCONTACT_BUILD_PLUGIN=OFF",
     "cmake --build --preset default": "cmake --build {build}",
     "ctest --preset default": "ctest --test-dir {build} --no-tests=error -R laws",
-    "cpack --config build/CPackConfig.cmake": "cpack --config {build}/CPackConfig.cmake -B packed",
+    "scripts/mixcontact archive": "cpack --config {build}/CPackConfig.cmake -B packed",
     # Without installing Snakemake: the same command of the harness, or its help where it would make many runs.
     "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
     "scripts/mixcontact cost --error 1e-3 --problem 3.2": "{harness} cost --error 1e-3 --problem 3.2",
@@ -52,7 +51,6 @@ SMALL = {
     "scripts/mixcontact price --docs": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
     "scripts/mixcontact predictor --mesh coarse --docs": "{harness} predictor --help",
-    "scripts/mixcontact engines": "scripts/mixcontact engines --help",
     "scripts/mixcontact friction-cases --docs --no-febio": "{harness} friction-cases --help",
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
@@ -126,7 +124,7 @@ def pages():
 @pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
 def test_the_commands_of_a_page_run(scratch, page):
     plugin, febio = plugin_library().resolve(), engine.find_engine()
-    harness = f"env PYTHONPATH={REPOSITORY / 'scripts'} python -m harness"
+    harness = f"env PYTHONPATH={REPOSITORY / 'scripts'} python -m studies"
     places = {
         "root": REPOSITORY,
         "harness": harness,

@@ -25,10 +25,10 @@ from harness.models.interface import PAPER, ContactSettings, InterfaceType, augm
 from harness.models.layers import Layers
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
-from harness.models.patches import Patches
 from harness.preflight.model import read
 from harness.run import engine, logdata
-from harness.studies.synthetic_scenes.all_scenes import SCENES
+from studies.models.patches import Patches
+from studies.synthetic_scenes.all_scenes import SCENES
 
 pytestmark = pytest.mark.mixture_only
 

@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from harness.models import small
 from harness.models.ball_in_socket import BallInSocket
-from harness.models.cam import Cam
 from harness.models.parts import Param, TimeStepper
-from harness.models.small import Document, Parts
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
-from harness.studies.ablation import ablated_runs
+from studies.ablation import ablated_runs
+from studies.models import small
+from studies.models.cam import Cam
+from studies.models.small import Document, Parts
 
 pytestmark = pytest.mark.mixture_only
 

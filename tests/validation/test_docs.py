@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import subprocess
+import textwrap
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
@@ -12,7 +14,7 @@ from harness.preflight.rules.settings import RENAMED
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
-PAGES = sorted([ROOT / "README.md", ROOT / "CHANGELOG.md", *DOCS.rglob("*.md")])
+PAGES = sorted([*ROOT.glob("*.md"), *DOCS.rglob("*.md"), *(ROOT / "plugin").rglob("*.md")])
 OUTPUT_PAGE = (DOCS / "reference" / "output.md").read_text(encoding="utf-8")
 OUTPUT = (ROOT / "plugin" / "febio" / "output_variables.cpp").read_text(encoding="utf-8")
 
@@ -135,7 +137,7 @@ def alternatives(name: str) -> list[str]:
 def named_files() -> list[tuple[Path, str]]:
     """Names in code of files in this repository, from its root or from a folder below it."""
     found = []
-    for page in [ROOT / "CONTRIBUTING.md", ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]:
+    for page in PAGES:
         for word in re.findall(r"(?<!`)`([^`\s]+)`", page.read_text(encoding="utf-8")):
             names = [name for name in alternatives(word) if name.startswith(SOURCES) or name.endswith(SUFFIXES)]
             found += [(page, name) for name in names if not re.search(r"[*<>=()]", name)]
@@ -174,6 +176,58 @@ def test_names_of_the_code_on_pages_for_developers_are_in_the_code():
     for page in pages:
         names = set(re.findall(r"(?<!`)`([A-Z]\w*[a-z]\w*(?:::\w+)*)(?:\(\))?`", page.read_text(encoding="utf-8")))
         assert [name for name in names - INVENTED if not set(name.split("::")) <= known] == [], page.name
+
+
+def examples(language: str) -> list[tuple[str, str]]:
+    """Blocks of code in a language, with the name of their page."""
+    fence = re.compile(rf"^( *)```{language}\n(.*?)^\1```$", re.MULTILINE | re.DOTALL)
+    return [
+        (page.relative_to(ROOT).as_posix(), textwrap.dedent(body))
+        for page in PAGES
+        for _, body in fence.findall(page.read_text(encoding="utf-8"))
+    ]
+
+
+@pytest.mark.parametrize(("page", "text"), examples("xml"))
+def test_examples_of_model_files_are_well_formed(page, text):
+    assert len(ET.fromstring(f"<example>{text}</example>")) > 0, page
+
+
+@pytest.mark.parametrize(("page", "text"), examples("xml"))
+def test_parameters_in_examples_are_those_of_the_contact(page, text):
+    """Children of a contact of this type, and lines of parameters that stand alone."""
+    known = set(listed((DOCS / "reference" / "parameters.md").read_text(encoding="utf-8")))
+    contacts = ET.fromstring(f"<example>{text}</example>").iter("contact")
+    given = {child.tag for contact in contacts if contact.get("type") == "sliding-mixture" for child in contact}
+    assert given <= known, page
+
+
+@pytest.mark.parametrize(("page", "text"), examples("python"))
+def test_examples_in_python_compile(page, text):
+    compile(text, page, "exec")
+
+
+def commands_on_pages() -> set[tuple[str, str, str]]:
+    """Page, command and options of each call of `scripts/mixcontact`, in blocks and in lines."""
+    call = re.compile(r"scripts/mixcontact ([a-z][a-z-]*)([^`\n|;,.]*)")
+    return {
+        (page.relative_to(ROOT).as_posix(), command, rest)
+        for page in PAGES
+        for command, rest in call.findall(page.read_text(encoding="utf-8"))
+    }
+
+
+def test_commands_and_options_on_pages_are_there():
+    """By the page of the commands, which is written from them, and by the text of the entry."""
+    entry = (ROOT / "scripts" / "mixcontact").read_text(encoding="utf-8")
+    known = set(
+        re.findall(r"[a-z][a-z-]+", " ".join(re.findall(r"^  ((?:[a-z-]+, )*[a-z-]+)  +\S", entry, re.MULTILINE)))
+    )
+    options = set(re.findall(r"--[a-z-]+", entry + (DOCS / "reference" / "commands.md").read_text(encoding="utf-8")))
+    found = commands_on_pages()
+    assert len(found) > 50
+    assert [call for call in found if call[1] not in known] == []
+    assert [call for call in found if not set(re.findall(r"--[a-z-]+", call[2])) <= options] == []
 
 
 def test_every_page_is_on_the_map():

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness.pages.evidence import DATA
-from harness.studies import files
-from harness.studies.hertz import elastic_profiles
-from harness.studies.hertz.elastic_profiles import ProfileRow
-from harness.studies.hertz.page import ELASTIC_SOURCE
+from studies import files
+from studies.hertz import elastic_profiles
+from studies.hertz.elastic_profiles import ProfileRow
+from studies.hertz.page import ELASTIC_SOURCE
+from studies.pages.evidence import DATA
 
 BAR = 0.03
 """Of half-width or radius and of peak pressure, relative, on the fine mesh."""

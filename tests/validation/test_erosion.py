@@ -12,8 +12,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models import small
-from harness.models.small import (
+from harness.run import engine
+from studies.models import small
+from studies.models.small import (
     Document,
     Parts,
     biphasic,
@@ -26,7 +27,6 @@ from harness.models.small import (
     moved,
     these_elements,
 )
-from harness.run import engine
 
 pytestmark = pytest.mark.mixture_only
 

@@ -9,20 +9,20 @@ import numpy as np
 import pytest
 
 from harness.conversion.convert import convert
-from harness.models.block_on_incline import FRICTION, SLOPE, BlockOnIncline
 from harness.models.interface import InterfaceType
-from harness.models.pairs import Kind
-from harness.models.sheared_blocks import MODULES
-from harness.pages.evidence import DATA
 from harness.post.compare import missed
 from harness.run import engine, logdata
-from harness.studies import files
-from harness.studies.friction import page
-from harness.studies.hard_cases import rubbing_record
-from harness.studies.hard_cases.outcomes import OURS, Outcome, arranged
-from harness.studies.hard_cases.rubbing import CASES
-from harness.studies.hard_cases.scene import Fineness
-from harness.validate import friction_checks as checks
+from studies import files
+from studies import friction_checks as checks
+from studies.friction import page
+from studies.hard_cases import rubbing_record
+from studies.hard_cases.outcomes import OURS, Outcome, arranged
+from studies.hard_cases.rubbing import CASES
+from studies.hard_cases.scene import Fineness
+from studies.models.block_on_incline import FRICTION, SLOPE, BlockOnIncline
+from studies.models.pairs import Kind
+from studies.models.sheared_blocks import MODULES
+from studies.pages.evidence import DATA
 
 pytestmark = pytest.mark.mixture_only
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness.models import twisting_hemisphere
-from harness.models.concentric_spheres import ConcentricSpheres
-from harness.models.twisting_hemisphere import TwistingHemisphere
-from harness.pages.evidence import DATA
 from harness.post.compare import missed
-from harness.studies import files
-from harness.studies.friction import curves, curves_table, published
-from harness.studies.friction.curves import Row
+from studies import files
+from studies.friction import curves, curves_table, published
+from studies.friction.curves import Row
+from studies.models import twisting_hemisphere
+from studies.models.concentric_spheres import ConcentricSpheres
+from studies.models.twisting_hemisphere import TwistingHemisphere
+from studies.pages.evidence import DATA
 
 NEWTON = 1e-3
 """FEBio's tolerance on the displacements of a step."""

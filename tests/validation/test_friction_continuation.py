@@ -8,15 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models.block_on_incline import FRICTION, PUSHED, SLOPE, STANDING, BlockOnIncline
 from harness.models.interface import ContactSettings
-from harness.models.pairs import Kind
 from harness.models.parts import Curve, Param
-from harness.models.sheared_blocks import ShearedBlocks
 from harness.run import engine, logdata
 from harness.run.runner import Runner
-from harness.studies.hard_cases.rubbing import CASES
-from harness.studies.hard_cases.scene import Fineness, Interface
+from studies.hard_cases.rubbing import CASES
+from studies.hard_cases.scene import Fineness, Interface
+from studies.models.block_on_incline import FRICTION, PUSHED, SLOPE, STANDING, BlockOnIncline
+from studies.models.pairs import Kind
+from studies.models.sheared_blocks import ShearedBlocks
 
 pytestmark = pytest.mark.mixture_only
 

@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from harness.collection import entries
 from harness.models import platens
 from harness.models.interface import InterfaceType
-from harness.pages.gallery import entries, figures, page
 from harness.paths import DOCS, MODELS
 from harness.run.provenance import Stamp
+from studies.pages.gallery import figures, page
 
 ENTRIES = {entry.model.name: entry for entry in entries.entries()}
 PNG = b"\x89PNG"

@@ -6,9 +6,6 @@ import numpy as np
 import pytest
 
 from harness.indentation import measures
-from harness.indentation.configurations import Configuration, febio_cases, mixture_cases
-from harness.indentation.convergence import order
-from harness.indentation.extremes import OVERSHOOT, cases
 from harness.models import blocks, indentation_mesh
 from harness.models.blocks import Body
 from harness.models.indentation import CONCENTRATION, Indentation, Variant
@@ -16,8 +13,11 @@ from harness.models.indentation_mesh import Grid
 from harness.post import contact_line, solute_balance
 from harness.post.hexahedra import geometry, rule
 from harness.post.solute_balance import State
-from harness.run import diagnosis
-from harness.run.diagnosis import FailureMode
+from studies import diagnosis
+from studies.diagnosis import FailureMode
+from studies.indentation.configurations import Configuration, febio_cases, mixture_cases
+from studies.indentation.convergence import order
+from studies.indentation.extremes import OVERSHOOT, cases
 
 GRIDS = {
     "medium": Grid(),

@@ -7,15 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models import pairs
 from harness.models.confined import Confined
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
-from harness.models.pairs import Kind
 from harness.models.parts import Control
 from harness.post import compare
+from studies.models import pairs
+from studies.models.pairs import Kind
 
 LAGMULT = ContactSettings(laugon="LAGMULT")
 STRICT = Control(

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models import small
-from harness.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
 from harness.run import engine
+from studies.models import small
+from studies.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
 
 pytestmark = pytest.mark.mixture_only
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models import small
-from harness.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
-from harness.pages.plugin_parameters import registered
 from harness.preflight.rules.settings import FOLLOWED
+from studies.models import small
+from studies.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
+from studies.pages.plugin_parameters import registered
 
 pytestmark = pytest.mark.mixture_only
 

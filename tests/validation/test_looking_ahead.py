@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from harness.models.ball_in_socket import BallInSocket
-from harness.models.small import step
-from harness.run import diagnosis, engine
+from harness.run import engine
+from studies import diagnosis
+from studies.models.small import step
 
 pytestmark = pytest.mark.mixture_only
 

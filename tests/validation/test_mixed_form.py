@@ -13,11 +13,11 @@ import pytest
 from harness.models.ball_in_socket import BallInSocket
 from harness.models.interface import PREDICTOR
 from harness.models.parts import Param
-from harness.pages.linear_solver_results import Solver
 from harness.run import engine
 from harness.run.febio_log import Report
-from harness.studies.linear_solvers.trials import write
-from harness.studies.synthetic_scenes import drawn_scenes
+from studies.linear_solvers.trials import write
+from studies.pages.linear_solver_results import Solver
+from studies.synthetic_scenes import drawn_scenes
 
 MODELS = Path(__file__).parent / "models"
 

@@ -8,20 +8,20 @@ import numpy as np
 import pytest
 from lxml import etree
 
+from harness.collection import kept_models as collection
 from harness.errors import ModelError
 from harness.models import spherical_shells
-from harness.models.ambient import Apart, HalfWet
 from harness.models.blocks import boundary
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType, automatic
 from harness.models.mesh import Layer, Section, conforming_column, split_column
 from harness.models.parts import Control, Param, fix
-from harness.models.patches import Patches
 from harness.models.tetrahedra import tetrahedra
-from harness.pages import collection
 from harness.paths import MODELS
 from harness.post import compare
 from harness.run import febfile
+from studies.models.ambient import Apart, HalfWet
+from studies.models.patches import Patches
 
 LAYERS = [Layer("a", "m", 1.0, 3), Layer("b", "m", 0.5, 2), Layer("c", "m", 2.0, 1)]
 SECTION = Section((2.0, 1.0), (3, 2))

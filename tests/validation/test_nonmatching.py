@@ -7,15 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models import harmonic, ironing
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
-from harness.models.nonmatching import Block, NonMatching
 from harness.models.parts import Control
-from harness.post.harmonic_errors import errors
-from harness.post.ironing_reaction import ripple
+from studies.models import harmonic, ironing
+from studies.models.nonmatching import Block, NonMatching
+from studies.post.harmonic_errors import errors
+from studies.post.ironing_reaction import ripple
 
 pytestmark = pytest.mark.mixture_only
 

@@ -9,13 +9,13 @@ import pytest
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.run import engine
-from harness.studies.one_answer.answers import FULL, KEPT, SAME
-from harness.studies.one_answer.edge_scenes import SCENES
-from harness.studies.one_answer.ways import ENFORCED, WAYS, contact, time_step
-from harness.studies.robustness import differences, execution, variations
-from harness.studies.robustness.execution import Way
-from harness.studies.robustness.sanitized import Plugin
-from harness.studies.robustness.trial import Trial
+from studies.one_answer.answers import FULL, KEPT, SAME
+from studies.one_answer.edge_scenes import SCENES
+from studies.one_answer.ways import ENFORCED, WAYS, contact, time_step
+from studies.robustness import differences, execution, variations
+from studies.robustness.execution import Way
+from studies.robustness.sanitized import Plugin
+from studies.robustness.trial import Trial
 
 pytestmark = pytest.mark.mixture_only
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from harness.conversion import convert
-from harness.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
 from harness.run import engine
-from harness.studies.synthetic_scenes.reported.kinds_of_scene import SCENES
+from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
+from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
 
 pytestmark = pytest.mark.mixture_only
 

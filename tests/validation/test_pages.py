@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from harness import site
 from harness.errors import DataFileError
-from harness.pages import plugin_parameters, verification
 from harness.paths import DOCS
 from harness.validate.checks import CHECKS
+from studies import site
+from studies.pages import plugin_parameters, verification
 
 
 @pytest.mark.parametrize("name", site.PAGES)

@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("lemminflect", reason="`scripts/mixcontact docs` installs it")
 
-from prose import check
+from prose import check, count
 from prose.rules import house
 from prose.text import Sentence, sentences
 
@@ -73,3 +73,12 @@ def test_messages_are_read_without_comments():
     assert check.messages_of_cpp(cpp) == [Sentence(2, "the gap stands beside it", False)]
     python = '"""It tells a story."""\nsay("the gap stands beside it")\n'
     assert check.messages_of_python(python) == [Sentence(2, "the gap stands beside it", False)]
+
+
+def test_the_documentation_without_its_reference_is_short():
+    """Where this fails: `python scripts/prose/count.py` gives the words of each folder."""
+    assert 0 < count.counts().total() <= count.MOST
+
+
+def test_words_have_letters():
+    assert count.words("| a word | 12 | `x = 1` |") == 3

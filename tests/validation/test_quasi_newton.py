@@ -14,7 +14,7 @@ from harness.models.ball_in_socket import BallInSocket
 from harness.models.parts import Param
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
-from harness.studies.price.joints import rival
+from studies.price.joints import rival
 
 pytestmark = pytest.mark.mixture_only
 

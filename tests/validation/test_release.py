@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import shutil
@@ -10,6 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import yaml
 
 from harness.errors import PluginNotFoundError
 from harness.models.diffusion import Diffusion
@@ -20,6 +22,15 @@ from harness.run import engine, provenance
 
 pytestmark = pytest.mark.mixture_only
 SHARE = Path("share") / "FEBioMixtureContact"
+
+
+LINES_OF_CHANGES = 40
+"""Lines of the changelog of a first release, at most."""
+
+
+def text_of(name: str) -> str:
+    """A file at the root of the repository."""
+    return (REPOSITORY / name).read_text(encoding="utf-8")
 
 
 def tool(name: str, *arguments: object) -> str:
@@ -46,10 +57,13 @@ def prefix(build, tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def archive(build, tmp_path_factory) -> Path:
-    place = tmp_path_factory.mktemp("archive")
-    tool("cpack", "--config", build / "CPackConfig.cmake", "-B", place)
-    (made,) = place.glob("*.tar.gz")
+def archive(build, entry_module) -> Path:
+    """The archive that `scripts/mixcontact archive` makes of the tested build."""
+    if not (entry_module.VENV_BIN / "cpack").exists():
+        pytest.skip("needs what `scripts/mixcontact build` sets up")
+    entry_module.BUILD = build
+    assert entry_module.archive() == 0
+    (made,) = (build / "archive").glob("*.tar.gz")
     return made
 
 
@@ -87,6 +101,37 @@ def test_the_archive_is_named_by_plugin_febio_and_sdk(archive):
     febio = r"febio-\d+\.\d+\.\d+-sdk-\d+\.\d+\.\d+"
     name = rf"FEBioMixtureContact-{re.escape(provenance.plugin_version())}-{febio}-\w+-\w+\.tar\.gz"
     assert re.fullmatch(name, archive.name)
+
+
+def test_the_archive_has_one_library_and_nothing_of_febios(archive, tmp_path):
+    """Models, documentation, licence and this project's own library: no program, header or library of FEBio's."""
+    shutil.unpack_archive(archive, tmp_path)
+    files = [path for path in tmp_path.rglob("*") if path.is_file()]
+    assert [path.name for path in files if path.read_bytes()[:4] == b"\x7fELF"] == [PLUGIN_NAME]
+    allowed = {".feb", ".xml", ".md", ".png", ".svg", ".csv", ".json", ".css", ".cff", ".so", ""}
+    assert {path.suffix for path in files} <= allowed
+    assert [path.name for path in files if path.suffix == ""] == ["LICENSE"]
+    ours = {path.name for path in (REPOSITORY / "models").glob("*.feb")}
+    assert {path.name for path in files if path.suffix == ".feb"} == ours
+
+
+def test_the_checksum_is_that_of_the_archive(archive):
+    written = archive.with_name(f"{archive.name}.sha256").read_text(encoding="utf-8")
+    assert written.split() == [hashlib.sha256(archive.read_bytes()).hexdigest(), archive.name]
+
+
+def test_version_and_date_are_the_same_everywhere():
+    version = provenance.plugin_version()
+    head = re.search(rf"^## \[{re.escape(version)}\] - (\S+)$", text_of("CHANGELOG.md"), re.MULTILINE)
+    assert head is not None
+    citation = yaml.safe_load(text_of("CITATION.cff"))
+    assert citation["version"] == version
+    assert f"Version {version} (" in text_of("README.md")
+    assert head[1] == "unreleased" or str(citation["date-released"]) == head[1]
+
+
+def test_the_changelog_is_short():
+    assert len(text_of("CHANGELOG.md").splitlines()) <= LINES_OF_CHANGES
 
 
 def test_a_model_runs_with_the_plugin_of_the_archive(archive, tmp_path):

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from harness.models.ball_in_socket import BallInSocket
-from harness.pages.linear_solver_results import Solver
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
-from harness.studies.linear_solvers.trials import write
+from studies.linear_solvers.trials import write
+from studies.pages.linear_solver_results import Solver
 
 pytestmark = pytest.mark.mixture_only
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from harness.models import small
-from harness.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
 from harness.run import engine
+from studies.models import small
+from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
 
 pytestmark = pytest.mark.mixture_only
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from harness.run import engine, logdata
-from harness.studies.price import joints
+from studies.price import joints
 
 MODELS = Path(__file__).parent / "models"
 COLUMNS = ("x", "y", "z", "ux", "uy", "uz")

@@ -11,7 +11,7 @@ import pytest
 from harness.models import ball_in_socket
 from harness.models.ball_in_socket import BallInSocket
 from harness.run import engine
-from harness.studies.price import joints
+from studies.price import joints
 
 pytestmark = pytest.mark.mixture_only
 

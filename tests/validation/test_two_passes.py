@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from harness.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved, rigid
 from harness.run import engine
+from studies.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved, rigid
 
 Map = Callable[[float, float, float], tuple[float, float, float]]
 LATER, FIRST = curve(2, (0, 0), (0.2, 0), (1, 1)), curve(1, (0, 0), (0.2, 1), (1, 1))

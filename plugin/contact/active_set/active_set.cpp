@@ -1,7 +1,6 @@
 #include "active_set/active_set.h"
 
-#include "law/laws.h"
-#include "law/openings.h"
+#include "conditions/openings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +31,8 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   for (Index node = 0; node < laws_.nodes(); ++node) {
     // Surfaces that exchange no traction touch whatever the penalty.
     const double penalty = laws_.effects().traction ? laws_.traction_penalty(node) : laws_.penalties().stiffness[node];
-    const double lambda = laws_.multipliers.traction[node];
-    const LawValue law = laws_.bear_tension() ? two_sided_traction(lambda, penalty, now.gap[node])
-                                              : normal_traction(lambda, penalty, now.gap[node], touch);
-    status.push_back(may_close(node) && now.faces(node) && law.derivative > 0);
+    const LawValue trial = augmented(laws_.multipliers.traction[node], penalty, now.gap[node]);
+    status.push_back(may_close(node) && now.faces(node) && laws_.normal().begins(trial, touch));
   }
   return status;
 }
@@ -56,7 +53,7 @@ NodeFlags ActiveSet::expected(const NodalGaps& now, double ahead) const {
 }
 
 bool ActiveSet::can_expect() const {
-  return laws_.effects().nodal_fields() == 0 && !laws_.has_twin() && !laws_.bear_tension();
+  return laws_.effects().nodal_fields() == 0 && !laws_.has_twin() && laws_.normal().may_part();
 }
 
 bool ActiveSet::opens(const NodalGaps& now, double opening) const {
@@ -68,7 +65,7 @@ bool ActiveSet::may_open_ahead(const NodeFlags& status, const NodalGaps& now, co
   double opening = 0;
   for (Index node = 0; node < status.count(); ++node) {
     if (!status[node]) continue;
-    const double load = laws_.traction_penalty(node) * now.gap[node] + laws_.multipliers.traction[node];
+    const double load = laws_.traction_trial(node, now.gap[node]).value;
     all -= now.area[node] * load;
     if (opens(now, openings[node])) opening -= now.area[node] * load;
   }
@@ -80,7 +77,7 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, 
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
     const bool sticks = !predicted.slips.empty() && !predicted.slips[node];
-    const bool holds = laws_.bear_tension() || sticks || predicted.traction[node] <= least;
+    const bool holds = sticks || laws_.normal().stays(predicted.traction[node], least);
     const bool stays = may_close(node) && now.faces(node) && holds;
     status.push_back(predicted.in_contact[node] ? stays : closes(now, node, least));
   }
@@ -146,7 +143,7 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
   const FrictionBands bands = friction_bands(predicted);
   for (Index node = 0; node < slips.count(); ++node) {
     if (!predicted.in_contact[node]) continue;
-    const bool pulled = !laws_.bear_tension() && predicted.traction[node] > 0;
+    const bool pulled = !laws_.normal().stays(predicted.traction[node], 0);
     const double bound = laws_.rubbing(predicted, node);
     if (pulled || !(bound > 0)) {  // nothing holds it
       slips[node] = true;
@@ -243,8 +240,8 @@ double ActiveSet::negligible(double largest_traction, double surface_size) const
 }
 
 bool ActiveSet::closes(const NodalGaps& now, Index node, double negligible) const {
-  const double overlap_load = laws_.multipliers.traction[node] + laws_.traction_penalty(node) * now.gap[node];
-  return may_close(node) && now.faces(node) && (laws_.bear_tension() || overlap_load < -negligible);
+  const double trial = laws_.traction_trial(node, now.gap[node]).value;
+  return may_close(node) && now.faces(node) && laws_.normal().closes(trial, negligible);
 }
 
 }  // namespace mixture_contact

@@ -1,7 +1,7 @@
 /// The active set: which nodes are in contact. It decides status and nothing else.
 #pragma once
 
-#include "law/nodal_laws.h"
+#include "conditions/nodal_laws.h"
 
 #include <optional>
 

@@ -58,12 +58,6 @@ inline constexpr double two_pass_flux_factor = 1e3;
 /// within the search radius.
 inline constexpr double tension_traction_factor = 3e2;
 
-/// The default of the traction; `both_ways`: each side has conditions of its own.
-inline double traction_factor(bool both_ways, bool tension) {
-  const double factor = both_ways ? two_pass_traction_factor : default_traction_factor;
-  return tension ? std::min(factor, tension_traction_factor) : factor;
-}
-
 /// Default multiple of the stiffness that the tangential penalty is: what sticks gives way by 1/factor of the shear of
 /// the adjoining elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find what
 /// sticks.

@@ -24,8 +24,7 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
   const VectorXd rounding = laws.field_rounding(fields, loads.size);
   for (Index node = 0; node < loads.area.size(); ++node) {
     if (!loads.in_contact[node]) continue;
-    // Surfaces that touch without a load meet their condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
-    const double gap = laws.bear_tension() || loads.traction[node] < 0 ? loads.gap[node] : 0.0;
+    const double gap = laws.normal().residual_gap(loads.gap[node], loads.traction[node]);
     traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
     if (!loads.friction.empty()) add_slip(slip, base.stiffness[node], loads, node);
     if (!loads.flux_coupled[node]) continue;

@@ -1,8 +1,8 @@
 /// Augmented Lagrangian updates: lambda takes the load of a converged solution; slow fields get a larger penalty.
 #pragma once
 
+#include "conditions/nodal_laws.h"
 #include "enforcement/gap_measures.h"
-#include "law/nodal_laws.h"
 
 namespace mixture_contact {
 

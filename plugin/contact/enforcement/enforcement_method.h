@@ -1,7 +1,7 @@
 /// How the conditions of contact are enforced at nodes: what takes the place of gaps and jumps that are exactly zero.
 #pragma once
 
-#include "law/nodal_laws.h"
+#include "conditions/nodal_laws.h"
 #include "mortar/linearisation.h"
 
 #include <functional>

@@ -169,8 +169,7 @@ VectorXd HeldLinearisation::undecided(const FacingFields& fields) const {
   for (Index node = 0; node < tractions.size(); ++node) {
     if (now.in_contact[node]) tractions[node] = now.traction[node];
   }
-  for (const int node : nearing())
-    tractions[node] = laws_.multipliers.traction[node] + laws_.traction_penalty(node) * now.gap[node];
+  for (const int node : nearing()) tractions[node] = laws_.traction_trial(node, now.gap[node]).value;
   return tractions;
 }
 

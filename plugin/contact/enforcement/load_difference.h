@@ -1,7 +1,7 @@
 /// How far loads at nodes are from each other.
 #pragma once
 
-#include "law/nodal_laws.h"
+#include "conditions/nodal_laws.h"
 #include "mortar/mortar_space.h"
 
 namespace mixture_contact {

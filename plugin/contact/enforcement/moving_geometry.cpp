@@ -138,7 +138,8 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   if (!predicted && !augmented && method_.predicts()) {
     laws_.drop_new_fluxes(next.geometric_flux);
-    const VectorXd traction = laws_.admissible(next.geometric_traction);  // a node that closes ahead is pulled
+    const VectorXd traction = admissible(laws_.normal(),
+                                         next.geometric_traction);  // a node that closes ahead is pulled
     next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
   }
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
@@ -223,7 +224,7 @@ NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
   if (point_) return method_.predicted_loads(*point_, fields);
   NodalLoads loads = initial_averages(fields);
   method_.load(loads);
-  loads.traction = laws_.admissible(loads.traction);
+  loads.traction = admissible(laws_.normal(), loads.traction);
   return loads;
 }
 

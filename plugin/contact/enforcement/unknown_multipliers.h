@@ -1,13 +1,14 @@
 /// Multipliers as unknowns of the Newton solve.
 #pragma once
 
+#include "conditions/multiplier.h"
 #include "enforcement/enforcement_method.h"
-#include "law/laws.h"
 
 namespace mixture_contact {
 
-/// Loads are the multipliers. Each has an equation: gap or jump = 0 in contact, mu = 0 elsewhere (laws.h), weighted
-/// such that the equation is in the units of the residual of its field, and rows and columns of the tangent are alike.
+/// Loads are the multipliers. Each has an equation: gap or jump = 0 in contact, mu = 0 elsewhere
+/// (conditions/multiplier.h), weighted such that the equation is in the units of the residual of its field, and rows
+/// and columns of the tangent are alike.
 class UnknownMultipliers : public EnforcementMethod {
  public:
   using EnforcementMethod::EnforcementMethod;

@@ -25,7 +25,7 @@ VectorXd farthest_ahead(const SurfaceMesh& mesh, const Matrix3Xd& position, cons
 Reach reach_of(const Settings& settings, const FacingPositions& x) {
   if (settings.search.radius > 0) return settings.search.radius;
   const double half = std::min(half_diagonal(x.primary), half_diagonal(x.secondary));
-  return settings.gap.tension ? Reach(half) : Reach(half, settings.gap.offset);
+  return normal_condition(settings.gap).may_part() ? Reach(half, settings.gap.offset) : Reach(half);
 }
 
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {

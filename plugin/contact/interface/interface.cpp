@@ -1,8 +1,8 @@
 #include "interface/interface.h"
 
 #include "base/parallel.h"
+#include "conditions/openings.h"
 #include "interface/past_iterations.h"
-#include "law/openings.h"
 
 #include <algorithm>
 #include <stdexcept>

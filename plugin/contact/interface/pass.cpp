@@ -1,9 +1,9 @@
 #include "interface/pass.h"
 
 #include "base/bytes.h"
+#include "conditions/openings.h"
 #include "enforcement/fixed_geometry.h"
 #include "enforcement/moving_geometry.h"
-#include "law/openings.h"
 #include "mortar/slips.h"
 
 namespace mixture_contact {
@@ -41,7 +41,7 @@ void ContactPass::restrict_active_set(const NodeFlags& nodes) {
 
 void ContactPass::augment(const FacingFields& fields) {
   const NodalLoads loads = nodal_loads(fields);
-  if (effects_.traction) laws_.multipliers.traction = laws_.admissible(loads.traction);
+  if (effects_.traction) laws_.multipliers.traction = admissible(laws_.normal(), loads.traction);
   laws_.multipliers.flux = loads.flux;
   if (!loads.friction.empty()) laws_.take_friction(loads);
   geometry_->take_multipliers();

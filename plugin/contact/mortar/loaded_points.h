@@ -1,8 +1,8 @@
 /// Integration points with the loads that are interpolated from the nodes around them.
 #pragma once
 
-#include "law/point_integral.h"
 #include "mortar/mortar_space.h"
+#include "mortar/point_integral.h"
 
 #include <functional>
 #include <optional>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/timings.h"
+#include "conditions/nodal_loads.h"
 #include "geometry/slip.h"
 #include "integration/facing_pairs.h"
-#include "law/nodal_loads.h"
 #include "mortar/boundary_weights.h"
 
 #include <optional>

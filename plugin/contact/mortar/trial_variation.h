@@ -1,7 +1,7 @@
 /// How trial frictions vary.
 #pragma once
 
-#include "law/nodal_laws.h"
+#include "conditions/nodal_laws.h"
 #include "mortar/linearisation.h"
 
 namespace mixture_contact {

@@ -10,8 +10,8 @@ using Eigen::Matrix3d;
 /// The normal at a point of a primary facet, n = a/|a| with the area vector a = x,1 x x,2.
 struct NormalAt {
   Vector3d normal;
-  double length = 0;                    ///< |a|
-  IndexedVector<Matrix3d> d_area;       ///< da/dx per node of the facet
+  double length = 0;               ///< |a|
+  IndexedVector<Matrix3d> d_area;  ///< da/dx per node of the facet
 
   /// I - n n: what of da turns the normal, times |a|.
   Matrix3d across() const { return Matrix3d::Identity() - normal * normal.transpose(); }

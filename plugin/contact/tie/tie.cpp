@@ -1,7 +1,8 @@
 #include "tie/tie.h"
 
 #include "base/in_order.h"
-#include "law/bonded.h"
+#include "conditions/bonded.h"
+#include "conditions/law_value.h"
 #include "tie/gap_vector.h"
 
 #include <algorithm>
@@ -87,13 +88,13 @@ TieLoads Tie::loads(const PerSide<SurfaceFields>& fields) const {
   in_parallel(count, [&](Index n) {
     loads.gap.col(n) = gap_vector(nodes_[n], x);
     if (effects_.traction) {
-      const Vector3d multiplier = state_.traction.col(n);
-      loads.traction.col(n) = bonded<Vector3d>(multiplier, traction_penalty(n), loads.gap.col(n)).value;
+      const double penalty = traction_penalty(n);
+      loads.traction.col(n) = bonded_traction(state_.traction.col(n), penalty, loads.gap.col(n)).value;
     }
     for (int k = 0; k < scalars; ++k) {
       if (!exchanges(n, k)) continue;
       loads.jump(k, n) = -nodes_[n].fields[k].weights.dot(values_at(nodes_[n], fields, k));
-      loads.flux(k, n) = bonded(state_.flux(k, n), flux_penalty(n, k), loads.jump(k, n)).value;
+      loads.flux(k, n) = augmented(state_.flux(k, n), flux_penalty(n, k), loads.jump(k, n)).value;
     }
   });
   return loads;
@@ -117,7 +118,9 @@ void Tie::for_each_part(const Make& make, const Use& use) const {
   };
   in_order(
       nodes_.count() * parts,
-      [&](Index i) { return exists(i / parts, i % parts) ? make(i / parts, indexing::as_int(i % parts) - 1) : Values(); },
+      [&](Index i) {
+        return exists(i / parts, i % parts) ? make(i / parts, indexing::as_int(i % parts) - 1) : Values();
+      },
       [&](Index i, const Values& values) {
         const int field = indexing::as_int(i % parts) - 1;
         if (values.size() > 0) use(field < 0 ? patch(i / parts) : patch(i / parts, field), values);
@@ -143,8 +146,8 @@ VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   const TiedAverage& average = nodes_[n].fields[field];
   VectorXd residual(layout.size());
   residual.head(layout.nodes()) = -average.area * loads.flux(field, n) * average.weights;
-  if (layout.has_multipliers()) residual[layout.flux_multiplier(0)] = average.area * flux_unit(n, field) *
-                                                                      loads.jump(field, n);
+  if (layout.has_multipliers())
+    residual[layout.flux_multiplier(0)] = average.area * flux_unit(n, field) * loads.jump(field, n);
   return residual;
 }
 

@@ -1,8 +1,8 @@
 /// The tie of two surfaces: loads at tied nodes, residual and tangent, and what multipliers take up.
 #pragma once
 
+#include "conditions/penalty.h"
 #include "enforcement/gap_measures.h"
-#include "law/penalty.h"
 #include "tie/tied_node.h"
 
 #include <functional>

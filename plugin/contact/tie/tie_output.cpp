@@ -62,7 +62,8 @@ NodalOutput means_of(const NodeSums& sums, double sense, const Matrix3Xd& normal
 InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields) {
   const TieLoads loads = tie.loads(fields);
   const Index scalars = tie.effects().scalar_fields();
-  PerSide<NodeSums> sums{{NodeSums(tie.mesh()[Side::primary].nodes, scalars), NodeSums(tie.mesh()[Side::secondary].nodes, scalars)}};
+  PerSide<NodeSums> sums{
+      {NodeSums(tie.mesh()[Side::primary].nodes, scalars), NodeSums(tie.mesh()[Side::secondary].nodes, scalars)}};
   InterfaceOutput all;
   all.balance.flow.setZero(scalars);
   for (Index n = 0; n < tie.nodes().count(); ++n) {

@@ -68,9 +68,8 @@ PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const Integr
   const Facet& one = space.facing().primary_facet(pair);
   const Facet& two = space.facing().secondary_facet(pair);
   PlacedPoint found;
-  found.kinematics = point_kinematics(
-      shape_functions(one.type, place.xi), facet_coordinates(one, x[Side::primary]),
-      shape_functions(two.type, place.eta), facet_coordinates(two, x[Side::secondary]));
+  found.kinematics = point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, x[Side::primary]),
+                                      shape_functions(two.type, place.eta), facet_coordinates(two, x[Side::secondary]));
   const double area = place.weight * found.kinematics.area;
   found.shares = area * space.shape(pair.primary, place.sub_facet, place.xi).value;
   found.secondary_shares = multiplier_functions(two.type, sub_facet_at(two.type, place.eta), place.eta).value;
@@ -190,8 +189,8 @@ Matrix3Xd without_gaps(const IndexedVector<TiedNode>& tied, const PerSide<Surfac
                        const PerSide<Matrix3Xd>& reference) {
   Matrix3Xd moved = reference[Side::primary];
   const Matrix3Xd normals = nodal_normals(mesh[Side::primary], moved);
-  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(
-      mesh[Side::primary], mesh[Side::secondary], seen_from(Side::primary, reference), settings);
+  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[Side::primary], mesh[Side::secondary],
+                                                                      seen_from(Side::primary, reference), settings);
   for (const TiedNode& each : tied) {
     if (hits[each.node]) moved.col(each.node) += hits[each.node]->gap * normals.col(each.node);
   }

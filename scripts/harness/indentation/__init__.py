@@ -1,1 +1,1 @@
-"""Problem 3.3, the article's semi-cylinder on a slab: histories, measures, pictures and its studies."""
+"""Problem 3.3, the article's semi-cylinder on a slab: histories, measures and pictures."""

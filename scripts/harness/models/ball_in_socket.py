@@ -66,6 +66,8 @@ class BallInSocket:
         Of the contact.
     steps : int
         Time steps to press, and as many to slide.
+    plot : bool
+        With a plot file.
     """
 
     elements: int = 8
@@ -78,6 +80,7 @@ class BallInSocket:
     params: tuple[Param, ...] = ()
     steps: int = 10
     name: str = "ball-in-socket"
+    plot: bool = False
 
     def model(self) -> Model:
         """The model of these choices."""
@@ -94,6 +97,7 @@ class BallInSocket:
             self._control(),
             (Contact(self.contact, "joint", self.params),),
             (Curve(((0.0, 0.0), (self.steps, 1.0))), Curve(((self.steps, 0.0), (2.0 * self.steps, 1.0)))),
+            plot=self.plot,
         )
 
     def _control(self) -> Control:

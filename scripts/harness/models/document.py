@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from textwrap import indent
@@ -26,6 +26,7 @@ from harness.models.parts import (
     child,
     text_of,
 )
+from harness.models.springs import Springs
 
 MODULES = ("solid", "biphasic", "solute", "multiphasic")
 
@@ -64,6 +65,11 @@ class Model:
         element data as the material lists them.
     gas_constant : float
         R in the units of the model.
+    springs : tuple of Springs
+    further_plot : tuple of str
+        FEBio's names of plot variables beside those that every model has.
+    node_log : bool
+        Whether the node data are logged, which takes long for large meshes.
     """
 
     name: str
@@ -83,6 +89,9 @@ class Model:
     facet_columns: tuple[str, ...] = ()
     part_columns: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     gas_constant: float = GAS_CONSTANT
+    springs: tuple[Springs, ...] = ()
+    node_log: bool = True
+    further_plot: tuple[str, ...] = ()
 
     @property
     def n_solutes(self) -> int:
@@ -152,7 +161,7 @@ class Model:
         materials = child(root, "Material")
         for number, (name, material) in enumerate(self.materials.items(), 1):
             material.write(materials, number, name, self.module)
-        _mesh(self.mesh, root)
+        _mesh(self.mesh, self.springs, root)
         domains = child(root, "MeshDomains")
         for part in self.mesh.parts:
             child(domains, "SolidDomain", name=part.name, mat=part.material)
@@ -185,7 +194,7 @@ def _globals(model: Model, root: Element) -> None:
             child(made, "density", 1.0)
 
 
-def _mesh(mesh: Mesh, root: Element) -> None:
+def _mesh(mesh: Mesh, springs: Iterable[Springs], root: Element) -> None:
     section = child(root, "Mesh")
     nodes = child(section, "Nodes")
     for number, position in enumerate(mesh.nodes, 1):
@@ -206,6 +215,8 @@ def _mesh(mesh: Mesh, root: Element) -> None:
         pair = child(section, "SurfacePair", name=name)
         child(pair, "primary", primary)
         child(pair, "secondary", secondary)
+    for group in springs:
+        group.write_mesh(section)
 
 
 def _element_type(nodes: int) -> str:
@@ -229,17 +240,26 @@ def _sections(model: Model, root: Element) -> None:
         section = child(root, "Contact")
         for contact in model.contacts:
             contact.write(section)
-    if model.curves:
-        section = child(root, "LoadData")
-        for number, curve in enumerate(model.curves, 1):
-            curve.write(section, number)
+    if model.springs:
+        _springs(model.springs, child(root, "Discrete"))
+    section = child(root, "LoadData") if model.curves else boundary
+    for number, curve in enumerate(model.curves, 1):
+        curve.write(section, number)
     _output(model, root)
+
+
+def _springs(springs: Sequence[Springs], section: Element) -> None:
+    for number, group in enumerate(springs, 1):
+        group.write_material(section, number)
+    for number, group in enumerate(springs, 1):
+        group.write_set(section, number)
 
 
 def _output(model: Model, root: Element) -> None:
     output = child(root, "Output")
     log = child(output, "logfile")
-    child(log, "node_data", data=";".join(model.node_columns), file=model.node_file, delim=" ")
+    if model.node_log:
+        child(log, "node_data", data=";".join(model.node_columns), file=model.node_file, delim=" ")
     if model.element_columns:
         child(log, "element_data", data=";".join(model.element_columns), file=model.element_file, delim=" ")
     _log_surfaces(model, log)
@@ -275,7 +295,7 @@ def _log_parts(model: Model, log: Element) -> None:
 def _plot_variables(model: Model) -> tuple[str, ...]:
     fluid = () if model.module == "solid" else ("effective fluid pressure", "fluid flux")
     solutes = ("effective solute concentration", "solute concentration", "solute flux") if model.n_solutes else ()
-    return ("displacement", "stress", *fluid, "contact gap", "contact pressure", *solutes)
+    return ("displacement", "stress", *fluid, "contact gap", "contact pressure", *solutes, *model.further_plot)
 
 
 def _check(model: Model) -> None:

@@ -172,14 +172,23 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Rigid:
-    """Rigid body: neither solvent nor solutes pass. Held and moved by `hold_rigid` and `move_rigid`."""
+    """Rigid body: neither solvent nor solutes pass. Held and moved by `hold_rigid` and `move_rigid`.
 
+    Attributes
+    ----------
+    centre : tuple of float, optional
+        Point on which forces act and about which the body turns, mm; the centre of mass without it.
+    """
+
+    centre: tuple[float, float, float] | None = None
     solutes: ClassVar[tuple[Solute, ...]] = ()
 
     def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
         """Append the material to the section `parent`."""
         made = child(parent, "material", id=str(number), name=name, type="rigid body")
         child(made, "density", 1.0)
+        if self.centre is not None:
+            child(made, "center_of_mass", self.centre)
 
 
 Material: TypeAlias = Mixture | Elastic | Rigid
@@ -266,6 +275,12 @@ def move_rigid(material: str, axis: str, value: float, curve: int | None = None)
     """Prescribe the displacement (mm) of a rigid body along one axis."""
     params = (Param("dof", axis), Param("value", value, curve), Param("relative", False))
     return Condition("rigid_bc", "rigid_displacement", material, params)
+
+
+def turn_rigid(material: str, axis: str, angle: float, curve: int | None = None) -> Condition:
+    """Prescribe the rotation (rad) of a rigid body about one axis, by its letter u, v or w for x, y or z."""
+    params = (Param("dof", f"R{axis}"), Param("value", angle, curve), Param("relative", False))
+    return Condition("rigid_bc", "rigid_rotation", material, params)
 
 
 def push_rigid(material: str, axis: str, force: float, curve: int | None = None) -> Condition:

@@ -63,7 +63,7 @@ def _largest(joint: Joint, tag: Element) -> float:
 
 
 def in_series(joint: Joint, field: Field) -> float:
-    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/law/penalty.cpp."""
+    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/conditions/penalty.cpp."""
     one, two = _mean(joint.primary.conductances(field)), _harmonic_mean(joint.secondary.conductances(field))
     if math.isinf(one) or math.isinf(two):
         return 2.0 * min(one, two)

@@ -10,6 +10,7 @@ import typer
 from rich.console import Console
 
 from harness.errors import HarnessError
+from harness.run.command import run
 
 console = Console(highlight=False, soft_wrap=True)
 
@@ -17,10 +18,12 @@ console = Console(highlight=False, soft_wrap=True)
 def report(
     model: Annotated[Path, typer.Argument(help="A .feb file; its log and plot file are next to it.")],
     output: Annotated[Path | None, typer.Option(help="Folder for the page; MODEL-report next to the model.")] = None,
+    first: Annotated[bool, typer.Option("--run", help="Run the model first.")] = False,
 ) -> None:
     """Make a page about the contact of a run: pressure on the deformed surfaces, curves over time, settings, warnings.
 
-    The page is one file, index.html, which opens from disk. Its folder has the pictures as PNG files, too.
+    The page is one file, index.html, which opens from disk. Its folder also has the pictures as PNG files, and the
+    contact surfaces at the time of the largest force as VTK files for PyVista and ParaView.
     """
     try:
         contents, page = (import_module(f"harness.report.{name}") for name in ("contents", "page"))
@@ -29,6 +32,8 @@ def report(
             f"`report` needs pyfebio and PyVista, and Python 3.11 or newer ({error}); "
             "`pip install 'febio-mixture-contact[report]'` installs them"
         ) from error
+    if first:
+        run(model)
     folder = output or model.with_name(f"{model.stem}-report")
     made = contents.make(model, _made(folder))
     console.print(str(page.write(made, folder)))

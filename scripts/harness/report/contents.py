@@ -9,7 +9,7 @@ import numpy as np
 from harness.errors import DataFileError
 from harness.preflight.formats import newest
 from harness.preflight.xml_file import Document
-from harness.report import history, pictures, plot_file
+from harness.report import history, pictures, plot_file, vtk_files
 from harness.report.history import Contact
 from harness.report.page import Page, Picture, Table
 from harness.run import febio_log, provenance
@@ -19,7 +19,7 @@ _WANTED_OF_FLUID = (history.FLUID[1], history.SOLVENT_FLOW, history.SOLUTE_FLOW)
 
 
 def make(model: Path, folder: Path) -> Page:
-    """Draw the pictures of a run into a folder, and gather what its page says.
+    """Draw the pictures of a run into a folder, with the surfaces as VTK files, and gather what its page says.
 
     Raises
     ------
@@ -41,6 +41,7 @@ def make(model: Path, folder: Path) -> Page:
         Picture(file, f"{contact.surface.name} at {time}, the time of the largest force: contact pressure")
         for contact, file in zip(contacts, pictures.draw_pressures(plot, contacts, shown, folder), strict=True)
     ]
+    vtk_files.write_surfaces(plot, contacts, shown, folder)
     curves = [Picture(file, file.stem.replace("-", " ")) for file in pictures.draw_curves(contacts, folder)]
     report = febio_log.parse(log)
     return Page(

@@ -14,6 +14,7 @@ from harness.report import history
 from harness.report.history import Contact
 from harness.report.plot_file import PlotFile, State
 from harness.report.surface import Surface
+from harness.report.vtk_files import file_name, mesh_of
 
 Floats = NDArray[np.float64]
 SIZE = (900, 700)
@@ -43,20 +44,16 @@ def draw_pressures(plot: PlotFile, contacts: Sequence[Contact], number: int, fol
     largest = max((float(contact.peak[number]) for contact in contacts), default=0.0)
     files = []
     for index, contact in enumerate(contacts):
-        file = folder / f"pressure-{index + 1}-{_file_name(contact.surface.name)}.png"
+        file = folder / f"pressure-{file_name(index, contact)}.png"
         _draw_surface(plot, state, contact, largest or 1.0, file)
         files.append(file)
     return files
 
 
-def _file_name(name: str) -> str:
-    return "".join(letter if letter.isalnum() else "-" for letter in name)[:40]
-
-
 def _draw_surface(plot: PlotFile, state: State, contact: Contact, largest: float, file: Path) -> None:
     positions = plot.positions(state)
     surface = contact.surface
-    mesh = _mesh(surface, positions)
+    mesh = mesh_of(surface, positions)
     mesh.cell_data["contact pressure [MPa]"] = history.pressures(state, surface, contact.place)[
         surface.facet_of_triangle
     ]
@@ -73,11 +70,6 @@ def _draw_surface(plot: PlotFile, state: State, contact: Contact, largest: float
     _look_from_outside(plotter, surface.area_vectors(positions).sum(axis=0), mesh)
     plotter.screenshot(str(file))
     plotter.close()
-
-
-def _mesh(surface: Surface, positions: Floats) -> pyvista.PolyData:
-    sides = np.full((len(surface.triangles), 1), 3)
-    return pyvista.PolyData(positions, np.hstack([sides, surface.triangles])).clean()
 
 
 def _body_of(plot: PlotFile, surface: Surface, positions: Floats) -> pyvista.PolyData | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,6 +18,7 @@ from harness.report.surface import Integers, Surface, in_order_of_appearance
 
 Floats = NDArray[np.float64]
 _COMPRESSION = "PLT_HDR_COMPRESSION"
+_TAGS = {tag.name: number for number, tag in xplt.TAG_LUT.items()}
 _SURFACES, _DOMAINS = "meshes/0/surfaces/", "meshes/0/domains/"
 
 
@@ -160,6 +162,28 @@ def _blocks(buffer: bytes) -> Iterator[tuple[str, bytes]]:
         start += 8 + size
 
 
+def _with_names(mesh: bytes) -> bytes:
+    """The mesh, where each domain has a name: pyfebio needs one, and FEBio writes none for springs."""
+    return b"".join(
+        _block(section, _with_names_of_domains(content) if section == "PLT_DOMAIN_SECTION" else content)
+        for section, content in _blocks(mesh)
+    )
+
+
+def _with_names_of_domains(section: bytes) -> bytes:
+    named = []
+    for number, (tag, domain) in enumerate(_blocks(section), start=1):
+        parts = dict(_blocks(domain))
+        if "PLT_DOM_NAME" not in dict(_blocks(parts["PLT_DOMAIN_HDR"])):
+            parts["PLT_DOMAIN_HDR"] += _block("PLT_DOM_NAME", f"domain {number}".encode())
+        named.append(_block(tag, b"".join(_block(name, content) for name, content in parts.items())))
+    return b"".join(named)
+
+
+def _block(name: str, content: bytes) -> bytes:
+    return struct.pack("<2i", _TAGS[name], len(content)) + content
+
+
 def _parse_blocks(buffer: bytes, memory: Any) -> None:
     """Read the first mesh and all states.
 
@@ -175,7 +199,7 @@ def _parse_blocks(buffer: bytes, memory: Any) -> None:
             xplt.parse_root_header(parts["PLT_HEADER"], memory)
             variables = xplt.parse_dictionary(parts["PLT_DICTIONARY"])
         elif block == "PLT_MESH" and not names:
-            names = xplt.parse_mesh(content, 0, memory)
+            names = xplt.parse_mesh(_with_names(content), 0, memory)
             names["domains"] = dict(enumerate(memory.under(_DOMAINS), start=1))
         elif block == "PLT_STATE":
             xplt.parse_state(content, states, variables, names, memory)

@@ -66,7 +66,7 @@ class Stamp:
     def __str__(self) -> str:
         """In words, for a page."""
         limit = f", at most {self.limit:g} s of processor time for each run" if self.limit else ""
-        return f"{self.engine}, plugin {self.plugin} at commit {self.commit}, one thread{limit}"
+        return f"{self.engine}, plugin {self.plugin}, one thread{limit}"
 
 
 def stamp(limit: float = 0.0) -> Stamp:

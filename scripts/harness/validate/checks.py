@@ -276,7 +276,7 @@ def _both_sides(run: RunResult, z: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def closed_forms_agree(_: Context) -> list[Measure]:
-    """Without any run: the closed forms agree where one is a special case of another."""
+    """The closed forms agree where one is a special case of another; no model runs."""
     z = np.linspace(0.0, 2.0, 41)
     half = composite_slab.Layer(1.0, diffusivity=5e-4, porosity=0.8, solubility=1.0)
     halves = composite_slab.concentration(z, 800.0, half, half)

@@ -1,6 +1,6 @@
+#include "contact/conditions/openings.h"
 #include "contact/interface/past_iterations.h"
 #include "contact/interface/residual_ahead.h"
-#include "contact/law/openings.h"
 
 #include "surfaces.h"
 

@@ -1,0 +1,187 @@
+#include "conditions/nodal_laws.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <limits>
+
+namespace mixture_contact {
+
+void Multipliers::forget_motion() {
+  opening_before.setConstant(opening.size(), std::numeric_limits<double>::infinity());
+  step_length = 0;
+  was_foretold = true;
+}
+
+NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
+                     const Settings& settings)
+    : primary_(primary),
+      secondary_(secondary),
+      effects_(effects),
+      settings_(settings),
+      penalties_(at_nodes(mixture_contact::penalties(primary, secondary, effects, settings), primary)) {
+  multipliers.traction.setZero(primary.nodes);
+  multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
+  multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
+  forget_steps();
+}
+
+void NodalLaws::forget_steps() {
+  multipliers.accepted_traction.setZero(nodes());
+  multipliers.opening.setConstant(nodes(), std::numeric_limits<double>::infinity());
+  multipliers.forget_motion();
+  if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), false);
+  if (!effects_.may_rub()) return;
+  multipliers.friction.setZero(3, nodes());
+  multipliers.slips = NodeFlags(nodes(), false);
+}
+
+void NodalLaws::update_penalties() {
+  penalties_ = at_nodes(mixture_contact::penalties(primary_, secondary_, effects_, settings_), primary_);
+}
+
+void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
+  loads.traction.setZero(nodes());
+  loads.flux.setZero(effects_.scalar_fields(), nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    if (effects_.traction) {
+      const double penalty = with_penalty ? traction_penalty(node) : 0.0;
+      const LawValue trial = augmented(multipliers.traction[node], penalty, loads.gap[node]);
+      loads.traction[node] = NormalCondition::load(trial, loads.in_contact[node]).value;
+    }
+    for (int field = 0; field < effects_.scalar_fields(); ++field) {
+      if (!loads.exchanges(field, node)) continue;
+      const double penalty = with_penalty ? flux_penalty(field, node) : 0.0;
+      loads.flux(field, node) = augmented(multipliers.flux(field, node), penalty, loads.jump(field, node)).value;
+    }
+  }
+  if (loads.friction.empty()) return;
+  if (loads.friction.trial.size() == 0) find_friction_limits(loads);  // else they are those that an iteration predicts
+  load_friction(loads);
+}
+
+void NodalLaws::find_friction_limits(NodalLoads& loads) const {
+  loads.friction.trial.setZero(3, nodes());
+  loads.friction.bound.setZero(nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    loads.friction.trial.col(node) = friction_trial(loads.friction, node).value;
+    loads.friction.bound[node] = friction_bound(loads, node).value;
+  }
+  if (loads.slips.empty()) loads.slips = beyond_bound(loads);
+}
+
+FrictionTrial NodalLaws::friction_trial(const NodalFriction& friction, Index node) const {
+  return carried(friction, node, multipliers.friction.col(node) - friction_penalty(node) * friction.slip.col(node));
+}
+
+FrictionTrial NodalLaws::carried(const NodalFriction& friction, Index node, const Vector3d& past) {
+  const Vector3d n = friction.normal(node);
+  const Vector3d present = friction.convection[node] * past;
+  return {n, past, present, present - n * n.dot(present)};
+}
+
+void NodalLaws::refer_friction(NodalLoads& loads, const NodalLoads* predicted) const {
+  NodalFriction& friction = loads.friction;
+  friction.reference = friction.trial;
+  friction.reference_bound.setZero(nodes());
+  friction.geometric.setZero(3, nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    const bool known = predicted != nullptr && predicted->in_contact[node];
+    const NodalLoads& from = known ? *predicted : loads;
+    if (known) friction.reference.col(node) = predicted->friction.trial.col(node);
+    const bool closes = predicted != nullptr && !known;
+    friction.reference_bound[node] = loads.rubs[node] && !closes ? std::max(0.0, rubbing(from, node)) : 0.0;
+    const FrictionTrial trial = friction_trial(loads.slips[node] ? friction : from.friction, node);
+    friction.geometric.col(node) = trial.past;
+    const double size = trial.value.norm();
+    if (!loads.slips[node] && size > friction.reference_bound[node])
+      friction.geometric.col(node) *= friction.reference_bound[node] / size;
+  }
+}
+
+FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) const {
+  const double pressure = loads.friction.pressure.size() > 0 ? loads.friction.pressure[node] : 0.0;
+  const bool decided = !loads.rubs.empty();
+  if (decided && !loads.rubs[node]) return {0, 0, 0};
+  const auto law = decided ? linear_friction_bound : mixture_contact::friction_bound;
+  return law(settings_.friction, loads.traction[node], pressure);
+}
+
+double NodalLaws::rubbing(const NodalLoads& loads, Index node) const {
+  const double pressure = loads.friction.pressure.size() > 0 ? loads.friction.pressure[node] : 0.0;
+  return linear_friction_bound(settings_.friction, loads.traction[node], pressure).value;
+}
+
+FrictionTraction friction_law(const NodalLoads& loads, Index node) {
+  const Vector3d trial = loads.friction.trial.col(node);
+  if (!loads.slips[node]) return stick(trial);
+  return slip(trial, loads.friction.bound[node], loads.friction.reference_of(node),
+              loads.friction.reference_bound_of(node));
+}
+
+void NodalLaws::load_friction(NodalLoads& loads) const {
+  loads.friction.traction.setZero(3, nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    loads.friction.bound[node] = friction_bound(loads, node).value;
+    loads.friction.traction.col(node) = friction_law(loads, node).value;
+  }
+}
+
+NodeFlags NodalLaws::beyond_bound(const NodalLoads& loads) const {
+  NodeFlags slips(nodes(), false);
+  const double rounding = traction_rounding(loads.size);
+  for (Index node = 0; node < nodes(); ++node) {
+    const double excess = loads.friction.trial.col(node).norm() - loads.friction.bound[node];
+    slips[node] = loads.in_contact[node] && excess > rounding;
+  }
+  return slips;
+}
+
+Matrix3Xd NodalLaws::friction_multipliers(const NodalFriction& friction) const {
+  Matrix3Xd lambda = Matrix3Xd::Zero(3, nodes());
+  for (Index node = 0; node < nodes(); ++node) {
+    if (friction.traction.col(node).isZero(0)) continue;
+    const Vector3d n = friction.normal(node);
+    const Eigen::Matrix3d to_present = friction.convection[node] - n * (n.transpose() * friction.convection[node]);
+    lambda.col(node) = to_present.completeOrthogonalDecomposition().solve(friction.traction.col(node));
+  }
+  return lambda;
+}
+
+void NodalLaws::take_friction(const NodalLoads& loads) {
+  multipliers.friction = friction_multipliers(loads.friction);
+  multipliers.slips = loads.slips;
+}
+
+void NodalLaws::drop_new_fluxes(MatrixXd& flux) const {
+  for (Index node = 0; node < multipliers.flux_coupled.count(); ++node) {
+    if (!multipliers.flux_coupled[node]) flux.col(node).setZero();
+  }
+}
+
+VectorXd NodalLaws::within_accepted(const VectorXd& traction, double surface_size) const {
+  const VectorXd accepted = multipliers.accepted_traction.cwiseAbs();
+  const VectorXd most = accepted.array() + accepted_margin * accepted.maxCoeff() + traction_rounding(surface_size);
+  return traction.cwiseMax(-most).cwiseMin(most);
+}
+
+double NodalLaws::traction_rounding(double surface_size) const {
+  return multipliers.traction_penalty_scale * penalties_.traction.maxCoeff() * rounding_fraction * surface_size;
+}
+
+VectorXd NodalLaws::field_rounding(const FacingFields& fields, double surface_size) const {
+  VectorXd rounding(effects_.scalar_fields());
+  for (int field = 0; field < effects_.scalar_fields(); ++field) {
+    const bool is_pressure = effects_.solvent && field == 0;
+    const double stress = is_pressure ? penalties_.stiffness.maxCoeff() * surface_size : 0.0;
+    rounding[field] = rounding_fraction * std::max({fields.primary.scalar.col(field).cwiseAbs().maxCoeff(),
+                                                    fields.secondary.scalar.col(field).cwiseAbs().maxCoeff(), stress});
+  }
+  return rounding;
+}
+
+}  // namespace mixture_contact

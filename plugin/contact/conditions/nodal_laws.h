@@ -1,0 +1,142 @@
+/// The laws at the nodes of a surface: penalties, multipliers, and the loads that they make of gaps and jumps.
+#pragma once
+
+#include "conditions/friction.h"
+#include "conditions/nodal_loads.h"
+#include "conditions/normal.h"
+#include "conditions/penalty.h"
+
+namespace mixture_contact {
+
+/// Multipliers of the nodes of the primary surface: the state that only an augmentation changes, or, where multipliers
+/// are unknowns, the host with every trial state.
+struct Multipliers {
+  VectorXd traction;                  ///< lambda_n per node [MPa]
+  MatrixXd flux;                      ///< lambda per (field, node)
+  double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
+  VectorXd flux_penalty_scale;        ///< the same per field
+  VectorXd accepted_traction;         ///< t_a of the step that was accepted last [MPa]; 0 before any
+  VectorXd opening;                   ///< openings() then; infinite before any [mm]
+  VectorXd opening_before;            ///< the same where that step began; infinite where that tells nothing
+  double step_length = 0;             ///< of that step [s]
+  bool was_foretold = true;           ///< whether the step before told what that step ended with (see take_openings())
+  NodeFlags flux_coupled;             ///< which nodes were so then, none before any; empty without fluxes
+  Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty
+                                      ///< without friction
+  NodeFlags slips;                    ///< which nodes slid when friction had these values
+  double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
+
+  /// Forgets how openings changed in the last step, and whether that was foretold.
+  void forget_motion();
+};
+
+/// A node's trial traction with what its variation needs.
+struct FrictionTrial {
+  Vector3d normal;   ///< n_a
+  Vector3d past;     ///< lambda_T - eps_T s_a, as the surfaces lay when the step began
+  Vector3d carried;  ///< F_a of it
+  Vector3d value;    ///< tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)
+};
+
+/// Friction of a node in contact, as its status has it.
+FrictionTraction friction_law(const NodalLoads& loads, Index node);
+
+/// Rounding of averaged gaps and jumps, over the size of the surface or the field.
+inline constexpr double rounding_fraction = 1e-13;
+
+/// Where a step begins, tractions may have changed since the last one was accepted by twice what that was accepted with
+/// (see ActiveSetOptions::solution_load), as a part of the largest one.
+inline constexpr double accepted_margin = 2e-2;
+
+class NodalLaws {
+ public:
+  /// Keeps references to the surfaces and what they exchange.
+  NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings);
+
+  /// Forgets accepted steps: their tractions, friction, stick and slip, and which nodes were flux-coupled.
+  void forget_steps();
+  /// Recomputes the penalties after the properties of the surfaces have changed.
+  void update_penalties();
+
+  const Effects& effects() const { return effects_; }
+  Index nodes() const { return primary_.nodes; }
+  /// Penalties of the nodes.
+  const Penalties& penalties() const { return penalties_; }
+  double traction_penalty(Index node) const { return multipliers.traction_penalty_scale * penalties_.traction[node]; }
+  double flux_penalty(Index field, Index node) const {
+    return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
+  }
+
+  double friction_penalty(Index node) const {
+    return multipliers.friction_penalty_scale * settings_.friction.penalty_factor * penalties_.traction[node];
+  }
+  /// Friction penalties of all nodes, before slow augmentations have built them up.
+  VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
+
+  // The largest multiples of stiffness and conductance that augmentations may bring penalties to
+  double largest_traction_factor() const { return normal().penalty_factor(has_twin()) / settings_.traction_reduction; }
+  double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
+
+  /// Whether the surface that these nodes face has conditions of its own.
+  bool has_twin() const { return settings_.two_pass || primary_.may_meet_itself(); }
+  /// The condition between traction and gap.
+  const NormalCondition& normal() const { return normal_condition(settings_.gap); }
+  /// lambda_n + eps_n g of a node [MPa], whether or not it is in contact, and its derivative with the gap.
+  LawValue traction_trial(Index node, double gap) const {
+    return augmented(multipliers.traction[node], traction_penalty(node), gap);
+  }
+
+  /// Sets traction and fluxes of the nodes in contact to lambda + eps times gap or jump; without penalty, to lambda.
+  void load(NodalLoads& loads, bool with_penalty) const;
+
+  FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
+  /// The trial of a vector `past`, which lies in the plane that slips are measured in, carried into the present tangent
+  /// plane.
+  static FrictionTrial carried(const NodalFriction& friction, Index node, const Vector3d& past);
+  FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
+  /// The bound without <>: what tells whether a node rubs.
+  double rubbing(const NodalLoads& loads, Index node) const;
+  /// Sets bound and friction of the nodes in contact as their status has it.
+  void load_friction(NodalLoads& loads) const;
+  /// Sets what friction refers to in an iteration that begins with status and trials of `loads`: the trials and bounds
+  /// that the last one predicted, or its own. Friction of a node that closes after an iteration does not turn: the
+  /// bound that its overlap makes is as much too large as the penalty is.
+  void refer_friction(NodalLoads& loads, const NodalLoads* predicted) const;
+  /// Nodes in contact that slide where nothing has been decided: those whose trial exceeds the bound.
+  NodeFlags beyond_bound(const NodalLoads& loads) const;
+  /// Multipliers of friction that have the present tractions for their trial where nothing slides any further.
+  Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
+  /// Takes the present friction and status over.
+  void take_friction(const NodalLoads& loads);
+  /// Where a step begins: tractions for the geometric part of the tangent, none larger than in the equilibrium that the
+  /// last one ended with. More is what a large penalty makes of an overlap that is in no equilibrium: of meshes at the
+  /// start, or where averages are taken over other facets than before.
+  VectorXd within_accepted(const VectorXd& traction, double surface_size) const;
+  /// Where a step begins: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
+  /// geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would be
+  /// a wrong stiffness of that size.
+  void drop_new_fluxes(MatrixXd& flux) const;
+
+  /// What a large penalty makes of the rounding of gaps [MPa].
+  double traction_rounding(double surface_size) const;
+  /// Per field; values and jumps below this are rounding: of the field itself and, as the solvent's pressure comes from
+  /// the motion of the solid, of the stress that rounding of positions makes of the stiffness.
+  VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
+
+  Multipliers multipliers;
+  /// Whether a step in which no node would begin in contact begins with those around which points overlap: in an
+  /// attempt after one that has failed for want of contact. A node that closes so opens again where it is pulled.
+  bool close_overlapped = false;
+
+ private:
+  /// Sets the trials, and bound and status where they have not been decided.
+  void find_friction_limits(NodalLoads& loads) const;
+
+  const SurfaceMesh& primary_;
+  const SurfaceMesh& secondary_;
+  const Effects& effects_;
+  const Settings& settings_;
+  Penalties penalties_;
+};
+
+}  // namespace mixture_contact

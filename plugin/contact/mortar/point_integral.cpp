@@ -1,0 +1,123 @@
+#include "mortar/point_integral.h"
+
+namespace mixture_contact {
+namespace {
+
+/// Derivative of the weights h = (N1(xi), -N2(eta)) of one node with the nodal positions.
+PairVariation<1> weight_variation(const PointKinematics& point, const KinematicVariations& vary, Index node) {
+  const Index first = point.primary_nodes();
+  if (node >= first) return -point.secondary_gradient.row(node - first).lazyProduct(vary.eta);
+  if (!vary.wanders()) return PairVariation<1>::Zero(vary.eta.cols());
+  return point.primary_gradient.row(node).lazyProduct(vary.xi);
+}
+
+/// Adds the derivative of h_a F, three rows per node, where F is a force on the primary side; `dforce`: of the first
+/// nodes, with those of which alone it varies.
+void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
+                       const PairVariation<3>& dforce, MatrixXd& tangent) {
+  const Index first = point.primary_nodes();
+  const PairVector h = point.jump_weights();
+  for (Index column = 0; column < vary.eta.cols(); ++column) {
+    const bool varies = column < dforce.cols();
+    const Vector3d with_force = varies ? Vector3d(dforce.col(column)) : Vector3d::Zero();
+    const auto add = [&](Index node, double dh) {
+      tangent.col(column).segment<3>(3 * node) += h[node] * with_force + dh * force;
+    };
+    if (vary.wanders()) {
+      for (Index a = 0; a < first; ++a) add(a, point.primary_gradient.row(a).dot(vary.xi.col(column)));
+    } else if (varies) {
+      for (Index a = 0; a < first; ++a) add(a, 0);
+    }
+    for (Index b = 0; first + b < h.size(); ++b)
+      add(first + b, -point.secondary_gradient.row(b).dot(vary.eta.col(column)));
+  }
+}
+
+/// The force of friction on the primary side, w |a| t_T.
+Vector3d friction_force(const PointKinematics& point, const PointLoads& loads) {
+  return loads.weight * point.area * loads.friction;
+}
+
+void add_friction_force_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                  const PointLoads& loads, PairVariation<3>& dforce) {
+  // d[w |a| t_T] = w [ t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha ]
+  const Vector3d with_area = loads.weight * loads.friction;
+  const Eigen::Matrix<double, 3, 2> with_xi = loads.weight * point.area * loads.friction_slope;
+  const bool varies = !loads.friction_slope.isZero(0);
+  for (Index column = 0; column < dforce.cols(); ++column) {
+    Vector3d change = vary.area[column] * with_area;
+    if (vary.wanders()) change += point.area * vary.weight[column] * with_area;
+    if (varies && vary.wanders()) change += with_xi.lazyProduct(vary.xi.col(column));
+    dforce.col(column) += change;
+  }
+}
+
+/// d[w t_n a] = w [(dt_n + t_n dw/w) a + t_n da] with the first nodes, dt_n = t_n' dg + t_n,alpha dxi_alpha: with the
+/// primary ones alone where nothing else turns or moves the force.
+PairVariation<3> normal_force_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                        const PointLoads& loads) {
+  const LawValue& traction = loads.traction;
+  const Index turning = 3 * point.primary_nodes();
+  if (!vary.wanders() && traction.derivative == 0)
+    return loads.weight * traction.value * vary.area_vector.leftCols(turning);
+  PairVariation<1> dtn = traction.derivative * vary.gap;
+  if (vary.wanders()) dtn += loads.traction_slope.transpose() * vary.xi + traction.value * vary.weight;
+  return loads.weight * (point.area_vector.lazyProduct(dtn) + traction.value * vary.area_vector);
+}
+
+}  // namespace
+
+void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
+                  VectorXd& residual) {
+  const PairVector h = point.jump_weights();
+  Vector3d force = loads.weight * loads.traction.value * point.area_vector;  // t1 da1
+  if (loads.has_friction()) force += friction_force(point, loads);
+  const double flux_weight = loads.weight * loads.time_increment * point.area;  // dt da1
+  for (Index node = 0; node < layout.nodes(); ++node) {
+    residual.segment<3>(layout.displacement(node, 0)) += h[node] * force;
+    for (Index k = 0; k < layout.scalar_fields(); ++k) {
+      residual[layout.scalar(node, k)] += flux_weight * loads.flux[k].value * h[node];
+    }
+  }
+}
+
+void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                          MatrixXd& tangent) {
+  PairVariation<3> dforce = normal_force_variation(point, vary, loads);
+  Vector3d force = loads.weight * loads.traction.value * point.area_vector;
+  if (loads.has_friction()) {
+    add_friction_force_variation(point, vary, loads, dforce);
+    force += friction_force(point, loads);
+  }
+  add_force_tangent(point, vary, force, dforce, tangent);
+}
+
+void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
+                      const PairVector& values, const LocalLayout& layout, MatrixXd& tangent) {
+  // d[w dt |a| q h_a] = w dt [ h_a (q (d|a| + |a| dw/w) + |a| dq) + |a| q dh_a ],  dq = q' djump + q,alpha dxi_alpha
+  const PairVector h = point.jump_weights();
+  const LawValue& flux = loads.flux[k];
+  const double weight = loads.weight * loads.time_increment;
+  PairVariation<1> dq = flux.derivative * jump_variation(point, vary, values);
+  if (vary.wanders()) dq += loads.flux_slope.row(k) * vary.xi + flux.value * vary.weight;
+  const PairVariation<1> dflux = weight * (flux.value * vary.area + point.area * dq);
+  for (Index node = 0; node < layout.nodes(); ++node) {
+    const PairVariation<1> moved = h[node] * dflux +
+                                   weight * point.area * flux.value * weight_variation(point, vary, node);
+    for (Index column = 0; column < layout.nodes(); ++column) {
+      tangent.block<1, 3>(node, layout.displacement(column, 0)) += moved.segment<3>(3 * column);
+      tangent(node, layout.scalar(column, 0)) += weight * point.area * flux.derivative * h[column] * h[node];
+    }
+  }
+}
+
+PairVariation<1> jump_variation(const PointKinematics& point, const KinematicVariations& vary,
+                                const PairVector& values) {
+  const Eigen::RowVector2d two = values.tail(point.secondary_shape.size()).transpose() * point.secondary_gradient;
+  PairVariation<1> variation = -two.lazyProduct(vary.eta);
+  if (!vary.wanders()) return variation;
+  const Eigen::RowVector2d one = values.head(point.primary_nodes()).transpose() * point.primary_gradient;
+  return variation + one.lazyProduct(vary.xi);
+}
+
+}  // namespace mixture_contact

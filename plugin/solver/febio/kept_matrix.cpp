@@ -1,0 +1,236 @@
+#include "kept_matrix.h"
+
+#include "matrix_rows.h"
+#include "solver/norm.h"
+
+#include <FECore/DumpStream.h>
+#include <FECore/vector.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace newton {
+
+namespace {
+
+/// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
+constexpr int most_iterations = 50;
+
+/// What an iteration with a matrix that is kept may leave of the residual that the one before it has left. With
+/// corrections, which drop FEBio's updates, the residual falls evenly: at this rate ten iterations leave a thousandth,
+/// which one with another matrix mostly does. The size is a choice, that of ActiveSetOptions::most_left.
+constexpr double most_left = 0.5;
+
+/// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
+/// off by so much leaves as much to the next one.
+constexpr double left_by_sweeps = 1e-2;
+
+/// The same where no sweep has shown it, as a part of FEBio's tolerance on increments: such an error is not to be what
+/// keeps an iteration from being the last. The size is a choice.
+constexpr double left_unseen = 0.2;
+/// How much of what earlier solutions have shown of sweeps still counts beside the last one: they differ from one
+/// right-hand side to the next. The size is a choice.
+constexpr double remembered = 0.5;
+
+/// Of a solution, by rows. A penalty makes of the error of a gap a load: of a gap that is 1e-5 of the displacements, as
+/// with penalties of 1e5 times the stiffness of the bodies, this is a ten thousandth.
+constexpr double largest_backward_error = 1e-9;
+
+}  // namespace
+
+void KeptMatrix::formed(const MatrixParts& parts) {
+  is_requested_ = false;  // FEBio has taken the request
+  begin();
+  prepare({}, parts);
+}
+
+void KeptMatrix::go_on(const MatrixParts& parts, bool begins) {
+  const bool is_another = follow();
+  const bool is_plain = begins && system_.updates() == 0;
+  if (is_another || is_plain) prepare({}, parts);
+}
+
+std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& conditions) {
+  if (!may_correct_) return std::nullopt;
+  if (free_.empty()) free_ = split_.x.empty() ? solution(system_.solver().vectors().residual) : split_.x;
+  const auto solve = [&](const std::vector<double>& right) { return solution(right); };
+  std::optional<Answer> found = border_.answer(solve, conditions, free_);
+  if (!may_correct_) found.reset();
+  return found;
+}
+
+void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer) {
+  const auto solve_with_conditions = [&](const std::vector<double>& right) {
+    return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
+  };
+  finish(split_near(split_, std::move(answer.x), solve_with_conditions, parts, system_.solver().vectors().residual,
+                    left_by_sweeps),
+         parts, conditions);
+}
+
+bool KeptMatrix::follow() {
+  if (number_ == system_.matrices()) return false;
+  request(false);  // FEBio asks nobody after augmentations: it is there still
+  begin();
+  return true;
+}
+
+void KeptMatrix::begin() {
+  restore();
+  number_ = system_.matrices();
+  border_.forget();
+  taken_.clear();
+  served_ = {};
+  may_correct_ = true;
+}
+
+bool KeptMatrix::is_spent() {
+  follow();
+  const double left = norm(system_.solver().vectors().residual);
+  const double before = std::exchange(served_.left, left);
+  const bool has_been_corrected = served_.iterations > 0;
+  return has_been_corrected && left > most_left * before && system_.may_form_matrix();
+}
+
+bool KeptMatrix::is_due() {
+  follow();
+  const MatrixStrategy strategy = system_.strategy();
+  // JFNK takes differences from a residual of its own.
+  const bool is_kept = strategy == MatrixStrategy::updated || strategy == MatrixStrategy::unchanged;
+  if (!may_correct_ || !is_kept) return true;
+  if (strategy == MatrixStrategy::unchanged) return served_.iterations >= most_iterations;
+  const int most_updates = system_.most_updates();
+  return most_updates > 0 && served_.iterations + system_.updates() >= most_updates - 1;
+}
+
+void KeptMatrix::request(bool is_needed) {
+  if (is_needed == is_requested_ || (is_needed && system_.is_matrix_forced())) return;
+  system_.force_matrix(is_needed);
+  is_requested_ = is_needed;
+}
+
+void KeptMatrix::correct(const std::vector<Condition>& conditions, const MatrixParts& parts) {
+  follow();
+  // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
+  // residual before the correction.
+  served_.iterations += std::max(1, system_.drop_updates());
+  prepare(conditions, parts);
+}
+
+std::vector<double> KeptMatrix::solution_of_changed(std::vector<double> changed) {
+  std::vector<double> found(changed.size());
+  if (system_.solve(found, std::move(changed))) return found;
+  may_correct_ = false;
+  return std::vector<double>(found.size());
+}
+
+std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
+  return solution_of_changed(applied(operations_, right));
+}
+
+std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
+  const std::vector<double> changed = applied(operations_, right);
+  std::vector<double> found = solution_of_changed(changed);
+  if (operations_.empty() || !may_correct_) return found;
+  if (MatrixRows(system_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
+  undo_operations();
+  return solution(right);
+}
+
+void KeptMatrix::undo_operations() {
+  const MatrixRows rows(system_.matrix());
+  for (const RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
+  system_.factorise();
+  if (!std::exchange(found_.loses_pivots, true))
+    system_.solver().log(
+        "\nsliding-mixture: pivots are lost where rows of loads take those of their nodes, as in a body that is held "
+        "by contact alone. From here on they take none.");
+}
+
+void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixParts& parts) {
+  const std::vector<double>& right = system_.solver().vectors().residual;
+  may_correct_ = true;
+  free_.clear();
+  bool is_checked = false;
+  const auto solve = [&](const std::vector<double>& each) {
+    return std::exchange(is_checked, true) ? solution(each) : checked_solution(each);
+  };
+  const auto solve_with_conditions = [&](const std::vector<double>& each) {
+    return border_.solution(solve, conditions, each);
+  };
+  const bool solves_anyway = !are_empty(parts) || !conditions.empty();
+  if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // to be checked
+  const SeenSweeps seen{reduction_, left_unseen * std::min(left_by_sweeps, system_.increment_tolerance())};
+  finish(split(solve_with_conditions, parts, right, left_by_sweeps, seen), parts, conditions);
+}
+
+void KeptMatrix::finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions) {
+  std::vector<double>& right = system_.solver().vectors().residual;
+  if (!split.converges) take_parts_in();
+  taken_ = std::move(split.product);
+  if (!taken_.empty()) right = right - taken_;
+  split_ = std::move(split);
+  split_parts_ = parts;
+  if (!conditions.empty()) {
+    std::vector<double> with_conditions = right;
+    free_ = solution(right);
+    const bool holds = border_.hold([&](const auto& each) { return solution(each); }, conditions, free_,
+                                    with_conditions);
+    taken_.resize(right.size());
+    taken_ = taken_ + (right - with_conditions);
+    right = std::move(with_conditions);
+    may_correct_ = may_correct_ && holds;
+  }
+  may_correct_ = may_correct_ && split_.converges;
+}
+
+void KeptMatrix::solve() {
+  if (operations_.empty()) return;
+  std::vector<double>& right = system_.solver().vectors().residual;
+  // FEBio's updates are made of right-hand sides that have taken nothing.
+  served_.iterations += system_.drop_updates();
+  taken_.resize(right.size());
+  std::vector<double> changed = applied(operations_, right);
+  taken_ = taken_ + (right - changed);
+  right = std::move(changed);
+}
+
+void KeptMatrix::take_parts_in() {
+  if (!std::exchange(found_.needs_parts, true))
+    system_.solver().log(
+        "\nsliding-mixture: couplings across the contact are large compared with the stiffness of the bodies. Later "
+        "matrices hold them and have more entries.");
+}
+
+void KeptMatrix::give_back() {
+  if (taken_.empty()) return;
+  system_.solver().vectors().residual += taken_;
+  taken_.clear();
+}
+
+void KeptMatrix::tried(const std::vector<double>& solution) {
+  if (!split_.x.empty() && !split_parts_.empty()) {
+    const double seen = seen_reduction(split_, std::exchange(split_parts_, {}), solution);
+    reduction_ = std::max(seen, remembered * reduction_);
+  }
+  give_back();
+}
+
+void KeptMatrix::accept() {
+  if (border_.has_held()) return force_next();
+  restore();
+}
+
+void KeptMatrix::force_next() {
+  if (!reform_augment_) reform_augment_ = std::exchange(system_.forms_matrix_after_augmentations(), true);
+  request(true);  // where a step begins
+}
+
+void KeptMatrix::serialize(DumpStream& ar) { ar & found_.needs_parts & found_.loses_pivots & reduction_; }
+
+void KeptMatrix::restore() {
+  const std::optional<bool> own = std::exchange(reform_augment_, std::nullopt);
+  if (own) system_.forms_matrix_after_augmentations() = *own;
+}
+
+}  // namespace newton

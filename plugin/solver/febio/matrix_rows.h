@@ -1,0 +1,44 @@
+/// Dense blocks into a matrix that FEBio stores by rows.
+///
+/// FEBio bisects the row for every entry of a block, and adds it by an atomic instruction. Columns of a row are
+/// ascending: with those of the block in the same order one walk along the row meets all of them.
+#pragma once
+
+#include "contact/base/indexed_vector.h"
+#include "solver/row_operations.h"
+#include "solver/splitting.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+class CRSSparseMatrix;
+class FEGlobalMatrix;
+
+namespace newton {
+
+class MatrixRows {
+ public:
+  /// None where FEBio stores this matrix in another way.
+  explicit MatrixRows(FEGlobalMatrix& matrix);
+
+  explicit operator bool() const { return rows_ != nullptr; }
+
+  /// Subtracts blocks from the matrix, whose profile holds their places. Threads share the rows of the matrix: each row
+  /// takes what is its own in the order of the blocks, so that sums do not depend on how many threads there are.
+  void subtract(const mixture_contact::IndexedVector<MatrixBlock>& blocks) const;
+  /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. None, and the
+  /// row is as it was, where it has no place for an entry of theirs, where their rows do not determine them, and where
+  /// what the row has on the diagonal would be lost beside what it takes.
+  std::optional<RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
+  /// Takes back what a row has taken of others.
+  void undo(const RowOperation& operation) const;
+  /// By which part of its entries a row of the matrix, or its right-hand side, would have to be another one for a
+  /// solution to be exact, at most (Oettli and Prager 1964, Numerische Mathematik 6, 405-409).
+  double backward_error(const std::vector<double>& solution, const std::vector<double>& right) const;
+
+ private:
+  CRSSparseMatrix* rows_;
+};
+
+}  // namespace newton

@@ -1,0 +1,1 @@
+"""The models in models/, for a user to open, run and copy."""

@@ -1,0 +1,88 @@
+"""The command that writes the collection in models/, or a knee."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.collection import kept_models as collection
+from harness.errors import HarnessError
+from harness.models.document import Model
+from harness.models.interface import InterfaceType
+from harness.models.knee.bearing import Load
+from harness.models.knee.whole_knee import Knee
+from harness.models.knee.whole_mesh import Size
+from harness.paths import MODELS
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+class Family(str, Enum):
+    """Families of models, of which one at a time is written."""
+
+    KNEE = "knee"
+
+
+class Whose(str, Enum):
+    """Whose contact interface a model has."""
+
+    MIXTURE = "mixture"
+    FEBIO = "febio"
+
+
+def models(
+    ctx: typer.Context,
+    family: Annotated[Family | None, typer.Argument(help="A model of this family; else the collection.")] = None,
+    size: Annotated[Size, typer.Option(help="Of the knee: how fine the mesh is.")] = Size.SMALL,
+    load: Annotated[Load, typer.Option(help="Of the knee: 700 N, or one cycle of gait.")] = Load.STANCE,
+    contact: Annotated[Whose, typer.Option(help="Of the knee: the plugin's contact or FEBio's.")] = Whose.MIXTURE,
+    friction: Annotated[float, typer.Option(min=0.0, help="Of the knee: coefficient in all contacts.")] = 0.0,
+    output: Annotated[Path | None, typer.Option(help="Of the knee: the .feb file.")] = None,
+    folder: Annotated[Path, typer.Option(help="Of the collection: where the .feb files go.")] = MODELS,
+    check: Annotated[
+        bool, typer.Option("--check", help="Of the collection: write nothing; fail where a file is not up to date.")
+    ] = False,
+) -> None:
+    """Write the .feb files of the collection, or a knee."""
+    _refuse_others(ctx, _OF_KNEE if family is None else _OF_COLLECTION)
+    if family is None:
+        _collection(folder, check)
+        return
+    if output is None or output.suffix != ".feb":
+        raise typer.BadParameter(f"`models {family.value}` needs a file that ends in .feb", param_hint="--output")
+    interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else InterfaceType.ELASTIC
+    _write(Knee(interface, size, load, friction, name=output.stem).model(), output)
+
+
+_OF_KNEE, _OF_COLLECTION = ("size", "load", "contact", "friction", "output"), ("folder", "check")
+"""Options."""
+
+
+def _refuse_others(ctx: typer.Context, others: tuple[str, ...]) -> None:
+    """An error for a given option that would mean nothing here."""
+    for name in others:
+        source = ctx.get_parameter_source(name)
+        if source is not None and source.name == "COMMANDLINE":
+            belongs = "`models knee`" if others is _OF_KNEE else "`models` alone, which writes the collection"
+            raise typer.BadParameter(f"it belongs to {belongs}", param_hint=f"--{name}")
+
+
+def _write(model: Model, output: Path) -> None:
+    try:
+        console.print(str(model.write(output.parent)))
+    except OSError as error:
+        raise HarnessError(f"{output}: {error.strerror}; --output takes a file") from error
+
+
+def _collection(folder: Path, check: bool) -> None:
+    if not check:
+        for path in collection.write(folder):
+            console.print(str(path))
+        return
+    old = collection.outdated(folder)
+    if old:
+        raise HarnessError(f"not what the generator writes: {', '.join(old)} in {folder}; `models` writes them anew")

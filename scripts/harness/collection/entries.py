@@ -1,0 +1,196 @@
+"""The gallery: models that a user would start from, and what is shown of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models import convection, diffusion, graft, indentation, joint, platens
+from harness.models.document import Model
+from harness.models.indentation_mesh import LEVELS
+from harness.models.mesh import Mesh
+from harness.models.parts import Control, Mixture
+from harness.post import solute_balance
+from harness.post.section_figures import Section
+from harness.run.logdata import History
+from harness.run.runner import RunResult
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A model of the gallery.
+
+    Attributes
+    ----------
+    title : str
+    start_here : str
+        For which model of one's own it is a start, and what to change.
+    model : Model
+        The one in models/.
+    small : Model
+        The same with fewer elements and steps, for the tests.
+    section : Section
+        The plane that is drawn.
+    times : tuple of float
+        Of the pictures, s.
+    driven : tuple of (str, str), optional
+        Node set and reaction (Rx, Ry or Rz) whose sum is the force that is shown.
+    """
+
+    title: str
+    start_here: str
+    model: Model
+    small: Model
+    section: Section
+    times: tuple[float, ...]
+    driven: tuple[str, str] | None = None
+
+
+@dataclass(frozen=True)
+class Curves:
+    """What is drawn over time, each of shape (n_times,).
+
+    Attributes
+    ----------
+    times : ndarray
+        s.
+    contents : dict of str to ndarray
+        Solute in each porous part, nmol.
+    sides : dict of str to ndarray
+        Mean effective concentration over the nodes of each contact surface whose material has the solute, mM.
+    force : ndarray, optional
+        N, of the modelled part; compression is positive.
+    """
+
+    times: Array
+    contents: dict[str, Array]
+    sides: dict[str, Array]
+    force: Array | None
+
+
+UPRIGHT = Section(across=0, up=2)
+
+
+def entries() -> tuple[Entry, ...]:
+    """All models of the gallery: first the article's problems, then those from practice."""
+    return (_diffusion(), _convection(), _indentation(), _joint(), _release(), _graft(), _platens())
+
+
+def _diffusion() -> Entry:
+    return Entry(
+        "Diffusion through two layers (problem 3.1)",
+        "Two tissues on each other and a solution on one side: change layers, materials and concentration.",
+        diffusion.Diffusion(plot=True).model(),
+        diffusion.Diffusion(elements=5, control=Control(10, 200.0)).model(),
+        UPRIGHT,
+        (400.0, 2000.0, 8000.0),
+    )
+
+
+def _convection() -> Entry:
+    return Entry(
+        "Convection through two layers (problem 3.2)",
+        "Permeation: a pressure difference drives solvent and solute through two layers, to the steady state.",
+        convection.Convection(plot=True).model(),
+        convection.Convection(elements=5, control=Control(10, 500.0)).model(),
+        UPRIGHT,
+        (500.0, 2000.0, 20000.0),
+    )
+
+
+def _indentation() -> Entry:
+    problem = indentation.Indentation(module="multiphasic", clamp=False)
+    short = replace(indentation.CONTROL, steps=round(indentation.RAMP / indentation.CONTROL.step))
+    return Entry(
+        "A semi-cylinder driven into a slab (problem 3.3)",
+        "Large deformation and a contact that grows: indenters, condyles; open nodes have the ambient values.",
+        replace(problem, plot=True).model(),
+        replace(problem, grid=LEVELS[0], control=short).model(),
+        Section(mirrored=True),
+        indentation.TIMES,
+        ("top", "Ry"),
+    )
+
+
+def _joint() -> Entry:
+    return Entry(
+        "Cartilage on cartilage under cyclic load",
+        "This is a section of a joint in synovial fluid. Change the curvature, the loading curve, and the solute.",
+        joint.Joint(plot=True).model(),
+        joint.Joint(cycles=1, across=10, through=4).model(),
+        Section(mirrored=True),
+        (20.0, 30.0, 190.0, 200.0),
+        ("upper-bone", "Ry"),
+    )
+
+
+def _release() -> Entry:
+    released = joint.Joint(source=joint.Source.UPPER, name="joint-release")
+    return Entry(
+        "Cartilage on cartilage, a solute crosses",
+        "A drug or a contrast agent in one layer goes into the other one and into the synovial fluid.",
+        replace(released, plot=True).model(),
+        replace(released, cycles=1, across=10, through=4).model(),
+        Section(mirrored=True),
+        (20.0, 30.0, 190.0, 200.0),
+    )
+
+
+def _graft() -> Entry:
+    return Entry(
+        "A graft in a defect, fed across its wall",
+        "Repair tissue and host of different material are in a press fit, in three dimensions. Change both materials "
+        "and the solution around them.",
+        graft.Graft(plot=True).model(),
+        graft.Graft(around=2, outward=4, up=2, control=Control(5, 200.0)).model(),
+        UPRIGHT,
+        (50.0, 500.0, 1500.0, 3000.0),
+    )
+
+
+def _platens() -> Entry:
+    return Entry(
+        "A permeable platen against an impermeable one",
+        "Confined compression and permeation cells: one contact passes everything, the other traction alone, "
+        "because of the materials behind them.",
+        platens.Platens(plot=True).model(),
+        platens.Platens(elements=5, control=Control(10, 100.0)).model(),
+        UPRIGHT,
+        (100.0, 500.0, 3000.0),
+        ("top", "Rz"),
+    )
+
+
+def curves(entry: Entry, result: RunResult) -> Curves:
+    """What is shown of a run over time."""
+    history, mesh = result.nodes, result.model.mesh
+    states = solute_balance.states(history)
+    porous = [part for part in mesh.parts if _has_solute(result.model, part.material)]
+    wet = np.unique(np.concatenate([part.elements.ravel() for part in porous]))
+    contents = {
+        part.name: np.array([solute_balance.content(result.model, part, state) for state in states]) for part in porous
+    }
+    names = [name for pair in mesh.pairs.values() for name in pair]
+    surfaces = {name: np.unique(mesh.surfaces[name]) for name in sorted(names, key=lambda name: _part(mesh, name))}
+    sides = {name: history["c1"][:, ids - 1].mean(axis=1) for name, ids in surfaces.items() if np.isin(ids, wet).all()}
+    return Curves(history.times, contents, sides, _force(entry, history, mesh))
+
+
+def _part(mesh: Mesh, surface: str) -> int:
+    """Which part a surface belongs to: surfaces are listed, and coloured, in the order of the parts."""
+    return next(n for n, part in enumerate(mesh.parts) if np.isin(mesh.surfaces[surface], part.elements).all())
+
+
+def _has_solute(model: Model, material: str) -> bool:
+    return isinstance(model.materials[material], Mixture) and bool(model.materials[material].solutes)
+
+
+def _force(entry: Entry, history: History, mesh: Mesh) -> Array | None:
+    if entry.driven is None:
+        return None
+    name, reaction = entry.driven
+    return np.asarray(history[reaction][:, mesh.node_sets[name] - 1].sum(axis=1))

@@ -1,0 +1,1 @@
+"""A knee from analytic shapes: two condyles, a tibial plateau, cartilage on rigid bone, menisci on springs."""

@@ -1,0 +1,95 @@
+"""Loads of the knee: standing on two legs, and one cycle of gait.
+
+Sources
+-------
+Kutzner et al. (2010), J Biomech 43:2164, forces in instrumented knees: 107 % of body weight on two legs and 261 % as
+the largest force of level walking, the second of two peaks. The curves of gait here pass through turning points alone,
+with that largest force, and bend the knee by up to 30 degrees, to which the condyles of the model reach.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from harness.models.knee.whole_mesh import FEMUR, TIBIA
+from harness.models.parts import Condition, Control, Curve, TimeStepper, hold_rigid, push_rigid, turn_rigid
+
+STANCE = 700.0
+"""N."""
+BODY_WEIGHT = STANCE / 1.07
+"""N."""
+RISE = 0.2
+"""s in which the load of stance rises."""
+SMOOTH = "SMOOTH STEP"
+"""FEBio's interpolation with level tangents at all points."""
+GAIT_FORCE = ((0.0, 0.0), (0.15, 2.15), (0.32, 1.2), (0.5, 2.61), (0.65, 0.25), (1.0, 0.25))
+"""Time, s, and force in body weights."""
+GAIT_FLEXION = ((0.0, 0.0), (0.16, 15.0), (0.4, 3.0), (0.72, 30.0), (1.0, 0.0))
+"""Time, s, and flexion, degrees."""
+FORCE, STEPS, FLEXION = 1, 2, 3
+"""Numbers of the load curves."""
+
+
+class Load(str, Enum):
+    """What the knee bears."""
+
+    STANCE = "stance"
+    GAIT = "gait"
+
+
+@dataclass(frozen=True)
+class Loading:
+    """Conditions on the bones, with their load curves and time steps.
+
+    Attributes
+    ----------
+    end : float
+        s.
+    largest_step : tuple of (float, float)
+        Time (s) and the largest step (s) there; a step ends at each of these times.
+    force : Curve
+        N.
+    flexion : Curve, optional
+        rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one
+        rotation is given and another one free.
+    """
+
+    end: float
+    largest_step: tuple[tuple[float, float], ...]
+    force: Curve
+    flexion: Curve | None = None
+
+    @property
+    def curves(self) -> tuple[Curve, ...]:
+        """Load curves in the order of their numbers."""
+        first = (self.force, Curve(self.largest_step))
+        return first if self.flexion is None else (*first, self.flexion)
+
+    def conditions(self) -> tuple[Condition, ...]:
+        """The tibia is held; the femur moves up and down, and bends or tilts."""
+        tibia, push = hold_rigid(TIBIA, "xyzuvw"), push_rigid(FEMUR, "z", -1.0, FORCE)
+        if self.flexion is None:
+            return (tibia, hold_rigid(FEMUR, "xyuw"), push)
+        others = (turn_rigid(FEMUR, "v", 0.0), turn_rigid(FEMUR, "w", 0.0))
+        return (tibia, hold_rigid(FEMUR, "xy"), turn_rigid(FEMUR, "u", 1.0, FLEXION), *others, push)
+
+    def control(self) -> Control:
+        """Steps that adapt, with limits that all interfaces share."""
+        stepper = TimeStepper(1.0, retries=8, optimal_iterations=15, must_points=STEPS)
+        return Control(1, self.largest_step[0][1], reformations=25, stepper=stepper, end=self.end)
+
+
+def stance() -> Loading:
+    """700 N within 0.2 s; then nothing changes in elastic bodies."""
+    step = RISE / 10
+    return Loading(RISE, ((0.0, step), (RISE, step)), Curve(((0.0, 0.0), (RISE, STANCE))))
+
+
+def gait() -> Loading:
+    """One cycle in 1 s."""
+    force = Curve(tuple((time, part * BODY_WEIGHT) for time, part in GAIT_FORCE), SMOOTH)
+    flexion = Curve(tuple((time, float(np.deg2rad(angle))) for time, angle in GAIT_FLEXION), SMOOTH)
+    return Loading(1.0, ((0.0, 0.02), (0.5, 0.02), (1.0, 0.02)), force, flexion)

@@ -1,0 +1,135 @@
+"""Hexahedral meshes of the knee's bodies, each one structured block."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models.knee import anatomy
+from harness.models.knee.anatomy import Compartment
+from harness.models.mesh import Ids
+
+Array = NDArray[np.float64]
+ROUNDNESS = 0.5
+"""Of the plateau's corners: the elements there keep more than half of their angles."""
+
+
+@dataclass(frozen=True)
+class Divisions:
+    """Numbers of elements.
+
+    Attributes
+    ----------
+    condyle : tuple of int
+        Eighths of the cartilage around the axis of flexion, across it, and through the cartilage.
+    plateau : tuple of int
+        Across, along, and through the cartilage.
+    meniscus : tuple of int
+        Around, from the rim to the inner edge, and through its height.
+    """
+
+    condyle: tuple[int, int, int]
+    plateau: tuple[int, int, int]
+    meniscus: tuple[int, int, int]
+
+    @property
+    def seat(self) -> float:
+        """How deep the femur overlaps the tibia at the start, mm.
+
+        Three times what the arcs of a condyle rise over the edges of its elements: a load that the femur moves under
+        finds resistance in the first iteration.
+        """
+        around = (anatomy.BACK + anatomy.FRONT) / (8 * self.condyle[0]) * anatomy.SAGITTAL
+        across = 2.0 * anatomy.SIDE / self.condyle[1] * anatomy.CORONAL
+        return float(3.0 * (around**2 / (8.0 * anatomy.SAGITTAL) + across**2 / (8.0 * anatomy.CORONAL)))
+
+
+@dataclass(frozen=True)
+class Block:
+    """A structured block whose third direction goes from bone to cartilage, or up.
+
+    Attributes
+    ----------
+    points : ndarray, shape (n_i + 1, n_j + 1, n_k + 1, 3)
+    bone : int
+        Layers of elements of bone, the first ones along the third direction.
+    first : int
+        Number of the block's first node, from 1.
+    """
+
+    points: Array
+    bone: int = 0
+    first: int = 1
+
+    @property
+    def nodes(self) -> Ids:
+        """Node numbers, shape (n_i + 1, n_j + 1, n_k + 1)."""
+        return self.first + np.arange(self.points[..., 0].size, dtype=np.int64).reshape(self.points.shape[:3])
+
+    def elements(self, layers: slice) -> Ids:
+        """Elements of some layers in FEBio's order of hex8, shape (n, 8)."""
+        below, above = self._faces(slice(None, -1)), self._faces(slice(1, None))
+        return np.concatenate([below, above], axis=-1)[:, :, layers].reshape(-1, 8)
+
+    @property
+    def top(self) -> Ids:
+        """Facets of the last layer, counterclockwise seen from outside."""
+        return self._faces(slice(-1, None)).reshape(-1, 4)
+
+    @property
+    def bottom(self) -> Ids:
+        """Facets of the first layer, counterclockwise seen from outside."""
+        return self._faces(slice(0, 1)).reshape(-1, 4)[:, ::-1]
+
+    def _faces(self, layers: slice) -> Ids:
+        """Nodes of the quadrilaterals in some layers of nodes, shape (n_i, n_j, n_layers, 4)."""
+        n = self.nodes[:, :, layers]
+        return np.stack([n[:-1, :-1], n[1:, :-1], n[1:, 1:], n[:-1, 1:]], axis=-1)
+
+
+def femur(side: Compartment, divisions: Divisions) -> Block:
+    """Cartilage of a condyle with a layer of bone above it."""
+    around, across, through = divisions.condyle
+    angle = np.linspace(-anatomy.BACK, anatomy.FRONT, 8 * around + 1)
+    sideways = np.linspace(-anatomy.SIDE, anatomy.SIDE, across + 1)
+    depth = anatomy.FEMORAL_CARTILAGE * np.linspace(1.0, 0.0, through + 1)
+    depth = np.concatenate([[anatomy.FEMORAL_CARTILAGE + anatomy.BONE], depth])
+    points = anatomy.condyle(*np.meshgrid(angle, sideways, depth, indexing="ij"))
+    return Block(_at(side, points - [0.0, 0.0, divisions.seat]), bone=1)
+
+
+def tibia(side: Compartment, divisions: Divisions) -> Block:
+    """Cartilage of a plateau with a layer of bone below it."""
+    across, along, through = divisions.plateau
+    depth = anatomy.TIBIAL_CARTILAGE * np.linspace(1.0, 0.0, through + 1)
+    depth = np.concatenate([[anatomy.TIBIAL_CARTILAGE + anatomy.BONE], depth])
+    square = np.meshgrid(np.linspace(-1.0, 1.0, across + 1), np.linspace(-1.0, 1.0, along + 1), depth, indexing="ij")
+    u, v = anatomy.rounded(square[0], square[1], ROUNDNESS)
+    x, y = anatomy.PLATEAU_WIDTH * u, side.length * v
+    return Block(_at(side, np.stack([x, y, side.plateau(x, y) - square[2]], axis=-1)), bone=1)
+
+
+def meniscus(side: Compartment, divisions: Divisions) -> Block:
+    """A wedge around the contact of a condyle and a plateau, open to the middle of the knee; its fibres go around."""
+    around, across, through = divisions.meniscus
+    middle = 0.0 if side.inwards > 0 else np.pi
+    angle = middle + np.linspace(side.opening, 2.0 * np.pi - side.opening, around + 1)
+    angle, inset, up = np.meshgrid(
+        angle, side.width * np.linspace(0.0, 1.0, across + 1), np.linspace(0.0, 1.0, through + 1), indexing="ij"
+    )
+    x, y = (side.rim[0] - inset) * np.cos(angle), (side.rim[1] - inset) * np.sin(angle)
+    low, high = side.plateau(x, y) + anatomy.PLAY, anatomy.condyle_height(x, y) - divisions.seat - anatomy.PLAY
+    return Block(_at(side, np.stack([x, y, low + up * (high - low)], axis=-1)))
+
+
+def numbered(blocks: Sequence[Block]) -> list[Block]:
+    """The blocks with node numbers that follow each other."""
+    ends = np.cumsum([0, *(block.points[..., 0].size for block in blocks)])
+    return [Block(block.points, block.bone, 1 + int(start)) for block, start in zip(blocks, ends[:-1], strict=True)]
+
+
+def _at(side: Compartment, points: Array) -> Array:
+    return np.asarray(points + np.array([side.centre, 0.0, 0.0]))

@@ -1,0 +1,88 @@
+"""The model of the knee: mesh, materials, load and contacts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, InterfaceType, automatic, contacts
+from harness.models.knee import anatomy, bearing, whole_mesh
+from harness.models.knee.bearing import Load
+from harness.models.knee.tissues import materials
+from harness.models.knee.whole_mesh import Size
+from harness.models.parts import Param
+
+MEDIAL_SHARE = 0.6
+"""Part of the load that the medial compartment bears in the mean of published knees: the load acts so far medially."""
+FEBIO_FACTOR = 10.0
+"""Of FEBio's automatic penalty: 1 leaves bodies overlapping, and 1000, with which other models here are run, inverts
+elements in the first step."""
+ABOUT = """\
+A knee: two condyles on a tibial plateau, with menisci between them. Elastic cartilage on rigid bone; elastic menisci
+with fibres along their arcs, whose horns springs hold to the tibia. {load}
+Shapes, materials and loads are published or simplified from published ones: scripts/harness/models/knee."""
+ABOUT_LOADS = {
+    Load.STANCE: "A force of 700 N presses the femur down.",
+    Load.GAIT: "Force and flexion go through one cycle of gait in 1 s.",
+}
+
+
+@dataclass(frozen=True)
+class Knee:
+    """Choices of the knee.
+
+    Attributes
+    ----------
+    contact : InterfaceType
+    size : Size
+    load : Load
+    friction : float
+        Coefficient mu_eq in all contacts.
+    settings : ContactSettings, optional
+        Of all contacts; `settings_of` without it.
+    name : str
+    """
+
+    contact: InterfaceType = InterfaceType.MIXTURE
+    size: Size = Size.SMALL
+    load: Load = Load.STANCE
+    friction: float = 0.0
+    settings: ContactSettings | None = None
+    name: str = "knee"
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        made, horns = whole_mesh.meshed(self.size)
+        loading = bearing.gait() if self.load is Load.GAIT else bearing.stance()
+        given = self.settings or settings_of(self.contact)
+        if self.friction:
+            given = replace(given, extra=(*given.extra, Param("fric_coeff", self.friction)))
+        return Model(
+            self.name,
+            header(self.name, ABOUT.format(load=ABOUT_LOADS[self.load]), self.contact),
+            "solid",
+            made,
+            materials(self._axis()),
+            loading.conditions(),
+            loading.control(),
+            contacts(self.contact, made, given),
+            loading.curves,
+            plot=True,
+            springs=horns,
+            node_log=False,
+            further_plot=("contact force",),
+        )
+
+    def _axis(self) -> tuple[float, float, float]:
+        """Where the force acts: on the axis of flexion."""
+        medial, lateral = (side.centre for side in anatomy.COMPARTMENTS)
+        across = MEDIAL_SHARE * medial + (1.0 - MEDIAL_SHARE) * lateral
+        return across, 0.0, anatomy.SAGITTAL - whole_mesh.DIVISIONS[self.size].seat
+
+
+def settings_of(contact: InterfaceType) -> ContactSettings:
+    """The plugin's default settings, or FEBio's automatic penalties times `FEBIO_FACTOR`."""
+    if contact is InterfaceType.MIXTURE:
+        return ContactSettings()
+    return replace(automatic(FEBIO_FACTOR), pressure_penalty=None, concentration_penalty=None)

@@ -1,0 +1,41 @@
+"""Linear springs between nodes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from harness.models.mesh import Ids
+from harness.models.parts import Element, child
+
+
+@dataclass(frozen=True)
+class Springs:
+    """Springs of one stiffness, which pull and push.
+
+    Attributes
+    ----------
+    name : str
+    stiffness : float
+        Of each spring, N/mm.
+    ends : ndarray of int, shape (n_springs, 2)
+        Node numbers, from 1.
+    """
+
+    name: str
+    stiffness: float
+    ends: Ids
+
+    def write_mesh(self, parent: Element) -> None:
+        """Append the pairs of nodes to the section ``Mesh``."""
+        made = child(parent, "DiscreteSet", name=self.name)
+        for pair in self.ends:
+            child(made, "delem", tuple(map(int, pair)))
+
+    def write_material(self, parent: Element, number: int) -> None:
+        """Append the material to the section ``Discrete``."""
+        made = child(parent, "discrete_material", id=str(number), name=self.name, type="linear spring")
+        child(made, "E", self.stiffness)
+
+    def write_set(self, parent: Element, number: int) -> None:
+        """Append the springs to the section ``Discrete``."""
+        child(parent, "discrete", dmat=str(number), discrete_set=self.name)

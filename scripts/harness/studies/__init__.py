@@ -1,1 +1,0 @@
-"""Measurements over many runs: hard cases, cost and accuracy, times, fuzzing."""

@@ -1,0 +1,5 @@
+"""Entry point of ``python -m studies``."""
+
+from studies.cli import main
+
+main()

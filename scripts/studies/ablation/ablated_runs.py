@@ -1,0 +1,116 @@
+"""A scene with all devices of the solver, and with each of them left out."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+from lxml import etree
+
+from harness.models.interface import InterfaceType
+from harness.paths import REPOSITORY
+from harness.run import engine
+from studies.ablation.ablated_scenes import AblatedScene
+from studies.price import table
+
+SOURCE = REPOSITORY / "plugin" / "solver" / "devices.h"
+"""Where the names of devices stand."""
+ALL, NONE = "all", "none"
+ACTED = re.compile(r"How often devices of the solver acted: (.*)\.$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Ablated:
+    """One run.
+
+    Attributes
+    ----------
+    scene, kind : str
+    without : str
+        The device that is left out, or ``nothing``, or ``any``.
+    ended : bool
+    iterations, retries, matrices : int
+    entries : int
+        The most of the matrix in the run.
+    acted : str
+        How often devices acted.
+    """
+
+    scene: str
+    kind: str
+    without: str
+    ended: bool
+    iterations: int
+    retries: int
+    matrices: int
+    entries: int
+    acted: str
+
+
+@dataclass(frozen=True)
+class _LeftOut:
+    """What a run leaves out, by the name of its row, and the devices that it leaves on."""
+
+    what: str
+    others: str
+
+
+def devices() -> list[str]:
+    """The names of all devices, as the plugin has them."""
+    block = re.search(r"device_names\{(.*?)\}", SOURCE.read_text(encoding="utf-8"), re.DOTALL)
+    return re.findall(r'"(\w+)"', block.group(1)) if block else []
+
+
+def ablate(name: str, scene: AblatedScene, left_out: Iterable[str], folder: Path, limit: float) -> list[Ablated]:
+    """Run a scene with all devices, with those alone left out that acted, and without any.
+
+    A device that did not act in the run with all of them changes nothing, and takes the figures of that run.
+    """
+    made = scene.write(folder / re.sub(r"\W+", "-", name))
+    whole = _run(name, scene.kind, made, _LeftOut("nothing", ALL), limit)
+    rows = [whole]
+    for device in left_out:
+        if device not in whole.acted:
+            rows.append(Ablated(**{**vars(whole), "without": device, "acted": ""}))
+            continue
+        others = ", ".join(other for other in devices() if other != device)
+        rows.append(_run(name, scene.kind, made, _LeftOut(device, others), limit))
+    return [*rows, _run(name, scene.kind, made, _LeftOut("any", NONE), limit)]
+
+
+def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) -> Ablated:
+    folder = model.parent / left_out.what
+    folder.mkdir(exist_ok=True)
+    for file in model.parent.iterdir():
+        if file.is_file() and file != model and file.suffix not in (".log", ".xplt", ".txt"):
+            (folder / file.name).write_bytes(file.read_bytes())
+    path = folder / model.name
+    tree = etree.parse(str(model))
+    for contact in tree.getroot().iter("contact"):
+        if contact.get("type") == InterfaceType.MIXTURE.value:
+            etree.SubElement(contact, "solver_devices").text = left_out.others
+    tree.write(str(path), xml_declaration=True, encoding="ISO-8859-1")
+    command = engine.limited(engine.Febio4().command(path, plugin=True), limit)
+    report = engine.execute(command, folder, check=False).report
+    log = path.with_suffix(".log").read_text(errors="replace")
+    acted = ACTED.search(log)
+    counts = (report.iterations, report.retries, report.reformations, table.entries(log))
+    return Ablated(name, kind, left_out.what, report.normal, *counts, acted.group(1) if acted else "")
+
+
+def effect(rows: Sequence[Ablated], kind: str, device: str, figure: Callable[[Ablated], float]) -> tuple[float, int]:
+    """The median of a figure without a device over that with it, over scenes of a kind in which it acts; their number.
+
+    Runs that do not end on both sides do not count.
+    """
+    whole = {row.scene: row for row in rows if row.kind == kind and row.without == "nothing"}
+    ratios = [
+        figure(row) / figure(whole[row.scene])
+        for row in rows
+        if row.kind == kind and row.without == device and row.ended and whole[row.scene].ended
+        if device in whole[row.scene].acted
+    ]
+    return (median(ratios), len(ratios)) if ratios else (float("nan"), 0)

@@ -1,0 +1,63 @@
+"""The command `ablation`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run import provenance
+from studies import files
+from studies.ablation import ablated_runs
+from studies.ablation.ablated_runs import Ablated
+from studies.ablation.ablated_scenes import SCENES
+from studies.limit import LIMIT
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def ablation(
+    only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
+    device: Annotated[list[str] | None, typer.Option(help="Leave out this one alone; may be repeated.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "ablation",
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+) -> None:
+    """Run scenes with all devices of the solver, and with each device left out that acts there.
+
+    Iterations, retries, matrices and entries go to ablation.csv.
+    """
+    known = ablated_runs.devices()
+    for name in device or []:
+        if name not in known:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}")
+    chosen = [name for name in SCENES if not only or any(part in name for part in only)]
+    rows: list[Ablated] = []
+    for name in chosen:
+        found = ablated_runs.ablate(name, SCENES[name], device or known, folder.resolve() / "runs", limit)
+        rows += found
+        console.print("\n".join(_line(row) for row in found), markup=False)
+        files.write_csv(rows, Ablated, folder / "ablation.csv", provenance.stamp(limit))
+    console.print(_summary(rows, device or known), markup=False)
+    console.print(f"Written: {folder / 'ablation.csv'}")
+
+
+def _line(row: Ablated) -> str:
+    end = "" if row.ended else " FAILED"
+    return (
+        f"{row.scene}, without {row.without}: {row.iterations} iterations, {row.retries} retries, "
+        f"{row.matrices} matrices, {row.entries} entries{end}"
+    )
+
+
+def _summary(rows: list[Ablated], names: list[str]) -> str:
+    lines = ["| kind | device | scenes | iterations | entries |", "|---|---|---|---|---|"]
+    for kind in dict.fromkeys(row.kind for row in rows):
+        for name in names:
+            iterations, count = ablated_runs.effect(rows, kind, name, lambda row: row.iterations)
+            entries, _ = ablated_runs.effect(rows, kind, name, lambda row: row.entries)
+            if count:
+                lines.append(f"| {kind} | {name} | {count} | {iterations:.3f} | {entries:.3f} |")
+    return "\n".join(lines)

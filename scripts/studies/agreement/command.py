@@ -1,0 +1,43 @@
+"""The command `agreement`: by how much a converted model's answer differs, and which answer is nearer to a fine one."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.errors import HarnessError
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance
+from studies.agreement import comparisons, page
+from studies.limit import LIMIT
+from studies.pages import stamped_rows
+from studies.pages.evidence import DATA
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def agreement(
+    only: Annotated[list[str] | None, typer.Option(help="Run this scene alone; may be repeated.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where runs go.")] = RESULTS / "agreement",
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+) -> None:
+    """Run models with FEBio's interface and converted on finer and finer meshes, and compare both with the finest.
+
+    Forces, areas of contact, contents, and fields. Runs that are in the folder already are kept.
+    """
+    unknown = [name for name in only or [] if name not in comparisons.MESHES]
+    if unknown:
+        raise HarnessError(f"no scene {', '.join(unknown)}; there is {', '.join(comparisons.MESHES)}")
+    tell = partial(console.print, markup=False)
+    rows = [row for name in only or comparisons.MESHES for row in comparisons.compare(name, folder, limit, tell)]
+    console.print(f"{page.headline(rows)}\n\n{page.details(rows)}\n\n{page.tables(rows)}", markup=False)
+    if docs and not only:
+        stamped_rows.write(page.Results(provenance.stamp(limit), rows), DATA / page.SOURCE)
+        for name, made in ((page.PAGE, page.page), (page.ALL, page.all_meshes)):
+            (DOCS / name).write_text(made(page.read()), encoding="utf-8")
+        console.print(f"Written: {page.PAGE}, {page.ALL}, {page.SOURCE} below {DOCS}")

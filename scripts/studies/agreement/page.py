@@ -1,0 +1,212 @@
+"""The page of how far a converted model's answer is from the old one: docs/evidence/agreement.md, from its data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from statistics import median
+
+from harness.run.provenance import Stamp
+from studies.agreement.comparisons import FEBIO, MESHES, OURS, Row
+from studies.agreement.quantities import FACETS_AREA
+from studies.pages import stamped_rows
+from studies.pages.evidence import DATA
+
+SOURCE, PAGE, ALL = "agreement.json", "evidence/agreement.md", "reference/agreement.md"
+NUMBERS, FIELDS = "forces, approaches, areas and contents", "fields (L2)"
+
+HEAD = """\
+# Is it the old answer?
+
+<!-- Written by `scripts/mixcontact pages`: change scripts/studies/agreement/page.py instead. -->
+
+**{headline}**
+
+{details}
+
+A converted model has the penalties of the old one. FEBio's interfaces act at Gauss points of facets,
+`sliding-mixture` on averages around nodes. Both see coarse facets of a curved face by different gaps. Finer meshes show
+which answer is the nearer one. Scenes of the [synthetic collection](synthetic-scenes.md), a block pressed into a slab,
+run with FEBio's interface and converted, on their mesh and on finer ones.
+
+The reference is the mean of both on the finest mesh. *Apart* is half of the difference of the two there. An error that
+is not much above it does not decide which answer is nearer. Errors of a number are relative to the reference's. Errors
+of a field are differences at the nodes of the coarsest mesh over the field's largest value, by the root of the mean
+square (L2), and in brackets the largest. The area of contact is (INT p dA)^2 / INT p^2 dA.
+
+{coarse}
+
+[Converted models on finer meshes](../reference/agreement.md) has all meshes. Made with {stamp}.
+
+- Forces, approaches and contents differ least, and the area of contact most.
+- The largest difference of a field is that of few nodes at the edge of contact. Such a node is in contact in one answer
+  and ambient in the other.
+- Compare the two answers of your own model on your mesh and on a finer one before you trust either.
+
+```console
+scripts/mixcontact agreement --docs
+scripts/mixcontact agreement --only biphasic
+```
+
+[agreement.json](../data/agreement.json) holds all values.
+"""
+
+ALL_HEAD = """\
+# Converted models on finer meshes
+
+<!-- Written by `scripts/mixcontact pages`: change scripts/studies/agreement/page.py instead. -->
+
+These are the scenes of [is it the old answer?](../evidence/agreement.md), which describes the columns. *Mesh* is the
+number of its elements along an edge, over that of the collection. The area of the facets with a pressure counts whole
+facets. The two interfaces do not go to one limit there, because a converted model's pressure is interpolated between
+nodes, and facets around the edge have a trace of it on any mesh. Made with {stamp}.
+
+{tables}
+"""
+
+
+@dataclass(frozen=True)
+class Results:
+    """What the command found, and with what."""
+
+    stamp: Stamp
+    rows: list[Row]
+
+
+def read() -> Results:
+    """The results in docs/data.
+
+    Raises
+    ------
+    DataFileError
+        Where there are none.
+    """
+    return Results(*stamped_rows.read(DATA / SOURCE, Row, "agreement --docs"))
+
+
+def page(results: Results) -> str:
+    """The page."""
+    rows = results.rows
+    return HEAD.format(headline=headline(rows), details=details(rows), stamp=results.stamp, coarse=coarse(rows))
+
+
+def all_meshes(results: Results) -> str:
+    """The page with a table for each scene."""
+    return ALL_HEAD.format(stamp=results.stamp, tables=tables(results.rows))
+
+
+def coarse(rows: Sequence[Row]) -> str:
+    """A table of the coarsest mesh, a row for each quantity."""
+    lines = ["| scene | quantity | error: FEBio's | converted | apart |", "|---|---|---|---|---|"]
+    for pair in (pair for pair in pairs(rows) if pair.febio.quantity != FACETS_AREA):
+        cells = (
+            pair.febio.scene,
+            pair.febio.quantity,
+            *map(_error, (pair.febio, pair.ours)),
+            _percent(pair.febio.apart),
+        )
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def _error(row: Row) -> str:
+    return _percent(row.error) if math.isnan(row.rms) else f"{_percent(row.rms)} ({_percent(row.error)})"
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A quantity on the coarsest mesh by both interfaces."""
+
+    febio: Row
+    ours: Row
+
+    @property
+    def number(self) -> bool:
+        """Whether it is a number, and not a field."""
+        return math.isnan(self.febio.rms)
+
+    @property
+    def errors(self) -> tuple[float, float]:
+        """FEBio's and ours: of a field by L2."""
+        return (self.febio.error, self.ours.error) if self.number else (self.febio.rms, self.ours.rms)
+
+
+def pairs(rows: Sequence[Row], fineness: int = 1) -> list[Pair]:
+    """Quantities of all scenes on one mesh."""
+    own = {(row.scene, row.quantity, row.interface): row for row in rows if row.fineness == fineness}
+    keys = dict.fromkeys((scene, quantity) for scene, quantity, _ in own)
+    return [Pair(own[scene, quantity, FEBIO], own[scene, quantity, OURS]) for scene, quantity in keys]
+
+
+def headline(rows: Sequence[Row]) -> str:
+    """Not the same answer: by how much both are off, and which one is nearer how often."""
+    kinds = _kinds(rows)
+    counts = [f"{sum(a > b for a, b in _errors(own))} of {len(own)} {name}" for name, own in kinds.items()]
+    left = [2.0 * pair.febio.apart for own in kinds.values() for pair in own]
+    return (
+        f"Not on a coarse mesh. The converted model is nearer to the fine answer in {' and '.join(counts)}. The two "
+        f"differ by {100 * median(left):.1f} % in the median on the finest mesh, and by up to {100 * max(left):.0f} %."
+    )
+
+
+def details(rows: Sequence[Row]) -> str:
+    """Smallest and largest errors of both interfaces on the coarse mesh."""
+    told = []
+    for name, own in _kinds(rows).items():
+        theirs, ours = zip(*_errors(own), strict=True)
+        told.append(
+            f"Errors of {name} are {_span(ours)} in the converted model and {_span(theirs)} with FEBio's interface."
+        )
+    return " ".join(told)
+
+
+def _kinds(rows: Sequence[Row]) -> dict[str, list[Pair]]:
+    """Numbers and fields on the coarse mesh, by name."""
+    found = pairs(rows)
+    numbers = [pair for pair in found if pair.number and pair.febio.quantity != FACETS_AREA]
+    return {NUMBERS: numbers, FIELDS: [pair for pair in found if not pair.number]}
+
+
+def _errors(own: Sequence[Pair]) -> list[tuple[float, float]]:
+    return [pair.errors for pair in own]
+
+
+def _span(values: Sequence[float]) -> str:
+    return f"{100 * min(values):.1f} to {100 * max(values):.1f} %"
+
+
+def tables(rows: Sequence[Row]) -> str:
+    """A table for each scene."""
+    scenes = [scene for scene in MESHES if any(row.scene == scene for row in rows)]
+    return "\n\n".join(_table(scene, [row for row in rows if row.scene == scene]) for scene in scenes)
+
+
+def _table(scene: str, rows: Sequence[Row]) -> str:
+    lines = [
+        f"## `{scene}`",
+        "",
+        "| quantity | mesh | FEBio's | converted | error: FEBio's | converted | mean | | L2 | | apart |",
+        "|---|---|---|---|---|---|---|---|---|---|---|",
+    ]
+    for fineness in dict.fromkeys(row.fineness for row in rows):
+        lines += [_line(pair) for pair in pairs(rows, fineness)]
+    return "\n".join([*lines[:4], *sorted(lines[4:], key=_order)])
+
+
+def _order(line: str) -> tuple[bool, str]:
+    """Numbers first, then fields."""
+    return ("[" not in line.split("|")[1], line)
+
+
+def _line(pair: Pair) -> str:
+    one, two = pair.febio, pair.ours
+    values = (f"{one.value:.4g}", f"{two.value:.4g}") if pair.number else ("", "")
+    errors = (_percent(one.error), _percent(two.error))
+    norms = tuple(_percent(value) for value in (one.mean, two.mean, one.rms, two.rms))
+    cells = (one.quantity, f"{one.fineness}", *values, *errors, *norms, _percent(one.apart))
+    return "| " + " | ".join(cells) + " |"
+
+
+def _percent(value: float) -> str:
+    return "" if math.isnan(value) else f"{100 * value:.2f} %"

@@ -1,0 +1,1 @@
+"""Closed forms that studies alone compare with."""

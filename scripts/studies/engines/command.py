@@ -1,0 +1,40 @@
+"""The command that compares the two engines node by node."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.post.compare import missed
+from harness.run.hosts import FEBIO4, STANDALONE
+from harness.run.runner import Runner
+from studies.engines.engine_agreement import COMPARISONS, compare
+
+console = Console(highlight=False, soft_wrap=True)
+MISSED = 1
+"""Exit code where a tolerance is missed."""
+
+
+def engines(
+    only: Annotated[list[str] | None, typer.Option(help="Compare this problem alone; may be repeated.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where runs go.")] = RESULTS,
+) -> None:
+    """Run problems 3.1 to 3.3 with febio4 and with the embedded engine, both to rounding, and compare all nodes."""
+    known = {comparison.name: comparison for comparison in COMPARISONS}
+    for name in only or []:
+        if name not in known:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}", param_hint="--only")
+    runners = [Runner(folder / "engines" / host.name, host=host) for host in (FEBIO4, STANDALONE)]
+    failures = 0
+    for name in only or known:
+        measures = compare(known[name], runners)
+        failures += len(missed(measures))
+        for m in measures:
+            verdict = "met" if m.passed else "missed"
+            console.print(f"{m.name:22} {m.value:9.1e} <= {m.tolerance:.0e} {verdict:6} {m.note}", markup=False)
+    if failures:
+        raise typer.Exit(MISSED)

@@ -1,0 +1,96 @@
+"""The commands of friction: its hard cases, published curves, and slip that should not be against time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run import provenance
+from harness.run.runner import Runner
+from studies import files
+from studies.friction import curves, curves_picture, curves_table, page, stick_picture, stick_points
+from studies.friction.curves import Row
+from studies.friction.stick_points import Datum
+from studies.hard_cases import rubbing_record
+from studies.hard_cases.outcomes import Outcome
+from studies.hard_cases.rubbing import CASES
+from studies.hard_cases.scene import Fineness, Interface
+from studies.limit import LIMIT
+from studies.pages.evidence import DATA
+
+console = Console(highlight=False, soft_wrap=True)
+Limit = Annotated[float, typer.Option(help="s of processor time for each run.")]
+
+
+def friction_cases(
+    only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="On this mesh alone.")] = None,
+    febio: Annotated[bool, typer.Option(help="Run FEBio's friction, too, with two factors on its penalties.")] = True,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "friction-cases",
+    limit: Limit = LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the data of the documentation, too.")] = False,
+) -> None:
+    """Run the hard cases of friction on two meshes, with friction and without, and write the table.
+
+    `pages` writes the page of the documentation from the data. Exit code 0: all end, and all checks are met.
+    """
+    for name in only or []:
+        if name not in CASES:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(CASES)}")
+    runner = Runner(folder / "runs", processor_limit=limit)
+    others = (Interface.FEBIO_1, Interface.FEBIO_1000) if febio else ()
+    records = []
+    for each in mesh or Fineness:
+        for name in only or CASES:
+            records.append(rubbing_record.make(runner, name, each, others))
+            console.print(records[-1].line, markup=False)
+    found, stamp = [outcome for record in records for outcome in record.outcomes], provenance.stamp(limit)
+    files.write_csv(found, Outcome, folder / page.CASES_SOURCE, stamp)
+    console.print(f"Written: {folder / page.CASES_SOURCE}")
+    if docs:
+        files.write_csv(found, Outcome, DATA / page.CASES_SOURCE, stamp)
+        console.print(f"Written: {DATA / page.CASES_SOURCE}")
+    if not all(record.passed for record in records):
+        raise typer.Exit(1)
+
+
+def friction_benchmarks(
+    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS
+    / "friction-benchmarks",
+    limit: Limit = LIMIT,
+) -> None:
+    """Turn a hemisphere on a block, press concentric spheres, on two meshes each, and compare with published curves."""
+    runner = Runner(RESULTS / "runs", processor_limit=limit)
+    rows: list[Row] = []
+    for series in curves.HEMISPHERES:
+        rows += curves.hemisphere_rows(series, runner)
+    rows += curves.febio_rows(runner)
+    for problem in curves.COEFFICIENTS:
+        for series in curves.MESHES:
+            rows += curves.sphere_rows(problem, series, runner)
+    for measure in curves.torque_measures(rows, "fine mesh"):
+        console.print(f"{measure.name}: {measure.value:.2%} from what published ones span", markup=False)
+    rows += curves.published_rows()
+    (folder / "data").mkdir(parents=True, exist_ok=True)
+    files.write_csv(rows, Row, folder / "data" / curves_table.SOURCE, provenance.stamp(limit))
+    picture = curves_picture.draw(rows, folder / curves_picture.PICTURE)
+    console.print(f"Written: {folder / 'data' / curves_table.SOURCE}, {picture}")
+
+
+def friction_cost(
+    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS
+    / "friction-cost",
+    limit: Limit = LIMIT,
+) -> None:
+    """Measure elastic slip against time, by tangential penalty and with AUGLAG."""
+    runner = Runner(RESULTS / "friction-cost" / "runs", processor_limit=limit)
+    data = stick_points.measure(stick_points.points(), runner)
+    console.print(stick_points.least_time(data), markup=False)
+    (folder / "data").mkdir(parents=True, exist_ok=True)
+    files.write_csv(data, Datum, folder / "data" / stick_points.SOURCE, provenance.stamp(limit))
+    picture = stick_picture.draw(data, folder / stick_picture.PICTURE)
+    console.print(f"Written: {folder / 'data' / stick_points.SOURCE}, {picture}")

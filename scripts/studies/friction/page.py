@@ -1,0 +1,105 @@
+"""The page of friction: docs/evidence/friction.md, from hard cases, slip that should not be, and test scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from harness.paths import DOCS
+from studies import files
+from studies.friction import stick_points
+from studies.hard_cases.outcomes import OURS, Outcome, Table, arranged
+from studies.hard_cases.rubbing import CASES
+from studies.hard_cases.rubbing_record import FRICTIONLESS, MOST_ITERATIONS
+from studies.hard_cases.scene import Fineness
+from studies.pages import scene_results
+from studies.pages.evidence import DATA, EvidencePage
+from studies.pages.scene_results import Row, Took
+
+CASES_SOURCE = "friction-cases.csv"
+MODELS_SOURCE = scene_results.DATA.name
+RUBS = "friction-"
+"""What the names of the synthetic test scenes with friction begin with."""
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
+    headlines = [_headline(rows, mesh) for mesh in Fineness]
+    models = _models()
+    return {
+        "beside": beside(models),
+        "headline": " ".join(headlines),
+        **stick_points.figures(files.read_csv(DATA / stick_points.SOURCE, stick_points.Datum)),
+    }
+
+
+def tables() -> Mapping[str, str]:
+    """Cases with friction and without it, and synthetic test scenes with FEBio's friction and ours."""
+    rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
+    return {"friction_cases": "\n".join(_lines(rows)), "friction_scenes": "\n".join(map(_model, _models()))}
+
+
+def _models() -> list[Row]:
+    """Synthetic test scenes with friction."""
+    return [row for row in scene_results.read(DOCS / scene_results.DATA).rows if row.name.startswith(RUBS)]
+
+
+def beside(models: Sequence[Row]) -> str:
+    """In how many of the synthetic test scenes ours take at most the iterations of FEBio's interface."""
+    converted, defaults = (
+        sum(_at_most(took, row.febio) for took, row in pairs)
+        for pairs in ([(row.converted, row) for row in models], [(row.defaults, row) for row in models])
+    )
+    return (
+        f"{converted} of {len(models)} scenes take at most the iterations of FEBio's interface with its penalties, and "
+        f"{defaults} with the defaults, which are stiffer."
+    )
+
+
+def _at_most(took: Took, febio: Took) -> bool:
+    return took.ended and (not febio.ended or took.iterations <= febio.iterations)
+
+
+def _model(row: Row) -> str:
+    """A row of the table: iterations, and which of the runs take more than FEBio's."""
+    runs = {"with its penalties": row.converted, "defaults": row.defaults}
+    fewer = ", ".join(name for name, took in runs.items() if not _at_most(took, row.febio))
+    cells = (row.about, *map(scene_results.cell, (row.febio, row.converted, row.defaults)), fewer)
+    return f"| {' | '.join(cells)} |"
+
+
+def _on(rows: Table, mesh: Fineness) -> Sequence[tuple[str, Outcome, Outcome]]:
+    """Cases on a mesh: name, with friction, without."""
+    return [(case, row[OURS], row[FRICTIONLESS]) for (case, each), row in rows.items() if each == mesh.value]
+
+
+def _headline(rows: Table, mesh: Fineness) -> str:
+    own = _on(rows, mesh)
+    ended = [(with_it, without) for _, with_it, without in own if with_it.ended and without.ended]
+    ratios = [with_it.iterations / without.iterations for with_it, without in ended]
+    most = sum(ratio <= MOST_ITERATIONS for ratio in ratios)
+    more = sum(with_it.retries > without.retries for with_it, without in ended)
+    return (
+        f"{len(ended)} of {len(own)} scenes complete on the {mesh.value} mesh, with {min(ratios):.2f} to "
+        f"{max(ratios):.2f} times the iterations of the same scene without friction: {most} with at most "
+        f"{MOST_ITERATIONS:g} times, {more} with more repeated steps."
+    )
+
+
+def _lines(rows: Table) -> list[str]:
+    """Rows of the table: counts with friction and without, and their ratio, on both meshes."""
+    found: dict[str, list[str]] = {}
+    for mesh in Fineness:
+        for case, with_it, without in _on(rows, mesh):
+            ratio = f"{with_it.iterations / without.iterations:.2f}" if with_it.ended and without.ended else "-"
+            found.setdefault(case, [CASES[case].about]).extend((with_it.counts, without.counts, ratio))
+    return [f"| {' | '.join(cells)} |" for cells in found.values()]
+
+
+PAGE = EvidencePage(
+    "evidence/friction.md",
+    (CASES_SOURCE, stick_points.SOURCE, MODELS_SOURCE),
+    Path(__file__).with_name("page.md"),
+    figures,
+)

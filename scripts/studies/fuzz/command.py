@@ -1,0 +1,80 @@
+"""The command `fuzz`."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections import Counter
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run.runner import Runner
+from studies import workflow
+from studies.fuzz.draws import Kind
+from studies.fuzz.seed_trial import Trial, attempt
+
+console = Console(highlight=False, soft_wrap=True)
+CHUNK = 20
+"""Seeds a job."""
+TIMEOUT = 60.0
+"""s of wall time for one run."""
+
+
+def fuzz(
+    kind: Annotated[list[Kind] | None, typer.Option(help="What is drawn; both without it.")] = None,
+    seed: Annotated[int, typer.Option(min=0, help="First seed.")] = 0,
+    count: Annotated[int, typer.Option(min=1, help="Largest number of seeds of each kind.")] = 1000,
+    minutes: Annotated[float, typer.Option(min=0.0, help="Wall time; calling again goes on.")] = 60.0,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "fuzz",
+    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = 1,
+) -> None:
+    """Run random scenes and random parameters until the time is over; exit code 1 where a fault was found.
+
+    A fault is a crash, NaN in the results of a run that ended, forces or flows of the two sides that do not cancel.
+    A refusal without a message that names the fault is one, too. Each is a seed: `fuzz --seed N --count 1`.
+    """
+    deadline = time.time() + 60.0 * minutes
+    wanted = {}
+    for first in range(seed, seed + count, CHUNK):
+        for each in kind or Kind:
+            size = min(CHUNK, seed + count - first)
+            wanted[f"{each.value}-{first}-{size}"] = (
+                "fuzz-seeds",
+                each.value,
+                str(first),
+                str(size),
+                f"{deadline:.0f}",
+            )
+    paths = workflow.run(wanted, folder.resolve(), cores=jobs)
+    trials = [Trial(**entry) for path in paths for entry in json.loads(path.read_text())]
+    for each in kind or Kind:
+        own = [trial for trial in trials if trial.kind == each.value]
+        counts = Counter("fault" if trial.faulty else trial.result for trial in own)
+        console.print(f"{each.value}: {len(own)} seeds; " + ", ".join(f"{n} {what}" for what, n in counts.items()))
+    faults = [trial for trial in trials if trial.faulty]
+    for trial in faults:
+        console.print(f"  {trial.kind} seed {trial.seed}: {trial.result}", markup=False)
+    if faults:
+        raise typer.Exit(1)
+
+
+def fuzz_seeds(
+    kind: Kind,
+    first: int,
+    count: int,
+    deadline: Annotated[float, typer.Argument(help="Time (s since 1970) after which no run begins.")],
+    out: Annotated[Path, typer.Option(help="Where the outcomes go, as JSON.")] = Path("fuzz.json"),
+) -> None:
+    """Run some seeds; without a result where the time is over before the end."""
+    runner = Runner(RESULTS / "fuzz" / "runs", timeout=TIMEOUT)
+    trials: list[Trial] = []
+    for seed in range(first, first + count):
+        if time.time() > deadline:
+            raise typer.Exit(1)
+        trials.append(attempt(kind, seed, runner))
+    out.write_text(json.dumps([asdict(trial) for trial in trials], indent=1))

@@ -1,0 +1,117 @@
+"""The page of the hard cases: docs/evidence/hard-cases.md, from docs/data/hard-cases.csv."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from studies import files
+from studies.hard_cases import outcomes
+from studies.hard_cases.catalogue import CASES
+from studies.hard_cases.outcomes import Outcome
+from studies.hard_cases.scene import Fineness, Interface
+from studies.pages.evidence import DATA, EvidencePage
+
+SOURCE, PICTURE = "hard-cases.csv", "images/hard-cases.svg"
+ABOUT = {name: case.about for name, case in CASES.items()}
+"""What each case is about."""
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    found = files.read_csv(DATA / SOURCE, Outcome)
+    return {
+        "headline": _headline(found),
+        "details": _details(found),
+        "summary": outcomes.summary(found),
+        "not_run": _not_run(found),
+        "better": _better(found, ABOUT),
+    }
+
+
+def _headline(found: list[Outcome]) -> str:
+    ours = [outcome for outcome in found if outcome.interface == outcomes.OURS]
+    accurate = [outcome for outcome in found if outcome.interface == outcomes.FEBIO[-1]]
+    cases = list(dict.fromkeys(outcome.case for outcome in ours))
+    meshes = " and ".join(dict.fromkeys(outcome.mesh for outcome in ours))
+    mine, theirs = (sum(not outcome.missed and outcome.ended for outcome in own) for own in (ours, accurate))
+    return (
+        f"`sliding-mixture` completes {sum(outcome.ended for outcome in ours)} of {len(ours)} runs of {len(cases)} "
+        f"cases in which contact is known to fail ({meshes} mesh), and passes all checks in {mine}. FEBio's interface "
+        f"at about the same accuracy completes {sum(outcome.ended for outcome in accurate)}: it passes all checks in "
+        f"{theirs} and misses checks in {len(_missing(accurate))}."
+    )
+
+
+def _details(found: list[Outcome]) -> str:
+    accurate = [outcome for outcome in found if outcome.interface == outcomes.FEBIO[-1]]
+    cases = list(dict.fromkeys(outcome.case for outcome in found if outcome.interface == outcomes.OURS))
+    return f"{technical(accurate)} {counted_twice(cases)}"
+
+
+def _missing(runs: Sequence[Outcome]) -> list[Outcome]:
+    """Runs that end and miss checks."""
+    return [run for run in runs if run.end is outcomes.End.MISSES]
+
+
+SLIGHT = 1e-6
+"""A relative difference below this says nothing of a solution."""
+_FURTHER = "a further run that a check needs"
+_PRINTED = re.compile(r"(\S+) \(tolerance ([^,)]+)[,)]")
+"""Value and tolerance of a check that is missed, as the data have them."""
+
+
+def technical(runs: Sequence[Outcome]) -> str:
+    """How many runs that end miss checks for reasons that say nothing, or next to nothing, against their solution."""
+    missing = _missing(runs)
+    further = sum(run.missed.startswith(_FURTHER) for run in missing)
+    printed = [_PRINTED.findall(run.missed) for run in missing if not run.missed.startswith(_FURTHER)]
+    rounding = sum(all(float(value) < SLIGHT for value, _ in found) for found in printed)
+    close = sum(all(value == tolerance for value, tolerance in found) for found in printed)
+    return (
+        f"FEBio's interface misses {rounding} of the {len(missing)} by a difference below {SLIGHT:g} and {close} by "
+        f"less than two printed digits; in {further} a further run of the check failed or could not be compared."
+    )
+
+
+def counted_twice(cases: Sequence[str]) -> str:
+    """Which cases are one scene: the same model with another check, or with two passes."""
+    told: dict[str, list[str]] = {}
+    for name in cases:
+        told.setdefault(_scene(name), []).append(name)
+    groups = [names for names in told.values() if len(names) > 1]
+    named = "; ".join(" and ".join(f"`{name}`" for name in names) for names in groups)
+    return f"The {len(cases)} cases are {len(told)} scenes, because these are one each: {named}." if groups else ""
+
+
+def _scene(name: str) -> str:
+    """The model of a case without its name and its number of passes."""
+    model = CASES[name].scene.model(Fineness.COARSE, Interface.FEBIO_1000)
+    text = re.sub(r"<!--.*?-->|<two_pass>1</two_pass>|\s+", "", model.text(), flags=re.DOTALL)
+    return text.replace(model.name, "")
+
+
+def _not_run(found: list[Outcome]) -> str:
+    """The meshes, and the scenes of the catalogue, that the data do not have."""
+    meshes = {outcome.mesh for outcome in found}
+    missing = [f"the {mesh.value} mesh" for mesh in Fineness if mesh.value not in meshes]
+    cases = {outcome.case for outcome in found}
+    missing += [case.about for name, case in CASES.items() if name not in cases]
+    return f"Not in these data: {'; '.join(missing)}." if missing else "These are all scenes on both meshes."
+
+
+def _better(found: list[Outcome], about: Mapping[str, str]) -> str:
+    """The scenes in which a run of FEBio's passes with less, or ours falls short."""
+    lines = []
+    for (case, mesh), row in outcomes.arranged(found).items():
+        runs = outcomes.better(row)
+        if runs:
+            told = " and ".join(f"{run.short} with {run.interface.replace('febio-', 'factor ')}" for run in runs)
+            lines.append(f"- {about[case]}, {mesh} mesh: {told}, `sliding-mixture` {row[outcomes.OURS].short}")
+    shorter = "passes with fewer iterations, or fewer repeated steps, than `sliding-mixture`"
+    head = f"A run with FEBio's interface {shorter} in {len(lines)} of these scenes:" if lines else ""
+    return "\n\n".join(filter(None, [head, "\n".join(lines)])) or f"No run with FEBio's interface {shorter}."
+
+
+PAGE = EvidencePage("evidence/hard-cases.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

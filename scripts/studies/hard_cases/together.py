@@ -1,0 +1,157 @@
+"""Three bodies that share nodes of a contact surface, and a body that a load brings into contact."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import brentq
+
+from harness.models.document import Model
+from harness.models.mesh import Box, Layer, Mesh, Part, assemble, conforming_column
+from harness.models.parts import Curve, Param, Solid, displace, fix, normal_load
+from harness.post.compare import Measure
+from harness.run.runner import Runner, RunResult
+from studies.hard_cases.press import HOLD, RAMP, ambient_at, stress, stretches
+from studies.hard_cases.scene import GEL, Fineness, Interface, finished, timed
+from studies.models.ambient import two_patches
+
+
+@dataclass(frozen=True)
+class Seesaw:
+    """A slab under two blocks, each with a contact of its own; the two contacts share the nodes of the middle.
+
+    Attributes
+    ----------
+    left, right : tuple of (float, float)
+        Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `shortening`, below 0 is open.
+    shortening : float
+        mm.
+    own : tuple of Param
+        Further parameters of the plugin's interface alone.
+    """
+
+    left: tuple[tuple[float, float], ...]
+    right: tuple[tuple[float, float], ...]
+    shortening: float = 0.05
+    times: tuple[float, ...] = (*RAMP, *HOLD)
+    own: tuple[Param, ...] = ()
+    name: str = "seesaw"
+
+    def model(self, mesh: Fineness, interface: Interface) -> Model:
+        """The model, laterally confined."""
+        made = self._mesh(mesh)
+        control, steps = timed(self.times, 3)
+        conditions = (
+            fix("all", "xy"),
+            fix("slab-bottom", "z"),
+            displace("left-top", "z", -self.shortening, 1),
+            displace("right-top", "z", -self.shortening, 2),
+            *ambient_at("slab-bottom", (1.0,)),
+            *ambient_at("left-top", (0.0,)),
+            *ambient_at("right-top", (0.0,)),
+        )
+        text = f"Hard case {self.name}: two blocks on one slab."
+        curves = (Curve(self.left), Curve(self.right), steps)
+        joined = interface.contacts("multiphasic", made, self.own if interface.ours else ())
+        model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, curves)
+        return finished(model, interface)
+
+    def _mesh(self, mesh: Fineness) -> Mesh:
+        n, thick = (1, 3) if mesh is Fineness.COARSE else (2, 5)
+        made = assemble(
+            [
+                Box("slab", "gel", (0.0, 0.0, 0.0), (2.0, 1.0, 1.0), (2, 1, thick)),
+                Box("left", "gel", (0.0, 0.0, 1.0), (1.0, 1.0, 1.0), (n, n, thick)),
+                Box("right", "gel", (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (n, n, thick)),
+            ]
+        )
+        return two_patches(made, "slab-top", ("left-bottom", "right-bottom"))
+
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
+        """Force of both blocks at the end: that of the closed form where both press, else none on the open one."""
+        exact = -stress(GEL.solid, stretches(GEL.solid, GEL.solid, self.shortening)[0])
+        measures = []
+        for name, path in (("left", self.left), ("right", self.right)):
+            top = run.model.mesh.node_sets[f"{name}-top"] - 1
+            force = float(run.nodes["Rz"][-1, top].sum()) / exact
+            if path[-1][1] < 0.0:
+                measures.append(Measure(f"force on the open {name} block, relative", abs(force), 1e-6))
+            elif self.left == self.right:
+                measures.append(Measure(f"force on the {name} block, relative error", abs(force - 1.0), 2e-3))
+            else:  # the slab beside it, which is not loaded, helps to carry
+                measures.append(Measure(f"force on the {name} block, relative", force, 2.0, lowest=1.0))
+        return measures
+
+
+@dataclass(frozen=True)
+class Dropped:
+    """A block that a load alone moves; until it touches, a soft cushion between it and a ceiling holds it.
+
+    Attributes
+    ----------
+    gap : float
+        mm.
+    load : float
+        MPa.
+    cushion : Solid
+        The regularisation: 1 mm of it.
+    """
+
+    gap: float = 0.02
+    load: float = 0.03
+    cushion: Solid = Solid(0.01)
+    name: str = "dropped"
+
+    def model(self, mesh: Fineness, interface: Interface) -> Model:
+        """The model, laterally confined."""
+        made = self._mesh(mesh)
+        control, steps = timed((*RAMP, *HOLD), 2)
+        conditions = (
+            fix("all", "xy"),
+            fix("lower-bottom", "z"),
+            fix("ceiling", "z"),
+            *ambient_at("lower-bottom", (1.0,)),
+            *ambient_at("ceiling", (0.0,)),
+            normal_load("loaded", self.load, 1),
+        )
+        materials = {"gel": GEL, "cushion": replace(GEL, solid=self.cushion)}
+        curves = (Curve(((0.0, 0.0), (RAMP[-1], 1.0))), steps)
+        text = f"Hard case {self.name}: a block that a load moves."
+        joined = interface.contacts("multiphasic", made)
+        return finished(
+            Model(self.name, text, "multiphasic", made, materials, conditions, control, joined, curves), interface
+        )
+
+    def _mesh(self, mesh: Fineness) -> Mesh:
+        thick = 3 if mesh is Fineness.COARSE else 5
+        below = assemble([Box("lower", "gel", (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (1, 1, thick))])
+        layers = [Layer("upper", "gel", 1.0, thick), Layer("cushion", "cushion", 1.0, thick)]
+        above = conforming_column(layers, bottom=1.0 + self.gap)
+        offset = len(below.nodes)
+        shifted = tuple(Part(part.name, part.material, part.elements + offset) for part in above.parts)
+        sets = {"all": np.arange(1, offset + len(above.nodes) + 1), "lower-bottom": below.node_sets["lower-bottom"]}
+        surfaces = {
+            "lower-top": below.surfaces["lower-top"],
+            "upper-bottom": above.surfaces["bottom"] + offset,
+            "loaded": shifted[0].elements[-1:, 4:],
+        }
+        return Mesh(
+            np.concatenate([below.nodes, above.nodes]),
+            (*below.parts, *shifted),
+            sets | {"ceiling": above.node_sets["top"] + offset},
+            surfaces,
+            {"lower/upper": ("lower-top", "upper-bottom")},
+        )
+
+    def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
+        """Way of the loaded nodes: both blocks under compression and the cushion under tension carry the load."""
+
+        def balance(shortening: float) -> float:
+            pressed = stress(GEL.solid, stretches(GEL.solid, GEL.solid, shortening)[0])
+            return self.load + pressed - stress(self.cushion, 1.0 + self.gap + shortening)
+
+        exact = self.gap + float(brentq(balance, 1e-9, 0.5))
+        loaded = np.unique(run.model.mesh.surfaces["loaded"]) - 1
+        way = -run.nodes["uz"][-1, loaded]
+        return [Measure("way of the block, relative error", float(np.max(np.abs(way / exact - 1.0))), 2e-3)]

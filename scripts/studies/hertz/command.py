@@ -1,0 +1,45 @@
+"""The commands `biphasic-hertz` and `elastic-hertz`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run import provenance
+from harness.run.runner import Runner
+from studies import files
+from studies.hertz import elastic_profiles, figures, growth_records
+
+console = Console(highlight=False, soft_wrap=True)
+DATA, PICTURE = "data/biphasic-hertz.csv", "images/biphasic-hertz.svg"
+ELASTIC_DATA, ELASTIC_PICTURE = "data/elastic-hertz.csv", "images/elastic-hertz.svg"
+
+
+def biphasic_hertz(
+    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS / "hertz",
+) -> None:
+    """Press two thin biphasic layers together, on two meshes, and compare with the closed form."""
+    runner = Runner(RESULTS / "runs")
+    rows = []
+    for problem in growth_records.PROBLEMS:
+        own = growth_records.records(problem, runner)
+        rows += own
+        errors = growth_records.largest_errors(own, problem.load.points[1][0])
+        console.print(f"{problem.name}: " + ", ".join(f"{name} {error:.2%}" for name, error in errors.items()))
+    (folder / "data").mkdir(parents=True, exist_ok=True)
+    files.write_csv(rows, growth_records.Record, folder / DATA, provenance.stamp())
+    console.print(f"Written: {folder / DATA}, {figures.draw(rows, folder / PICTURE)}")
+
+
+def elastic_hertz(
+    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS / "hertz",
+) -> None:
+    """Press a cylinder and a sphere on a block, on two meshes each, and compare with Hertz's closed forms."""
+    rows = elastic_profiles.all_rows(Runner(RESULTS / "runs"))
+    (folder / "data").mkdir(parents=True, exist_ok=True)
+    files.write_csv(rows, elastic_profiles.ProfileRow, folder / ELASTIC_DATA, provenance.stamp())
+    console.print(f"Written: {folder / ELASTIC_DATA}, {figures.draw_elastic(rows, folder / ELASTIC_PICTURE)}")

@@ -1,0 +1,1 @@
+"""Studies of problem 3.3: variants, extremes of concentration, convergence."""

@@ -1,0 +1,47 @@
+"""The command `linear-solvers`."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run import provenance
+from studies.linear_solvers.trials import trials
+from studies.pages import linear_solver_results
+from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def linear_solvers(
+    only: Annotated[list[str] | None, typer.Option(help="Solvers of this type alone; may be repeated.")] = None,
+    data: Annotated[Path, typer.Option(help="The file whose rows are measured again.")] = RESULTS
+    / "linear-solvers.json",
+    build: Annotated[str, typer.Option(help="What is special about this FEBio, e.g. 'with SuperLU_MT'.")] = "",
+) -> None:
+    """Solve small models by FEBio's linear solvers under each enforcement, and write the table.
+
+    `--data docs/data/linear-solvers.json` measures for the documentation; `pages` then writes its page.
+    """
+    known = {solver.type for solver in SOLVERS}
+    for name in only or []:
+        if name not in known:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(sorted(known))}", param_hint="--only")
+    chosen = tuple(solver for solver in SOLVERS if not only or solver.type in only)
+    stamp = provenance.stamp()
+    made = [
+        replace(trial, febio=f"{trial.febio} {build}".strip())
+        for scene in SCENES
+        for enforcement in ENFORCEMENTS
+        for trial, _ in trials(scene, enforcement, RESULTS / "linear-solvers" / scene / enforcement, chosen)
+    ]
+    known_rows = linear_solver_results.read(data).rows if data.is_file() else []
+    results = linear_solver_results.Results(stamp, linear_solver_results.renewed(known_rows, made))
+    linear_solver_results.write(results, data)
+    console.print(linear_solver_results.table(results.rows), markup=False)
+    console.print(f"Written: {data}")

@@ -1,0 +1,96 @@
+"""Small models solved by each of FEBio's linear solvers, compared with what its default solver finds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+from lxml import etree
+
+from harness.models.confined import Confined
+from harness.models.diffusion import Diffusion
+from harness.models.document import Model
+from harness.models.interface import ContactSettings, InterfaceType
+from harness.models.parts import Control
+from harness.run import engine, logdata, provenance
+from studies.pages.linear_solver_results import SOLVERS, Outcome, Solver, Trial
+
+TOLERANCE = 1e-3
+"""Of the last state, relative to the largest value of each kind: FEBio's tolerance on the change of a step."""
+TIMEOUT = 120.0
+"""s of wall time for one run."""
+REFERENCE = SOLVERS[0]
+SYMMETRIC_ONLY = frozenset({"skyline"})
+"""Types that take no other matrix in any build."""
+
+
+def _diffusion(enforcement: str) -> Model:
+    settings = ContactSettings(laugon=enforcement)
+    return Diffusion(InterfaceType.MIXTURE, elements=3, control=Control(3, 200.0), settings=settings).model()
+
+
+def _creep(enforcement: str) -> Model:
+    settings = ContactSettings(laugon=enforcement)
+    return Confined(InterfaceType.MIXTURE, elements=3, control=Control(3, 10.0), settings=settings).model()
+
+
+MODELS: Mapping[str, Callable[[str], Model]] = {"diffusion": _diffusion, "creep": _creep}
+"""Models by enforcement: two cubes through which a solute diffuses (3.1), a biphasic layer under a load."""
+
+
+def write(model: str, solver: Solver, folder: Path) -> Path:
+    """Write the text of a model with this solver."""
+    root = etree.fromstring(model.encode("iso-8859-1"))
+    for tag in root.iter("solver"):
+        chosen = etree.SubElement(tag, "linear_solver", type=solver.type)
+        if solver.preconditioner:
+            etree.SubElement(chosen, "pc_left", type=solver.preconditioner)
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / "model.feb"
+    etree.ElementTree(root).write(str(path), xml_declaration=True, encoding="ISO-8859-1")
+    return path
+
+
+def outcome(run: engine.Run, solver: Solver, difference: float) -> Outcome:
+    """How a run ended, by what FEBio said."""
+    if run.report.normal:
+        return Outcome.SOLVED if difference <= TOLERANCE else Outcome.OTHER_RESULT
+    if "does not support the requested matrix" in run.output:
+        return Outcome.SYMMETRIC_ONLY if solver.type in SYMMETRIC_ONLY else Outcome.UNAVAILABLE
+    return Outcome.NO_SOLUTION if "Linear solver failed to find solution" in run.output else Outcome.NOT_CONVERGED
+
+
+def trials(
+    scene: str, enforcement: str, folder: Path, solvers: tuple[Solver, ...] = SOLVERS
+) -> Iterator[tuple[Trial, engine.Run]]:
+    """Solve a scene by each solver, after the reference."""
+    model = MODELS[scene](enforcement)
+    expected = _run(model, REFERENCE, folder / REFERENCE.type)[1]
+    for solver in solvers:
+        run, found = _run(model, solver, folder / f"{solver.type}-{solver.preconditioner}")
+        difference = _difference(found, expected)
+        ended = outcome(run, solver, difference)
+        made = (provenance.engine_version(run.output), provenance.plugin_commit())
+        kind = (scene, solver.type, solver.preconditioner, enforcement)
+        yield Trial(*kind, ended.value, difference if run.report.normal else math.nan, *made), run
+
+
+def _run(model: Model, solver: Solver, folder: Path) -> tuple[engine.Run, np.ndarray | None]:
+    """A run, and its last state where it ended normally."""
+    path = write(model.text(), solver, folder)
+    command = engine.command(path, engine.required_plugin())
+    run = engine.execute(command, folder, check=False, timeout=TIMEOUT)
+    if not run.report.normal:
+        return run, None
+    history = logdata.read_history(folder / model.node_file, model.node_columns)
+    return run, np.stack([history[name][-1] for name in model.node_columns])
+
+
+def _difference(found: np.ndarray | None, expected: np.ndarray | None) -> float:
+    """The largest, of all kinds of values, relative to the largest of its kind."""
+    if found is None or expected is None:
+        return math.nan
+    largest = np.abs(expected).max(axis=1, keepdims=True)
+    return float((np.abs(found - expected) / np.where(largest > 0, largest, 1.0)).max())

@@ -1,0 +1,1 @@
+"""Models of studies alone, as values."""

@@ -1,0 +1,110 @@
+"""A plane problem with a smooth, curved solution across a contact whose facets do not match.
+
+With Poisson's ratio 0 and small strains, u = grad(phi) of a harmonic phi is a state of equilibrium without body force.
+phi = A cosh(k z) cos(k x) leaves the plane z = 0 flat and without shear, as a contact without friction does, and a
+uniform compression keeps it closed. A harmonic c~ with p~ = -R T c~ is a steady state without flow of solvent (d = d0).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.models import blocks
+from harness.models.diffusion import MATERIAL
+from harness.models.document import Model
+from harness.models.header import header
+from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.mesh import Mesh, Part
+from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Param, fix
+from studies.models.nonmatching import STEADY
+
+Array = NDArray[np.float64]
+
+WAVE = 2.0
+"""k, 1/mm."""
+COMPRESSION = 1e-6
+"""Uniform compression along z: so small that the solid is linear."""
+AMPLITUDE = 0.05 * COMPRESSION
+"""A, mm^2."""
+NEAR = 1e-9
+"""Tolerance for positions, mm."""
+EXACT = {
+    "ux": f"{-AMPLITUDE * WAVE!r}*cosh({WAVE!r}*Z)*sin({WAVE!r}*X)",
+    "uz": f"{AMPLITUDE * WAVE!r}*sinh({WAVE!r}*Z)*cos({WAVE!r}*X)-{COMPRESSION!r}*Z",
+    "c1": f"0.5+0.05*exp({WAVE!r}*Z)*cos({WAVE!r}*X)",
+}
+"""The solution as FEBio reads it, in the undeformed position."""
+ABOUT = """\
+A smooth, curved solution across two blocks whose facets do not match, in contact at z = 0: displacement and
+concentration are given on all other faces, where they equal those of the closed form."""
+
+
+@dataclass(frozen=True)
+class Harmonic:
+    """Choices of this problem.
+
+    Attributes
+    ----------
+    level : int
+        The lower block has 2 `level` x 2 `level` elements, the upper one 3 `level` x 2 `level`.
+    nodes : int
+        8 or 20 nodes an element.
+    settings : ContactSettings, optional
+    name : str
+    """
+
+    level: int
+    nodes: int = 8
+    settings: ContactSettings | None = None
+    interface: InterfaceType = InterfaceType.MIXTURE
+    name: str = "harmonic"
+
+    def model(self) -> Model:
+        """The model of these choices."""
+        mesh = self._mesh()
+        return Model(
+            self.name,
+            header(self.name, ABOUT, self.interface),
+            "multiphasic",
+            mesh,
+            {"gel": MATERIAL},
+            _conditions(),
+            STEADY,
+            contacts(self.interface, mesh, self.settings),
+        )
+
+    def _mesh(self) -> Mesh:
+        bodies = [self._block(-1.0, 2 * self.level), self._block(0.0, 3 * self.level)]
+        offset = len(bodies[0].nodes)
+        nodes = np.concatenate([body.nodes for body in bodies])
+        faces = [blocks.facets_where(body, lambda x: np.abs(x[..., 2]) < NEAR) + 1 for body in bodies]
+        parts = (Part("lower", "gel", bodies[0].elements + 1), Part("upper", "gel", bodies[1].elements + offset + 1))
+        outer = (np.abs(nodes[:, 0] - 0.5) > 0.5 - NEAR) | (np.abs(nodes[:, 2]) > 1.0 - NEAR)
+        number = np.arange(1, len(nodes) + 1, dtype=np.int64)
+        surfaces = {"lower-top": faces[0], "upper-bottom": faces[1] + offset}
+        pairs = {"contact": ("upper-bottom", "lower-top")}
+        return Mesh(nodes, parts, {"all": number, "outer": number[outer]}, surfaces, pairs)
+
+    def _block(self, bottom: float, across: int) -> blocks.Body:
+        lines = (np.linspace(0.0, 1.0, across + 1), np.linspace(0.0, 0.5, 2))
+        height = np.linspace(bottom, bottom + 1.0, 2 * self.level + 1)
+        body = blocks.structured(np.stack(np.meshgrid(*lines, height, indexing="ij"), axis=-1))
+        return blocks.quadratic(body) if self.nodes == 20 else body
+
+
+def _conditions() -> tuple[Condition, ...]:
+    def given(kind: str, value: str, *params: Param) -> Condition:
+        field = Param("value", value, attributes={"type": "math"})
+        return Condition("bc", kind, "outer", (*params, field, Param("relative", False)))
+
+    osmotic = f"{-GAS_CONSTANT * TEMPERATURE!r}*({EXACT['c1']})"
+    return (
+        fix("all", "y"),
+        given("prescribed displacement", EXACT["ux"], Param("dof", "x")),
+        given("prescribed displacement", EXACT["uz"], Param("dof", "z")),
+        given("prescribed concentration", EXACT["c1"], Param("dof", "c1")),
+        given("prescribed fluid pressure", osmotic),
+    )

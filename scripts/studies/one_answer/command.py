@@ -1,0 +1,61 @@
+"""The command `one-answer`."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import RESULTS
+from harness.run import engine
+from studies import files
+from studies.one_answer.answers import Answer, Answers
+from studies.one_answer.edge_scenes import SCENES
+from studies.robustness import sanitized
+from studies.robustness.execution import Way
+from studies.robustness.sanitized import Plugin
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def one_answer(
+    only: Annotated[list[str] | None, typer.Option(help="This scene alone, by its name; may be repeated.")] = None,
+    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = 600.0,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "one-answer",
+    jobs: Annotated[int, typer.Option(min=1, help="Scenes at a time.")] = sanitized.processors(),
+) -> None:
+    """Solve porous scenes with an edge of contact in all ways: methods, threads, restarts, cutbacks, enforcement.
+
+    Exit code 0: all end, and those of one enforcement are the same.
+    """
+    names = only or list(SCENES)
+    if missing := set(names) - set(SCENES):
+        raise typer.BadParameter(f"no scene {', '.join(sorted(missing))}; there is {', '.join(SCENES)}")
+    way = Way(Plugin(engine.required_plugin()), timeout)
+
+    def answers(name: str) -> list[Answer]:
+        found = []
+        for answer in Answers(SCENES[name].feb(name), way, folder.resolve() / "runs" / name).all():
+            found.append(answer)
+            console.print(_line(answer), markup=False)
+        return found
+
+    with ThreadPoolExecutor(jobs) as pool:
+        found = [answer for each in pool.map(answers, names) for answer in each]
+    files.write_json(found, folder / "answers.json")
+    differ = [answer for answer in found if not answer.is_the_same]
+    console.print(f"{len(differ)} of {len(found)} runs do not end, or differ from what they should be the same as.")
+    if differ:
+        raise typer.Exit(1)
+
+
+def _line(answer: Answer) -> str:
+    gap = "" if answer.difference is None else f"{answer.difference:.1e}"
+    mark = "" if answer.is_the_same else "  <--"
+    return (
+        f"{answer.scene:28}{answer.way:28}{answer.ended:20}{answer.iterations:5} it {answer.retries:3} retries "
+        f"{gap:>9}{mark}"
+    )

@@ -1,0 +1,239 @@
+"""Porous scenes with an edge of contact: a punch, a load, a slide, and a crack that closes and opens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from lxml import etree
+
+from harness.models.document import Model
+from harness.models.mesh import Box, Ids, Mesh, Nodes, assemble
+from harness.models.parts import (
+    Condition,
+    Contact,
+    Control,
+    Curve,
+    Mixture,
+    Param,
+    Solid,
+    Solute,
+    concentration,
+    displace,
+    fix,
+    initial_concentration,
+    normal_load,
+    pressure,
+)
+from studies.one_answer.tet15 import with_tet15
+from studies.robustness.feb import Feb
+from studies.synthetic_scenes.slab_and_block import (
+    BASE,
+    BLOCK,
+    LOADED,
+    LOWER,
+    PAIR,
+    SLAB,
+    UPPER,
+    Cells,
+    Elements,
+    Shape,
+)
+from studies.synthetic_scenes.slab_and_block import mesh as slab_and_block
+
+KIND = "sliding-mixture"
+STEP = 5.0
+"""s. Fluid then crosses a third of an element."""
+GAP, OVERLAP = 0.002, 0.05
+"""mm between the bodies at the start: where the block is moved; where it is pushed, and has to rest on something."""
+DEPTH, SLIDE, CREEP, LOAD = 0.15, 0.35, 0.1, 0.04
+"""mm, mm, mm of what is pushed, MPa."""
+AMBIENT = 0.5
+"""mM; the slab begins with twice as much, the block with half."""
+CELLS = {"hex8": Cells(), "hex20": Cells(4, 3, 2), "tet10": Cells(4, 3, 1), "tet15": Cells(3, 2, 1)}
+"""So that no scene is large."""
+TIGHT = (
+    Param("min_residual", 1e-26),
+    Param("lstol", 0.9),
+    Param("lsmin", 0.01),
+    Param("lsiter", 5),
+    Param("diverge_reform", True),
+    Param("reform_each_time_step", True),
+)
+"""Of the solver, beside its tolerances."""
+SOLUTE = Solute(1, 1e-3, 2e-3, 1.0)
+
+
+def control(steps: int) -> Control:
+    """Fixed steps at tolerances that leave next to nothing."""
+    return Control(
+        steps,
+        STEP,
+        displacement_tolerance=1e-8,
+        energy_tolerance=1e-10,
+        pressure_tolerance=1e-8,
+        concentration_tolerance=1e-8,
+        residual_tolerance=1e-10,
+        reformations=50,
+        solver=TIGHT,
+    )
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A scene.
+
+    Attributes
+    ----------
+    moves : str
+        ``punch``, ``load``, ``slide`` or ``crack``.
+    elements : str
+        As `Elements`, or ``tet15``.
+    shape : Shape
+        Of the block's lower face.
+    primary : str
+        Its surface is the primary one.
+    solute : bool
+        Whether both bodies hold a solute.
+    stiffness : float
+        Of the block over that of the slab.
+    cells : Cells, optional
+        Those of `CELLS` without it.
+    steps : int
+    """
+
+    moves: str
+    elements: str = "hex8"
+    shape: Shape = Shape.FLAT
+    primary: str = LOWER
+    solute: bool = False
+    stiffness: float = 1.0
+    steps: int = 10
+    cells: Cells | None = None
+
+    def feb(self, name: str) -> Feb:
+        """The scene as a model file."""
+        model = self._crack(name) if self.moves == "crack" else self._slab_and_block(name)
+        made = Feb(name, etree.fromstring(model.text().encode("iso-8859-1")))
+        return with_tet15(made) if self.elements == "tet15" else made
+
+    @property
+    def module(self) -> str:
+        """FEBio's."""
+        return "multiphasic" if self.solute else "biphasic"
+
+    def _material(self, modulus: float) -> Mixture:
+        return Mixture(Solid(modulus, 0.3), 1e-3, 0.8, (SOLUTE,) if self.solute else ())
+
+    def _model(self, name: str, mesh: Mesh, conditions: tuple[Condition, ...], curves: tuple[Curve, ...]) -> Model:
+        bodies = {SLAB: self._material(1.0), BLOCK: self._material(self.stiffness)}
+        if not self.solute:
+            ambient: tuple[Param, ...] = ()
+        else:
+            ambient = (Param("ambient_concentration", AMBIENT, attributes={"sol": "1"}),)
+            held = ((SLAB, 2 * AMBIENT), (BLOCK, 0.5 * AMBIENT))
+            conditions = (*conditions, *(initial_concentration(body, value) for body, value in held))
+            conditions = (*conditions, *(concentration(f"{body}-outside", value) for body, value in held))
+        return Model(
+            name,
+            f"{self.moves}, {self.elements}",
+            self.module,
+            mesh,
+            bodies,
+            conditions,
+            control(self.steps),
+            (Contact(KIND, PAIR, ambient),),
+            curves,
+            plot=True,
+        )
+
+    def _slab_and_block(self, name: str) -> Model:
+        elements = Elements.TET10 if self.elements == "tet15" else Elements(self.elements)
+        gap = -OVERLAP if self.moves == "load" else GAP
+        made = slab_and_block(elements, self.shape, self.primary, gap, self.cells or CELLS[self.elements])
+        sets = made.node_sets | {f"{SLAB}-outside": made.node_sets[BASE], f"{BLOCK}-outside": made.node_sets[LOADED]}
+        half, end = self.steps * STEP / 2, self.steps * STEP
+        ramp = Curve(((0.0, 0.0), (half, 1.0), (end, 1.0)))
+        then = Curve(((0.0, 0.0), (half, 0.0), (end, 1.0)))
+        held = [fix(BASE, "xyz"), pressure(LOADED, 0.0)]
+        if self.moves == "load":
+            held += [fix(LOADED, "y"), displace(LOADED, "x", CREEP, 2), normal_load(LOADED, LOAD, 1)]
+        elif self.moves == "slide":
+            held += [fix(LOADED, "y"), displace(LOADED, "z", -DEPTH, 1), displace(LOADED, "x", SLIDE, 2)]
+        else:
+            held += [fix(LOADED, "xy"), displace(LOADED, "z", -DEPTH, 1)]
+        return self._model(name, replace(made, node_sets=sets), tuple(held), (ramp, then))
+
+    def _crack(self, name: str) -> Model:
+        """Two bodies, joined over a third of their length; pressed, then drawn apart."""
+        lower = Box(SLAB, SLAB, (0.0, 0.0, 0.0), (3.0, 1.0, 1.0), (9, 2, 3))
+        upper = Box(BLOCK, BLOCK, (0.0, 0.0, 1.0), (3.0, 1.0, 1.0), (9, 2, 3))
+        apart = assemble([lower, upper])
+        joined = _joined(apart, lambda x: bool(abs(x[2] - 1.0) < 1e-9 and x[0] < 1.0 + 1e-9))
+        beyond = {
+            LOWER: _beyond(joined, f"{BLOCK}-bottom"),
+            UPPER: _beyond(joined, f"{SLAB}-top"),
+        }
+        pair = (LOWER, UPPER) if self.primary == LOWER else (UPPER, LOWER)
+        sets = joined.node_sets | {
+            SLAB: np.unique(joined.parts[0].elements),
+            BLOCK: np.unique(joined.parts[1].elements),
+            f"{SLAB}-outside": joined.node_sets[f"{SLAB}-bottom"],
+            f"{BLOCK}-outside": joined.node_sets[f"{BLOCK}-top"],
+        }
+        mesh = replace(joined, node_sets=sets, surfaces=joined.surfaces | beyond, pairs={PAIR: pair})
+        end = self.steps * STEP
+        path = Curve(((0.0, 0.0), (0.4 * end, 1.0), (end, -0.1)))
+        conditions = (
+            fix(f"{SLAB}-bottom", "xyz"),
+            fix(f"{BLOCK}-top", "xy"),
+            pressure(f"{BLOCK}-top", 0.0),
+            displace(f"{BLOCK}-top", "z", -DEPTH / 2, 1),
+        )
+        return self._model(name, mesh, conditions, (path,))
+
+
+def _joined(mesh: Mesh, inside: Callable[[Nodes], bool]) -> Mesh:
+    """With one node in place of two where they coincide and lie inside."""
+    first: dict[tuple[float, ...], int] = {}
+    new = np.arange(1, len(mesh.nodes) + 1)
+    kept = []
+    for number, x in enumerate(mesh.nodes):
+        key = tuple(np.round(x, 9).tolist())
+        if inside(x) and key in first:
+            new[number] = first[key]
+            continue
+        kept.append(number)
+        new[number] = first[key] = len(kept)
+    return Mesh(
+        mesh.nodes[kept],
+        tuple(replace(part, elements=new[part.elements - 1]) for part in mesh.parts),
+        {name: np.unique(new[ids - 1]) for name, ids in mesh.node_sets.items()},
+        {name: new[facets - 1] for name, facets in mesh.surfaces.items()},
+    )
+
+
+def _beyond(mesh: Mesh, surface: str) -> Ids:
+    """Facets of a surface that are not joined."""
+    facets = mesh.surfaces[surface]
+    return np.asarray(facets[mesh.nodes[facets - 1, 0].mean(axis=1) > 1.0])
+
+
+_BIPHASIC: Mapping[str, Scene] = {
+    "punch": Scene("punch"),
+    "punch-from-below": Scene("punch", primary=UPPER, shape=Shape.SPHERE),
+    "sphere-loaded": Scene("load", shape=Shape.SPHERE, cells=Cells(4, 5, 2)),
+    "flat-loaded": Scene("load", primary=UPPER, stiffness=3.0),
+    "sphere-slides": Scene("slide", shape=Shape.SPHERE),
+    "hex20-punch": Scene("punch", "hex20", Shape.SPHERE, steps=5),
+    "tet10-slide": Scene("slide", "tet10", Shape.CYLINDER, steps=6),
+    "tet10-load": Scene("load", "tet10", Shape.SPHERE, steps=6),
+    "tet15-punch": Scene("punch", "tet15", Shape.SPHERE, steps=5),
+    "crack": Scene("crack", steps=10),
+}
+SCENES: Mapping[str, Scene] = {
+    **_BIPHASIC,
+    **{f"solute-{name}": replace(scene, solute=True) for name, scene in _BIPHASIC.items()},
+}
+"""By name."""

@@ -1,0 +1,48 @@
+"""The command that writes the verification report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance
+from harness.run.runner import Runner
+from harness.validate import figures
+from harness.validate.checks import CHECKS, Context
+from studies.pages import verification
+
+console = Console(highlight=False, soft_wrap=True)
+MISSED = 1
+"""Exit code where a tolerance is missed."""
+
+
+def verification_report(
+    only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where page and numbers go.")] = DOCS,
+) -> None:
+    """Make all checks of `validate` one after the other, and write the verification report and figures 3.2 and 3.3."""
+    known = {check.name: check for check in CHECKS}
+    for name in only or []:
+        if name not in known:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}", param_hint="--only")
+    sections = []
+    for section in verification.make(RESULTS / "runs", [known[name] for name in only] if only else CHECKS):
+        sections.append(section)
+        missed = sum(not measure.passed for measure in section.measures)
+        console.print(f"{section.name}: {len(section.measures)} figures, {missed} missed")
+    written = verification.write(folder, verification.Report(provenance.stamp(), sections))
+    if not only:
+        written += _pictures(folder / "images")
+    console.print("Written: " + ", ".join(str(path) for path in written))
+    if any(not measure.passed for section in sections for measure in section.measures):
+        raise typer.Exit(MISSED)
+
+
+def _pictures(folder: Path) -> list[Path]:
+    """Figures 3.2 and 3.3, of the runs behind the report."""
+    context = Context(Runner(RESULTS / "runs"))
+    return figures.draw([*figures.diffusion_profiles(context), *figures.convection_profiles(context)], folder)

@@ -1,0 +1,50 @@
+"""The command that runs the gallery and writes its page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.collection import entries
+from harness.paths import RESULTS
+from harness.run import provenance
+from harness.run.runner import Runner
+from studies.pages.gallery import figures, friction, page
+
+COVER, COVER_PICTURE = "joint-release", "images/joint-readme.png"
+"""The model whose picture stands in README."""
+console = Console(highlight=False, soft_wrap=True)
+
+
+def gallery(
+    only: Annotated[list[str] | None, typer.Option(help="Run this model alone; may be repeated.")] = None,
+    small: Annotated[bool, typer.Option(help="Fewer elements and steps, in a minute.")] = False,
+    folder: Annotated[Path, typer.Option(help="Where page, numbers and pictures go; `docs` for the site.")] = RESULTS
+    / "gallery",
+) -> None:
+    """Run the models that one would start from, and write their page with pictures, curves and run times.
+
+    The other models stay on the page with --only, if they were made with the same plugin and FEBio.
+    """
+    chosen = {entry.model.name: entry for entry in entries.entries()}
+    for name in only or []:
+        if name not in chosen:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(chosen)}", param_hint="--only")
+    runner, stamp = Runner(RESULTS / "gallery" / "runs"), provenance.stamp()
+    records = page.made_alike(folder, stamp)
+    for name in only or list(chosen):
+        entry = chosen[name]
+        result = runner(entry.small if small else entry.model)
+        figures.draw(entry, result, entries.curves(entry, result), folder / page.IMAGES)
+        if name == COVER and not small:
+            figures.draw_cover(entry, result, folder / COVER_PICTURE)
+        records[name] = page.record(result)
+        taken = records[name]
+        console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.cpu:g} s", markup=False)
+    if not only and not small:
+        friction.draw(runner, folder / page.IMAGES)
+    written = page.write(folder, page.Results(stamp, records))
+    console.print("Written: " + ", ".join(str(path) for path in written))

@@ -1,0 +1,178 @@
+"""The page of the gallery and the numbers on it: docs/gallery.md and docs/data/gallery.json."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from harness.collection import entries
+from harness.collection.entries import Entry
+from harness.errors import DataFileError
+from harness.models.document import Model
+from harness.run.provenance import Stamp
+from harness.run.runner import RunResult
+from studies.pages.gallery import friction
+
+PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
+
+
+@dataclass(frozen=True)
+class Record:
+    """What a run took.
+
+    Attributes
+    ----------
+    nodes, elements, steps, iterations, retries : int
+    cpu : float
+        Processor time, s, one thread.
+    """
+
+    nodes: int
+    elements: int
+    steps: int
+    iterations: int
+    retries: int
+    cpu: float
+
+
+@dataclass(frozen=True)
+class Results:
+    """The numbers of runs by the names of their models, and what they were made with."""
+
+    stamp: Stamp
+    records: Mapping[str, Record]
+
+
+def record(result: RunResult) -> Record:
+    """The numbers of a run."""
+    report, mesh = result.report, result.model.mesh
+    elements = sum(len(part.elements) for part in mesh.parts)
+    counts = (len(mesh.nodes), elements, report.steps, report.iterations, report.retries)
+    return Record(*counts, round(result.cpu, 1))
+
+
+def read(folder: Path) -> Results:
+    """What `write` wrote into `folder`.
+
+    Raises
+    ------
+    DataFileError
+        A missing file, or one that holds no such results.
+    """
+    path = folder / DATA
+    try:
+        data = json.loads(path.read_text())
+        return Results(Stamp(**data["stamp"]), {name: Record(**entry) for name, entry in data["models"].items()})
+    except (OSError, json.JSONDecodeError, KeyError, TypeError, AttributeError) as error:
+        raise DataFileError(f"{path} holds no results ({error}); `gallery` writes it") from error
+
+
+def made_alike(folder: Path, stamp: Stamp) -> dict[str, Record]:
+    """The records in `folder`; none where they were made with something else, or no file is."""
+    try:
+        known = read(folder)
+    except DataFileError:
+        return {}
+    return dict(known.records) if known.stamp == stamp else {}
+
+
+def write(folder: Path, results: Results) -> list[Path]:
+    """Write results and page into `folder`, in the order of the gallery."""
+    records = results.records
+    models = {entry.model.name: asdict(records[entry.model.name]) for entry in _recorded(records)}
+    data = {"stamp": asdict(results.stamp), "models": models}
+    (folder / DATA).parent.mkdir(parents=True, exist_ok=True)
+    (folder / DATA).write_text(json.dumps(data, indent=1) + "\n")
+    (folder / PAGE).write_text(page(results), encoding="utf-8")
+    return [folder / PAGE, folder / DATA]
+
+
+def _recorded(records: Mapping[str, Record]) -> list[Entry]:
+    return [entry for entry in entries.entries() if entry.model.name in records]
+
+
+def page(results: Results) -> str:
+    """The text of the page, with those models that have a record."""
+    entries = _recorded(results.records)
+    sections = [*(_section(entry) for entry in entries), _friction()]
+    return "\n\n".join([_INTRODUCTION, _table(entries, results), *sections]) + "\n"
+
+
+_INTRODUCTION = """\
+# Gallery
+
+<!-- Written by `scripts/mixcontact gallery --folder docs`: change scripts/harness/collection/entries.py instead. -->
+
+Start from one of these models: copy its file in `models/`, change it and run the copy. The head of each file describes
+conditions and units (mm, N, s, nmol, K). The pictures show the effective concentration over the deformed bodies.
+Builders of the meshes are in `scripts/harness/models`. These commands run all models, draw the pictures and write this
+page; the second has fewer elements and steps, and writes to `results/gallery`.
+
+```console
+scripts/mixcontact gallery --folder docs
+scripts/mixcontact gallery --small
+```"""
+
+
+def _table(entries: list[Entry], results: Results) -> str:
+    lines = [
+        "| model | nodes | elements | steps | iterations | retries | processor time [s] |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for entry in entries:
+        r = results.records[entry.model.name]
+        lines.append(
+            f"| [{entry.title}](#{_anchor(entry.title)}) | {r.nodes} | {r.elements} | {r.steps} | {r.iterations} | "
+            f"{r.retries} | {r.cpu:g} |"
+        )
+    return "\n".join([*lines, "", f"Made with {results.stamp}, default penalties."])
+
+
+def _anchor(title: str) -> str:
+    """What MkDocs and GitHub make of a heading."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
+def _section(entry: Entry) -> str:
+    name = entry.model.name
+    first_paragraph = _about(entry.model).split("\n\n")[0]
+    return f"""\
+## {entry.title}
+
+{first_paragraph}
+
+{entry.start_here}
+
+```console
+scripts/mixcontact run models/{name}.feb
+```
+
+![Effective concentration over the deformed bodies]({IMAGES}/{name}-section.png)
+
+![{_curves(entry)}]({IMAGES}/{name}-curves.png)"""
+
+
+def _friction() -> str:
+    """The section on friction, whose pictures are of their own."""
+    shown = zip(friction.MODELS, friction.PICTURES.items(), strict=True)
+    return "\n\n".join(["## Friction", *(_pictured(model, picture, alt) for model, (picture, alt) in shown)])
+
+
+def _pictured(model: Model, picture: str, alt: str) -> str:
+    """A model with its one picture, and a description of that."""
+    run = f"```console\nscripts/mixcontact run models/{model.name}.feb\n```"
+    return f"{_about(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
+
+
+def _curves(entry: Entry) -> str:
+    force = ", force" if entry.driven else ""
+    return f"Over time: solute in each body, concentration on the two sides of the contact{force}"
+
+
+def _about(model: Model) -> str:
+    """What the head of the model file says it shows, without its title line, units and commands."""
+    paragraphs = model.header.split("\n\n")
+    return "\n\n".join(paragraphs[:-2])

@@ -1,0 +1,184 @@
+"""The page of the linear solvers, from measured trials alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from harness.run.provenance import Stamp
+from studies.pages import stamped_rows
+
+PAGE = "reference/linear-solvers.md"
+DATA = Path("data", "linear-solvers.json")
+"""Below docs/."""
+SCENES = ("diffusion", "creep")
+
+ENFORCEMENTS = ("PENALTY", "AUGLAG", "LAGMULT")
+
+
+@dataclass(frozen=True)
+class Solver:
+    """A linear solver of FEBio's, and its preconditioner where it has one."""
+
+    type: str
+    preconditioner: str = ""
+
+    @property
+    def name(self) -> str:
+        """As the table has it."""
+        return f"`{self.type}`" + (f", `{self.preconditioner}`" if self.preconditioner else "")
+
+
+SOLVERS = (
+    Solver("pardiso"),
+    Solver("mkl_dss"),
+    Solver("superlu_mt"),
+    Solver("fgmres"),
+    Solver("fgmres", "ilu0"),
+    Solver("fgmres", "ilut"),
+    Solver("bicgstab"),
+    Solver("bicgstab", "ilu0"),
+    Solver("bicgstab", "ilut"),
+    Solver("hypre_gmres"),
+    Solver("skyline"),
+)
+
+
+class Outcome(str, Enum):
+    """How a run ended."""
+
+    SOLVED = "yes"
+    OTHER_RESULT = "no: another result"
+    SYMMETRIC_ONLY = "no: symmetric matrices only"
+    NO_SOLUTION = "no: finds no solution"
+    NOT_CONVERGED = "no: does not converge"
+    UNAVAILABLE = "not in the build at hand"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A run.
+
+    Attributes
+    ----------
+    scene, solver, preconditioner, enforcement : str
+        What was solved by what.
+    outcome : str
+        How it ended.
+    difference : float
+        Of the last state from that of the reference, relative to the largest value of each kind.
+    febio : str
+        The FEBio that ran it.
+    commit : str
+        Of the plugin's sources, or unknown.
+    """
+
+    scene: str
+    solver: str
+    preconditioner: str
+    enforcement: str
+    outcome: str
+    difference: float
+    febio: str
+    commit: str
+
+    @property
+    def cell(self) -> tuple[str, str, str, str]:
+        """Where it stands in the table."""
+        return (self.scene, self.enforcement, self.solver, self.preconditioner)
+
+
+@dataclass(frozen=True)
+class Results:
+    """The trials, and what the last of them were made with; others say their own FEBio and commit."""
+
+    stamp: Stamp
+    rows: list[Trial]
+
+
+HEAD = """\
+# Linear solvers
+
+<!-- Written by `scripts/mixcontact pages` from data/linear-solvers.json, which `linear-solvers` measures. -->
+
+The matrix of the contact is non-symmetric, and with `LAGMULT` it has zeros on its diagonal. `pardiso`, FEBio's default,
+and `mkl_dss` solve every model here. Both are part of MKL. An FEBio without MKL has `skyline` as its default, which
+cannot; give `superlu_mt` there, in the model or as the default in `febio.xml`. `pardiso` is given
+[smaller matrices](../how-to/devices.md) than the others with `PENALTY` and
+`AUGLAG`.
+
+Each cell is a run of a small model: diffusion between two cubes of 3 elements (3.1), and confined creep of a biphasic
+layer. `yes`: the run completes, with the values of `pardiso` to {largest} of the largest of each kind. {engines}
+
+{table}
+
+Multipliers put zeros on the diagonal, on which incomplete factorisations divide: use a direct solver with `LAGMULT`.
+Whether `ilu0` or `ilut` solves a model with multipliers depends on rounding, and differs between machines; the cells
+say what one machine found.
+The log and `scripts/mixcontact check` warn of a solver for symmetric matrices and of an iterative one with `LAGMULT`.
+FEBio's message is "Linear solver failed to find solution" if a solver fails. If it is for symmetric matrices or was not
+built in, the message is "The selected linear solver does not support the requested matrix format".
+`hypre_gmres` reports no failure: Newton's method does not converge then.
+
+```console
+scripts/mixcontact linear-solvers --only pardiso
+```
+
+measures the rows of one solver with the FEBio that is found; without `--only` all of them. Rows of a solver that this
+FEBio was built without stay as they were measured.
+"""
+
+
+def write(results: Results, path: Path) -> None:
+    """Write results as JSON."""
+    stamped_rows.write(results, path)
+
+
+def read(path: Path) -> Results:
+    """Read what `write` wrote.
+
+    Raises
+    ------
+    DataFileError
+        A missing file, or one that holds no such results.
+    """
+    return Results(*stamped_rows.read(path, Trial, "linear-solvers"))
+
+
+def renewed(known: Sequence[Trial], made: Sequence[Trial]) -> list[Trial]:
+    """The newer of two trials of the same cell; the older one where the newer FEBio lacks the solver."""
+    old = {trial.cell: trial for trial in known}
+    new = {t.cell: t for t in made if t.outcome != Outcome.UNAVAILABLE or t.cell not in old}
+    return list((old | new).values())
+
+
+def page(results: Results) -> str:
+    """The text of the page."""
+    trials = results.rows
+    largest = max(trial.difference for trial in trials if trial.outcome == Outcome.SOLVED)
+    return HEAD.format(largest=f"{largest:.0e}", engines=_engines(results), table=table(trials))
+
+
+def table(trials: Sequence[Trial]) -> str:
+    """A row for each solver, a column for each scene and enforcement."""
+    columns = [(scene, enforcement) for scene in SCENES for enforcement in ENFORCEMENTS]
+    heads = ["`<linear_solver>`, `<pc_left>`", *(f"{scene}: `{enforcement}`" for scene, enforcement in columns)]
+    found = {trial.cell: trial.outcome for trial in trials}
+    rows = [
+        [solver.name, *(found.get((*column, solver.type, solver.preconditioner), "not measured") for column in columns)]
+        for solver in SOLVERS
+    ]
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in (heads, ["---"] * len(heads), *rows))
+
+
+def _engines(results: Results) -> str:
+    """What measured the rows: the stamp, and what differs from it."""
+    others: dict[tuple[str, str], list[str]] = {}
+    for trial in results.rows:
+        if (trial.febio, trial.commit) != (results.stamp.engine, results.stamp.commit):
+            names = others.setdefault((trial.febio, trial.commit), [])
+            names += [name for name in [Solver(trial.solver).name] if name not in names]
+    told = [f"{', '.join(names)} with {febio}, plugin at commit {commit}" for (febio, commit), names in others.items()]
+    return f"Made with {results.stamp}." + (f" Rows made otherwise: {'; '.join(told)}." if told else "")

@@ -1,0 +1,276 @@
+"""The pages of the synthetic test scenes, from their results alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+from harness.run.provenance import Stamp
+from studies.pages import stamped_rows
+
+PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
+DATA = Path("data", "synthetic-scenes.json")
+"""Below docs/."""
+
+HEAD = """\
+# Synthetic test scenes
+
+<!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/scene_results.py instead. -->
+
+These scenes were written here, and no user sent them. They have the element types, materials, loads, rigid and porous
+bodies of users' models, each with the FEBio interface and the parameters that a user would take. Each runs with FEBio's
+interface, through `scripts/mixcontact convert` with the same penalties, with the penalties deleted, and so with
+`predictor` 1 as well. The limit is the same for all. This command runs one scene, or without `--only` all:
+
+```console
+scripts/mixcontact synthetic-scenes --only elements-hex8
+```
+
+{summary}
+
+*Differ by* is the largest difference of the last state between FEBio's interface and the converted model, at any node.
+It is relative to the largest displacement, or to the largest value of a field. Both models are equal to 1e-8 if contact
+is uniform and the penalty is given in numbers (`tests/synthetic_scenes/test_uniform_contact.py`). These scenes have a
+curved face on a flat one and coarse meshes. FEBio's interfaces act at Gauss points of facets, `sliding-mixture` on
+averages around nodes. {finer} Pressures differ most at the edge of contact.
+
+[All scenes](../reference/synthetic-scenes.md) have a row each, with Newton iterations, and retries in brackets. These
+are worse than with FEBio's interface, or not comparable:
+
+{table}
+
+Made with {stamp}.
+"""
+ALL_HEAD = """\
+# Synthetic test scenes: all scenes
+
+<!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/scene_results.py instead. -->
+
+The table has Newton iterations, with retries in brackets. The page of the
+[synthetic test scenes](../evidence/synthetic-scenes.md) describes the columns. Made with {stamp}.
+
+{table}
+"""
+
+
+FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit", "explicit-finer"))
+"""Scenes on two meshes, one twice as fine as the other."""
+MOST = 1.2
+"""Iterations over FEBio's, at most, in any scene."""
+AT_LIMIT = "ended by the limit"
+"""Why a run did not end that took all of its processor time."""
+NOT_MADE = "not run"
+"""Why there is no run where nobody asked for it."""
+UNAVAILABLE = "not available in models with rigid bodies"
+"""What the plugin says of the predictor there."""
+
+
+@dataclass(frozen=True)
+class Took:
+    """What a run took.
+
+    Attributes
+    ----------
+    ended : bool
+    steps, iterations, retries : int
+    difference : float
+        Largest difference of displacements of the last state from that of FEBio's interface, relative to the largest
+        displacement; 0 for FEBio's interface itself, not a number where a run did not end.
+    of_fields : float
+        The same of pressure and concentrations, the largest of them; not a number where there are none.
+    why : str
+        Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it.
+    """
+
+    ended: bool
+    steps: int = 0
+    iterations: int = 0
+    retries: int = 0
+    difference: float = math.nan
+    of_fields: float = math.nan
+    why: str = ""
+
+    @property
+    def at_limit(self) -> bool:
+        """Whether the limit ended it."""
+        return self.why == AT_LIMIT
+
+    @property
+    def available(self) -> bool:
+        """Whether the plugin takes the model with the predictor."""
+        return UNAVAILABLE not in self.why
+
+    @property
+    def made(self) -> bool:
+        """Whether there was a run at all."""
+        return self.why != NOT_MADE
+
+
+NOT_RUN = Took(ended=False, why=NOT_MADE)
+"""Stands for a run that nobody made."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A scene and its runs: with FEBio's interface, converted, without penalties, and so with the predictor."""
+
+    name: str
+    about: str
+    febio: Took
+    converted: Took = NOT_RUN
+    defaults: Took = NOT_RUN
+    predicted: Took = NOT_RUN
+
+    def worse(self, ours: Took) -> str:
+        """In what a run of ours is worse than FEBio's; empty where in nothing."""
+        if not self.febio.ended or not ours.made:
+            return ""
+        if not ours.ended:
+            return ours.why or "does not end"
+        found = ["more retries"] if ours.retries > self.febio.retries else []
+        if ours.iterations > MOST * self.febio.iterations:
+            found.append("more iterations")
+        return ", ".join(found)
+
+
+@dataclass(frozen=True)
+class Results:
+    """What the command found, and with what."""
+
+    stamp: Stamp
+    rows: list[Row]
+
+
+def write(results: Results, path: Path) -> None:
+    """Write results as JSON."""
+    stamped_rows.write(results, path)
+
+
+def read(path: Path) -> Results:
+    """Read what `write` wrote.
+
+    Raises
+    ------
+    DataFileError
+        A missing file, or one that holds no such results.
+    """
+    return Results(*stamped_rows.read(path, _row, "synthetic-scenes --docs"))
+
+
+def _row(name: str, about: str, **runs: dict[str, bool | int | float | str]) -> Row:
+    return Row(name, about, **{run: Took(**took) for run, took in runs.items()})  # type: ignore[arg-type]
+
+
+def page(results: Results) -> str:
+    """The page of evidence: what it comes to, and the scenes in which a run of ours is worse."""
+    rows = results.rows
+    told = [row for row in rows if not row.febio.ended or row.worse(row.converted) or row.worse(row.defaults)]
+    return HEAD.format(stamp=results.stamp, summary=summary(rows), finer=finer(rows), table=table(told))
+
+
+def all_scenes(results: Results) -> str:
+    """The page with a row for each scene."""
+    return ALL_HEAD.format(stamp=results.stamp, table=table(results.rows))
+
+
+def finer(rows: Sequence[Row]) -> str:
+    """How the difference falls with the mesh, of the scenes that are there on two meshes."""
+    difference = {row.name: row.converted.difference for row in rows}
+    pairs = [(one, two) for one, two in FINER if one in difference and two in difference]
+    found = [f"from {difference[one]:.1%} (`{one}`) to {difference[two]:.1%} (`{two}`)" for one, two in pairs]
+    return f"The difference of displacements falls with half the element size, {' and '.join(found)}." if found else ""
+
+
+def table(rows: Sequence[Row]) -> str:
+    """A Markdown table, a row for each scene: iterations, and retries in brackets where there are any."""
+    lines = [
+        "| scene | | FEBio | converted | displacements differ by | fields | defaults | with `predictor` 1 | worse in |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    for row in rows:
+        worse = "; ".join(
+            f"{name}: {what}"
+            for name, what in (("converted", row.worse(row.converted)), ("defaults", row.worse(row.defaults)))
+            if what
+        )
+        cells = (
+            row.name,
+            row.about,
+            cell(row.febio),
+            cell(row.converted),
+            _number(row.converted.difference),
+            _number(row.converted.of_fields),
+            cell(row.defaults),
+            cell(row.predicted),
+            worse.replace("|", "/"),
+        )
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def _number(difference: float) -> str:
+    return "" if math.isnan(difference) else f"{difference:.1e}"
+
+
+def cell(took: Took) -> str:
+    """Iterations, with retries in brackets; of a run that did not end, how far it came."""
+    if not took.made:
+        return ""
+    retries = f" ({took.retries})" if took.retries else ""
+    if took.ended:
+        return f"{took.iterations}{retries}"
+    if not took.available:
+        return "not available"
+    return f"{'limit' if took.at_limit else 'fails'} after {took.steps} steps{retries}"
+
+
+def summary(rows: Sequence[Row]) -> str:
+    """How many scenes end, how many are no worse than FEBio's, and what the limit and the predictor do."""
+    sound = [row for row in rows if row.febio.ended]
+    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes."]
+    for name, of in (("Converted models", "converted"), ("Models with the penalties deleted", "defaults")):
+        runs: list[tuple[Row, Took]] = [(row, getattr(row, of)) for row in sound]
+        ended = sum(run.ended for _, run in runs)
+        fewer = sum(run.ended and run.iterations <= row.febio.iterations for row, run in runs)
+        harmed = sum(bool(row.worse(run)) for row, run in runs)
+        parts.append(
+            f"{name} complete {ended} of these, {fewer} in at most FEBio's iterations, and {harmed} are worse."
+        )
+    parts.append(f"Worse is a run that fails, has more retries, or takes more than {MOST} times the iterations.")
+    return "\n\n".join([" ".join(parts), f"{_apart(sound)} {_predictor(rows)} {_limit(rows)}".strip()])
+
+
+def _apart(rows: Sequence[Row]) -> str:
+    """By how much the answers differ."""
+    both = [row.converted for row in rows if row.converted.ended]
+    displacements = sorted(took.difference for took in both if not math.isnan(took.difference))
+    fields = [took.of_fields for took in both if not math.isnan(took.of_fields)]
+    if not displacements or not fields:
+        return ""
+    return (
+        f"The answers are not the same: the largest difference of a displacement is {median(displacements):.1%} of the "
+        f"largest displacement in the median, and up to {displacements[-1]:.0%}. That of a field is "
+        f"{min(fields):.0%} to {max(fields):.0%} in {len(fields)} porous scenes ([which is nearer](agreement.md))."
+    )
+
+
+def _predictor(rows: Sequence[Row]) -> str:
+    """What the predictor does to the runs without penalties."""
+    runs = [(row.defaults, row.predicted) for row in rows if row.predicted.available]
+    both = [(plain, predicted) for plain, predicted in runs if plain.ended and predicted.ended]
+    without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
+    return (
+        f"The predictor is available in {len(runs)} scenes; {sum(took.ended for _, took in runs)} of these complete. "
+        f"The {len(both)} that complete with it and without it take {with_it} iterations with it and {without} without."
+    )
+
+
+def _limit(rows: Sequence[Row]) -> str:
+    """Which runs the limit ended."""
+    ways = {"FEBio's": "febio", "converted": "converted", "defaults": "defaults", "with the predictor": "predicted"}
+    counts = {name: sum(getattr(row, way).at_limit for row in rows) for name, way in ways.items()}
+    told = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
+    return f"Runs that the limit ended: {told or 'none'}."

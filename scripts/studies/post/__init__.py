@@ -1,0 +1,1 @@
+"""Numbers that studies alone take from what a run wrote."""

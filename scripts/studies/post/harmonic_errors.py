@@ -1,0 +1,38 @@
+"""Errors of a run of `studies.models.harmonic` against its closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from harness.post.hexahedra import geometry
+from harness.run.runner import RunResult
+from studies.models.harmonic import AMPLITUDE, COMPRESSION, EXACT, WAVE
+
+Array = NDArray[np.float64]
+
+
+def errors(result: RunResult) -> dict[str, float]:
+    """Root mean square error over both bodies of displacement (mm) and concentration (mM) at the last time."""
+    mesh = result.model.mesh
+    values = {name: result.nodes[name][-1] for name in EXACT}
+    squares = dict.fromkeys(("u", "c1"), 0.0)
+    volume = 0.0
+    for part in mesh.parts:
+        elements = part.elements - 1
+        made = geometry(mesh.nodes, elements)
+        x, z = (made.at_points(mesh.nodes[elements][:, :, axis]) for axis in (0, 2))
+        volume += float(made.volumes.sum())
+        for name, expected in _exact(x, z).items():
+            error = made.at_points(values[name][elements]) - expected
+            squares["c1" if name == "c1" else "u"] += float((made.volumes * error**2).sum())
+    return {name: float(np.sqrt(square / volume)) for name, square in squares.items()}
+
+
+def _exact(x: Array, z: Array) -> dict[str, Array]:
+    """The closed form, by the names of the logged data."""
+    return {
+        "ux": np.asarray(-AMPLITUDE * WAVE * np.cosh(WAVE * z) * np.sin(WAVE * x)),
+        "uz": np.asarray(AMPLITUDE * WAVE * np.sinh(WAVE * z) * np.cos(WAVE * x) - COMPRESSION * z),
+        "c1": np.asarray(0.5 + 0.05 * np.exp(WAVE * z) * np.cos(WAVE * x)),
+    }

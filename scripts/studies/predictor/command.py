@@ -1,0 +1,55 @@
+"""The command `predictor`: every model and every hard case without and with it."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import track
+
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance
+from harness.run.runner import Runner
+from studies import files
+from studies.hard_cases.scene import Fineness
+from studies.limit import LIMIT
+from studies.pages.evidence import DATA
+from studies.predictor import page, paired_models, summary_table
+from studies.predictor.paired_models import Took
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def predictor(
+    only: Annotated[list[str] | None, typer.Option(help="Models whose names hold this; may be repeated.")] = None,
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="Hard cases on this mesh alone.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "predictor",
+    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+) -> None:
+    """Run every model and every hard case without and with the predictor, and write the table.
+
+    A run that is done is kept.
+    """
+    runner = Runner(folder / "runs", processor_limit=limit)
+    chosen = [known for known in paired_models.known_models(mesh or list(Fineness)) if _wanted(known[0], only)]
+    with ThreadPoolExecutor(jobs) as pool:
+        done = pool.map(lambda known: paired_models.run(known[0], known[1], runner), chosen)
+        found = list(track(done, "models", total=len(chosen), console=console))
+    text = f"{summary_table.summary(found)}\n\n{summary_table.table(found)}\n"
+    (folder / "predictor.md").write_text(text)
+    console.print(text, markup=False)
+    console.print(f"Written: {folder / 'predictor.md'}")
+    if docs:
+        files.write_csv(paired_models.runs(found), Took, DATA / page.SOURCE, provenance.stamp(limit))
+        (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+        console.print(f"Written: {DOCS / page.PAGE.name}")
+
+
+def _wanted(name: str, only: list[str] | None) -> bool:
+    return not only or any(part in name for part in only)

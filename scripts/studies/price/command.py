@@ -1,0 +1,119 @@
+"""The command `price`: timings of the contact, by task and effect, and beside FEBio's own interfaces."""
+
+from __future__ import annotations
+
+import shutil
+from enum import Enum
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.errors import HarnessError
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance
+from studies import files
+from studies.limit import LIMIT
+from studies.pages.evidence import DATA
+from studies.price import bars, effect_costs, febio_matrices, joints, page, paired_runs, table
+from studies.price.effect_costs import EffectCost
+from studies.price.scenes import Kind, Scene, effects_added
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+class Part(str, Enum):
+    """What there is to measure."""
+
+    JOINTS = "joints"
+    """A ball in its socket, of tetrahedra, and blocks with many facets, beside FEBio's own interface."""
+    EFFECTS = "effects"
+    """Times at the end of runs with more and more effects, as a bar chart."""
+    COMPARISON = "comparison"
+    """Iterations and times of the contact beside FEBio's own, on two blocks with many facets."""
+    MATRICES = "matrices"
+    """FEBio's interface on the joints with its default matrix, which is symmetric, beside a non-symmetric one."""
+    ADDED = "added"
+    """Time added to the run of an body of 12 x 12 x 24 elements."""
+
+
+def price(
+    logs: Annotated[list[Path] | None, typer.Argument(help="Logs of runs: draw their times, and run nothing.")] = None,
+    only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
+    repetitions: Annotated[int, typer.Option(min=1, help="How often runs that are compared are repeated.")] = 3,
+    folder: Annotated[Path, typer.Option(help="Where tables and pictures go.")] = RESULTS / "price",
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+) -> None:
+    """Measure the timings of the contact, or draw the times that it wrote into the logs of runs.
+
+    Runs that are compared alternate, and the medians of their ratios count. Nothing else should run meanwhile.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    if logs:
+        _show_effects(_of_logs(logs), folder)
+        return
+    chosen = only or list(Part)
+    stamp = provenance.stamp(LIMIT)
+    tell = partial(console.print, markup=False)
+    if Part.JOINTS in chosen:
+        found = joints.measure(joints.SCENES, repetitions, tell)
+        files.write_csv(found, joints.JointPrice, folder / page.JOINTS, stamp)
+    if Part.MATRICES in chosen:
+        rows = febio_matrices.measure(joints.SCENES, repetitions, tell)
+        files.write_csv(rows, febio_matrices.Matrix, folder / page.MATRICES, stamp)
+    if Part.EFFECTS in chosen:
+        costs = effect_costs.measure(effects_added(), repetitions, tell)
+        files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)
+    for part, scenes in _compared().items():
+        if part in chosen:
+            prices = [price for scene in scenes for price in paired_runs.prices(scene, repetitions, tell)]
+            files.write_csv(prices, paired_runs.Price, folder / f"price-{part.value}.csv", stamp)
+    console.print(f"Written: {folder}")
+    if docs:
+        _write_docs(folder)
+
+
+def _compared() -> dict[Part, list[Scene]]:
+    thick = [Scene(kind, solutes=1, section=12, through=12) for kind in (Kind.SOLUTE, Kind.MULTIPHASIC)]
+    return {Part.COMPARISON: [Scene(kind, solutes=_solutes(kind)) for kind in Kind], Part.ADDED: thick}
+
+
+def _write_docs(folder: Path) -> None:
+    """The page of the documentation, with what was measured into `folder`."""
+    for name in (*page.PAGE.sources, page.MATRICES):
+        if (folder / name).is_file():
+            shutil.copy(folder / name, DATA / name)
+    page.draw(files.read_csv(DATA / page.EFFECTS, EffectCost), DOCS / page.PICTURE)
+    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+    console.print(f"Written: {DOCS / page.PAGE.name}, {DOCS / page.PICTURE}")
+
+
+def _solutes(kind: Kind) -> int:
+    return 1 if kind in (Kind.SOLUTE, Kind.MULTIPHASIC) else 0
+
+
+def _of_logs(logs: list[Path]) -> dict[str, table.Times]:
+    found: dict[str, table.Times] = {}
+    for log in logs:
+        if not log.is_file():
+            raise HarnessError(f"there is no log {log}")
+        tables = table.read(log.read_text(errors="replace"))
+        if not tables:
+            raise HarnessError(f"{log} holds no times of a contact: they come at the end of a run")
+        for times in tables:
+            found[f"{log.stem}: {times.contact}" if len(tables) > 1 or len(logs) > 1 else times.contact] = times
+    return found
+
+
+def _show_effects(scenes: dict[str, table.Times], folder: Path) -> None:
+    console.print(f"Written: {bars.draw(scenes, folder / 'effects.png')}")
+    _show(scenes, folder / "effects.md")
+
+
+def _show(scenes: dict[str, table.Times], path: Path) -> None:
+    text = bars.scenes_table(scenes)
+    path.write_text(text + "\n")
+    console.print(text, markup=False)
+    console.print(f"Written: {path}")

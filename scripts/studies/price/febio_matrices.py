@@ -1,0 +1,114 @@
+"""FEBio's interface with the symmetric matrix that its module `solid` has by default, beside a non-symmetric one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from harness.models.ball_in_socket import BallInSocket
+from harness.models.document import Model
+from harness.run.febio_log import Report
+from studies import timing
+from studies.limit import LIMIT
+from studies.price import joints, table
+from studies.price.joints import Joint, Scene
+
+FORMATS = ("non-symmetric", "symmetric")
+"""FEBio's names; the second is its default in the module `solid`, the first in modules with a fluid."""
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """FEBio's interface on one scene with one form of its matrix.
+
+    Attributes
+    ----------
+    scene, form : str
+    ended : bool
+    iterations, retries : int
+    ratio, ratio_low, ratio_high : float
+        Median, least and largest of the processor time over that with a non-symmetric matrix, run in turn.
+    entries : int
+        The most entries of the matrix.
+    """
+
+    scene: str
+    form: str
+    ended: bool
+    iterations: int
+    retries: int
+    ratio: float
+    ratio_low: float
+    ratio_high: float
+    entries: int
+
+
+def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:
+    """Run FEBio's interface on the joints without a fluid, with each form of the matrix in turn."""
+    solid = {name: scene for name, scene in scenes.items() if isinstance(scene, BallInSocket) and not scene.porous}
+    return [row for name, scene in solid.items() for row in _rows(name, scene, repetitions, announce)]
+
+
+def _rows(name: str, scene: Scene, repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:
+    model = joints.rival(scene).model()
+    runs = timing.interleave(
+        {form: partial(_run, _with(model, form)) for form in FORMATS},
+        repetitions,
+        lambda form, number: announce(f"{name}: {form} ({number} of {repetitions})"),
+    )
+    reference = [cpu for _, cpu, _ in runs[FORMATS[0]]]
+    found = []
+    for form, own in runs.items():
+        report, _, entries = own[0]
+        ratios = [cpu / other for (_, cpu, _), other in zip(own, reference, strict=True)]
+        counts = (report.normal, report.iterations, report.retries)
+        found.append(Matrix(name, form, *counts, *timing.spread(ratios), entries))
+    return found
+
+
+def _with(model: Model, form: str) -> Model:
+    return replace(model, control=replace(model.control, matrix=form))
+
+
+def _run(model: Model) -> tuple[Report, float, int]:
+    done, log = timing.execute(model, check=False, processor_limit=LIMIT)
+    return done.report, done.cpu, table.entries(log)
+
+
+def headline(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
+    """What FEBio's default matrix changes, and on how many scenes its run is then the faster."""
+    default = {row.scene: row for row in found if row.form == FORMATS[1]}
+    other = {row.scene: row for row in found if row.form == FORMATS[0]}
+    ended = [scene for scene, row in default.items() if row.ended]
+    iterations = [default[scene].iterations / other[scene].iterations for scene in ended]
+    times = [default[scene].ratio for scene in ended]
+    ours = {joint.ours.scene: joint.ours for joint in measured}
+    faster = sum(ours[scene].ratio > default[scene].ratio for scene in ended)
+    return (
+        "FEBio's matrix is non-symmetric in the comparison. With the default of the module `solid`, a symmetric "
+        f"matrix, FEBio's interface completes {len(ended)} of the {len(default)} joints without a fluid. It takes "
+        f"{min(iterations):.2f} to {max(iterations):.2f} times the iterations and {min(times):.2f} to {max(times):.2f} "
+        f"times the time of the non-symmetric matrix, and is then faster than `sliding-mixture` on {faster}."
+    )
+
+
+def matrices_table(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
+    """A row for each scene, as Markdown."""
+    ours = {joint.ours.scene: joint.ours for joint in measured}
+    rows = {(row.scene, row.form): row for row in found}
+    lines = [
+        "| scene | iterations | with symmetric matrix | its time over the other's | our time over its |",
+        "|---|---|---|---|---|",
+    ]
+    for scene in dict.fromkeys(row.scene for row in found):
+        plain, default = (rows[scene, form] for form in FORMATS)
+        cells = (
+            scene,
+            plain.iterations,
+            default.iterations if default.ended else "fails",
+            f"{default.ratio:.2f}" if default.ended else "",
+            f"{ours[scene].ratio / default.ratio:.2f}" if default.ended else "",
+        )
+        lines.append(f"| {' | '.join(map(str, cells))} |")
+    return "\n".join(lines)

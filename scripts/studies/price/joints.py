@@ -1,0 +1,218 @@
+"""A ball in its socket, of tetrahedra, and blocks with many facets: ours, ours with the predictor, and FEBio's own
+interface, run in turn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from statistics import median
+from typing import NamedTuple
+
+from harness.errors import DataFileError
+from harness.models.ball_in_socket import BallInSocket
+from harness.models.interface import PREDICTOR
+from studies import timing
+from studies.hard_cases.scene import Interface
+from studies.limit import LIMIT, at_limit
+from studies.models.pressed_blocks import PressedBlocks
+from studies.price import table
+from studies.price.scenes import Kind, penalties
+
+FACTOR = 10.0
+"""Of FEBio's automatic penalties: what its users set."""
+Scene = BallInSocket | PressedBlocks
+SCENES: Mapping[str, Scene] = {
+    "tet4, pressed": BallInSocket(slides=False),
+    "tet4, sliding": BallInSocket(),
+    "tet4, sliding, socket primary": BallInSocket(primary="socket"),
+    "tet4, sliding, 10 BFGS updates": BallInSocket(updates=10),
+    "tet4, biphasic, sliding": BallInSocket(elements=6, porous=True),
+    "tet10, pressed": BallInSocket(elements=4, quadratic=True, slides=False),
+    "hex8, blocks of 2500 on 2116 facets": PressedBlocks(),
+}
+"""By what the page calls them."""
+OURS, PREDICTED = Interface.MIXTURE.value, Interface.PREDICTED.value
+"""What a row calls ours without and with the predictor."""
+
+
+@dataclass(frozen=True)
+class JointPrice:
+    """One contact on one scene, from several runs.
+
+    Attributes
+    ----------
+    scene : str
+    type : str
+        Type of the contact; `PREDICTED` for ours with the predictor.
+    ended : bool
+    iterations, retries, matrices : int
+        Newton iterations, time steps tried again, and matrices formed.
+    seconds : float
+        Median of the processor time of the run, s.
+    ratio, ratio_low, ratio_high : float
+        Median, least and largest of that time over that of FEBio's interface, run in turn.
+    share : float
+        Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's.
+    points : int
+        Integration points that face the other surface; 0 for FEBio's.
+    facets : int
+        Of the primary surface.
+    unknowns, entries : int
+        Equations, and the most entries of the matrix.
+    """
+
+    scene: str
+    type: str
+    ended: bool
+    iterations: int
+    retries: int
+    matrices: int
+    seconds: float
+    ratio: float
+    ratio_low: float
+    ratio_high: float
+    share: float
+    points: int
+    facets: int
+    unknowns: int
+    entries: int
+
+
+@dataclass(frozen=True)
+class _Run:
+    ended: bool
+    counts: tuple[int, int, int]
+    cpu: float
+    log: str
+
+
+def rival(scene: Scene) -> Scene:
+    """The same scene with FEBio's own interface."""
+    kind = Kind.BIPHASIC if scene.porous else Kind.ELASTIC
+    return replace(scene, contact=kind.rival, params=penalties(kind, FACTOR).params())
+
+
+def contacts(scene: Scene) -> dict[str, Scene]:
+    """The scene with each contact that is compared, by what a row calls it; FEBio's last."""
+    predicted = replace(scene, params=(*scene.params, PREDICTOR))
+    theirs = rival(scene)
+    return {OURS: scene, PREDICTED: predicted, theirs.contact: theirs}
+
+
+def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
+    """Run the contacts of each scene in turn, `repetitions` times."""
+    return [price for name, scene in scenes.items() for price in _prices(name, scene, repetitions, announce)]
+
+
+def _prices(name: str, scene: Scene, repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
+    runs = timing.interleave(
+        {contact: partial(_run, one) for contact, one in contacts(scene).items()},
+        repetitions,
+        lambda contact, number: announce(f"{name}: {contact} ({number} of {repetitions})"),
+    )
+    *_, reference = runs.values()
+    mesh = scene.model().mesh
+    facets = len(mesh.surfaces[scene.primary])
+    return [_price(name, contact, found, reference, facets) for contact, found in runs.items()]
+
+
+def _run(scene: Scene) -> _Run:
+    done, log = timing.execute(scene.model(), check=False, processor_limit=LIMIT)
+    report = done.report
+    return _Run(report.normal, (report.iterations, report.retries, report.reformations), done.cpu, log)
+
+
+def _price(name: str, contact: str, runs: Sequence[_Run], reference: Sequence[_Run], facets: int) -> JointPrice:
+    ratios = [one.cpu / other.cpu for one, other in zip(runs, reference, strict=True)]
+    times = [found for run in runs for found in table.read(run.log)]
+    least = min(times, key=lambda found: found.share, default=None)
+    return JointPrice(
+        name,
+        contact,
+        all(run.ended for run in runs),
+        *runs[0].counts,
+        median(run.cpu for run in runs),
+        *timing.spread(ratios),
+        least.share if least else float("nan"),
+        least.points if least else 0,
+        facets,
+        table.unknowns(runs[0].log),
+        table.entries(runs[0].log),
+    )
+
+
+class Joint(NamedTuple):
+    """A scene with ours, with ours and the predictor, and with FEBio's interface."""
+
+    ours: JointPrice
+    predicted: JointPrice
+    febio: JointPrice
+
+
+def arranged(prices: Sequence[JointPrice]) -> list[Joint]:
+    """The rows by scene.
+
+    Raises
+    ------
+    DataFileError
+        Where a scene lacks one of its contacts.
+    """
+    scenes: dict[str, list[JointPrice]] = {}
+    for price in prices:
+        scenes.setdefault(price.scene, []).append(price)
+    for name, own in scenes.items():
+        if [price.type for price in own[:-1]] != [OURS, PREDICTED]:
+            raise DataFileError(f"'{name}' is not there with all contacts; `price --docs` measures it anew")
+    return [Joint(*own) for own in scenes.values()]
+
+
+def headline(joints: Sequence[Joint]) -> str:
+    """Of ours without the predictor over FEBio's: range of times and iterations, and in how many scenes FEBio's is the
+    faster.
+    """
+    ended = [(joint.ours, joint.febio) for joint in joints if joint.ours.ended and joint.febio.ended]
+    times = [ours.ratio for ours, _ in ended]
+    slower = sum(time > 1.0 for time in times)
+    iterations = [ours.iterations / theirs.iterations for ours, theirs in ended]
+    return (
+        f"`sliding-mixture` and FEBio's interface both complete {len(ended)} of {len(joints)} scenes, mostly joints of "
+        f"tetrahedra. `sliding-mixture` takes {min(iterations):.2f} to {max(iterations):.2f} times FEBio's iterations "
+        f"and {min(times):.2f} to {max(times):.2f} times its time; FEBio's is faster on {slower} of them."
+    )
+
+
+def joints_table(joints: Sequence[Joint]) -> str:
+    """The contacts of each scene in one row, as Markdown: ours, then FEBio's."""
+    heads = ("scene", "iterations", "retries", "matrices", "time over FEBio's", "contact, part of the run")
+    more = ("points on a primary facet", "matrix entries over FEBio's", "less time")
+    columns = (*heads, *more)
+    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
+    return "\n".join([*lines, *map(_row, joints)])
+
+
+def _row(joint: Joint) -> str:
+    ours, _, theirs = joint
+    both = [f"{a}, {b}" for a, b in zip(_counts(ours), _counts(theirs), strict=True)]
+    less = theirs if theirs.ended and (not ours.ended or ours.ratio > 1.0) else ours
+    points = f"{ours.points / ours.facets:.1f}"
+    entries = f"{ours.entries / theirs.entries:.2f}"
+    cells = (ours.scene, *both, _ratio(ours, theirs), f"{100 * ours.share:.0f} %", points, entries, f"`{less.type}`")
+    return "| " + " | ".join(cells) + " |"
+
+
+def _ratio(price: JointPrice, theirs: JointPrice) -> str:
+    both = price.ended and theirs.ended
+    return f"{price.ratio:.2f} ({price.ratio_low:.2f} to {price.ratio_high:.2f})" if both else ""
+
+
+def _counts(price: JointPrice) -> tuple[str, str, str]:
+    if not price.ended:
+        return (unended(at_limit(price.ended, price.seconds)), "", "")
+    return (str(price.iterations), str(price.retries), str(price.matrices))
+
+
+def unended(limited: bool) -> str:
+    """What a table says of a run that did not end: whether the limit ended it."""
+    return "ended by the limit" if limited else "fails"

@@ -1,0 +1,157 @@
+"""The page of what the contact costs: docs/evidence/price.md, with its picture, from docs/data/price-*.csv."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from studies import files
+from studies.pages.evidence import DATA, EvidencePage
+from studies.price import febio_matrices, joints
+from studies.price.effect_costs import EffectCost
+from studies.price.febio_matrices import Matrix
+from studies.price.joints import JointPrice
+from studies.price.paired_runs import Price
+from studies.price.scenes import effects_added
+
+JOINTS, EFFECTS, COMPARISON = "price-joints.csv", "price-effects.csv", "price-comparison.csv"
+MATRICES = "price-matrices.csv"
+PICTURE = "images/price.svg"
+ASKED = (
+    '<material type="neo-Hookean">',
+    '<material type="biphasic">',
+    '<material type="multiphasic">\n  <solute sol="1">',
+    '<material type="multiphasic">\n  <solute sol="1"> <solute sol="2">',
+    '<material type="multiphasic">\n  <solute sol="1"> ... <solute sol="4">',
+    '... <solute sol="1">\n<bc type="zero displacement">',
+)
+"""The XML that asks for what each scene exchanges, in their order."""
+GREYS = {"shared": ("#f2f2f2", ""), "traction": ("#c2ccd9", ""), "solvent": ("#8aa3c2", "")}
+SOLUTES = (("#4f74a3", ""), ("#35557d", ""), ("#4f74a3", "///"), ("#35557d", "///"))
+"""Colours that are told apart in grey, and hatching."""
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    costs = files.read_csv(DATA / EFFECTS, EffectCost)
+    prices = files.read_csv(DATA / COMPARISON, Price)
+    matrices = files.read_csv(DATA / MATRICES, Matrix)
+    measured = joints.arranged(files.read_csv(DATA / JOINTS, JointPrice))
+    return {
+        "headline": f"{_headline(costs)} {joints.headline(measured)}",
+        "details": f"{_details(costs)} {febio_matrices.headline(matrices, measured)}",
+        "matrices": febio_matrices.matrices_table(matrices, measured),
+        "joints": joints.joints_table(measured),
+        "facets": str(next(iter(effects_added().values())).section),
+        "effects": "\n".join(_scene(own) for own in _by_scene(costs).values()),
+        "comparison": comparison_table(prices),
+    }
+
+
+def _by_scene(costs: Sequence[EffectCost]) -> dict[str, list[EffectCost]]:
+    found: dict[str, list[EffectCost]] = {}
+    for cost in costs:
+        found.setdefault(cost.scene, []).append(cost)
+    return found
+
+
+def _headline(costs: Sequence[EffectCost]) -> str:
+    most = max((own[0] for own in _by_scene(costs).values()), key=lambda cost: cost.share)
+    return (
+        f"The contact of thin blocks, whose part is large, takes at most {_percent(most.share)} of a run's time "
+        f"(`{most.scene}`)."
+    )
+
+
+def _details(costs: Sequence[EffectCost]) -> str:
+    scenes = list(_by_scene(costs).values())
+    first, last, fixed = scenes[0][0], scenes[-2][0], scenes[-1][0]
+    return (
+        f"The contact takes {_percent(first.share)} with traction alone, {_percent(last.share)} with solvent and four "
+        f"solutes as well, and {_percent(fixed.share)} if nothing moves. Effects that are not exchanged have no "
+        "unknown, no matrix entry and no call."
+    )
+
+
+def _percent(part: float) -> str:
+    return f"{100.0 * part:.1f} %"
+
+
+def _scene(own: Sequence[EffectCost]) -> str:
+    first = own[0]
+    share = f"{_percent(first.share)} ({_percent(first.share_low)} to {_percent(first.share_high)})"
+    cells = (share, first.unknowns, first.entries, first.bytes)
+    return f"| {first.scene} | {' | '.join(map(str, cells))} |"
+
+
+def draw(costs: Sequence[EffectCost], path: Path) -> Path:
+    """Bars of time by effect and of matrix entries, a row for each scene, with the XML that asks for it."""
+    mpl.use("Agg")
+    figure = Figure(figsize=(10.0, 4.6), layout="constrained", facecolor="white")
+    left, right = figure.subplots(1, 2, sharey=True, width_ratios=(3, 1.4))
+    scenes = list(_by_scene(costs).values())
+    for row, own in enumerate(scenes):
+        _bar(left, row, own)
+        right.barh(row, own[0].entries / 1e3, color="#8aa3c2", edgecolor="black", linewidth=0.5, height=0.6)
+        right.text(own[0].entries / 1e3, row, f" {own[0].unknowns} unknowns", va="center", fontsize=8)
+    left.set_yticks(range(len(scenes)), ASKED[: len(scenes)], family="monospace", fontsize=8)
+    left.invert_yaxis()
+    left.set_xlabel("time in the contact, part of the run [%]")
+    right.set_xlabel("matrix entries [thousands]")
+    right.margins(x=0.55)
+    for axes in (left, right):
+        axes.spines[["top", "right"]].set_visible(False)
+    handles, labels = left.get_legend_handles_labels()
+    unique = dict(zip(labels, handles, strict=True))
+    figure.legend(unique.values(), unique.keys(), loc="outside lower center", ncols=7, fontsize=8, frameon=False)
+    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
+    return path
+
+
+def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:
+    """A stacked bar, with the least and the largest share of repeated runs."""
+    at = 0.0
+    for cost in own:
+        colour, hatch = GREYS.get(cost.effect) or SOLUTES[int(cost.effect.split()[-1]) - 1]
+        width = 100.0 * cost.part
+        (bar,) = axes.barh(row, width, left=at, label=cost.effect, color=colour, ec="black", lw=0.5, height=0.6)
+        bar.set_hatch(hatch)
+        at += width
+    first = own[0]
+    span = [[100.0 * (first.share - first.share_low)], [100.0 * (first.share_high - first.share)]]
+    axes.errorbar(100.0 * first.share, row, xerr=span, fmt="none", ecolor="black", elinewidth=0.9, capsize=2.5)
+
+
+def comparison_table(prices: Sequence[Price]) -> str:
+    """Ours beside FEBio's, as Markdown, with whether FEBio's or ours without the predictor adds less."""
+    heads = ("bodies", "contact", "penalties", "iterations", "unknowns", "matrix entries", "added", "adds less")
+    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
+    ours = {price.kind: price for price in prices if price.type == joints.OURS}
+    for price in prices:
+        penalties = f"factor {price.factor:g}" if price.factor else "defaults"
+        told = (price.iterations, price.unknowns, price.entries)
+        counts = told if price.ended else (joints.unended(price.limited), "", "")
+        less = _less(ours[price.kind], price)
+        contact = f"`{joints.OURS}`, `predictor` 1" if price.type == joints.PREDICTED else f"`{price.type}`"
+        cells = (price.kind, contact, penalties, *map(str, counts), _added(price), less)
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def _added(price: Price) -> str:
+    if not price.ended:
+        return ""
+    return f"{100 * price.added:.0f} % ({100 * price.added_low:.0f} to {100 * price.added_high:.0f})"
+
+
+def _less(ours: Price, price: Price) -> str:
+    if price.type in (joints.OURS, joints.PREDICTED):
+        return ""
+    return f"`{price.type if price.ended and price.added < ours.added else ours.type}`"
+
+
+PAGE = EvidencePage("evidence/price.md", (JOINTS, EFFECTS, COMPARISON), Path(__file__).with_name("page.md"), figures)

@@ -1,0 +1,62 @@
+"""The command `robustness`."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.paths import MODELS, RESULTS
+from studies.robustness import feb, report, sanitized, solvers
+from studies.robustness.execution import Way
+from studies.robustness.feb import Feb
+from studies.robustness.trial import Finding, Trial
+
+console = Console(highlight=False, soft_wrap=True)
+QUICK_MODELS = ("elastic", "confined-creep", "platens")
+"""All solvers and facets that do not match; two bodies; three bodies of which one passes nothing."""
+QUICK_STEPS, STEPS = 7, 12
+
+
+def robustness(
+    files: Annotated[list[Path] | None, typer.Argument(help="Further .feb files.")] = None,
+    only: Annotated[list[str] | None, typer.Option(help="This model alone, by its name; may be repeated.")] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="A few models and steps: less than three minutes.")] = False,
+    steps: Annotated[int | None, typer.Option(min=0, help="Time steps of each run; 0: all that the model has.")] = None,
+    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = 600.0,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "robustness",
+    jobs: Annotated[int, typer.Option(min=1, help="Models at a time.")] = sanitized.processors(),
+) -> None:
+    """Run models with a sanitized plugin: as they are, with two threads, restarted, cut back, by other solvers.
+
+    Exit code 0: no crash, no report of a sanitizer, no leak that grows, and no difference beyond rounding.
+    """
+    known = [solvers.elastic(), *(feb.read(path) for path in [*sorted(MODELS.glob("*.feb")), *(files or [])])]
+    models = _chosen(known, only or (list(QUICK_MODELS) if quick else [model.name for model in known]))
+    way = Way(sanitized.build(), timeout)
+    made = steps if steps is not None else QUICK_STEPS if quick else STEPS
+    findings = _all(models, way, folder.resolve() / "runs", made, jobs)
+    console.print(f"{report.table(findings)}\n\n{report.summary(findings)}", markup=False)
+    console.print(f"Written: {', '.join(map(str, report.write(findings, folder)))}")
+    if not all(found.passed for found in findings):
+        raise typer.Exit(1)
+
+
+def _chosen(known: list[Feb], names: list[str]) -> list[Feb]:
+    missing = set(names) - {model.name for model in known}
+    if missing:
+        raise typer.BadParameter(f"no model {', '.join(sorted(missing))}; there is {', '.join(m.name for m in known)}")
+    return [model for model in known if model.name in names]
+
+
+def _all(models: list[Feb], way: Way, folder: Path, steps: int, jobs: int) -> list[Finding]:
+    def findings(model: Feb) -> list[Finding]:
+        found = list(Trial(model, way, folder / model.name, steps).findings())
+        console.print(f"{model.name}: {report.summary(found)}", markup=False)
+        return found
+
+    with ThreadPoolExecutor(jobs) as pool:
+        return [found for each in pool.map(findings, models) for found in each]

@@ -1,0 +1,1 @@
+"""One page with a row for each run of several studies."""

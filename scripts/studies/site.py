@@ -1,0 +1,90 @@
+"""All generated pages of the documentation, and the command that writes them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated
+
+import typer
+
+from harness.errors import HarnessError
+from harness.paths import DOCS
+from harness.user_commands import FOR_EVERYBODY, function
+from studies.agreement import page as agreement
+from studies.cli import COMMANDS
+from studies.cost import page as cost
+from studies.friction import curves_table
+from studies.friction import page as friction
+from studies.hard_cases import page as hard_cases
+from studies.hertz import page as hertz
+from studies.pages import (
+    command_reference,
+    evidence,
+    front,
+    linear_solver_results,
+    plugin_parameters,
+    reported_results,
+    scene_results,
+    sketches,
+    verification,
+)
+from studies.pages.gallery import page as gallery
+from studies.predictor import page as predictor
+from studies.price import page as price
+from studies.price import run_times
+from studies.remeasurement.steps import LIMITS
+from studies.run_tables import page as run_tables
+
+EVIDENCE = (
+    hard_cases.PAGE,
+    friction.PAGE,
+    curves_table.PAGE,
+    cost.PAGE,
+    price.PAGE,
+    run_tables.PAGE,
+    run_times.PAGE,
+    hertz.PAGE,
+    predictor.PAGE,
+)
+"""Pages of evidence, which are made from the results of studies."""
+
+PAGES: dict[str, Callable[[], str]] = {
+    plugin_parameters.PAGE: plugin_parameters.page,
+    gallery.PAGE: lambda: gallery.page(gallery.read(DOCS)),
+    verification.PAGE: lambda: verification.page(verification.read(DOCS)),
+    scene_results.PAGE: lambda: scene_results.page(scene_results.read(DOCS / scene_results.DATA)),
+    scene_results.ALL: lambda: scene_results.all_scenes(scene_results.read(DOCS / scene_results.DATA)),
+    reported_results.PAGE: lambda: reported_results.page(scene_results.read(DOCS / reported_results.DATA)),
+    reported_results.ALL: lambda: reported_results.all_scenes(scene_results.read(DOCS / reported_results.DATA)),
+    agreement.ALL: lambda: agreement.all_meshes(agreement.read()),
+    agreement.PAGE: lambda: agreement.page(agreement.read()),
+    linear_solver_results.PAGE: lambda: linear_solver_results.page(
+        linear_solver_results.read(DOCS / linear_solver_results.DATA)
+    ),
+    **{page.name: page for page in EVIDENCE},
+    command_reference.PAGE: lambda: command_reference.page(
+        [function(name, COMMANDS) for name in COMMANDS], [function(name, COMMANDS) for name in FOR_EVERYBODY]
+    ),
+    front.PAGE: front.page,
+}
+"""Generated pages, from code or from results in docs/data, without a run."""
+
+
+def pages(
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
+) -> None:
+    """Write the generated pages of the documentation, from the code and from the results in docs/data.
+
+    It also fails with --check if the results in docs/data were not measured in one go.
+    """
+    if check:
+        evidence.check_together(LIMITS)
+    for name, text in PAGES.items():
+        path = DOCS / name
+        made = text()
+        if not check:
+            path.write_text(made, encoding="utf-8")
+        elif not path.is_file() or path.read_text(encoding="utf-8") != made:
+            raise HarnessError(f"{path} is not what `pages` writes; it writes it anew")
+    if not check:
+        sketches.draw(DOCS)

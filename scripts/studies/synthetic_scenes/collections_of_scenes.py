@@ -1,0 +1,69 @@
+"""The collections of scenes, what is run of each, and where its results stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from studies.pages import reported_results, scene_results
+from studies.pages.scene_results import Results, Row
+from studies.synthetic_scenes import comparison
+from studies.synthetic_scenes.all_scenes import SCENES
+from studies.synthetic_scenes.comparison import Written
+from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
+
+
+class Collection(str, Enum):
+    """A collection, as the command line names it."""
+
+    BLOCKS = "blocks"
+    """Mostly a block on a slab: every element, material, module and solver."""
+    REPORTED = "reported"
+    """Kinds of model that users report."""
+
+
+@dataclass(frozen=True)
+class Study:
+    """What a collection is run for.
+
+    Attributes
+    ----------
+    scenes : mapping of str to Written
+    ways : sequence of str
+        Names of `comparison.WAYS`.
+    data : Path
+        Below docs/.
+    pages : mapping of str to callable
+        Generated pages below docs/.
+    summary, table : callable
+        What the results come to.
+    """
+
+    scenes: Mapping[str, Written]
+    ways: Sequence[str]
+    data: Path
+    pages: Mapping[str, Callable[[Results], str]]
+    summary: Callable[[Sequence[Row]], str]
+    table: Callable[[Sequence[Row]], str]
+
+
+STUDIES: Mapping[Collection, Study] = {
+    Collection.BLOCKS: Study(
+        SCENES,
+        tuple(comparison.WAYS),
+        scene_results.DATA,
+        {scene_results.PAGE: scene_results.page, scene_results.ALL: scene_results.all_scenes},
+        scene_results.summary,
+        scene_results.table,
+    ),
+    Collection.REPORTED: Study(
+        REPORTED,
+        tuple(reported_results.WAYS),
+        reported_results.DATA,
+        {reported_results.PAGE: reported_results.page, reported_results.ALL: reported_results.all_scenes},
+        reported_results.summary,
+        reported_results.table,
+    ),
+}

@@ -1,0 +1,67 @@
+"""The command `synthetic-scenes`: scenes written here of what models of users hold, beside FEBio's interfaces."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import track
+
+from harness.paths import DOCS, PLUGIN_VARIABLE, RESULTS
+from harness.run import provenance
+from studies.limit import LIMIT
+from studies.pages import scene_results
+from studies.pages.scene_results import Row
+from studies.synthetic_scenes import comparison
+from studies.synthetic_scenes.collections_of_scenes import STUDIES, Collection, Study
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def synthetic_scenes(
+    collection: Annotated[Collection, typer.Option(help="Which scenes.")] = Collection.BLOCKS,
+    only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "synthetic-scenes",
+    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    plugin: Annotated[Path | None, typer.Option(help=f"The plugin; ${PLUGIN_VARIABLE} or that of the build.")] = None,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+) -> None:
+    """Run each scene with FEBio's interface, converted, and with the penalties deleted.
+
+    The scenes `blocks` are run with the predictor as well. Runs that are in the folder already, of the same model with
+    the same programs and limit, are kept, so that a study that was interrupted goes on.
+
+    Exit code 0: sliding-mixture completes in all ways each scene that FEBio's interface completes.
+    """
+    study = STUDIES[collection]
+    chosen = [name for name in study.scenes if not only or any(part in name for part in only)]
+    if docs and only:
+        raise typer.BadParameter("--docs needs all scenes; leave --only out")
+    if plugin is not None:
+        os.environ[PLUGIN_VARIABLE] = str(plugin.resolve())
+
+    def compare(name: str) -> Row:
+        return comparison.compare(name, study.scenes[name], folder / collection.value, limit, study.ways)
+
+    with ThreadPoolExecutor(jobs) as pool:
+        rows = list(track(pool.map(compare, chosen), "scenes", total=len(chosen), console=console))
+    _write(study, scene_results.Results(provenance.stamp(limit), rows), folder / f"{collection.value}.md", docs)
+    if any(row.febio.ended and not (row.converted.ended and row.defaults.ended) for row in rows):
+        raise typer.Exit(1)
+
+
+def _write(study: Study, results: scene_results.Results, path: Path, docs: bool) -> None:
+    text = f"{study.summary(results.rows)}\n\n{study.table(results.rows)}\n"
+    path.write_text(text)
+    console.print(text, markup=False)
+    console.print(f"Written: {path}")
+    if docs:
+        scene_results.write(results, DOCS / study.data)
+        for name, page in study.pages.items():
+            (DOCS / name).write_text(page(results), encoding="utf-8")
+        console.print(f"Written: {', '.join(map(str, (*study.pages, study.data)))} below {DOCS}")

@@ -1,0 +1,18 @@
+"""Every scene of this collection, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from studies.synthetic_scenes.reported import dynamics, outsides, porous, rigid, slides, straps, tubes
+from studies.synthetic_scenes.reported.sketch import Reported
+
+SCENES: Mapping[str, Reported] = {
+    **straps.SCENES,
+    **tubes.SCENES,
+    **outsides.SCENES,
+    **slides.SCENES,
+    **rigid.SCENES,
+    **dynamics.SCENES,
+    **porous.SCENES,
+}

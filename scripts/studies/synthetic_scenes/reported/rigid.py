@@ -1,0 +1,256 @@
+"""Rigid cams, punches, wheels and plates against rigid and soft bodies, nearly incompressible ones among them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from studies.models.small import fixed
+from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
+from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.words import (
+    TWO_PASS,
+    Material,
+    auglag,
+    auto,
+    biphasic,
+    drained,
+    fluid,
+    friction,
+    given,
+    hold,
+    mooney,
+    neo,
+    ogden,
+    press,
+    push,
+    radius,
+    rigid,
+    shift,
+    spin,
+)
+
+TURN = 2.0 * np.pi
+
+
+def _scaled(place: Place, x: float) -> Place:
+    return lambda u: np.asarray(place(u) * (x, 1.0, 1.0))
+
+
+def _cam(eccentric: float, stretch: float) -> Place:
+    """A disc along y that turns about the origin."""
+    disc = turned(arc(0.3, 1.0, 0.6), "x", 90.0)
+    return shifted(_scaled(disc, stretch), (eccentric, 0.0, 0.0))
+
+
+@dataclass(frozen=True)
+class Cam:
+    """A rigid cam turns under a follower that a force presses onto it."""
+
+    eccentric: float
+    stretch: float = 1.0
+    soft: bool = False
+    params: str = ""
+    steps: int = 50
+    turns: float = 1.0
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        top = 1.0
+        follower = mapped((8, 2, 2), box((-1.2, -0.4, top - 0.01), (1.8, 0.4, top + 0.4)))
+        rigid_parts = [hold("cam", "xyzuw"), spin("cam", "Rv", self.turns * TURN, 1)]
+        if not self.soft:
+            rigid_parts += [hold("follower", "xyuvw"), push("follower", "z", -0.1, 4)]
+        return Sketch(
+            {"cam": mapped((1, 48, 2), _cam(self.eccentric, self.stretch)), "follower": follower},
+            {"cam": rigid(), "follower": neo(5.0) if self.soft else rigid((0.3, 0.0, top + 0.2))},
+            (Touch("cam-x1", "follower-z0", params=self.params or given(50.0)),),
+            {
+                "Boundary": (fixed("follower-z1", "x", "y"),) if self.soft else (),
+                "Rigid": rigid_parts,
+                "Loads": (press("follower-z1", 0.05, 4),) if self.soft else (),
+            },
+            Scheme(self.steps, 1.0 / self.steps),
+        )
+
+
+@dataclass(frozen=True)
+class Punch:
+    """A rigid punch is pressed into a block by a force; it may be free to tilt."""
+
+    place: Place
+    cells: tuple[int, int, int]
+    face: str
+    material: Material
+    params: str
+    free: bool = False
+    scheme: Scheme = USUAL
+    primary: bool = True
+    force: float = 0.3
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        sides = (f"punch-{self.face}", "block-z1") if self.primary else ("block-z1", f"punch-{self.face}")
+        return Sketch(
+            {
+                "punch": mapped(self.cells, self.place),
+                "block": mapped((8, 8, 3), box((-1.5, -1.5, -1.0), (1.5, 1.5, 0.0))),
+            },
+            {"punch": rigid((0, 0, 0.5)), "block": self.material},
+            (Touch(*sides, params=self.params),),
+            {
+                "Boundary": (fixed("block-z0", "x", "y", "z"),),
+                "Rigid": (hold("punch", "xyw" if self.free else "xyuvw"), push("punch", "z", -self.force)),
+            },
+            self.scheme,
+        )
+
+
+FLAT = box((-0.6, -0.6, -0.01), (0.6, 0.6, 1.0))
+ROUND = shifted(ball(1.0), (0.0, 0.0, 0.93))
+
+
+def wheel(mu: float) -> Sketch:
+    """A rigid wheel is pressed into a soft slab and rolls on it."""
+    disc = shifted(turned(arc(0.5, 1.0, 0.6), "x", 90.0), (0.0, 0.0, 1.01))
+    return Sketch(
+        {"wheel": mapped((1, 40, 3), disc), "slab": mapped((16, 4, 3), box((-1, -0.5, -0.8), (2.2, 0.5, 0.0)))},
+        {"wheel": rigid((0, 0, 1.01)), "slab": neo()},
+        (Touch("slab-z1", "wheel-x1", params=auto(1.0, friction(mu))),),
+        {
+            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
+            "Rigid": (
+                hold("wheel", "yuw"),
+                shift("wheel", "z", -0.1),
+                shift("wheel", "x", 1.0, 2),
+                spin("wheel", "Rv", 1.0, 2),
+            ),
+        },
+        Scheme(30, 1.0 / 15.0),
+    )
+
+
+@dataclass(frozen=True)
+class BetweenPlates:
+    """A soft body that is held at one side between two rigid plates of shells, its skin a surface of both contacts."""
+
+    material: Material
+    params: str
+    element: str = "tet4"
+    way: float = 0.3
+    updates: int = 0
+    kind: str = "sliding-elastic"
+    module: str = "solid"
+    side: str = "outside"
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        up = box((-0.4, -1.2, -0.01), (2.4, 1.2, -0.01))
+        down = box((-0.4, -1.2, 1.01), (2.4, 1.2, 1.01))
+        cells = (3, 3, 2) if self.element in ("tet10", "hex20") else (6, 6, 4)
+
+        def bulging(u: np.ndarray) -> np.ndarray:
+            points = box((0.0, -1.0, 0.0), (2.0, 1.0, 1.0))(u)
+            taper = 1.0 - 0.12 * u[:, 0] ** 2
+            return np.asarray(np.column_stack([points[:, :2], 0.5 + (points[:, 2] - 0.5) * taper]))
+
+        open_side = (drained("body-x1"),) if self.module == "biphasic" else ()
+        low = shell((6, 6), up, 0.05)
+        high = shell((6, 6), lambda u: np.asarray(down(np.column_stack([1.0 - u[:, 0], u[:, 1], u[:, 2]]))), 0.05)
+        return Sketch(
+            {"body": mapped(cells, bulging, self.element), "low": low, "high": high},
+            {"body": self.material, "low": rigid(), "high": rigid((0, 0, 1))},
+            (
+                Touch(f"body-{self.side if self.side == 'outside' else 'z0'}", "low-face", self.kind, self.params),
+                Touch(f"body-{self.side if self.side == 'outside' else 'z1'}", "high-face", self.kind, self.params),
+            ),
+            {
+                "Boundary": (fixed("body-x0", "x", "y", "z"), *open_side),
+                "Rigid": (
+                    hold("low", "xyuvw"),
+                    hold("high", "xyuvw"),
+                    shift("low", "z", self.way / 2),
+                    shift("high", "z", -self.way / 2),
+                ),
+            },
+            Scheme(updates=self.updates),
+            module=self.module,
+        )
+
+
+SCENES: Mapping[str, Reported] = {
+    "cam": Reported("a rigid cam under a rigid follower", Cam(0.3)),
+    "cam-pointed": Reported("a rigid ellipse under a rigid follower", Cam(0.0, 1.4)),
+    "cam-augmented": Reported(
+        "a rigid cam under a rigid follower, augmented",
+        Cam(0.3, params="<laugon>AUGLAG</laugon><tolerance>0.1</tolerance><penalty>10</penalty>"),
+    ),
+    "cam-soft-follower": Reported("a rigid cam under a soft follower", Cam(0.2, 1.1, soft=True, params=auto(1.0))),
+    "punch-flat-tilts": Reported(
+        "a flat rigid punch that may tilt, under a force", Punch(FLAT, (6, 6, 2), "z0", neo(), auto(1.0), True)
+    ),
+    "punch-flat-block-first": Reported(
+        "a flat rigid punch, the block as primary surface",
+        Punch(FLAT, (1, 1, 1), "z0", neo(), auto(1.0), primary=False),
+    ),
+    "punch-round-ogden-augmented": Reported(
+        "a rigid sphere on Ogden under a force, augmented",
+        Punch(ROUND, (5, 5, 5), "z0", ogden(), auglag(1.0)),
+    ),
+    "punch-round-ogden-augmented-outside": Reported(
+        "a rigid sphere on Ogden under a force, augmented, whole outside, the block as primary surface",
+        Punch(ROUND, (5, 5, 5), "outside", ogden(), auglag(1.0), primary=False),
+    ),
+    "punch-round-friction": Reported(
+        "a rigid sphere under a force, friction 0.4, augmented on a small penalty",
+        Punch(ROUND, (5, 5, 5), "z0", mooney(), auglag(0.1, 0.1, friction(0.4))),
+    ),
+    "punch-incompressible-bfgs": Reported(
+        "a rigid sphere on a block of Poisson's ratio 0.4999, BFGS",
+        Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0), scheme=Scheme(updates=10)),
+    ),
+    "punch-incompressible": Reported(
+        "a rigid sphere on a block of Poisson's ratio 0.4999, full Newton",
+        Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0)),
+    ),
+    "punch-mooney-stiff-bulk": Reported(
+        "a flat punch on Mooney-Rivlin of a bulk modulus 5000 times the shear modulus",
+        Punch(FLAT, (6, 6, 2), "z0", mooney(0.2, 0.0, 2000.0), auto(1.0, TWO_PASS)),
+    ),
+    "wheel-rolls": Reported("a rigid wheel rolls on a soft slab, friction 0.3", partial(wheel, 0.3)),
+    "plates-tet4": Reported(
+        "soft tetrahedra between rigid plates, their skin the surface",
+        BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5))),
+    ),
+    "plates-tet4-bfgs": Reported(
+        "soft tetrahedra between rigid plates, their skin the surface, BFGS",
+        BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5)), updates=10),
+    ),
+    "plates-hex8-deep": Reported(
+        "soft hexahedra between rigid plates, squeezed by half",
+        BetweenPlates(ogden(0.3, 2.0, 5.0), auto(1.0, radius(0.5)), "hex8", 0.5),
+    ),
+    "plates-tet10-incompressible": Reported(
+        "tet10 of Poisson's ratio 0.499 between rigid plates",
+        BetweenPlates(neo(1.0, 0.499), auto(1.0, radius(0.5)), "tet10", 0.2),
+    ),
+    "plates-friction-augmented": Reported(
+        "a soft body between rigid plates, friction 0.3, augmented on a small penalty",
+        BetweenPlates(neo(1.0, 0.45), auglag(0.2, 0.1, radius(0.5) + friction(0.3)), "hex8", side="faces"),
+    ),
+    "plates-biphasic": Reported(
+        "a porous body between rigid plates",
+        BetweenPlates(
+            biphasic(),
+            auto(1.0, radius(0.5) + fluid(1.0)),
+            "hex8",
+            kind="sliding-biphasic",
+            module="biphasic",
+        ),
+        "biphasic",
+    ),
+}
+"""By name."""

@@ -1,0 +1,194 @@
+"""Hyperelastic blocks and incongruent cylinders that slide: two passes, augmentations, friction, every element."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from studies.models.small import fixed, moved
+from studies.synthetic_scenes.reported.shapes import Place, arc, box, mapped, shifted, turned
+from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.words import (
+    TWO_PASS,
+    Material,
+    auglag,
+    auto,
+    biphasic,
+    drained,
+    fluid,
+    friction,
+    given,
+    mooney,
+    neo,
+    ogden,
+    radius,
+)
+
+NEAR = radius(0.3)
+BFGS = Scheme(20, updates=10)
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """A block with a flat or a slightly curved lower face is pressed into a longer one, and slides."""
+
+    material: Material
+    params: str
+    element: str = "hex8"
+    scheme: Scheme = Scheme(20)
+    way: float = 0.5
+    round_face: float = 0.0
+    back: bool = False
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        quadratic = self.element in ("hex20", "hex27", "tet10", "tet15", "penta15")
+        low, high = ((6, 3, 2), (4, 2, 2)) if quadratic else ((10, 4, 3), (7, 3, 3))
+
+        def above(u: np.ndarray) -> np.ndarray:
+            points = box((-0.8, -0.4, 0.01), (0.8, 0.4, 0.9))(u)
+            bulge = self.round_face * points[:, 0] ** 2 * (1.0 - u[:, 2])
+            return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), bulge]))
+
+        return Sketch(
+            {
+                "low": mapped(low, box((-1.6, -0.5, -0.8), (1.8, 0.5, 0.0)), self.element),
+                "high": mapped(high, above, self.element),
+            },
+            {"low": self.material, "high": self.material},
+            (Touch("high-z0", "low-z1", params=self.params),),
+            {
+                "Boundary": (
+                    fixed("low-z0", "x", "y", "z"),
+                    fixed("high-z1", "y"),
+                    moved("high-z1", "z", -0.12),
+                    moved("high-z1", "x", self.way, 3 if self.back else 2),
+                )
+            },
+            Scheme(30) if self.back else self.scheme,
+        )
+
+
+def _groove(radius_of: float, depth: float, half: float) -> Place:
+    """Concave upwards: x inwards, so that its face is x0 of the arc."""
+    return turned(arc(radius_of, radius_of + depth, 2.0, (270.0 - half, 270.0 + half)), "x", 90.0)
+
+
+@dataclass(frozen=True)
+class Groove:
+    """A cylinder is pressed into a groove of a radius a tenth larger, and turns or slides along it."""
+
+    params: str
+    element: str = "hex8"
+    kind: str = "sliding-elastic"
+    porous: bool = False
+    slides: bool = False
+    updates: int = 0
+    primary: str = "cylinder-x1"
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        big = 1.1
+        held = shifted(turned(arc(0.5, 1.0, 1.6, (210.0, 330.0)), "x", 90.0), (0.0, 0.0, -(big - 1.0) + 0.01))
+        cells = ((1, 8, 3), (1, 7, 3)) if self.element in ("hex20", "tet10") else ((3, 12, 4), (3, 10, 4))
+        secondary = "groove-x0" if self.primary == "cylinder-x1" else "cylinder-x1"
+        material = biphasic() if self.porous else neo()
+        open_sides = [drained(name) for name in ("groove-x1", "cylinder-x0")] if self.porous else []
+        return Sketch(
+            {
+                "groove": mapped(cells[0], _groove(big, 0.6, 60.0), self.element),
+                "cylinder": mapped(cells[1], held, self.element),
+            },
+            {"groove": material, "cylinder": material},
+            (Touch(self.primary, secondary, self.kind, self.params),),
+            {
+                "Boundary": (
+                    fixed("groove-x1", "x", "y", "z"),
+                    fixed("cylinder-x0", "x") if not self.slides else moved("cylinder-x0", "x", 0.15, 2),
+                    fixed("cylinder-x0", "y"),
+                    moved("cylinder-x0", "z", -0.12),
+                    *open_sides,
+                )
+            },
+            Scheme(20 if self.slides else 10, updates=self.updates),
+            module="biphasic" if self.porous else "solid",
+        )
+
+
+SCENES: Mapping[str, Reported] = {
+    "mooney-slides-two-pass": Reported(
+        "Mooney-Rivlin blocks slide, two passes, a factor of 0.1", Blocks(mooney(), auto(0.1, TWO_PASS))
+    ),
+    "mooney-slides-two-pass-bfgs": Reported(
+        "Mooney-Rivlin blocks slide, two passes, a factor of 0.1, BFGS",
+        Blocks(mooney(), auto(0.1, TWO_PASS), scheme=BFGS),
+    ),
+    "mooney-slides-hex20": Reported("Mooney-Rivlin blocks of hex20", Blocks(mooney(), auto(1.0), "hex20")),
+    "ogden-slides": Reported("Ogden blocks slide", Blocks(ogden(), auto(1.0))),
+    "ogden-slides-friction-augmented": Reported(
+        "Ogden blocks, friction 0.3, augmented on a small penalty",
+        Blocks(ogden(), auglag(0.1, 0.1, friction(0.3))),
+    ),
+    "ogden-slides-to-and-fro": Reported(
+        "Ogden blocks slide to and fro, friction 0.2, two passes",
+        Blocks(ogden(), auto(1.0, friction(0.2) + TWO_PASS), way=0.4, back=True),
+    ),
+    "slides-over-the-edge": Reported(
+        "a block slides until half of it hangs over an edge", Blocks(neo(), auto(2.0), way=1.9)
+    ),
+    "slides-tet15": Reported("blocks of tet15 slide", Blocks(neo(), auto(1.0), "tet15")),
+    "slides-penta15": Reported("wedges of 15 nodes slide", Blocks(neo(), auto(1.0), "penta15")),
+    "slides-hex27-broyden": Reported(
+        "blocks of hex27 slide, Broyden", Blocks(neo(), auto(1.0), "hex27", Scheme(20, method="Broyden", updates=10))
+    ),
+    "slides-penta6-friction": Reported("wedges slide, friction 0.2", Blocks(neo(), auto(1.0, friction(0.2)), "penta6")),
+    "slides-tet4-friction-bfgs": Reported(
+        "tetrahedra slide, friction 0.2, BFGS", Blocks(neo(), auto(1.0, friction(0.2)), "tet4", BFGS)
+    ),
+    "round-slides-two-pass": Reported(
+        "a round face slides on a slab, two passes", Blocks(neo(), auto(1.0, TWO_PASS), round_face=0.2)
+    ),
+    "round-drags-augmented-broyden": Reported(
+        "a round face is dragged, friction 0.015, augmented, Broyden, fixed steps",
+        Blocks(
+            neo(1.0, 0.0),
+            auglag(1.0, 0.02, friction(0.015)),
+            scheme=Scheme(40, 0.05, retries=0, method="Broyden", updates=10, reformations=15),
+            round_face=0.1,
+        ),
+    ),
+    "groove-two-pass": Reported(
+        "incongruent cylinders, two passes, a penalty in numbers", Groove(given(5.0, TWO_PASS + NEAR))
+    ),
+    "groove-two-pass-slides": Reported(
+        "incongruent cylinders slide, two passes, a penalty in numbers",
+        Groove(given(5.0, TWO_PASS + NEAR), slides=True),
+    ),
+    "groove-hex20": Reported("incongruent cylinders of hex20", Groove(auto(1.0, NEAR), "hex20")),
+    "groove-tet4-facets": Reported(
+        "incongruent cylinders of tet4, sliding-facet-on-facet, the groove as primary surface",
+        Groove(auto(0.3), "tet4", kind="sliding-facet-on-facet", primary="groove-x0"),
+    ),
+    "groove-friction-augmented": Reported(
+        "incongruent cylinders slide, friction 0.3, augmented on a small penalty, BFGS",
+        Groove(auglag(0.2, 0.1, NEAR + friction(0.3)), slides=True, updates=10),
+    ),
+    "groove-biphasic-two-pass": Reported(
+        "incongruent porous cylinders, two passes",
+        Groove(auto(1.0, TWO_PASS + NEAR + fluid(1.0)), kind="sliding-biphasic", porous=True),
+        "biphasic",
+    ),
+    "groove-biphasic-slides-augmented": Reported(
+        "incongruent porous cylinders slide, two passes, augmented on a small penalty, friction 0.1",
+        Groove(
+            auglag(0.2, 0.2, TWO_PASS + NEAR + fluid(0.2) + friction(0.1)),
+            kind="sliding-biphasic",
+            porous=True,
+            slides=True,
+        ),
+        "biphasic",
+    ),
+}
+"""By name."""

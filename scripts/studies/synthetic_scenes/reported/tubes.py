@@ -1,0 +1,182 @@
+"""Rods in tubes, rings that grow into tubes, and crossed tubes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from studies.models.small import fixed, moved
+from studies.synthetic_scenes.reported.shapes import arc, mapped, shifted, turned
+from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.words import (
+    TWO_PASS,
+    Material,
+    auglag,
+    auto,
+    friction,
+    given,
+    hold,
+    mooney,
+    neo,
+    ogden,
+    press,
+    push,
+    radius,
+    rigid,
+)
+
+NEAR = radius(0.3)
+
+
+@dataclass(frozen=True)
+class RodInTube:
+    """A rod (its outside is x1) is pressed sideways against the inside (x0) of a tube, and drawn along it."""
+
+    sides: tuple[str, str] = ("x1", "x0")
+    element: str = "hex8"
+    params: str = ""
+    slides: bool = False
+    outer: float = 1.0
+    updates: int = 0
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        rod, tube = arc(0.4, self.outer, 3.0), arc(1.02, 1.6, 2.4)
+        cells = ((1, 10, 2), (1, 12, 2)) if self.element == "tet10" else ((2, 20, 4), (2, 24, 4))
+        ends = ("rod-z0", "rod-z1")
+        drawn = [moved(end, "z", 0.4, 2) if self.slides else fixed(end, "z") for end in ends]
+        return Sketch(
+            {"rod": mapped(cells[0], rod, self.element), "tube": mapped(cells[1], tube, self.element)},
+            {"rod": neo(2.0), "tube": neo(1.0)},
+            (Touch(f"rod-{self.sides[0]}", f"tube-{self.sides[1]}", params=self.params or auto(5.0, NEAR)),),
+            {
+                "Boundary": (
+                    fixed("tube-x1", "x", "y", "z"),
+                    *(fixed(end, "y") for end in ends),
+                    *(moved(end, "x", 0.15) for end in ends),
+                    *drawn,
+                )
+            },
+            Scheme(20 if self.slides else 10, updates=self.updates),
+        )
+
+
+def rigid_rod_in_tube(primary: str, secondary: str) -> Sketch:
+    """A rigid rod falls by a force onto the inside of a soft tube."""
+    rod = shifted(arc(0.4, 0.9, 3.0), (0.125, 0, 0))
+    return Sketch(
+        {"rod": mapped((1, 24, 4), rod), "tube": mapped((2, 24, 4), arc(1.02, 1.6, 2.4))},
+        {"rod": rigid((0.125, 0, 0)), "tube": neo(1.0)},
+        (Touch(primary, secondary, params=auto(1.0, NEAR)),),
+        {"Boundary": (fixed("tube-x1", "x", "y", "z"),), "Rigid": (hold("rod", "yzuvw"), push("rod", "x", 0.3))},
+    )
+
+
+def ring_grows(params: str, updates: int = 0) -> Sketch:
+    """A thin ring is blown up by a pressure until it bears on a tube; both are quarters."""
+    quarter = (0.0, 90.0)
+    symmetry = [fixed(f"{b}-{s}", d) for b in ("ring", "tube") for s, d in (("y0", "y"), ("y1", "x"))]
+    return Sketch(
+        {
+            "ring": mapped((1, 10, 3), arc(0.9, 0.98, 1.0, quarter)),
+            "tube": mapped((2, 7, 3), arc(1.0, 1.3, 1.4, quarter)),
+        },
+        {"ring": mooney(1.0, 0.0, 100.0), "tube": neo(0.2)},
+        (Touch("ring-x1", "tube-x0", params=params),),
+        {
+            "Boundary": (*symmetry, *(fixed(f"{b}-{s}", "z") for b in ("ring", "tube") for s in ("z0", "z1"))),
+            "Loads": (press("ring-x0", 0.15),),
+        },
+        Scheme(updates=updates),
+    )
+
+
+@dataclass(frozen=True)
+class Crossed:
+    """A tube along x is pressed onto one along y; outsides are x1."""
+
+    material: Material
+    params: str
+    element: str = "hex8"
+    side: str = "x1"
+    updates: int = 0
+    slides: bool = False
+    depth: float = 0.5
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        low = turned(arc(0.6, 1.0, 4.0), "x", 90.0)
+        high = shifted(turned(arc(0.6, 1.0, 4.0), "y", 90.0), (0, 0, 2.01))
+        cells = ((1, 10, 5), (1, 10, 4)) if self.element == "tet10" else ((1, 16, 9), (1, 16, 8))
+        ends = ("high-z0", "high-z1")
+        away = [moved(end, "y", 0.4, 2) if self.slides else fixed(end, "y") for end in ends]
+        return Sketch(
+            {"low": mapped(cells[0], low, self.element), "high": mapped(cells[1], high, self.element)},
+            {"low": self.material, "high": self.material},
+            (Touch(f"high-{self.side}", f"low-{self.side}", params=self.params),),
+            {
+                "Boundary": (
+                    *(fixed(f"low-{end}", "x", "y", "z") for end in ("z0", "z1")),
+                    *(fixed(end, "x") for end in ends),
+                    *away,
+                    *(moved(end, "z", -self.depth) for end in ends),
+                )
+            },
+            Scheme(20 if self.slides else 10, updates=self.updates),
+        )
+
+
+SCENES: Mapping[str, Reported] = {
+    "rod-in-tube": Reported("a rod pressed against the inside of a tube", RodInTube()),
+    "rod-in-tube-outsides": Reported(
+        "a rod pressed against the inside of a tube, whole outsides", RodInTube(("outside", "outside"))
+    ),
+    "rod-in-tube-tet10": Reported("a rod in a tube, of tet10", RodInTube(element="tet10")),
+    "rod-in-tube-friction": Reported(
+        "a rod is pressed and drawn along the tube, friction 0.2",
+        RodInTube(params=auto(2.0, NEAR + friction(0.2)), slides=True),
+    ),
+    "rod-in-tube-two-pass-bfgs": Reported(
+        "a rod is drawn along a tube, two passes, BFGS",
+        RodInTube(params=auto(1.0, NEAR + TWO_PASS), slides=True, updates=10),
+    ),
+    "press-fit": Reported(
+        "a rod that is wider than its tube from the start", RodInTube(outer=1.05, params=auto(1.0, NEAR))
+    ),
+    "rigid-rod-in-tube": Reported(
+        "a rigid rod under a force in a soft tube", partial(rigid_rod_in_tube, "tube-x0", "rod-x1")
+    ),
+    "rigid-rod-in-tube-outsides": Reported(
+        "a rigid rod under a force in a soft tube, whole outsides",
+        partial(rigid_rod_in_tube, "tube-outside", "rod-outside"),
+    ),
+    "ring-grows": Reported("a ring is blown up into a tube", partial(ring_grows, auto(1.0, NEAR))),
+    "ring-grows-augmented-bfgs": Reported(
+        "a ring is blown up into a tube, augmented on a small penalty, BFGS",
+        partial(ring_grows, auglag(0.2, 0.1, NEAR), 10),
+    ),
+    "crossed-tubes-two-pass": Reported(
+        "crossed Mooney-Rivlin tubes, two passes, a penalty in numbers",
+        Crossed(mooney(), given(5.0, TWO_PASS + NEAR)),
+    ),
+    "crossed-tubes-two-pass-bfgs": Reported(
+        "crossed Mooney-Rivlin tubes, two passes, a penalty in numbers, BFGS",
+        Crossed(mooney(), given(5.0, TWO_PASS + NEAR), updates=10),
+    ),
+    "crossed-tubes-ogden": Reported("crossed Ogden tubes", Crossed(ogden(), auto(1.0, NEAR))),
+    "crossed-tubes-tet10": Reported("crossed tubes of tet10", Crossed(neo(), auto(1.0, NEAR), "tet10")),
+    "crossed-tubes-friction-augmented": Reported(
+        "crossed tubes slide, friction 0.2, augmented on a small penalty",
+        Crossed(mooney(), auglag(0.2, 0.1, NEAR + friction(0.2)), slides=True),
+    ),
+    "crossed-tubes-outsides": Reported(
+        "crossed tubes, whole outsides, which the insides belong to",
+        Crossed(mooney(), auto(1.0, NEAR), side="outside"),
+    ),
+    "crossed-tubes-two-pass-deep": Reported(
+        "crossed Mooney-Rivlin tubes, two passes, pressed flat",
+        Crossed(mooney(), auto(1.0, TWO_PASS + NEAR), depth=0.9),
+    ),
+}
+"""By name."""

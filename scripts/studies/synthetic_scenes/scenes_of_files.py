@@ -1,0 +1,89 @@
+"""Scenes of what model files hold beside bodies and loads: solvers, steps, sets, included files, further loads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from lxml import etree
+
+from studies.synthetic_scenes import edits
+from studies.synthetic_scenes.collection_of_scenes import SCENES as BODIES
+from studies.synthetic_scenes.collection_of_scenes import Scene
+from studies.synthetic_scenes.edits import Edit
+
+
+@dataclass(frozen=True)
+class Edited:
+    """A scene whose file is changed after it is written.
+
+    Attributes
+    ----------
+    about : str
+        What it stands for.
+    scene : Scene
+    edits : tuple of Edit
+        Applied one after the other.
+    module : str
+        FEBio's module.
+    """
+
+    about: str
+    scene: Scene
+    edits: tuple[Edit, ...]
+    module: str
+
+    def write(self, name: str, folder: Path) -> Path:
+        """Write ``<name>.feb`` into `folder`, and return its path."""
+        path = self.scene.write(name, folder)
+        tree = etree.parse(str(path))
+        for edit in self.edits:
+            edit(tree.getroot(), folder)
+        tree.write(str(path), xml_declaration=True, encoding="ISO-8859-1")
+        return path
+
+
+def _edited(about: str, scene: str, *made: Edit) -> Edited:
+    return Edited(about, BODIES[scene], made, BODIES[scene].module)
+
+
+def _explicit(about: str, scene: str, steps: int) -> Edited:
+    return Edited(about, BODIES[scene], (edits.explicit_dynamics(steps),), "explicit-solid")
+
+
+SCENES: Mapping[str, Edited] = {
+    "quasi-newton": _edited("10 updates of BFGS between matrices", "elements-hex8", edits.updates("BFGS", 10)),
+    "quasi-newton-tet4": _edited("10 updates of BFGS, tetrahedra", "elements-tet4", edits.updates("BFGS", 10)),
+    "quasi-newton-biphasic": _edited("10 updates of BFGS, biphasic", "biphasic", edits.updates("BFGS", 10)),
+    "broyden": _edited("10 updates of Broyden", "elements-hex8", edits.updates("Broyden", 10)),
+    "broyden-biphasic": _edited("10 updates of Broyden, biphasic", "biphasic", edits.updates("Broyden", 10)),
+    "symmetric": _edited("symmetric matrix", "elements-hex8", edits.solver(symmetric_stiffness="symmetric")),
+    "explicit": _explicit("explicit dynamics", "elements-hex8", 500),
+    "explicit-finer": _explicit("explicit dynamics, twice as fine", "finer", 1000),
+    "explicit-tet4": _explicit("explicit dynamics, tetrahedra", "elements-tet4", 2000),
+    "no-line-search": _edited("without a line search", "elements-hex8", edits.solver(lstol="0")),
+    "begins-with-a-step": _edited("contact from the second step on", "flat", edits.two_steps((2,))),
+    "ends-with-a-step": _edited("contact in the first step alone", "elements-hex8", edits.two_steps((1,))),
+    "two-steps": _edited("contact in both of two steps", "biphasic", edits.two_steps((1, 2))),
+    "mesh-from-a-file": _edited("the mesh in an included file", "elements-hex8", edits.mesh_from_file),
+    "part-lists": _edited("conditions on part lists and surfaces", "multiphasic", edits.by_part_lists),
+    "pressure-on-the-contact": _edited(
+        "pressure prescribed on the slab's contact surface", "biphasic", edits.pressure_on_the_contact
+    ),
+    "body-force": _edited("bodies with a weight", "elements-hex8", edits.body_force),
+    "penalty-with-a-curve": _edited("a penalty that rises", "elements-hex8", edits.penalty_follows_a_curve),
+    "both-ways": _edited("two contacts, one each way", "elements-hex8", edits.both_ways),
+    "must-points": _edited("steps that follow a curve", "elements-hex8", edits.must_points),
+    "search-radius": _edited("a small search radius", "elements-hex8", edits.in_contact(search_radius="0.2")),
+    "segment-updates": _edited("pairs of facets kept after two updates", "sliding", edits.in_contact(seg_up="2")),
+    "node-reloc": _edited(
+        "nodes moved onto the other surface at the start",
+        "type-sliding-node-on-facet",
+        edits.in_contact(node_reloc="1"),
+    ),
+    "update-penalty": _edited(
+        "a penalty that follows the deformation", "rigid-free", edits.in_contact(update_penalty="1")
+    ),
+}
+"""By name."""
