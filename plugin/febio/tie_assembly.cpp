@@ -104,8 +104,7 @@ NodeEquations TieAssembly::equations_of(const Tie& tie) const {
             for (Index i = 0; layout.has_displacements() && i < 3; ++i)
               mixture_contact::at(
                   ids, layout.displacement(layout.nodes(), i)) = patch.fields.empty()
-                                                                     ? first +
-                                                                           indexing::as_int(tie.first_unknown(node) + i)
+                                                                     ? first + indexing::as_int(tie.unknown(node) + i)
                                                                      : -1;
             for (Index k = 0; k < layout.scalar_fields(); ++k)
               mixture_contact::at(

@@ -33,6 +33,12 @@ double unit_of(const Eigen::Ref<const VectorXd>& values, int node) {
   return largest > 0 ? largest : 1.0;
 }
 
+double traction_unit(const Penalties& penalties, int node) { return unit_of(penalties.stiffness, node); }
+
+double flux_unit(const Penalties& penalties, int field, int node) {
+  return unit_of(penalties.conductance.row(field).transpose(), node);
+}
+
 FacingPositions positions_of(const PerSide<SurfaceFields>& fields) {
   return {fields[Side::primary].position, fields[Side::secondary].position};
 }
@@ -73,12 +79,6 @@ double Tie::flux_penalty(Index n, int field) const {
   return state_.flux_penalty_scale[field] * penalties_.flux(field, nodes_[n].node);
 }
 
-double Tie::traction_unit(Index n) const { return unit_of(penalties_.stiffness, nodes_[n].node); }
-
-double Tie::flux_unit(Index n, int field) const {
-  return unit_of(penalties_.conductance.row(field).transpose(), nodes_[n].node);
-}
-
 TieLoads Tie::loads(const PerSide<SurfaceFields>& fields) const {
   const Index count = nodes_.count();
   const Index scalars = effects_.scalar_fields();
@@ -92,7 +92,7 @@ TieLoads Tie::loads(const PerSide<SurfaceFields>& fields) const {
       loads.traction.col(n) = bonded_traction(state_.traction.col(n), penalty, loads.gap.col(n)).value;
     }
     for (int k = 0; k < scalars; ++k) {
-      if (!exchanges(n, k)) continue;
+      if (!nodes_[n].exchanges(k)) continue;
       loads.jump(k, n) = -nodes_[n].fields[k].weights.dot(values_at(nodes_[n], fields, k));
       loads.flux(k, n) = augmented(state_.flux(k, n), flux_penalty(n, k), loads.jump(k, n)).value;
     }
@@ -114,7 +114,7 @@ template <class Values, class Make, class Use>
 void Tie::for_each_part(const Make& make, const Use& use) const {
   const Index parts = effects_.scalar_fields() + 1;  // of a node: its traction, then its fluxes
   const auto exists = [&](Index n, Index part) {
-    return part == 0 ? effects_.traction : exchanges(n, indexing::as_int(part - 1));
+    return part == 0 ? effects_.traction : nodes_[n].exchanges(indexing::as_int(part - 1));
   };
   in_order(
       nodes_.count() * parts,
@@ -137,7 +137,8 @@ VectorXd Tie::traction_residual(Index n, const FacingPositions& x, const TieLoad
   const double area = nodes_[n].traction.area;
   VectorXd residual(layout.size());
   residual.head(3 * layout.nodes()) = -area * gap_variation(nodes_[n], x).transpose() * loads.traction.col(n);
-  if (layout.has_multipliers()) residual.tail<3>() = -area * traction_unit(n) * loads.gap.col(n);
+  if (layout.has_multipliers())
+    residual.tail<3>() = -area * traction_unit(penalties_, nodes_[n].node) * loads.gap.col(n);
   return residual;
 }
 
@@ -147,7 +148,8 @@ VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   VectorXd residual(layout.size());
   residual.head(layout.nodes()) = -average.area * loads.flux(field, n) * average.weights;
   if (layout.has_multipliers())
-    residual[layout.flux_multiplier(0)] = average.area * flux_unit(n, field) * loads.jump(field, n);
+    residual[layout.flux_multiplier(0)] = average.area * flux_unit(penalties_, field, nodes_[n].node) *
+                                          loads.jump(field, n);
   return residual;
 }
 
@@ -161,7 +163,7 @@ MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads
   of_nodes.noalias() = (-area * traction_penalty(n)) * variation.transpose() * variation;
   if (!nodes_[n].gaps.empty()) of_nodes -= area * gap_hessian(nodes_[n], x, loads.traction.col(n));
   if (!layout.has_multipliers()) return tangent;
-  const double unit = traction_unit(n);
+  const double unit = traction_unit(penalties_, nodes_[n].node);
   tangent.bottomLeftCorner(3, own) = -area * unit * variation;
   tangent.topRightCorner(own, 3) = -area * unit * variation.transpose();
   tangent.bottomRightCorner<3, 3>() = (area * unit / unknown_factor) * Eigen::Matrix3d::Identity();
@@ -176,7 +178,7 @@ MatrixXd Tie::flux_tangent(Index n, int field) const {
   tangent.topLeftCorner(own, own).noalias() = (average.area * flux_penalty(n, field)) * average.weights *
                                               average.weights.transpose();
   if (!layout.has_multipliers()) return tangent;
-  const double unit = flux_unit(n, field);
+  const double unit = flux_unit(penalties_, field, nodes_[n].node);
   tangent.col(own).head(own) = -average.area * unit * average.weights;
   tangent.row(own).head(own) = -average.area * unit * average.weights.transpose();
   tangent(own, own) = -average.area * unit / unknown_factor;
@@ -213,10 +215,11 @@ GapReport Tie::gaps(const PerSide<SurfaceFields>& fields) const {
     const TiedNode& tied = nodes_[n];
     const double area = tied.traction.area;
     if (effects_.traction)
-      traction.add(area, traction_unit(n), now.gap.col(n).norm(), now.traction.col(n).norm(), std::sqrt(area));
+      traction.add(area, traction_unit(penalties_, nodes_[n].node), now.gap.col(n).norm(), now.traction.col(n).norm(),
+                   std::sqrt(area));
     for (int k = 0; k < flux.count(); ++k) {
-      if (!exchanges(n, k)) continue;
-      flux[k].add(tied.fields[k].area, flux_unit(n, k), now.jump(k, n), now.flux(k, n),
+      if (!nodes_[n].exchanges(k)) continue;
+      flux[k].add(tied.fields[k].area, flux_unit(penalties_, k, nodes_[n].node), now.jump(k, n), now.flux(k, n),
                   fields[Side::primary].scalar(tied.node, k));
     }
   }
@@ -240,19 +243,21 @@ bool Tie::augment(const PerSide<SurfaceFields>& fields) {
   return any;
 }
 
-Index Tie::unknown(Index n, int field) const {
+Index Tie::unknown(Index n, std::optional<int> field) const {
+  if (!field) return first_[n];
   const IndexedVector<TiedAverage>& fields = nodes_[n].fields;
   return first_[n] + (effects_.traction ? 3 : 0) +
-         std::count_if(fields.begin(), fields.begin() + field, [](const TiedAverage& each) { return each.exists(); });
+         std::count_if(fields.begin(), fields.begin() + *field, [](const TiedAverage& each) { return each.exists(); });
 }
 
 VectorXd Tie::unknowns() const {
   VectorXd values(unknown_count());
   if (values.size() == 0) return values;
   for (Index n = 0; n < nodes_.count(); ++n) {
-    if (effects_.traction) values.segment<3>(first_[n]) = state_.traction.col(n) / traction_unit(n);
+    if (effects_.traction)
+      values.segment<3>(first_[n]) = state_.traction.col(n) / traction_unit(penalties_, nodes_[n].node);
     for (int k = 0; k < effects_.scalar_fields(); ++k) {
-      if (exchanges(n, k)) values[unknown(n, k)] = state_.flux(k, n) / flux_unit(n, k);
+      if (nodes_[n].exchanges(k)) values[unknown(n, k)] = state_.flux(k, n) / flux_unit(penalties_, k, nodes_[n].node);
     }
   }
   return values;
@@ -260,9 +265,10 @@ VectorXd Tie::unknowns() const {
 
 void Tie::set_unknowns(const VectorXd& values) {
   for (Index n = 0; n < nodes_.count(); ++n) {
-    if (effects_.traction) state_.traction.col(n) = traction_unit(n) * values.segment<3>(first_[n]);
+    if (effects_.traction)
+      state_.traction.col(n) = traction_unit(penalties_, nodes_[n].node) * values.segment<3>(first_[n]);
     for (int k = 0; k < effects_.scalar_fields(); ++k) {
-      if (exchanges(n, k)) state_.flux(k, n) = flux_unit(n, k) * values[unknown(n, k)];
+      if (nodes_[n].exchanges(k)) state_.flux(k, n) = flux_unit(penalties_, k, nodes_[n].node) * values[unknown(n, k)];
     }
   }
 }

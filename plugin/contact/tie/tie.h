@@ -6,6 +6,7 @@
 #include "tie/tied_node.h"
 
 #include <functional>
+#include <optional>
 
 namespace mixture_contact {
 
@@ -74,16 +75,12 @@ class Tie {
   void set_unknowns(const VectorXd& values);
   /// How many there are; 0 where multipliers are not unknown.
   Index unknown_count() const { return has_unknown_multipliers() ? first_.back() : 0; }
-  /// The first unknown of a node's traction, and that of a field's flux.
-  Index first_unknown(Index n) const { return first_[n]; }
-  Index unknown(Index n, int field) const;
+  /// The unknown of a field's flux; without a field the first one of the traction.
+  Index unknown(Index n, std::optional<int> field = std::nullopt) const;
 
  private:
-  bool exchanges(Index n, int field) const { return nodes_[n].fields[field].exists(); }
   double traction_penalty(Index n) const;
   double flux_penalty(Index n, int field) const;
-  double traction_unit(Index n) const;
-  double flux_unit(Index n, int field) const;
   VectorXd traction_residual(Index n, const FacingPositions& x, const TieLoads& loads) const;
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
   MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const;

@@ -33,6 +33,7 @@ struct TiedNode {
   IndexedVector<KeptGap> gaps;        ///< empty where the surfaces touch
 
   Index count() const { return primary.count() + secondary.count(); }
+  bool exchanges(int field) const { return fields[field].exists(); }
 };
 
 /// What of a primary surface a tie leaves free.

@@ -50,7 +50,7 @@ struct TiedScene {
     if (!patch.multiplier_node) return all;
     const int own = *patch.multiplier_node;
     for (Index i = 0; layout.has_displacements() && i < 3; ++i)
-      at(all, layout.displacement(layout.nodes(), i)) = nodal_size() + tie->first_unknown(own) + i;
+      at(all, layout.displacement(layout.nodes(), i)) = nodal_size() + tie->unknown(own) + i;
     for (Index k = 0; k < layout.scalar_fields(); ++k)
       at(all, layout.flux_multiplier(k)) = nodal_size() + tie->unknown(own, patch.fields[k]);
     return all;
