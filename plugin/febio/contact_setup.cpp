@@ -2,7 +2,9 @@
 
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/multipliers.h"
+#include "host/membrane.h"
 #include "material_properties.h"
+#include "membrane_values.h"
 #include "surface_materials.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -84,7 +87,9 @@ bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLo
 // ------------------------------------------------------------ checks
 
 bool ContactSetup::has_sound_values() const {
-  const std::vector<std::string> wrong = complaints(parameters_);
+  std::vector<std::string> wrong = complaints(parameters_);
+  for (const std::string& of_film : membrane_complaints(parameters_.membrane, dofs_.concentrations()))
+    wrong.push_back(of_film);
   log_.errors(wrong);
   return wrong.empty();
 }
@@ -119,35 +124,12 @@ bool ContactSetup::have_no_inner_facets() const {
   return true;
 }
 
-std::string ContactSetup::complaint(const FEMixtureAmbientConcentration& ambient) const {
-  const int solutes = dofs_.concentrations();
-  if (ambient.solute < 0 || ambient.solute > solutes) {
-    return "<ambient_concentration sol=\"" + std::to_string(ambient.solute) +
-           "\"> names a solute that the model does not have. It has " + std::to_string(solutes) + ".";
-  }
-  if (ambient.solute == 0 && solutes != 1) {
-    return "<ambient_concentration> needs the attribute sol=\"...\" to say which of the model's " +
-           std::to_string(solutes) + " solutes it is for: a name or an id of <Solutes>.";
-  }
-  if (!std::isfinite(ambient.value) || ambient.value < 0)
-    return "<ambient_concentration> is " + std::to_string(ambient.value) +
-           "; it must be a number that is not negative.";
-  const auto is_same = [&](const FEMixtureAmbientConcentration* other) {
-    return std::max(other->solute, 1) == std::max(ambient.solute, 1);
-  };
-  if (std::count_if(ambient_.begin(), ambient_.end(), is_same) > 1)
-    return "<ambient_concentration> is given more than once for the same solute. Give each solute's once.";
-  return "";
-}
-
 bool ContactSetup::check_ambient() const {
-  for (const FEMixtureAmbientConcentration* ambient : ambient_) {
-    const std::string wrong = complaint(*ambient);
-    if (wrong.empty()) continue;
-    log_.error(wrong);
-    return false;
-  }
-  return true;
+  const double unlimited = std::numeric_limits<double>::infinity();
+  const std::string wrong = complaint("ambient_concentration", solute_values(ambient_), dofs_.concentrations(),
+                                      unlimited);
+  if (!wrong.empty()) log_.error(wrong);
+  return wrong.empty();
 }
 
 bool ContactSetup::check_mesh_adaptors() const {
@@ -230,6 +212,10 @@ std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {
   const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, Motion::undecided, friction_);
   log_.errors(exchange.complaints);
   if (!exchange.complaints.empty()) return std::nullopt;
+  const std::vector<std::string> wrong = membrane_complaints(parameters_.membrane, exchange.effects);
+  log_.errors(wrong);
+  if (!wrong.empty()) return std::nullopt;
+  for (const std::string& sentence : membrane_notices(parameters_, exchange.effects)) log_.say(sentence);
   const int fields = exchange.effects.nodal_fields();
   if (fields <= max_scalar_fields) return exchange.effects;
   log_.error("the surfaces share " + std::to_string(fields) + " fields; at most " + std::to_string(max_scalar_fields) +

@@ -50,7 +50,6 @@ class ContactSetup {
  private:
   bool has_sound_values() const;
   bool have_no_inner_facets() const;
-  std::string complaint(const FEMixtureAmbientConcentration& ambient) const;
   /// The materials behind the facets, with a stiffness for rigid bodies that have no deformable one to touch.
   std::optional<FacetMaterials> materials() const;
   void say_stand_in() const;

@@ -33,6 +33,12 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
   ADD_PROPERTY(ambient_concentrations_, "ambient_concentration", FEProperty::Optional)
       ->SetDefaultType("mixture_ambient_concentration")
       .SetLongName("ambient concentration");
+  ADD_PROPERTY(membrane_.permeances, "solute_permeance", FEProperty::Optional)
+      ->SetDefaultType("mixture_solute_permeance")
+      .SetLongName("membrane permeance");
+  ADD_PROPERTY(membrane_.reflections, "reflection", FEProperty::Optional)
+      ->SetDefaultType("mixture_reflection")
+      .SetLongName("membrane reflection coefficient");
 END_FECORE_CLASS()
 
 FEMixtureContact::FEMixtureContact(FEModel* fem)
@@ -59,6 +65,8 @@ bool FEMixtureContact::Init() {
   dofs_.init();
   std::vector<std::string> wrong = find_load_curves();
   find_self_contact();
+  parameters_.membrane.thermal_energy = GetFEModel()->GetGlobalConstant("R") * GetFEModel()->GetGlobalConstant("T");
+  read_membrane(membrane_, parameters_.membrane);
   for (const std::string& complaint : model_->complaints(*this)) wrong.push_back(complaint);
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
@@ -132,6 +140,7 @@ void FEMixtureContact::follow_surfaces() {
 
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
+  read_membrane(membrane_, parameters_.membrane);
   const bool has_changed = surfaces_.take_change();
   if (const FEMixtureSurface* const gone = surfaces_.without_facets()) {
     log_.say("surface \"" + gone->GetName() + "\" has no facets left: the contact ends.");
@@ -159,12 +168,14 @@ void FEMixtureContact::Deactivate() {
 // ------------------------------------------------------------ steps and iterations
 
 void FEMixtureContact::PrepStep() {
+  read_membrane(membrane_, parameters_.membrane);
   if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) throw FatalError();
   if (reads_properties_again(parameters_, core().effects())) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
 
 void FEMixtureContact::Update() {
+  read_membrane(membrane_, parameters_.membrane);
   // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
   if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction()))
     throw FatalError();
@@ -243,7 +254,8 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
         if (flag != nullptr) ar&* flag;
       }
     });
-    ar & parameters_.self_contact;
+    ar & parameters_.self_contact & parameters_.membrane.thermal_energy;
+    read_membrane(membrane_, parameters_.membrane);
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

@@ -5,6 +5,7 @@
 #include "contact_in_model.h"
 #include "contact_output.h"
 #include "contact_setup.h"
+#include "membrane_values.h"
 #include "model_contacts.h"
 
 #include <FEBioMech/FEContactInterface.h>
@@ -63,6 +64,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;
   AmbientConcentrations ambient_concentrations_;
+  MembraneProperties membrane_;
   ContactLog log_;
   ContactSurfaces surfaces_;
   DofMap dofs_;

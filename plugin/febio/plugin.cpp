@@ -2,6 +2,7 @@
 /// offers.
 #include "ambient_concentration.h"
 #include "exports.h"
+#include "membrane_values.h"
 #include "mixture_contact.h"
 #include "output_variables.h"
 #include "tied_contact.h"
@@ -21,6 +22,8 @@ MIXCONTACT_EXPORT void PluginInitialize(FECoreKernel& kernel) {
   REGISTER_FECORE_CLASS(FEMixtureContact, "sliding-mixture");
   REGISTER_FECORE_CLASS(FEMixtureTie, "tied-mixture");
   REGISTER_FECORE_CLASS(FEMixtureAmbientConcentration, "mixture_ambient_concentration");
+  REGISTER_FECORE_CLASS(FEMixtureSolutePermeance, "mixture_solute_permeance");
+  REGISTER_FECORE_CLASS(FEMixtureReflection, "mixture_reflection");
   register_output_variables();
 }
 }

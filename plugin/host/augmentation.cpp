@@ -40,8 +40,9 @@ Augmentation augment(const std::string& title, const GapReport& report, const Se
                             effects);
   // Unknown multipliers have closed the gaps already: what is a solution meets them.
   if (settings.enforcement == Enforcement::lagrange_multipliers) return outcome;
-  if (meets(report, settings.tolerances, effects) && augmentation >= settings.augmentations.least) return outcome;
-  if (augmentation >= settings.augmentations.most) {
+  if (meets(report, settings.tolerances, effects) && augmentation >= settings.tolerances.augmentations.least)
+    return outcome;
+  if (augmentation >= settings.tolerances.augmentations.most) {
     outcome.warning = title + ": " + std::to_string(augmentation) +
                       " augmentations (maxaug) were not enough to meet the tolerances.";
     return outcome;

@@ -2,6 +2,7 @@
 
 #include "contact/conditions/normal.h"
 #include "contact/geometry/quadrature.h"
+#include "membrane.h"
 #include "penalty_reduction.h"
 
 #include <algorithm>
@@ -204,7 +205,13 @@ double tangential_factor(const ContactParameters& p, double factor) {
 
 LeftOut left_out(const ContactParameters& p) {
   const auto is_zero = [](const Varying& penalty) { return penalty.given && penalty.value == 0 && !penalty.varies; };
-  return {is_zero(p.penalties.traction), is_zero(p.penalties.solvent), is_zero(p.penalties.solute)};
+  LeftOut out{is_zero(p.penalties.traction), "", is_zero(p.penalties.solute), {}};
+  if (is_zero(p.penalties.solvent)) out.solvent = "pressure_penalty";
+  if (is_zero(p.membrane.conductance)) out.solvent = "hydraulic_conductance";
+  for (const auto& [solute, film] : membrane_rule(p.membrane).solutes) {
+    if (film.permeance == 0 && film.reflection == 1) out.stopped_solutes.push_back(solute);
+  }
+  return out;
 }
 
 bool reads_properties_again(const ContactParameters& parameters, const mixture_contact::Effects& effects) {
@@ -230,7 +237,8 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.tolerances.solute = {relative(p.tolerances.solute), p.tolerances.ctol.value};
   settings.friction = {p.friction.fric_coeff.value, p.friction.contact_frac.value, p.ambient.pressure,
                        tangential_factor(p, factor)};
-  settings.augmentations = {p.enforcement.minaug, p.enforcement.maxaug};
+  settings.membrane = membrane_rule(p.membrane);
+  settings.tolerances.augmentations = {p.enforcement.minaug, p.enforcement.maxaug};
   settings.two_pass = p.enforcement.two_pass;
   settings.symmetric = p.enforcement.symmetric_stiffness;
   settings.integration = integration(p);

@@ -6,6 +6,7 @@
 #include "contact/base/indexed_vector.h"
 #include "contact/base/settings.h"
 #include "contact/base/side.h"
+#include "solute_values.h"
 #include "solver/devices.h"
 
 #include <array>
@@ -84,6 +85,14 @@ struct FrictionParameters {
   Varying tangential_penalty{{1}};  ///< over the traction penalty [-]
 };
 
+/// A film between the surfaces; what is not given crosses freely.
+struct MembraneParameters {
+  Varying conductance;                  ///< <hydraulic_conductance> [length^3/(force time)]
+  std::vector<SoluteValue> permeance;   ///< <solute_permeance> [length/time]
+  std::vector<SoluteValue> reflection;  ///< <reflection> [-]
+  double thermal_energy = 0;            ///< R T of the model [pressure/concentration]
+};
+
 /// Whether helpers of the solver (newton/helper.h) are on. They act on the whole model.
 struct HelperParameters {
   Given<bool> predictor;
@@ -112,6 +121,7 @@ struct ContactParameters {
   GapParameters gap;
   AmbientParameters ambient;
   FrictionParameters friction;
+  MembraneParameters membrane;
   HelperParameters helpers;
   UnusedParameters unused;
   bool self_contact = false;  ///< whether the surfaces have facets in common, as a host finds
@@ -135,7 +145,7 @@ inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concen
 enum class Unit { none, length, pressure, concentration };
 
 /// What a parameter belongs to, in the order in which a user finds it.
-enum class ParameterGroup { effects, enforcement, ambient, surfaces, solution, friction, old_models };
+enum class ParameterGroup { effects, enforcement, ambient, surfaces, solution, friction, membrane, old_models };
 
 /// The heading of a group in FEBio Studio, which is that of the documentation; null for what FEBio Studio does not
 /// offer.
@@ -153,6 +163,8 @@ constexpr const char* heading(ParameterGroup group) {
       return "Solution";
     case ParameterGroup::friction:
       return "Friction";
+    case ParameterGroup::membrane:
+      return "Membrane";
     case ParameterGroup::old_models:
       return nullptr;
   }
@@ -253,6 +265,13 @@ void for_each_friction_parameter(ContactParameters& p, const Take& take) {
 }
 
 template <class Take>
+void for_each_membrane_parameter(ContactParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  const TakeGiven<Take> take_given{take};
+  take_given({"hydraulic_conductance", "hydraulic conductance", Group::membrane}, p.membrane.conductance);
+}
+
+template <class Take>
 void for_each_unused_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
   const TakeGiven<Take> take_given{take};
@@ -263,7 +282,7 @@ void for_each_unused_parameter(ContactParameters& p, const Take& take) {
 }
 
 /// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for ambient_pressure,
-/// which hosts read with its load curve.
+/// which hosts read with its load curve, and not for values per solute.
 template <class Take>
 void for_each_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
@@ -273,6 +292,7 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   for_each_surface_parameter(p, take);
   for_each_solution_parameter(p, take);
   for_each_friction_parameter(p, take);
+  for_each_membrane_parameter(p, take);
   for_each_unused_parameter(p, take);
 }
 
@@ -292,11 +312,13 @@ bool has_friction(const ContactParameters& parameters);
 /// Whether the fluid bears a part of the load that friction does not see; a load curve may bring that later.
 bool is_relieved_by_fluid(const ContactParameters& parameters);
 
-/// What penalties of 0 leave out of the contact; one that a load curve changes leaves out nothing.
+/// What penalties, and conductances of membranes, of 0 leave out of the contact; one that a load curve changes leaves
+/// out nothing.
 struct LeftOut {
   bool contact = false;  ///< without a penalty of the traction surfaces never touch
-  bool solvent = false;
+  std::string solvent;   ///< the parameter that leaves it out; empty: none does
   bool solutes = false;
+  std::vector<int> stopped_solutes;  ///< by a membrane with permeance 0 and reflection 1
 };
 LeftOut left_out(const ContactParameters& parameters);
 

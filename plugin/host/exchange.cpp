@@ -93,8 +93,11 @@ void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
   for (FieldAtContact& field : fields) {
     const bool is_solvent = field.solute < 0;
     if (left_out.contact) field.obstacles.emplace_back("<penalty> is 0, so that the surfaces never touch");
-    if (is_solvent && left_out.solvent) field.obstacles.emplace_back("<pressure_penalty> is 0");
+    if (is_solvent && !left_out.solvent.empty()) field.obstacles.push_back("<" + left_out.solvent + "> is 0");
     if (!is_solvent && left_out.solutes) field.obstacles.emplace_back("<concentration_penalty> is 0");
+    const std::vector<int>& stopped = left_out.stopped_solutes;
+    if (std::find(stopped.begin(), stopped.end(), field.solute) != stopped.end())
+      field.obstacles.emplace_back("<solute_permeance> is 0, <reflection> 1");
   }
 }
 

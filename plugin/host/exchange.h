@@ -30,7 +30,7 @@ enum class Motion {
   tied         ///< they stay where they are on each other: traction is exchanged as other effects are
 };
 
-/// Adds what penalties of 0 leave out to the obstacles of the fields.
+/// Adds what penalties of 0, and membranes that stop a field, leave out to the obstacles of the fields.
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
 /// What a model says about friction.

@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "hexahedron.h"
+#include "host/membrane.h"
 
 #include <algorithm>
 #include <limits>
@@ -103,7 +104,10 @@ mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials
   const Exchange exchange = decide_exchange(parameters.effects, fields, motion(), friction);
   if (!exchange.complaints.empty())
     throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
+  const std::vector<std::string> wrong = membrane_complaints(parameters.membrane, exchange.effects);
+  if (!wrong.empty()) throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + wrong.front());
   effects_line_ = "sliding-mixture \"" + definition_.name + "\" exchanges " + exchange.summary;
+  for (const std::string& notice : membrane_notices(parameters, exchange.effects)) effects_line_ += " " + notice;
   return exchange.effects;
 }
 

@@ -1,3 +1,4 @@
+#include "host/membrane.h"
 #include "reader.h"
 
 #include <algorithm>
@@ -52,6 +53,20 @@ void read_ambient_concentration(const Tag& tag, const Model& model, ContactDefin
   if (!contact.ambient_concentration.emplace(solute - 1, read_parameter(tag, model)).second) tag.fail("given twice");
 }
 
+std::vector<SoluteValue> read_solute_values(const Tag& contact, const char* name, const Model& model) {
+  std::vector<SoluteValue> values;
+  for (const Tag& tag : contact.all(name)) values.push_back({solute_of(tag, model), tag.number()});
+  return values;
+}
+
+void read_membrane(const Tag& tag, const Model& model, MembraneParameters& membrane) {
+  membrane.permeance = read_solute_values(tag, "solute_permeance", model);
+  membrane.reflection = read_solute_values(tag, "reflection", model);
+  membrane.thermal_energy = model.gas_constant * model.temperature;
+  const std::vector<std::string> wrong = membrane_complaints(membrane, number_of(model.solutes));
+  if (!wrong.empty()) tag.fail(wrong.front());
+}
+
 void check_type(const Tag& tag) {
   const std::string type = tag.attribute("type");
   if (type == "sliding-mixture") return;
@@ -80,6 +95,7 @@ void read_contacts(const Tag& section, Model& model) {
     contact.surfaces = named(tag, "surface_pair", model.mesh.pairs);
     contact.name = tag.find_attribute("name").value_or(tag.attribute("surface_pair"));
     read_parameters(tag, contact.parameters);
+    read_membrane(tag, model, contact.parameters.membrane);
     if (const auto pressure = tag.find("ambient_pressure")) contact.ambient_pressure = read_parameter(*pressure, model);
     for (const Tag& ambient : tag.all("ambient_concentration")) read_ambient_concentration(ambient, model, contact);
     for (const std::string& notice : notices(contact.parameters)) model.notices.push_back(contact.name + ": " + notice);

@@ -13,10 +13,12 @@ from harness.user_commands import FOR_EVERYBODY, function
 from studies.agreement import page as agreement
 from studies.cli import COMMANDS
 from studies.cost import page as cost
+from studies.evidence.steps import LIMITS
 from studies.friction import curves_table
 from studies.friction import page as friction
 from studies.hard_cases import page as hard_cases
 from studies.hertz import page as hertz
+from studies.knees import page as knees
 from studies.pages import (
     command_reference,
     evidence,
@@ -32,7 +34,6 @@ from studies.pages.gallery import page as gallery
 from studies.predictor import page as predictor
 from studies.price import page as price
 from studies.price import run_times
-from studies.remeasurement.steps import LIMITS
 from studies.run_tables import page as run_tables
 
 EVIDENCE = (
@@ -44,6 +45,7 @@ EVIDENCE = (
     run_tables.PAGE,
     run_times.PAGE,
     hertz.PAGE,
+    knees.PAGE,
     predictor.PAGE,
 )
 """Pages of evidence, which are made from the results of studies."""

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(every_parameter_has_a_long_name_of_its_own_and_a_unit) {
     BOOST_TEST(seen.insert(parameter->longName()).second, name);
     BOOST_TEST(parameter->units() != nullptr, name);
   }
-  BOOST_TEST(seen.size() == 43);
+  BOOST_TEST(seen.size() == 44);
 }
 
 BOOST_AUTO_TEST_CASE(parameters_stand_under_the_headings_of_the_documentation) {
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(parameters_stand_under_the_headings_of_the_documentation) {
     if ((parameter->GetFlags() & FE_PARAM_HIDDEN) == 0) ++shown[group < 0 ? "" : all.GetParameterGroupName(group)];
   }
   for (const char* heading :
-       {"Effects", "Enforcement", "Ambient values", "Surfaces and integration", "Solution", "Friction"}) {
+       {"Effects", "Enforcement", "Ambient values", "Surfaces and integration", "Solution", "Friction", "Membrane"}) {
     BOOST_TEST(shown.erase(heading) == 1, heading);
   }
   BOOST_TEST(shown.empty());
@@ -125,4 +125,12 @@ BOOST_AUTO_TEST_CASE(ambient_concentrations_have_a_solute_and_a_value) {
   Reflection ambient(FECLASS_ID, "mixture_ambient_concentration");
   BOOST_TEST(std::string(ambient.parameter("sol").enums()) == "$(solutes)");
   BOOST_TEST(std::string(ambient.parameter("mixture_ambient_concentration").units()) == UNIT_CONCENTRATION);
+}
+
+BOOST_AUTO_TEST_CASE(coefficients_of_membranes_have_a_solute_and_a_value) {
+  for (const char* name : {"mixture_solute_permeance", "mixture_reflection"}) {
+    Reflection film(FECLASS_ID, name);
+    BOOST_TEST(std::string(film.parameter("sol").enums()) == "$(solutes)");
+    BOOST_TEST(film.parameter(name).longName() != nullptr);
+  }
 }

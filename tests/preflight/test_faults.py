@@ -292,6 +292,36 @@ FAULTS = {
     ),
     "solute": (lambda: with_params(Param("ambient_concentration", 1.0, None, {"sol": "3"})), "ambient-solute", "3"),
     "name of no solute": (lambda: with_params(ambient_at("Na", 1.0)), "ambient-solute", "solute Na"),
+    "permeance of no solute": (
+        lambda: with_params(Param("solute_permeance", 1.0, None, {"sol": "3"}), Param("reflection", 1.0)),
+        "ambient-solute",
+        "<solute_permeance>",
+    ),
+    "permeance without reflection": (
+        lambda: with_params(Param("solute_permeance", 1.0)),
+        "membrane",
+        "<reflection> is not",
+    ),
+    "reflection without permeance": (
+        lambda: with_params(Param("reflection", 1.0)),
+        "membrane",
+        "<solute_permeance> is not",
+    ),
+    "carried by no solvent": (
+        lambda: with_params(Param("solute_permeance", 1.0), Param("reflection", 0.5)),
+        "membrane",
+        "<hydraulic_conductance> is not given",
+    ),
+    "penalty beside a membrane": (
+        lambda: with_params(Param("hydraulic_conductance", 1.0), Param("pressure_penalty", 1.0)),
+        "membrane",
+        "<pressure_penalty> has no effect",
+    ),
+    "reflection above 1": (
+        lambda: with_params(Param("solute_permeance", 1.0), Param("reflection", 1.5)),
+        "bad-value",
+        "<reflection>",
+    ),
     "ambient concentration nan": (lambda: with_params(ambient_at("s1", "nan")), "bad-value", "not negative"),
     "ambient concentration below zero": (lambda: with_params(ambient_at("s1", -1.0)), "bad-value", "not negative"),
     "load curve below zero": (

@@ -14,8 +14,9 @@ from harness.paths import MODELS
 from harness.run import engine
 from harness.run.logdata import History
 from harness.user_commands import commands
+from studies import feb
 from studies.cli import COMMANDS
-from studies.robustness import archives, differences, feb, sanitized, solvers, trial, variations
+from studies.robustness import archives, differences, sanitized, solvers, trial, variations
 from studies.robustness.execution import Way
 from studies.robustness.sanitized import Plugin
 from studies.robustness.trial import Trial

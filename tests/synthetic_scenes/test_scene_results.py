@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from harness.run.provenance import Stamp
-from studies.pages import scene_results
+from studies.pages import scene_results, stamped_rows
 from studies.pages.scene_results import AT_LIMIT, UNAVAILABLE, Row, Took
 
 FEBIO = Took(True, 10, 30, 0, difference=0.0)
@@ -32,7 +32,7 @@ def test_the_predictor_is_compared_where_both_runs_end():
 
 def test_results_are_read_as_they_were_written(tmp_path):
     made = scene_results.Results(Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 600.0), [ROWS[0]])
-    scene_results.write(made, tmp_path / "real.json")
+    stamped_rows.write(made, tmp_path / "real.json")
     read = scene_results.read(tmp_path / "real.json")
     assert read.stamp == made.stamp
     assert [repr(row) for row in read.rows] == [repr(row) for row in made.rows]

@@ -54,6 +54,8 @@ SMALL = {
     "scripts/mixcontact friction-cases --docs --no-febio": "{harness} friction-cases --help",
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
+    "scripts/mixcontact knee --docs": "{harness} knee --help",
+    "scripts/mixcontact models knee --output knee.feb": "{harness} models knee --size coarse --output knee.feb",
     "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",
@@ -115,8 +117,9 @@ def scratch(runner, tmp_path) -> Path:
 
 @pytest.mark.mixture_only
 def pages():
-    """Every page with commands; two of them are quick and the first that a reader meets."""
-    quick = ("README.md", "first-model.md")
+    """Every page with commands; the commands of some take less than 2 s of processor time."""
+    quick = ("README.md", "first-model.md", "messages.md", "agreement.md", "friction-curves.md")
+    quick += ("predictor.md",)
     slow = {page: [] if page.name in quick else [pytest.mark.slow] for page in PAGES if blocks(page)}
     return [pytest.param(page, marks=marks) for page, marks in slow.items()]
 

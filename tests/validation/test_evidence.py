@@ -9,15 +9,15 @@ from dataclasses import asdict, replace
 import pytest
 
 from harness.errors import DataFileError, HarnessError
-from harness.paths import DOCS, REPOSITORY
+from harness.paths import DOCS, MODELS, REPOSITORY
 from harness.run import provenance
 from harness.run.provenance import Stamp
-from studies import site
+from studies import site, workflow
 from studies.cli import COMMANDS
+from studies.evidence import command
+from studies.evidence.steps import ALONE, LIMITS, STEPS, Step
 from studies.pages import evidence, front
 from studies.pages.evidence import EvidencePage
-from studies.remeasurement import command
-from studies.remeasurement.steps import ALONE, LIMITS, STEPS, Step
 
 STAMP = Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 60.0)
 MEASURED = re.compile(r"\d ?%|\b\d+ (?:Newton )?iterations\b|\b\d+ retries\b|\b\d+(?:\.\d+)? times (?:as|FEBio|the)\b")
@@ -121,6 +121,15 @@ def test_a_step_is_done_where_its_files_have_the_commit_and_the_limit(tmp_path, 
 
 def test_each_step_of_the_evidence_is_a_command():
     assert {command[0] for step in STEPS for command in step.commands} <= set(COMMANDS)
+
+
+def test_steps_are_done_in_turn_and_the_last_one_at_the_end(tmp_path):
+    """A command whose checks do not hold (exit code 1) is done; bad input (2) is not, and keeps the last from being."""
+    pytest.importorskip("snakemake")
+    good, bad = ("check", str(MODELS / "joint-before.feb")), ("check", str(tmp_path / "none.feb"))
+    assert workflow.in_turn({"one": [good, ("check", "--help")], "last": [good]}, tmp_path) == {"one", "last"}
+    assert workflow.in_turn({"one": [good], "two": [good, bad], "last": [good]}, tmp_path) == {"one"}
+    assert "none.feb" in (tmp_path / "two.log").read_text()
 
 
 def test_evidence_of_sources_that_are_not_committed_is_refused(monkeypatch):

@@ -6,10 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from lxml import etree
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
-from harness.run import engine
-from studies.one_answer.answers import FULL, KEPT, SAME
+from harness.run import engine, febio_log
+from harness.run.logdata import History
+from studies.one_answer.answers import FULL, KEPT, SAME, Answers
 from studies.one_answer.edge_scenes import SCENES
 from studies.one_answer.ways import ENFORCED, WAYS, contact, time_step
 from studies.robustness import differences, execution, variations
@@ -31,6 +33,27 @@ def way():
         return Way(Plugin(engine.required_plugin()), timeout=600.0)
     except (EngineNotFoundError, PluginNotFoundError) as error:
         pytest.skip(str(error))
+
+
+def test_each_enforcement_is_compared_in_all_ways(monkeypatch, tmp_path):
+    written = {}
+
+    def run(model, folder, way, *, leaks=False):
+        written[folder] = etree.tostring(model.root)
+        nodes = 1 + np.arange(len(model.root.findall("Mesh/Nodes/node")))
+        stopped = History(np.zeros(1), nodes, model.columns, np.zeros((1, len(nodes), len(model.columns))))
+        return execution.Ended(folder, 0, febio_log.parse(""), (), stopped)
+
+    monkeypatch.setattr(execution, "run", run)
+    scene = replace(SCENES["punch"], steps=1).feb("punch")
+    found = list(Answers(scene, Way(Plugin(tmp_path), timeout=1.0), tmp_path).all())
+    for enforced in ENFORCED:
+        for way in (*WAYS, "renumbered"):
+            (answer,) = [each for each in found if each.way == f"{enforced}, {way}"]
+            assert answer.across == (way == FULL)
+    assert [answer.way for answer in found if answer.difference is None] == [f"{next(iter(ENFORCED))}, {FULL}"]
+    assert all(answer.difference in (None, float("inf")) for answer in found)
+    assert len(set(written.values())) == len(ENFORCED) * (len(WAYS) + 1 + len((FULL, KEPT)))
 
 
 @pytest.mark.parametrize("name", QUICK)

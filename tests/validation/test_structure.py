@@ -20,21 +20,22 @@ from harness.user_commands import FOR_EVERYBODY
 SCRIPTS = REPOSITORY / "scripts"
 ROOMS = {
     "harness": (
-        *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post", "report"),
+        *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post", "report", "ecosystem"),
         *("indentation", "validate", "collection", "user_commands"),
     ),
     "studies": (
-        *("files", "limit", "timing", "diagnosis", "workflow", "closed_forms", "models", "post", "friction_checks"),
+        *("feb", "files", "limit", "tables", "timing", "diagnosis", "workflow"),
+        *("closed_forms", "models", "post", "friction_checks"),
         *("indentation", "engines", "pages", "hard_cases", "fuzz", "cost", "friction", "predictor", "price"),
-        *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers"),
-        *("run_tables", "remeasurement", "cli", "site", "__main__"),
+        *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers", "knees"),
+        *("run_tables", "evidence", "cli", "site", "__main__"),
     ),
 }
 """Folders and files directly in each package, the lowest first."""
 ROLES = {"__init__", "command", "figures", "page"}
 """Names of files that say what a file is to its room, and so may stand in several rooms."""
-ON_DEMAND = ("harness.report.contents", "harness.report.page")
-"""Modules that `report` imports by their names, since not everybody installs what they need."""
+ON_DEMAND = ("harness.report.contents", "harness.report.page", "harness.ecosystem.pyfebio_contact")
+"""Modules that `report` and users import by their names, since not everybody installs what they need."""
 MOST_FILES = 12
 """Files directly in a package."""
 

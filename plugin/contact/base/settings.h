@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace mixture_contact {
 
@@ -28,6 +30,28 @@ struct PenaltyRule {
 
   friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {
     return a.automatic == b.automatic && a.value == b.value && a.time_step == b.time_step;
+  }
+};
+
+/// What a film lets pass of a solute.
+struct SoluteFilm {
+  double permeance = 0;   ///< P_k [mm/s]
+  double reflection = 1;  ///< sigma_k: the part that the flow does not carry along, from 0 to 1 [-]
+
+  friend bool operator==(const SoluteFilm& a, const SoluteFilm& b) {
+    return a.permeance == b.permeance && a.reflection == b.reflection;
+  }
+};
+
+/// A film between the surfaces that resists fluxes (conditions/membrane.h). Fields that it does not name are
+/// continuous.
+struct MembraneRule {
+  std::optional<double> conductance;  ///< L_p of the solvent [mm^3/(N s)]
+  std::map<int, SoluteFilm> solutes;  ///< by the host's ids
+  double thermal_energy = 0;          ///< R T [MPa/mM]
+
+  friend bool operator==(const MembraneRule& a, const MembraneRule& b) {
+    return a.conductance == b.conductance && a.solutes == b.solutes && a.thermal_energy == b.thermal_energy;
   }
 };
 
@@ -66,6 +90,12 @@ inline constexpr double default_friction_factor = 1e2;
 /// The default of the tangential penalty over a traction penalty that is `factor` times the stiffness: at most 1.
 inline double friction_factor(double factor) { return std::min(1.0, default_friction_factor / factor); }
 
+/// How often an augmented Lagrangian solution takes its multipliers up.
+struct Augmentations {
+  int least = 0;
+  int most = 10;
+};
+
 /// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
 struct Tolerances {
   /// Criteria of one kind of field.
@@ -77,12 +107,7 @@ struct Tolerances {
   Field traction;
   Field solvent;
   Field solute;
-};
-
-/// How often an augmented Lagrangian solution takes its multipliers up.
-struct Augmentations {
-  int least = 0;
-  int most = 10;
+  Augmentations augmentations;
 };
 
 /// The gaps that the surfaces answer with a traction.
@@ -105,9 +130,9 @@ struct Settings {
   PenaltyRule solvent{true, default_flux_factor};
   PenaltyRule solute{true, default_flux_factor};
   FrictionRule friction;
+  MembraneRule membrane;
   double traction_reduction = 1;  ///< by which the penalty of the traction is divided
   Tolerances tolerances;
-  Augmentations augmentations;
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
   bool symmetric = false;  ///< hand out the symmetric part of the tangent
   GapRule gap;
@@ -118,7 +143,7 @@ struct Settings {
 };
 
 inline bool same_penalties(const Settings& a, const Settings& b) {
-  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute &&
+  return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute && a.membrane == b.membrane &&
          a.traction_reduction == b.traction_reduction;
 }
 

@@ -24,4 +24,12 @@ inline ConditionValue multiplier_condition(bool in_contact, double mu, double ga
   return {gap - multiplier_compliance * mu, 1.0, -multiplier_compliance};
 }
 
+/// The equation of a flux that is a law of the scene, (F - lambda)/(k + k_F) = 0 with the law's flux F and its
+/// coefficient k_F, given mu = lambda/k: F takes the place of the gap, and the equation has the unit of the jump,
+/// however large or small k_F is.
+inline ConditionValue law_condition(double mu, double unit, double coefficient, double flux) {
+  const double both = unit + coefficient;
+  return {(flux - unit * mu) / both, 1 / both, -unit / both};
+}
+
 }  // namespace mixture_contact

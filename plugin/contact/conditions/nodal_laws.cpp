@@ -6,6 +6,15 @@
 #include <limits>
 
 namespace mixture_contact {
+namespace {
+
+/// The part of a film that the fluxes of one surface's nodes cross: a half where the other surface's nodes have
+/// conditions, too.
+double share_of_film(const SurfaceMesh& primary, const Settings& settings) {
+  return settings.two_pass || primary.may_meet_itself() ? 0.5 : 1.0;
+}
+
+}  // namespace
 
 void Multipliers::forget_motion() {
   opening_before.setConstant(opening.size(), std::numeric_limits<double>::infinity());
@@ -19,7 +28,8 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
       secondary_(secondary),
       effects_(effects),
       settings_(settings),
-      penalties_(at_nodes(mixture_contact::penalties(primary, secondary, effects, settings), primary)) {
+      penalties_(at_nodes(mixture_contact::penalties(primary, secondary, effects, settings), primary)),
+      scalars_(scalar_conditions(effects, settings.membrane, share_of_film(primary, settings))) {
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
@@ -37,6 +47,7 @@ void NodalLaws::forget_steps() {
 }
 
 void NodalLaws::update_penalties() {
+  scalars_ = scalar_conditions(effects_, settings_.membrane, share_of_film(primary_, settings_));
   penalties_ = at_nodes(mixture_contact::penalties(primary_, secondary_, effects_, settings_), primary_);
 }
 
@@ -52,8 +63,8 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
     }
     for (int field = 0; field < effects_.scalar_fields(); ++field) {
       if (!loads.exchanges(field, node)) continue;
-      const double penalty = with_penalty ? flux_penalty(field, node) : 0.0;
-      loads.flux(field, node) = augmented(multipliers.flux(field, node), penalty, loads.jump(field, node)).value;
+      loads.flux(field, node) = with_penalty ? scalar(field).value(loads, node, enforcing(field, node))
+                                             : multipliers.flux(field, node);
     }
   }
   if (loads.friction.empty()) return;
@@ -73,10 +84,11 @@ void NodalLaws::find_friction_limits(NodalLoads& loads) const {
 }
 
 FrictionTrial NodalLaws::friction_trial(const NodalFriction& friction, Index node) const {
-  return carried(friction, node, multipliers.friction.col(node) - friction_penalty(node) * friction.slip.col(node));
+  return carried_trial(friction, node,
+                       multipliers.friction.col(node) - friction_penalty(node) * friction.slip.col(node));
 }
 
-FrictionTrial NodalLaws::carried(const NodalFriction& friction, Index node, const Vector3d& past) {
+FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vector3d& past) {
   const Vector3d n = friction.normal(node);
   const Vector3d present = friction.convection[node] * past;
   return {n, past, present, present - n * n.dot(present)};
@@ -157,7 +169,7 @@ void NodalLaws::take_friction(const NodalLoads& loads) {
   multipliers.slips = loads.slips;
 }
 
-void NodalLaws::drop_new_fluxes(MatrixXd& flux) const {
+void drop_new_fluxes(const Multipliers& multipliers, MatrixXd& flux) {
   for (Index node = 0; node < multipliers.flux_coupled.count(); ++node) {
     if (!multipliers.flux_coupled[node]) flux.col(node).setZero();
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "conditions/friction.h"
+#include "conditions/membrane.h"
 #include "conditions/nodal_loads.h"
 #include "conditions/normal.h"
 #include "conditions/penalty.h"
@@ -38,6 +39,10 @@ struct FrictionTrial {
   Vector3d value;    ///< tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)
 };
 
+/// The trial of a vector `past`, which lies in the plane that slips are measured in, carried into the present tangent
+/// plane.
+FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vector3d& past);
+
 /// Friction of a node in contact, as its status has it.
 FrictionTraction friction_law(const NodalLoads& loads, Index node);
 
@@ -55,7 +60,7 @@ class NodalLaws {
 
   /// Forgets accepted steps: their tractions, friction, stick and slip, and which nodes were flux-coupled.
   void forget_steps();
-  /// Recomputes the penalties after the properties of the surfaces have changed.
+  /// Recomputes the penalties after the properties of the surfaces, or settings, have changed.
   void update_penalties();
 
   const Effects& effects() const { return effects_; }
@@ -65,6 +70,13 @@ class NodalLaws {
   double traction_penalty(Index node) const { return multipliers.traction_penalty_scale * penalties_.traction[node]; }
   double flux_penalty(Index field, Index node) const {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
+  }
+
+  /// The condition of a field.
+  const ScalarCondition& scalar(Index field) const { return *scalars_[field]; }
+  /// What enforces it at a node.
+  Enforcing enforcing(Index field, Index node) const {
+    return {multipliers.flux(field, node), flux_penalty(field, node)};
   }
 
   double friction_penalty(Index node) const {
@@ -86,13 +98,11 @@ class NodalLaws {
     return augmented(multipliers.traction[node], traction_penalty(node), gap);
   }
 
-  /// Sets traction and fluxes of the nodes in contact to lambda + eps times gap or jump; without penalty, to lambda.
+  /// Sets traction and fluxes of the nodes in contact as their conditions have them from gaps and jumps; without
+  /// penalty, to lambda.
   void load(NodalLoads& loads, bool with_penalty) const;
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
-  /// The trial of a vector `past`, which lies in the plane that slips are measured in, carried into the present tangent
-  /// plane.
-  static FrictionTrial carried(const NodalFriction& friction, Index node, const Vector3d& past);
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
   /// The bound without <>: what tells whether a node rubs.
   double rubbing(const NodalLoads& loads, Index node) const;
@@ -112,10 +122,6 @@ class NodalLaws {
   /// last one ended with. More is what a large penalty makes of an overlap that is in no equilibrium: of meshes at the
   /// start, or where averages are taken over other facets than before.
   VectorXd within_accepted(const VectorXd& traction, double surface_size) const;
-  /// Where a step begins: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
-  /// geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would be
-  /// a wrong stiffness of that size.
-  void drop_new_fluxes(MatrixXd& flux) const;
 
   /// What a large penalty makes of the rounding of gaps [MPa].
   double traction_rounding(double surface_size) const;
@@ -137,6 +143,12 @@ class NodalLaws {
   const Effects& effects_;
   const Settings& settings_;
   Penalties penalties_;
+  IndexedVector<std::unique_ptr<ScalarCondition>> scalars_;  ///< per field
 };
+
+/// Where a step begins: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
+/// geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would be a
+/// wrong stiffness of that size.
+void drop_new_fluxes(const Multipliers& multipliers, MatrixXd& flux);
 
 }  // namespace mixture_contact

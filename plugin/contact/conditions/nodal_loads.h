@@ -69,6 +69,8 @@ struct NodalLoads : NodalGaps, ContactStatus {
   MatrixXd jump;       ///< (fields, nodes)
   MatrixXd flux;       ///< (fields, nodes); 0 out of contact
   NodalFriction friction;
+  /// (fields, nodes): the fields' values at the nodes themselves, which the jumps are averages around.
+  MatrixXd own = {};  // NOLINT(readability-redundant-member-init): so that lists of initial values may leave it out
 
   const ContactStatus& status() const { return *this; }
   /// Whether a node exchanges a field with the other side.

@@ -25,6 +25,16 @@ double storage(double primary, double secondary, double time_step) {
   return time_step > 0 ? in_series(1 / primary, 1 / secondary) / time_step : 0.0;
 }
 
+/// The rule of a field's penalty. A film has its own conductance or permeance, which measures what is rounding of its
+/// flux.
+PenaltyRule rule_of(int field, const Effects& effects, const Settings& settings) {
+  const bool is_solvent = effects.solvent && field == 0;
+  const MembraneRule& film = settings.membrane;
+  if (is_solvent) return film.conductance ? PenaltyRule{false, *film.conductance} : settings.solvent;
+  const auto own = film.solutes.find(at(effects.solutes, effects.solvent ? field - 1 : field));
+  return own != film.solutes.end() ? PenaltyRule{false, own->second.permeance} : settings.solute;
+}
+
 double apply(const PenaltyRule& rule, double base) { return rule.automatic ? rule.value * base : rule.value; }
 
 }  // namespace
@@ -50,12 +60,12 @@ Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, co
   for (Index k = 0; k < fields; ++k) {
     const double secondary_conductance = harmonic_mean(secondary.conductance.row(k).transpose());
     const bool is_solvent = effects.solvent && k == 0;
-    const PenaltyRule& rule = is_solvent ? settings.solvent : settings.solute;
+    const PenaltyRule rule = rule_of(indexing::as_int(k), effects, settings);
     for (Index f = 0; f < facets; ++f) {
       double& conductance = result.conductance(k, f);
       conductance = in_series(primary.conductance(k, f), secondary_conductance);
       if (is_solvent && conductance > 0) {
-        const double stored = storage(primary.stiffness[f], secondary_stiffness, rule.time_step);
+        const double stored = storage(primary.stiffness[f], secondary_stiffness, settings.solvent.time_step);
         conductance = std::max(conductance, storage_part * stored);
       }
       result.flux(k, f) = apply(rule, result.conductance(k, f));

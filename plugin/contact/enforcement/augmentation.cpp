@@ -9,7 +9,7 @@ namespace {
 /// The slip of a node that sticks, in its tangent plane: no friction opposes what an average over facets that turn
 /// leaves along its normal. Where a node slides it has no condition to meet.
 void add_slip(GapSums& sums, double stiffness, const NodalLoads& loads, Index node) {
-  const auto in_plane = [&] { return NodalLaws::carried(loads.friction, node, loads.friction.slip.col(node)).value; };
+  const auto in_plane = [&] { return carried_trial(loads.friction, node, loads.friction.slip.col(node)).value; };
   const double slip = loads.slips[node] ? 0.0 : in_plane().norm();
   sums.add(loads.area[node], stiffness, slip, loads.friction.traction.col(node).norm(), std::sqrt(loads.area[node]));
 }
@@ -29,6 +29,7 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
     if (!loads.friction.empty()) add_slip(slip, base.stiffness[node], loads, node);
     if (!loads.flux_coupled[node]) continue;
     for (Index k = 0; k < flux.count(); ++k) {
+      if (!laws.scalar(k).is_enforced()) continue;
       const bool is_rounding = std::abs(loads.jump(k, node)) <= rounding[k];
       flux[k].add(loads.flux_area(k, node), base.conductance(k, node), is_rounding ? 0.0 : loads.jump(k, node),
                   loads.flux(k, node), fields.primary.scalar(node, k));
@@ -47,10 +48,12 @@ bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   any = grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_penalties(),
              penalty.stiffness, laws.largest_traction_factor()) ||
         any;
-  for (Index k = 0; k < report.flux.count(); ++k)
+  for (Index k = 0; k < report.flux.count(); ++k) {
+    if (!laws.scalar(k).is_enforced()) continue;
     any = grow(state.flux_penalty_scale[k], report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k),
                penalty.flux.row(k).transpose(), penalty.conductance.row(k).transpose(), laws.largest_flux_factor()) ||
           any;
+  }
   return any;
 }
 

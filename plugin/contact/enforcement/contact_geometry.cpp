@@ -22,10 +22,19 @@ void multiply_out(const MortarSpace& space, NodeTangent& tangent) {
 }
 
 /// Calls `use` with the loads at a node, given the patch around it.
-void use_loads(const MortarSpace& space, Index node, const Patch& patch, const UseLoad& use) {
+void use_loads(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
+               const UseLoad& use) {
   const int own = static_cast<int>(node);
   if (space.effects().traction) use({own, std::nullopt, patch.of_displacements()});
-  for (const int field : patch.fields) use({own, field, space.columns_of(patch, field)});
+  for (const int field : patch.fields) use({own, field, method.flux_columns(patch, field)});
+}
+
+/// Calls `use` with what fluxes couple that depend on other fields than their own.
+void use_other_drivers(const EnforcementMethod& method, const Patch& patch, const UsePatch& use) {
+  for (const int field : patch.fields) {
+    const Patch columns = method.flux_columns(patch, field);
+    if (columns.fields.count() > 1) use(columns);
+  }
 }
 
 }  // namespace
@@ -50,9 +59,12 @@ void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
 void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
               const Couplings& use) {
   if (takes_loads(method, use)) {
-    use_loads(space, node, patch, use.load);
+    use_loads(method, space, node, patch, use.load);
   } else {
-    method.for_each_coupling(patch, [&](const Patch& part) { use_effects(space, part, use.patch); });
+    method.for_each_coupling(patch, [&](const Patch& part) {
+      use_effects(space, part, use.patch);
+      use_other_drivers(method, part, use.patch);
+    });
   }
 }
 

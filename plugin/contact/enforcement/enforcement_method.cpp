@@ -13,6 +13,34 @@ std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, c
   return std::make_unique<PenaltyMethod>(space, laws);
 }
 
+Patch EnforcementMethod::flux_columns(const Patch& patch, int field) const {
+  Patch columns = space_.columns_of(patch, field);
+  if (space_.symmetric()) return columns;
+  const FieldMask drivers = laws_.scalar(field).drivers();
+  for (const int other : patch.fields) {
+    if (other != field && contains(drivers, other)) columns.fields.push_back(other);
+  }
+  return columns;
+}
+
+VectorXd EnforcementMethod::flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear,
+                                     const Patch& columns) const {
+  const LocalLayout layout = columns.layout();
+  VectorXd row = VectorXd::Zero(layout.size());
+  for (Index k = 0; k < columns.fields.count(); ++k) {
+    const int field = columns.fields[k];
+    const NodeLinearisation::Jump& jump = linear.jumps[position_in(linear.patch.fields, field)];
+    for (Index n = 0; n < layout.nodes(); ++n) {
+      row[layout.scalar(n, k)] += law.d_jump[field] * jump.weights[n];
+      if (layout.has_displacements())
+        row.segment<3>(layout.displacement(n, 0)) += law.d_jump[field] * jump.projection_variation.segment<3>(3 * n);
+    }
+    const bool has_own = law.d_own[field] != 0 && !space_.symmetric();
+    if (has_own) row[layout.scalar(position_in(columns.primary, static_cast<int>(node)), k)] += law.d_own[field];
+  }
+  return row;
+}
+
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values) {
   TangentBlock block{patch, {}, std::move(values)};
   set_traction_block(space, block);

@@ -54,8 +54,13 @@ class EnforcementMethod {
   /// the variation of the works is the geometric part.
   virtual NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                    const VectorXd& weights, double dt) const = 0;
+  /// What the law of a field's flux depends on, given the patch around a node: fields in the order of the columns, its
+  /// own first; its own alone in a symmetric tangent.
+  Patch flux_columns(const Patch& patch, int field) const;
 
  protected:
+  /// Variation of a flux with displacements, if there are any, and fields, in the order of `columns`.
+  VectorXd flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear, const Patch& columns) const;
   const MortarSpace& space() const { return space_; }
   const NodalLaws& laws() const { return laws_; }
   const Effects& effects() const { return space_.effects(); }

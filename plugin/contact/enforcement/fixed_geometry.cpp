@@ -52,6 +52,7 @@ void FixedGeometry::end_iterations() {
 
 NodalLoads FixedGeometry::loads(const FacingFields& fields) const {
   NodalLoads loads = fixed_;
+  loads.own = own_values(fields, space_.effects());
   in_parallel(nodes_.count(), [&](Index node) {
     const NodeLinearisation& linear = nodes_[node];
     for (Index k = 0; k < linear.jumps.count(); ++k) {

@@ -137,7 +137,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
   next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   if (!predicted && !augmented && method_.predicts()) {
-    laws_.drop_new_fluxes(next.geometric_flux);
+    drop_new_fluxes(laws_.multipliers, next.geometric_flux);
     const VectorXd traction = admissible(laws_.normal(),
                                          next.geometric_traction);  // a node that closes ahead is pulled
     next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());

@@ -88,6 +88,22 @@ void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& li
   tangent.blocks.push_back(traction_block(space(), linear.patch, std::move(both)));
 }
 
+LoadBlock PenaltyMethod::flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                      double dt) const {
+  FluxLaw law = laws().scalar(field).flux(loads, node, laws().enforcing(field, node));
+  // The variation is that of the field's jump where nothing else drives the flux.
+  const double per_jump = law.d_jump[field] > 0 ? law.d_jump[field] : 1.0;
+  law.d_jump /= per_jump;
+  law.d_own /= per_jump;
+  Patch columns = flux_columns(linear.patch, field);
+  VectorXd row = flux_row(law, node, linear, columns);
+  return {{static_cast<int>(node), field, std::move(columns)},
+          linear.patch.of_field(field, false),
+          linear.jumps[position_in(linear.patch.fields, field)].weights,
+          std::move(row),
+          dt * per_jump * loads.flux_area(field, node)};
+}
+
 NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                         const VectorXd& /*weights*/, double dt) const {
   NodeTangent tangent;
@@ -99,14 +115,7 @@ NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& lin
   for (Index k = 0; k < linear.patch.fields.count(); ++k) {
     const int field = linear.patch.fields[k];
     if (!loads.exchanges(field, node)) continue;
-    const NodeLinearisation::Jump& jump = linear.jumps[k];
-    const Patch columns = space().columns_of(linear.patch, field);
-    VectorXd row = jump_row(jump, columns);
-    tangent.loads.push_back({{static_cast<int>(node), field, columns},
-                             linear.patch.of_field(field, false),
-                             jump.weights,
-                             std::move(row),
-                             dt * laws().flux_penalty(field, node) * loads.flux_area(field, node)});
+    tangent.loads.push_back(flux_tangent(field, node, linear, loads, dt));
     laps.field(field);
   }
   return tangent;

@@ -27,6 +27,8 @@ class PenaltyMethod : public EnforcementMethod {
  private:
   void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, ScopedTimer& laps,
                             NodeTangent& tangent) const;
+  LoadBlock flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                         double dt) const;
   /// dt_T/du of a node that slides, at fixed pressures.
   Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
   /// Adds the variation of its friction with the pressures of the fluid.

@@ -86,8 +86,16 @@ ConditionValue UnknownMultipliers::traction_condition(Index node, const NodalLoa
 }
 
 ConditionValue UnknownMultipliers::flux_condition(int field, Index node, const NodalLoads& loads) const {
-  const double mu = laws().multipliers.flux(field, node) / flux_unit(laws(), field, node);
-  return multiplier_condition(loads.exchanges(field, node), mu, loads.jump(field, node));
+  const double unit = flux_unit(laws(), field, node);
+  const double mu = laws().multipliers.flux(field, node) / unit;
+  const bool exchanges = loads.exchanges(field, node);
+  if (!exchanges || laws().scalar(field).is_enforced())
+    return multiplier_condition(exchanges, mu, loads.jump(field, node));
+  return law_condition(mu, unit, laws().flux_penalty(field, node), driving(field, node, loads).value);
+}
+
+FluxLaw UnknownMultipliers::driving(int field, Index node, const NodalLoads& loads) const {
+  return laws().scalar(field).flux(loads, node, {0, 1});
 }
 
 void UnknownMultipliers::equations(const NodalLoads& loads, const VectorXd& weights, double dt,
@@ -144,12 +152,13 @@ void UnknownMultipliers::add_flux_tangent(int field, Index node, const NodeLinea
                     MatrixXd::Constant(1, 1, weight * condition.d_dmultiplier)});
   if (!loads.exchanges(field, node)) return;
   const NodeLinearisation::Jump& jump = linear.jumps[field];
-  const VectorXd row = weight * condition.d_dgap * jump_row(jump, space().columns_of(linear.patch, field));
+  const Patch all = flux_columns(linear.patch, field);
+  const VectorXd row = weight * condition.d_dgap * flux_row(driving(field, node, loads), node, linear, all);
   const double flow = dt * flux_unit(laws(), field, node) * loads.flux_area(field, node);
   for (Index n = 0; n < linear.patch.layout().nodes(); ++n) {
     const Patch patch = linear.patch.of_node(n);
     const Patch rows = patch.of_field(field, false);
-    const Patch columns = space().columns_of(patch, field);
+    const Patch columns = flux_columns(patch, field);
     const LocalLayout layout = columns.layout();
     MatrixXd tangent = MatrixXd::Zero(rows.layout().size(), layout.size());
     tangent.row(rows.layout().flux_multiplier(0))

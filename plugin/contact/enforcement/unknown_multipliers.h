@@ -6,7 +6,7 @@
 
 namespace mixture_contact {
 
-/// Loads are the multipliers. Each has an equation: gap or jump = 0 in contact, mu = 0 elsewhere
+/// Loads are the multipliers. Each has an equation: gap or jump = 0, or a membrane's law, in contact, mu = 0 elsewhere
 /// (conditions/multiplier.h), weighted such that the equation is in the units of the residual of its field, and rows
 /// and columns of the tangent are alike.
 class UnknownMultipliers : public EnforcementMethod {
@@ -27,6 +27,8 @@ class UnknownMultipliers : public EnforcementMethod {
  private:
   ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
   ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
+  /// What its equation has in place of the gap: the jump of a field that is continuous, or the flux of a law.
+  FluxLaw driving(int field, Index node, const NodalLoads& loads) const;
   // Blocks of the multipliers alone, and of each node with them
   void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                             const VectorXd& weights, std::vector<TangentBlock>& blocks) const;

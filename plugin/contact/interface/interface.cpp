@@ -387,6 +387,7 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;
+  settings_.membrane = settings.membrane;
   settings_.traction_reduction = settings.traction_reduction;
   check_.settings = settings_of_check(settings_);
   for (const SidedPass& pass : passes_) {

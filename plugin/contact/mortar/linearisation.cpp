@@ -441,7 +441,7 @@ std::size_t bytes_of(const NodalFriction& friction) {
 
 std::size_t bytes_of(const NodalLoads& loads) {
   return bytes(loads.area) + bytes(loads.gap) + bytes(loads.traction) + bytes(loads.flux_area) + bytes(loads.jump) +
-         bytes(loads.flux) + bytes_of(loads.friction);
+         bytes(loads.flux) + bytes(loads.own) + bytes_of(loads.friction);
 }
 
 std::size_t bytes_of(const NodeLinearisation::Friction& friction) {
@@ -502,18 +502,6 @@ double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fie
   return jump;
 }
 
-VectorXd jump_row(const NodeLinearisation::Jump& jump, const Patch& columns) {
-  const LocalLayout layout = columns.layout();
-  const LocalLayout displacements = columns.displacement_layout();
-  VectorXd row = VectorXd::Zero(layout.size());
-  for (Index n = 0; n < layout.nodes(); ++n) {
-    row[layout.scalar(n, 0)] = jump.weights[n];
-    if (!layout.has_displacements()) continue;
-    row.segment<3>(layout.displacement(n, 0)) = jump.projection_variation.segment<3>(displacements.displacement(n, 0));
-  }
-  return row;
-}
-
 Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorXd& moved) {
   Eigen::Matrix3d change = Eigen::Matrix3d::Zero();
   const Matrix3Xd& c = linear.friction.convection;
@@ -529,6 +517,7 @@ bool LinearisationPoint::is_at(const FacingFields& fields) const {
 NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) const {
   NodalLoads predicted = loads;
   if (is_at(fields)) return predicted;
+  predicted.own = fields.primary.scalar.leftCols(loads.own.rows()).transpose();
   const SurfaceFields first = change(primary, fields.primary);
   const SurfaceFields second = change(secondary, fields.secondary);
   in_parallel(nodes.count(), [&](Index node) {

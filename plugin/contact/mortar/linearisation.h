@@ -50,9 +50,6 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
 /// the part of the displacements.
 double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fields);
 
-/// Variation of a jump with displacements, if there are any, and values of its field, in the order of `columns`.
-VectorXd jump_row(const NodeLinearisation::Jump& jump, const Patch& columns);
-
 /// How F_a of a node varies with displacements given in the order of gap_variation.
 Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorXd& moved);
 

@@ -205,6 +205,7 @@ NodalGaps MortarSpace::averaged_gaps() const {
 void MortarSpace::average_jumps(const FacingFields& fields, NodalLoads& loads) const {
   loads.flux_area.setZero(effects().scalar_fields(), nodes());
   loads.jump.setZero(effects().scalar_fields(), nodes());
+  loads.own = own_values(fields, effects());
   if (effects().scalar_fields() == 0) return;
   const IndexedVector<FacetPair>& pairs = facing_.pairs();
   const auto sums_of = [&](Index index) { return jump_sums(*this, pairs[index], fields, loads.in_contact); };

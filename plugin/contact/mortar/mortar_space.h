@@ -81,6 +81,7 @@ class MortarSpace {
 
  private:
   NodalGaps averaged_gaps() const;
+  /// Sets the jumps, and the fields' own values at nodes.
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
 
   FacingPairs facing_;
@@ -95,6 +96,11 @@ class MortarSpace {
   mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
   mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, once they are asked for
 };
+
+/// Values of the exchanged fields at the primary nodes, as NodalLoads::own has them.
+inline MatrixXd own_values(const FacingFields& fields, const Effects& effects) {
+  return fields.primary.scalar.leftCols(effects.scalar_fields()).transpose();
+}
 
 /// Nodes of facets a part of which overlaps the other surface, though averages around them may be open.
 NodeFlags overlapped_nodes(const MortarSpace& space);

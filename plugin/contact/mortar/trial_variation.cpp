@@ -10,7 +10,7 @@ Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisa
   // dv = -eps ds, dF v = sum_b dx_b (C_b.v), and dn = (1 - n n) dm/|m| with the mean area vector m.
   const NodeLinearisation::Friction& vary = linear.friction;
   const FrictionTrial trial = friction.geometric.size() > 0
-                                  ? NodalLaws::carried(friction, node, friction.geometric.col(node))
+                                  ? carried_trial(friction, node, friction.geometric.col(node))
                                   : laws.friction_trial(friction, node);
   const Vector3d& n = trial.normal;
   const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - n * n.transpose();

@@ -4,18 +4,29 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from harness.collection import entries
 from harness.models.ball_in_socket import BallInSocket
 from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
+from harness.models.graft import Graft
+from harness.models.indentation import Indentation
 from harness.models.interface import InterfaceType
+from harness.models.joint import Joint, Source
 from harness.models.layers import Layers
+from harness.models.membrane import Membrane
 from harness.models.parts import Control, Param
 from harness.models.plate_on_layer import PlateOnLayer
+from harness.models.platens import Platens
 from harness.models.sliding_joint import SlidingJoint
+
+INDENTATION = Indentation(module="multiphasic", clamp=False, plot=True)
+JOINT = Joint(plot=True)
+JOINT_RELEASE = Joint(source=Source.UPPER, name="joint-release", plot=True)
+GRAFT = Graft(plot=True)
+PLATENS = Platens(plot=True)
+"""Models from practice."""
 
 
 def before_migration() -> Model:
@@ -39,17 +50,21 @@ def to_convert() -> list[Model]:
 
 def models() -> list[Model]:
     """Every model of the collection, with the plugin's interface in its default settings and a plot file."""
-    validated = [
+    return [
         Diffusion(plot=True).model(),
         *(Convection(peclet=peclet, plot=True).model() for peclet in PRESSURES),
         Composite(plot=True).model(),
         Layers(plot=True).model(),
+        Membrane(plot=True).model(),
         Confined(plot=True).model(),
         PlateOnLayer(plot=True).model(),
         SlidingJoint(plot=True).model(),
+        INDENTATION.model(),
+        JOINT.model(),
+        JOINT_RELEASE.model(),
+        GRAFT.model(),
+        PLATENS.model(),
     ]
-    names = {model.name for model in validated}
-    return validated + [entry.model for entry in entries.entries() if entry.model.name not in names]
 
 
 def write(folder: Path) -> list[Path]:
@@ -59,9 +74,5 @@ def write(folder: Path) -> list[Path]:
 
 def outdated(folder: Path) -> list[str]:
     """Names of the files in `folder` that are missing or differ from what `write` would write."""
-    names = []
-    for model in (*models(), *to_convert()):
-        path = folder / f"{model.name}.feb"
-        if not path.is_file() or path.read_text(encoding="iso-8859-1") != model.text():
-            names.append(path.name)
-    return names
+    files = {folder / f"{model.name}.feb": model.text() for model in (*models(), *to_convert())}
+    return [path.name for path, text in files.items() if not path.is_file() or path.read_text("iso-8859-1") != text]

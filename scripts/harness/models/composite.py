@@ -16,8 +16,6 @@ from harness.models.parts import (
     Solid,
     Solute,
     concentration,
-    displace,
-    fix,
     pressure,
 )
 
@@ -51,10 +49,8 @@ class Composite(Layered):
 
     name: str = "composite-slab"
 
-    @property
-    def about(self) -> str:
-        """What the model shows."""
-        return ABOUT
+    ABOUT = ABOUT
+    CLOSING = CLOSING
 
     @property
     def materials(self) -> dict[str, Material]:
@@ -67,12 +63,9 @@ class Composite(Layered):
         return one_above_the_other((FIRST.thickness, SECOND.thickness), self.elements)
 
     @property
-    def conditions(self) -> tuple[Condition, ...]:
+    def prescribed(self) -> tuple[Condition, ...]:
         """Ambient below, impermeable above."""
         return (
-            fix("all", "xy"),
-            fix("bottom", "z"),
-            displace("top", "z", -CLOSING),
             pressure("bottom", -GAS_CONSTANT * TEMPERATURE * AMBIENT),
             concentration("bottom", AMBIENT),
         )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from harness.models.layered import Layered
 from harness.models.mesh import Layer
-from harness.models.parts import Condition, Material, Mixture, Solid, fix, normal_load, pressure
+from harness.models.parts import Condition, Material, Mixture, Solid, normal_load, pressure
 
 HEIGHT = 2.0
 """mm."""
@@ -34,12 +34,8 @@ class Confined(Layered):
 
     name: str = "confined-creep"
 
+    ABOUT = ABOUT
     GAP = -OVERLAP
-
-    @property
-    def about(self) -> str:
-        """What the model shows."""
-        return ABOUT
 
     @property
     def module_used(self) -> str:
@@ -57,6 +53,6 @@ class Confined(Layered):
         return [Layer(name, "gel", HEIGHT / 2, self.elements) for name in ("lower", "upper")]
 
     @property
-    def conditions(self) -> tuple[Condition, ...]:
+    def prescribed(self) -> tuple[Condition, ...]:
         """Loaded and drained above."""
-        return (fix("all", "xy"), fix("bottom", "z"), pressure("top", 0.0), normal_load("top", LOAD))
+        return (pressure("top", 0.0), normal_load("top", LOAD))

@@ -17,8 +17,6 @@ from harness.models.parts import (
     Solid,
     Solute,
     concentration,
-    displace,
-    fix,
     pressure,
 )
 
@@ -49,6 +47,7 @@ class Convection(Layered):
     upper_divided: tuple[int, int] | None = None
     peclet: int = 1
 
+    CLOSING = CLOSING
     BOTTOM = -HEIGHT / 2
 
     @property
@@ -75,12 +74,9 @@ class Convection(Layered):
         ]
 
     @property
-    def conditions(self) -> tuple[Condition, ...]:
+    def prescribed(self) -> tuple[Condition, ...]:
         """Inlet below, outlet above."""
         return (
-            fix("all", "xy"),
-            fix("bottom", "z"),
-            displace("top", "z", -CLOSING),
             pressure("bottom", PRESSURES[self.peclet] - GAS_CONSTANT * TEMPERATURE * UPSTREAM),
             concentration("bottom", UPSTREAM),
             pressure("top", 0.0),

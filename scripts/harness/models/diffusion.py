@@ -16,8 +16,6 @@ from harness.models.parts import (
     Solid,
     Solute,
     concentration,
-    displace,
-    fix,
     pressure,
 )
 
@@ -61,12 +59,9 @@ class Diffusion(Layered):
     ambient: tuple[float, ...] = (AMBIENT,)
     upper_divided: tuple[int, int] | None = None
 
+    ABOUT = ABOUT
+    CLOSING = CLOSING
     BOTTOM = -HEIGHT / 2
-
-    @property
-    def about(self) -> str:
-        """What the model shows."""
-        return ABOUT
 
     @property
     def materials(self) -> dict[str, Material]:
@@ -85,12 +80,9 @@ class Diffusion(Layered):
         ]
 
     @property
-    def conditions(self) -> tuple[Condition, ...]:
+    def prescribed(self) -> tuple[Condition, ...]:
         """Ambient below, impermeable above."""
         return (
-            fix("all", "xy"),
-            fix("bottom", "z"),
-            displace("top", "z", -CLOSING),
             pressure("bottom", -GAS_CONSTANT * TEMPERATURE * sum(self.ambient)),
             *(concentration("bottom", value, sol=number) for number, value in enumerate(self.ambient, 1)),
         )

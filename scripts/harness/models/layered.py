@@ -9,7 +9,7 @@ from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, column, contacts
 from harness.models.mesh import Layer, Section
-from harness.models.parts import Condition, Control, Material
+from harness.models.parts import Condition, Control, Material, displace, fix
 
 
 def one_above_the_other(thicknesses: tuple[float, float], elements: int) -> list[Layer]:
@@ -21,6 +21,8 @@ def one_above_the_other(thicknesses: tuple[float, float], elements: int) -> list
 @dataclass(frozen=True)
 class Layered:
     """Choices of a model of two layers; a subclass says what they are made of and what is prescribed.
+
+    All sides are held, and so is the lowest face; the highest one is moved down by `CLOSING`, unless that is 0.
 
     Attributes
     ----------
@@ -46,6 +48,10 @@ class Layered:
     name: str = "layered"
     plot: bool = False
 
+    ABOUT: ClassVar[str]
+    """What the model shows."""
+    CLOSING: ClassVar[float] = 0.0
+    """mm by which the highest face is moved, so that the layers are in contact."""
     BOTTOM: ClassVar[float] = 0.0
     """z of the lowest face, mm."""
     GAP: ClassVar[float] = 0.0
@@ -59,7 +65,7 @@ class Layered:
     @property
     def about(self) -> str:
         """What the model shows."""
-        raise NotImplementedError
+        return self.ABOUT
 
     @property
     def layers(self) -> list[Layer]:
@@ -72,9 +78,15 @@ class Layered:
         raise NotImplementedError
 
     @property
-    def conditions(self) -> tuple[Condition, ...]:
-        """What is prescribed, on the node sets ``all``, ``bottom`` and ``top``."""
+    def prescribed(self) -> tuple[Condition, ...]:
+        """Pressures, concentrations and loads, on the node sets ``bottom`` and ``top``."""
         raise NotImplementedError
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """What holds and closes the layers, and what is prescribed."""
+        closing = (displace("top", "z", -self.CLOSING),) if self.CLOSING else ()
+        return (fix("all", "xy"), fix("bottom", "z"), *closing, *self.prescribed)
 
     @property
     def element_columns(self) -> tuple[str, ...]:

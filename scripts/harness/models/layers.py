@@ -15,8 +15,6 @@ from harness.models.parts import (
     Solid,
     Solute,
     concentration,
-    displace,
-    fix,
     fluid_flux,
     pressure,
 )
@@ -53,10 +51,8 @@ class Layers(Layered):
     control: Control = Control(50, 200.0)
     name: str = "two-layer-convection"
 
-    @property
-    def about(self) -> str:
-        """What the model shows."""
-        return ABOUT
+    ABOUT = ABOUT
+    CLOSING = CLOSING
 
     @property
     def materials(self) -> dict[str, Material]:
@@ -69,12 +65,9 @@ class Layers(Layered):
         return one_above_the_other((FIRST.thickness, SECOND.thickness), self.elements)
 
     @property
-    def conditions(self) -> tuple[Condition, ...]:
+    def prescribed(self) -> tuple[Condition, ...]:
         """Inlet below, outlet above."""
         return (
-            fix("all", "xy"),
-            fix("bottom", "z"),
-            displace("top", "z", -CLOSING),
             concentration("bottom", UPSTREAM),
             concentration("top", 0.0),
             pressure("top", 0.0),

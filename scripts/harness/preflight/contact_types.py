@@ -85,6 +85,9 @@ _OWN = (
     "non_negative_concentrations",
     "line_search_guard",
     "solver_devices",
+    "hydraulic_conductance",
+    "solute_permeance",
+    "reflection",
 )
 _MIXTURE_PARAMETERS = frozenset(
     [*_BASE, "symmetric_stiffness", *_SOLVENT, *_SOLUTE, *_FRICTION, *_SHELLS, "offset", "tension", *_OWN]

@@ -38,14 +38,27 @@ _TELLING = ("name", "id", "sol", "type", "bc")
 
 
 def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
-    """Root of a model file.
+    """Root of a model file, where contacts of two tags without content are marked.
 
     Raises
     ------
     ModelError
-        The file cannot be read, is no XML, or is no FEBio model of one of `VERSIONS`.
+        As `root_of`.
     """
     data = content(path, instead)
+    root = root_of(path, data)
+    _mark_empty_contacts(root, data)
+    return root
+
+
+def root_of(path: Path, data: bytes) -> Element:
+    """Root of the content of a model file.
+
+    Raises
+    ------
+    ModelError
+        It is no XML, or no FEBio model of one of `VERSIONS`.
+    """
     parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
     try:
         root = etree.fromstring(data, parser, base_url=str(path))
@@ -60,7 +73,6 @@ def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
         raise ModelError(
             f"{place(root)}: has {found}; {', '.join(VERSIONS)} can be read (FEBio Studio converts older files)"
         )
-    _mark_empty_contacts(root, data)
     return root
 
 

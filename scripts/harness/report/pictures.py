@@ -64,7 +64,7 @@ def _draw_surface(plot: PlotFile, state: State, contact: Contact, largest: float
     shown = plotter.add_mesh(mesh, cmap=_COLOUR_MAP, clim=(0.0, largest), scalar_bar_args=bar, **light)
     shown.mapper.SetResolveCoincidentTopologyToPolygonOffset()  # drawn over the faces of its own body
     shown.mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4.0, -4.0)
-    body = _body_of(plot, surface, positions)
+    body = body_of(plot, surface, positions)
     if body is not None:
         plotter.add_mesh(body, color="#d9d6cf", smooth_shading=False)
     _look_from_outside(plotter, surface.area_vectors(positions).sum(axis=0), mesh)
@@ -72,7 +72,7 @@ def _draw_surface(plot: PlotFile, state: State, contact: Contact, largest: float
     plotter.close()
 
 
-def _body_of(plot: PlotFile, surface: Surface, positions: Floats) -> pyvista.PolyData | None:
+def body_of(plot: PlotFile, surface: Surface, positions: Floats) -> pyvista.PolyData | None:
     """Return the outside of the domains that have nodes of the surface, and of what is joined to them by nodes."""
     members = set(surface.nodes.tolist())
     parts, rest = [], [domain for domain in plot.domains.values() if domain.kind in _CELLS]

@@ -27,13 +27,20 @@ _FEBIO = "febio4.exe" if sys.platform == "win32" else "febio4"
 
 @dataclass(frozen=True)
 class Run:
-    """A finished run: where its files are, what febio4 said, how long it took, and its processor time (both s)."""
+    """A finished run: where its files are, what febio4 said, how long it took, its processor time (both s), and memory.
+
+    Attributes
+    ----------
+    memory : float
+        The largest it had, MB; NaN where the system does not say.
+    """
 
     folder: Path
     report: febio_log.Report
     output: str
     wall: float
     cpu: float
+    memory: float = math.nan
 
 
 class Host(Protocol):
@@ -225,10 +232,10 @@ def execute(
         if watch:
             watch.start()
         output = _follow(process, progress)
-        code, cpu = _wait(process)
+        code, cpu, memory = _wait(process)
         if watch:
             watch.cancel()
-    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu)
+    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu, memory)
     if check and (code != 0 or not finished.report.normal):
         raise EngineFailedError(_complaint(command, finished, code))
     return finished
@@ -236,17 +243,18 @@ def execute(
 
 if sys.platform == "win32":
 
-    def _wait(process: subprocess.Popen[str]) -> tuple[int, float]:
-        """The exit code of a process; Python does not tell its processor time here."""
-        return process.wait(), math.nan
+    def _wait(process: subprocess.Popen[str]) -> tuple[int, float, float]:
+        """The exit code of a process; Python does not tell its processor time and memory here."""
+        return process.wait(), math.nan, math.nan
 
 else:
 
-    def _wait(process: subprocess.Popen[str]) -> tuple[int, float]:
-        """The exit code of a process and its processor time, s."""
+    def _wait(process: subprocess.Popen[str]) -> tuple[int, float, float]:
+        """The exit code of a process, its processor time, s, and the largest memory that it had, MB."""
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
-        return process.returncode, usage.ru_utime + usage.ru_stime
+        kilobytes = usage.ru_maxrss / (1024.0 if sys.platform == "darwin" else 1.0)
+        return process.returncode, usage.ru_utime + usage.ru_stime, kilobytes / 1000.0
 
 
 def _follow(process: subprocess.Popen[str], progress: Progress | None) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import shutil
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -42,6 +43,8 @@ class RunResult:
         Its processor time, s.
     limit : float, optional
         s of processor time after which it was to be ended.
+    memory : float
+        The largest it had, MB; NaN where it is not known.
     """
 
     model: Model
@@ -50,6 +53,7 @@ class RunResult:
     wall: float
     cpu: float
     limit: float | None = None
+    memory: float = math.nan
 
     @property
     def nodes(self) -> logdata.History:
@@ -142,9 +146,11 @@ class Runner:
         progress = self._progress(model)
         finished = engine.execute(command, folder, progress=progress, check=False, timeout=self.timeout)
         (folder / "screen.txt").write_text(finished.output)
-        times = {"wall": finished.wall, "cpu": finished.cpu, "limit": self.processor_limit}
+        times = {"wall": finished.wall, "cpu": finished.cpu, "limit": self.processor_limit, "memory": finished.memory}
         (folder / "done.json").write_text(json.dumps({"report": asdict(finished.report), **times}))
-        return RunResult(model, folder, finished.report, finished.wall, finished.cpu, self.processor_limit)
+        return RunResult(
+            model, folder, finished.report, finished.wall, finished.cpu, self.processor_limit, finished.memory
+        )
 
     def _progress(self, model: Model) -> engine.Progress | None:
         if self.announce is None:
@@ -178,7 +184,8 @@ def _read_back(model: Model, folder: Path, limit: float | None) -> RunResult | N
         return None
     report = done["report"]
     report["errors"], report["warnings"] = tuple(report["errors"]), tuple(report["warnings"])
-    return RunResult(model, folder, febio_log.Report(**report), done["wall"], done["cpu"], done["limit"])
+    memory = done.get("memory", math.nan)
+    return RunResult(model, folder, febio_log.Report(**report), done["wall"], done["cpu"], done["limit"], memory)
 
 
 def _ends_alike(done: Mapping[str, Any], limit: float | None) -> bool:

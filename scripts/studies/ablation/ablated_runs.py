@@ -13,6 +13,7 @@ from lxml import etree
 from harness.models.interface import InterfaceType
 from harness.paths import REPOSITORY
 from harness.run import engine
+from studies import feb
 from studies.ablation.ablated_scenes import AblatedScene
 from studies.price import table
 
@@ -87,12 +88,11 @@ def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) ->
     for file in model.parent.iterdir():
         if file.is_file() and file != model and file.suffix not in (".log", ".xplt", ".txt"):
             (folder / file.name).write_bytes(file.read_bytes())
-    path = folder / model.name
-    tree = etree.parse(str(model))
-    for contact in tree.getroot().iter("contact"):
+    changed = feb.read(model)
+    for contact in changed.contacts:
         if contact.get("type") == InterfaceType.MIXTURE.value:
             etree.SubElement(contact, "solver_devices").text = left_out.others
-    tree.write(str(path), xml_declaration=True, encoding="ISO-8859-1")
+    path = changed.write(folder)
     command = engine.limited(engine.Febio4().command(path, plugin=True), limit)
     report = engine.execute(command, folder, check=False).report
     log = path.with_suffix(".log").read_text(errors="replace")

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from lxml import etree
-
-from harness.conversion import convert
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
 from studies.price import joints
@@ -46,16 +42,7 @@ def _write_hard_case(name: str, folder: Path) -> Path:
 def _write_synthetic(name: str, folder: Path) -> Path:
     """Write a scene converted, with its penalties deleted."""
     original = all_scenes.SCENES[name].write(name, folder / "febio")
-    shutil.copytree(original.parent, folder, dirs_exist_ok=True)
-    path = folder / original.name
-    made = convert.convert(path)
-    for file, data in {**made.included, path: made.data}.items():
-        file.write_bytes(data)
-    tree = etree.parse(str(path))
-    for contact in tree.getroot().iter("contact"):
-        comparison.without_penalties(contact)
-    tree.write(str(path), xml_declaration=True, encoding="ISO-8859-1")
-    return path
+    return comparison.write_converted(original, folder, comparison.without_penalties)
 
 
 SCENES: Mapping[str, AblatedScene] = {

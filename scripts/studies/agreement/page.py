@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from statistics import median
 
 from harness.run.provenance import Stamp
+from studies import tables as markdown_tables
 from studies.agreement.comparisons import FEBIO, MESHES, OURS, Row
 from studies.agreement.quantities import FACETS_AREA
 from studies.pages import stamped_rows
@@ -98,16 +99,12 @@ def all_meshes(results: Results) -> str:
 
 def coarse(rows: Sequence[Row]) -> str:
     """A table of the coarsest mesh, a row for each quantity."""
-    lines = ["| scene | quantity | error: FEBio's | converted | apart |", "|---|---|---|---|---|"]
-    for pair in (pair for pair in pairs(rows) if pair.febio.quantity != FACETS_AREA):
-        cells = (
-            pair.febio.scene,
-            pair.febio.quantity,
-            *map(_error, (pair.febio, pair.ours)),
-            _percent(pair.febio.apart),
-        )
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+    cells = (
+        (febio.scene, febio.quantity, _error(febio), _error(ours), _percent(febio.apart))
+        for febio, ours in ((pair.febio, pair.ours) for pair in pairs(rows))
+        if febio.quantity != FACETS_AREA
+    )
+    return markdown_tables.markdown(("scene", "quantity", "error: FEBio's", "converted", "apart"), cells)
 
 
 def _error(row: Row) -> str:

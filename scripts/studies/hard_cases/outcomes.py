@@ -21,9 +21,9 @@ class End(str, Enum):
     """How a run ended."""
 
     PASSES = "passes all checks"
-    MISSES = "ends, misses checks"
+    MISSES = "completes, misses checks"
     FAILS = "fails"
-    LIMIT = "ended by the limit"
+    LIMIT = "stopped by the limit"
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ def arranged(outcomes: Sequence[Outcome]) -> Table:
 
 def summary(outcomes: Sequence[Outcome]) -> str:
     """A Markdown table: how many runs end in which way, and the steps tried again, for each interface."""
-    columns = ("interface", "runs", *(end.value for end in End), "steps tried again")
+    columns = ("interface", "runs", *(end.value for end in End), "repeated steps")
     lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
     for interface, heading in HEADINGS.items():
         own = [outcome for outcome in outcomes if outcome.interface == interface]

@@ -12,7 +12,7 @@ from rich.console import Console
 from harness.paths import RESULTS
 from harness.run import provenance
 from studies.linear_solvers.trials import trials
-from studies.pages import linear_solver_results
+from studies.pages import linear_solver_results, stamped_rows
 from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS
 
 console = Console(highlight=False, soft_wrap=True)
@@ -42,6 +42,6 @@ def linear_solvers(
     ]
     known_rows = linear_solver_results.read(data).rows if data.is_file() else []
     results = linear_solver_results.Results(stamp, linear_solver_results.renewed(known_rows, made))
-    linear_solver_results.write(results, data)
+    stamped_rows.write(results, data)
     console.print(linear_solver_results.table(results.rows), markup=False)
     console.print(f"Written: {data}")

@@ -15,6 +15,7 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control
 from harness.run import engine, logdata, provenance
+from studies import feb
 from studies.pages.linear_solver_results import SOLVERS, Outcome, Solver, Trial
 
 TOLERANCE = 1e-3
@@ -42,15 +43,12 @@ MODELS: Mapping[str, Callable[[str], Model]] = {"diffusion": _diffusion, "creep"
 
 def write(model: str, solver: Solver, folder: Path) -> Path:
     """Write the text of a model with this solver."""
-    root = etree.fromstring(model.encode("iso-8859-1"))
-    for tag in root.iter("solver"):
+    made = feb.parsed("model", model)
+    for tag in made.root.iter("solver"):
         chosen = etree.SubElement(tag, "linear_solver", type=solver.type)
         if solver.preconditioner:
             etree.SubElement(chosen, "pc_left", type=solver.preconditioner)
-    folder.mkdir(parents=True, exist_ok=True)
-    path = folder / "model.feb"
-    etree.ElementTree(root).write(str(path), xml_declaration=True, encoding="ISO-8859-1")
-    return path
+    return made.write(folder)
 
 
 def outcome(run: engine.Run, solver: Solver, difference: float) -> Outcome:

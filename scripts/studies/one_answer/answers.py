@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from studies.feb import Feb
 from studies.one_answer.ways import ENFORCED, WAYS, Renumbered
 from studies.robustness import differences, execution, variations
 from studies.robustness.execution import Ended, Way
-from studies.robustness.feb import Feb
 from studies.robustness.trial import Trial
 
 SAME = 1e-8
@@ -56,52 +56,53 @@ class Answers:
     folder: Path
 
     def all(self) -> Iterator[Answer]:
-        """In all ways."""
-        seen = variations.watched(self.model)
-        full = self._run(WAYS[FULL](seen), FULL)
-        yield self._answer(FULL, full)
-        for name in (name for name in WAYS if name != FULL):
-            yield self._answer(name, self._run(WAYS[name](seen), name), full)
-        yield self._renumbered(WAYS[FULL](seen), full)
-        for name in (name for name in ENFORCED if name != "PENALTY"):
-            yield from self._enforced(name, seen, full)
-        for name in (FULL, KEPT):
-            yield from self._interrupted(name)
+        """In all ways, for each way to enforce conditions; the first of these is compared with none."""
+        first: Ended | None = None
+        for name, enforced in ENFORCED.items():
+            model = enforced(self.model)
+            own = self._run(WAYS[FULL](variations.watched(model)), f"{name}, {FULL}")
+            yield self._answer(f"{name}, {FULL}", own, first, across=True)
+            yield from self._alike(name, model, own)
+            first = first or own
+
+    def _alike(self, name: str, model: Feb, full: Ended) -> Iterator[Answer]:
+        """Of one enforcement, beside full Newton."""
+        seen = variations.watched(model)
+        for way in (way for way in WAYS if way != FULL):
+            yield self._answer(f"{name}, {way}", self._run(WAYS[way](seen), f"{name}, {way}"), full)
+        yield self._renumbered(f"{name}, renumbered", WAYS[FULL](seen), full)
+        for way in (FULL, KEPT):
+            yield from self._interrupted(f"{name}, {way}", WAYS[way](model))
 
     def _run(self, model: Feb, name: str) -> Ended:
-        return execution.run(model, self.folder / name.replace(" ", "-"), self.way)
+        return execution.run(model, self.folder / _folder(name), self.way)
 
     def _answer(self, name: str, run: Ended, reference: Ended | None = None, *, across: bool = False) -> Answer:
         gap = None if reference is None else _difference(run, reference)
         return Answer(self.model.name, name, run.how, run.report.iterations, run.report.retries, gap, across)
 
-    def _renumbered(self, model: Feb, full: Ended) -> Answer:
+    def _renumbered(self, name: str, model: Feb, full: Ended) -> Answer:
         numbers = Renumbered.of(model)
-        run = self._run(numbers(model), "renumbered")
-        back = (
-            run
-            if run.nodes is None
-            else Ended(run.folder, run.code, run.report, run.sanitizers, numbers.back(run.nodes))
-        )
-        return self._answer("renumbered", back, full)
+        run = self._run(numbers(model), name)
+        back = run if run.nodes is None else replace(run, nodes=numbers.back(run.nodes))
+        return self._answer(name, back, full)
 
-    def _enforced(self, name: str, model: Feb, full: Ended) -> Iterator[Answer]:
-        """By full Newton beside the penalty, and with a matrix that is kept beside that."""
-        own = self._run(WAYS[FULL](ENFORCED[name](model)), name)
-        yield self._answer(name, own, full, across=True)
-        yield self._answer(f"{name}, {KEPT}", self._run(WAYS[KEPT](ENFORCED[name](model)), f"{name} {KEPT}"), own)
-
-    def _interrupted(self, name: str) -> Iterator[Answer]:
+    def _interrupted(self, name: str, model: Feb) -> Iterator[Answer]:
         """On two threads, restarted, and cut back."""
-        trial = Trial(WAYS[name](self.model), self.way, self.folder / f"{name}-interrupted".replace(" ", "-"), 0)
-        for found in trial.findings():
+        for found in Trial(model, self.way, self.folder / _folder(f"{name}, interrupted"), 0).findings():
             if found.variation in ("as it is", "few matrices"):
                 continue
             ended = found.ended if found.difference is not None else "nothing to compare"
             yield Answer(self.model.name, f"{name}, {found.variation}", ended, 0, found.retries, found.difference)
 
 
+def _folder(name: str) -> str:
+    return name.replace(",", "").replace(" ", "-")
+
+
 def _difference(run: Ended, reference: Ended) -> float:
-    if run.nodes is None or reference.nodes is None:
+    """Infinite where one of both has failed, which is no answer at all."""
+    failed = any(each.how != "normal" for each in (run, reference))
+    if failed or run.nodes is None or reference.nodes is None:
         return float("inf")
     return differences.largest(run.nodes, reference.nodes)

@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from lxml import etree
 
 from harness.models.document import Model
 from harness.models.mesh import Box, Ids, Mesh, Nodes, assemble
@@ -26,8 +25,9 @@ from harness.models.parts import (
     normal_load,
     pressure,
 )
+from studies import feb
+from studies.feb import Feb
 from studies.one_answer.tet15 import with_tet15
-from studies.robustness.feb import Feb
 from studies.synthetic_scenes.slab_and_block import (
     BASE,
     BLOCK,
@@ -115,7 +115,7 @@ class Scene:
     def feb(self, name: str) -> Feb:
         """The scene as a model file."""
         model = self._crack(name) if self.moves == "crack" else self._slab_and_block(name)
-        made = Feb(name, etree.fromstring(model.text().encode("iso-8859-1")))
+        made = feb.made(model)
         return with_tet15(made) if self.elements == "tet15" else made
 
     @property

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from lxml import etree
 
-from studies.robustness.feb import Element, Feb
+from studies.feb import Element, Feb, only
 
 FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3))
 """Corners of the faces, in the order in which FEBio has their nodes after those of the edges."""
@@ -38,11 +38,8 @@ class _Middles:
 def with_tet15(model: Feb) -> Feb:
     """The same model with tetrahedra of 15 nodes in place of those of 10."""
     made = model.copy()
-    mesh = made.root.find("Mesh")
-    assert mesh is not None
-    nodes = mesh.find("Nodes")
-    assert nodes is not None
-    middle = _Middles(nodes)
+    mesh = only(made.root, "Mesh")
+    middle = _Middles(only(mesh, "Nodes"))
     for group in mesh.iter("Elements"):
         group.set("type", "tet15")
         for element in group:

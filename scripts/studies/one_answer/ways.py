@@ -9,14 +9,14 @@ import numpy as np
 from lxml import etree
 
 from harness.run.logdata import History
-from studies.robustness import feb as xml
-from studies.robustness.feb import Feb
+from studies import feb as xml
+from studies.feb import Feb
 
 Change = Callable[[Feb], Feb]
 
 
-def method(name: str, updates: int) -> Change:
-    """A method of solution, with this many updates between two matrices."""
+def method(name: str, updates: int | None = None) -> Change:
+    """A method of solution, with this many updates between two matrices; modified Newton knows no number."""
 
     def change(model: Feb) -> Feb:
         made = model.copy()
@@ -24,7 +24,8 @@ def method(name: str, updates: int) -> Change:
             found = xml.only(xml.only(control, "solver"), "qn_method")
             found.clear()
             found.set("type", name)
-            xml.put(found, "max_ups", updates)
+            if updates is not None:
+                xml.put(found, "max_ups", updates)
         return made
 
     return change
@@ -107,6 +108,7 @@ WAYS: Mapping[str, Change] = {
     "BFGS 3": method("BFGS", 3),
     "BFGS 10": method("BFGS", 10),
     "Broyden": method("Broyden", 10),
+    "modified Newton": method("modified Newton"),
     "mkl_dss": linear_solver("mkl_dss"),
 }
 """One answer to the tolerance of the solver."""

@@ -8,6 +8,7 @@ from enum import Enum
 from pathlib import Path
 
 from harness.run.provenance import Stamp
+from studies import tables
 from studies.pages import stamped_rows
 
 PAGE = "reference/linear-solvers.md"
@@ -131,11 +132,6 @@ FEBio was built without stay as they were measured.
 """
 
 
-def write(results: Results, path: Path) -> None:
-    """Write results as JSON."""
-    stamped_rows.write(results, path)
-
-
 def read(path: Path) -> Results:
     """Read what `write` wrote.
 
@@ -170,7 +166,7 @@ def table(trials: Sequence[Trial]) -> str:
         [solver.name, *(found.get((*column, solver.type, solver.preconditioner), "not measured") for column in columns)]
         for solver in SOLVERS
     ]
-    return "\n".join(f"| {' | '.join(cells)} |" for cells in (heads, ["---"] * len(heads), *rows))
+    return tables.markdown(heads, rows)
 
 
 def _engines(results: Results) -> str:

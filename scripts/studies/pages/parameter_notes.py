@@ -45,6 +45,7 @@ ABOUT = {
     "They act on the whole model: contacts that give one must give the same value.",
     "friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
     "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
+    "membrane": "A film between the bodies; what is not given crosses freely. See [membranes](../how-to/membranes.md).",
     "old_models": "They belong to physics or devices that are not part of this contact. Each is an error or a notice, "
     "as said. FEBio gives every contact two more, hidden parameters, "
     "`penalty_sf` and `max_penalty_sf`. They have no effect "
@@ -213,6 +214,26 @@ NOTES = {
         "Ambient effective concentration, per solute; may have a load curve.",
         febio="same, both spellings",
         unit="mM",
+    ),
+    "hydraulic_conductance": Note(
+        "Hydraulic conductance of the film, no penalty: solvent flux per driving pressure. 0 leaves the solvent out. "
+        "A load curve may change it.",
+        febio="not there",
+        unit="mm³/(N s)",
+        default="no film",
+    ),
+    "solute_permeance": Note(
+        "Permeance of the film for a solute; needs `reflection`. A load curve may change it.",
+        febio="not there",
+        unit="mm/s",
+        default="no film",
+    ),
+    "reflection": Note(
+        "Reflection coefficient of the film, from 0 to 1: the part of a solute that the flow does not carry along. "
+        "Below 1 it needs `hydraulic_conductance`. A load curve may change it.",
+        febio="not there",
+        unit="-",
+        default="no film",
     ),
     "flip_primary": Note("Turn the primary surface inside out."),
     "flip_secondary": Note("Turn the secondary surface inside out."),

@@ -1,8 +1,8 @@
 """The page of the contact's parameters, from the code that registers them: docs/reference/parameters.md.
 
-Names, groups, order, names of choices, kinds and defaults come from plugin/host/contact_parameters.h, the names of the
-two ambient values that hosts read in their own ways from plugin/febio/mixture_contact.cpp, and what code does not say
-from `studies.pages.parameter_notes`.
+Names, groups, order, names of choices, kinds and defaults come from plugin/host/contact_parameters.h, the names of
+values that hosts read in their own ways, the ambient ones and those of a membrane per solute, from
+plugin/febio/mixture_contact.cpp, and what code does not say from `studies.pages.parameter_notes`.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ REGISTRATION = REPOSITORY / "plugin" / "febio" / "mixture_contact.cpp"
 DECLARATION = REPOSITORY / "plugin" / "host" / "contact_parameters.h"
 PAGE = "reference/parameters.md"
 
-OWN_GROUP = "ambient"
-"""The group of the two that hosts read in their own ways."""
+OWN_GROUPS = {"ambient_pressure": "ambient", "ambient_concentration": "ambient"}
+"""The groups of those that hosts read in their own ways; that of the others is the membrane's."""
 
 _TABLE = re.compile(
     r'take(?:_given)?\(\{"(?P<name>\w+)",\s+"[^"]+",\s+Group::(?P<group>\w+)(?P<rest>[^}]*)\},'
@@ -114,7 +114,7 @@ def _matches(pattern: re.Pattern[str], begin: str, path: Path) -> list[re.Match[
 
 def _parameter(match: re.Match[str], declared: dict[str, tuple[str, str]]) -> Parameter:
     found = match.groupdict()
-    name, group = match["name"], found.get("group") or OWN_GROUP
+    name, group = match["name"], found.get("group") or OWN_GROUPS.get(match["name"], "membrane")
     if match[0].startswith("ADD_PROPERTY"):
         return Parameter(name, group, "property", "0")
     member = (match["member"] + (found.get("further") or "")).removesuffix(".value")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from studies import tables
 from studies.pages import scene_results
 from studies.pages.scene_results import MOST, Results, Row, Took
 
@@ -83,11 +84,8 @@ def all_scenes(results: Results) -> str:
 
 def _short(rows: Sequence[Row]) -> str:
     """A table of names and counts alone."""
-    lines = ["| scene | FEBio | " + " | ".join(WAYS.values()) + " |", "|---" * (2 + len(WAYS)) + "|"]
-    for row in rows:
-        cells = [_brief(took) for took in (row.febio, *_ours(row))]
-        lines.append(f"| {row.name} | {' | '.join(cells)} |")
-    return "\n".join(lines)
+    cells = ([row.name, *(_brief(took) for took in (row.febio, *_ours(row)))] for row in rows)
+    return tables.markdown(["scene", "FEBio", *WAYS.values()], cells)
 
 
 def _brief(took: Took) -> str:
@@ -127,10 +125,8 @@ def _details(way: str, both: Sequence[Row]) -> str:
 
 def table(rows: Sequence[Row]) -> str:
     """A Markdown table, a row for each scene."""
-    heads = ["scene", "", "FEBio", *WAYS.values(), "worse in"]
-    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
-    for row in rows:
-        worse = "; ".join(f"{title}: {what}" for way, title in WAYS.items() if (what := row.worse(getattr(row, way))))
-        cells = [row.name, row.about, *(scene_results.cell(took) for took in (row.febio, *_ours(row))), worse]
-        lines.append("| " + " | ".join(cell.replace("|", "/") for cell in cells) + " |")
-    return "\n".join(lines)
+    cells = (
+        [row.name, row.about, *map(scene_results.cell, (row.febio, *_ours(row))), scene_results.worse(row, WAYS)]
+        for row in rows
+    )
+    return tables.markdown(["scene", "", "FEBio", *WAYS.values(), "worse in"], cells)

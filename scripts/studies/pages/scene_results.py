@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
 from harness.run.provenance import Stamp
+from studies import tables
 from studies.pages import stamped_rows
 
 PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
@@ -60,6 +61,10 @@ FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit"
 """Scenes on two meshes, one twice as fine as the other."""
 MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""
+COLUMNS = (
+    *("scene", "", "FEBio", "converted", "displacements differ by", "fields", "defaults", "with `predictor` 1"),
+    "worse in",
+)
 AT_LIMIT = "ended by the limit"
 """Why a run did not end that took all of its processor time."""
 NOT_MADE = "not run"
@@ -144,11 +149,6 @@ class Results:
     rows: list[Row]
 
 
-def write(results: Results, path: Path) -> None:
-    """Write results as JSON."""
-    stamped_rows.write(results, path)
-
-
 def read(path: Path) -> Results:
     """Read what `write` wrote.
 
@@ -186,29 +186,26 @@ def finer(rows: Sequence[Row]) -> str:
 
 def table(rows: Sequence[Row]) -> str:
     """A Markdown table, a row for each scene: iterations, and retries in brackets where there are any."""
-    lines = [
-        "| scene | | FEBio | converted | displacements differ by | fields | defaults | with `predictor` 1 | worse in |",
-        "|---|---|---|---|---|---|---|---|---|",
-    ]
-    for row in rows:
-        worse = "; ".join(
-            f"{name}: {what}"
-            for name, what in (("converted", row.worse(row.converted)), ("defaults", row.worse(row.defaults)))
-            if what
-        )
-        cells = (
-            row.name,
-            row.about,
-            cell(row.febio),
-            cell(row.converted),
-            _number(row.converted.difference),
-            _number(row.converted.of_fields),
-            cell(row.defaults),
-            cell(row.predicted),
-            worse.replace("|", "/"),
-        )
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+    return tables.markdown(COLUMNS, map(_cells, rows))
+
+
+def _cells(row: Row) -> tuple[str, ...]:
+    return (
+        row.name,
+        row.about,
+        cell(row.febio),
+        cell(row.converted),
+        _number(row.converted.difference),
+        _number(row.converted.of_fields),
+        cell(row.defaults),
+        cell(row.predicted),
+        worse(row, {"converted": "converted", "defaults": "defaults"}),
+    )
+
+
+def worse(row: Row, ways: Mapping[str, str]) -> str:
+    """In what each of some runs of ours is worse than FEBio's, by the titles of the runs."""
+    return "; ".join(f"{title}: {what}" for way, title in ways.items() if (what := row.worse(getattr(row, way))))
 
 
 def _number(difference: float) -> str:

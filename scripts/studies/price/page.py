@@ -9,7 +9,7 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies import files
+from studies import files, tables
 from studies.pages.evidence import DATA, EvidencePage
 from studies.price import febio_matrices, joints
 from studies.price.effect_costs import EffectCost
@@ -129,7 +129,7 @@ def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:
 def comparison_table(prices: Sequence[Price]) -> str:
     """Ours beside FEBio's, as Markdown, with whether FEBio's or ours without the predictor adds less."""
     heads = ("bodies", "contact", "penalties", "iterations", "unknowns", "matrix entries", "added", "adds less")
-    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
+    rows = []
     ours = {price.kind: price for price in prices if price.type == joints.OURS}
     for price in prices:
         penalties = f"factor {price.factor:g}" if price.factor else "defaults"
@@ -137,9 +137,8 @@ def comparison_table(prices: Sequence[Price]) -> str:
         counts = told if price.ended else (joints.unended(price.limited), "", "")
         less = _less(ours[price.kind], price)
         contact = f"`{joints.OURS}`, `predictor` 1" if price.type == joints.PREDICTED else f"`{price.type}`"
-        cells = (price.kind, contact, penalties, *map(str, counts), _added(price), less)
-        lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
+        rows.append((price.kind, contact, penalties, *map(str, counts), _added(price), less))
+    return tables.markdown(heads, rows)
 
 
 def _added(price: Price) -> str:

@@ -10,9 +10,10 @@ import typer
 from rich.console import Console
 
 from harness.paths import MODELS, RESULTS
-from studies.robustness import feb, report, sanitized, solvers
+from studies import feb
+from studies.feb import Feb
+from studies.robustness import report, sanitized, solvers
 from studies.robustness.execution import Way
-from studies.robustness.feb import Feb
 from studies.robustness.trial import Finding, Trial
 
 console = Console(highlight=False, soft_wrap=True)

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from harness.errors import DataFileError
 from harness.run import engine, febio_log, logdata
+from studies.feb import NODE_FILE, Feb
 from studies.robustness import sanitized
-from studies.robustness.feb import NODE_FILE, Feb
 from studies.robustness.sanitized import Plugin
 
 _BEGUN = b"===== beginning time step"

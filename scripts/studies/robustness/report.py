@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
+from studies import tables
 from studies.robustness.trial import Finding
 
 _HEAD = ("model", "variation", "ended", "steps", "retries", "difference", "faults")
@@ -14,15 +15,13 @@ _HEAD = ("model", "variation", "ended", "steps", "retries", "difference", "fault
 
 def table(findings: Sequence[Finding]) -> str:
     """A Markdown table, a row for each variation of each model."""
-    lines = ["| " + " | ".join(_HEAD) + " |", "|---|---|---|---|---|---|---|"]
-    return "\n".join([*lines, *map(_row, findings)])
+    return tables.markdown(_HEAD, map(_row, findings))
 
 
-def _row(found: Finding) -> str:
+def _row(found: Finding) -> tuple[str, ...]:
     difference = "" if found.difference is None else f"{found.difference:.1e}"
     said = "; ".join([*(f"**{fault}**" for fault in found.faults), *filter(None, [found.note])])
-    cells = (found.model, found.variation, found.ended, str(found.steps), str(found.retries), difference, said)
-    return "| " + " | ".join(cell.replace("|", "/").replace("\n", " ") for cell in cells) + " |"
+    return (found.model, found.variation, found.ended, str(found.steps), str(found.retries), difference, said)
 
 
 def summary(findings: Sequence[Finding]) -> str:

@@ -11,8 +11,8 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
-from studies.robustness import feb as xml
-from studies.robustness.feb import Element, Feb
+from studies import feb as xml
+from studies.feb import Element, Feb
 
 Change = Callable[[Element], None]
 """Of a control section."""
@@ -44,7 +44,7 @@ def elastic() -> Feb:
         contacts(InterfaceType.MIXTURE, mesh, ContactSettings()),
         (Curve(((0.0, 0.0), (4.0, 1.0))), Curve(((4.0, 0.0), (12.0, 1.0)))),
     )
-    return Feb("elastic", etree.fromstring(model.text().encode("iso-8859-1")))
+    return xml.made(model)
 
 
 def is_elastic(model: Feb) -> bool:

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from studies import feb as xml
+from studies.feb import Feb
 from studies.robustness import archives, differences, execution, sanitized, solvers, variations
-from studies.robustness import feb as xml
 from studies.robustness.execution import Ended, Way
-from studies.robustness.feb import Feb
 from studies.robustness.variations import EVERY
 
 ROUND_OFF = 1e-8

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from lxml import etree
 
-from studies.robustness import feb as xml
-from studies.robustness.feb import Element, Feb
+from studies import feb as xml
+from studies.feb import Element, Feb
 
 CUT = 0.5
 """What is left of a step that failed."""

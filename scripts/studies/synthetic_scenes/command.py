@@ -14,7 +14,7 @@ from rich.progress import track
 from harness.paths import DOCS, PLUGIN_VARIABLE, RESULTS
 from harness.run import provenance
 from studies.limit import LIMIT
-from studies.pages import scene_results
+from studies.pages import scene_results, stamped_rows
 from studies.pages.scene_results import Row
 from studies.synthetic_scenes import comparison
 from studies.synthetic_scenes.collections_of_scenes import STUDIES, Collection, Study
@@ -61,7 +61,7 @@ def _write(study: Study, results: scene_results.Results, path: Path, docs: bool)
     console.print(text, markup=False)
     console.print(f"Written: {path}")
     if docs:
-        scene_results.write(results, DOCS / study.data)
+        stamped_rows.write(results, DOCS / study.data)
         for name, page in study.pages.items():
             (DOCS / name).write_text(page(results), encoding="utf-8")
         console.print(f"Written: {', '.join(map(str, (*study.pages, study.data)))} below {DOCS}")

@@ -17,6 +17,8 @@ from harness.conversion import convert
 from harness.errors import HarnessError
 from harness.models.interface import InterfaceType
 from harness.run import engine, febio_log, logdata
+from studies import feb
+from studies.feb import Element
 from studies.limit import at_limit
 from studies.pages.scene_results import AT_LIMIT, Row, Took
 from studies.synthetic_scenes import kept_runs
@@ -27,7 +29,6 @@ PENALTIES = ("auto_penalty", "penalty", "pressure_penalty", "concentration_penal
 Array = NDArray[np.float64]
 State = dict[str, Array]
 """By kind."""
-Element = etree._Element
 Change = Callable[[Element], None]
 
 
@@ -61,21 +62,32 @@ def compare(name: str, scene: Written, folder: Path, limit: float, ways: Iterabl
 
 
 def _converted(original: Path, folder: Path, limit: float, state: State | None, change: Change) -> Took:
+    try:
+        path = write_converted(original, folder, change)
+    except HarnessError as error:
+        return Took(ended=False, why=f"not converted: {error}")
+    took = _run(path, limit, plugin=True)
+    return _compared(took, state, _state(path)) if took.ended else took
+
+
+def write_converted(original: Path, folder: Path, change: Change) -> Path:
+    """Write a model into another folder, converted and with a change of each contact, and return its path.
+
+    Raises
+    ------
+    HarnessError
+        Where it cannot be converted.
+    """
     made_by_runs = shutil.ignore_patterns("*.txt", "*.log", kept_runs.NAME)
     shutil.copytree(original.parent, folder, dirs_exist_ok=True, ignore=made_by_runs)
     path = folder / original.name
-    try:
-        made = convert.convert(path)
-    except HarnessError as error:
-        return Took(ended=False, why=f"not converted: {error}")
+    made = convert.convert(path)
     for file, data in {**made.included, path: made.data}.items():
         file.write_bytes(data)
-    tree = etree.parse(str(path))
-    for contact in tree.getroot().iter("contact"):
+    model = feb.read(path)
+    for contact in model.contacts:
         change(contact)
-    tree.write(str(path), xml_declaration=True, encoding="ISO-8859-1")
-    took = _run(path, limit, plugin=True)
-    return _compared(took, state, _state(path)) if took.ended else took
+    return model.write(folder)
 
 
 def as_converted(_: Element) -> None:
@@ -135,7 +147,7 @@ def _reason(report: febio_log.Report, cpu: float, limit: float) -> str:
 
 def _state(path: Path) -> State | None:
     """What the model logs of all nodes but their positions, at the end of a run: displacements are one kind."""
-    logged = etree.parse(str(path)).getroot().find("Output/logfile/node_data")
+    logged = feb.read(path).root.find("Output/logfile/node_data")
     if logged is None:
         return None
     columns = tuple(str(logged.get("data")).split(";"))

@@ -8,17 +8,11 @@ from pathlib import Path
 
 from lxml import etree
 
-from harness.models.parts import Element
+from studies.feb import Element, only
 from studies.synthetic_scenes.slab_and_block import BASE, BLOCK, LOADED, LOWER, SLAB, UPPER
 
 Edit = Callable[[Element, Path], None]
 """Changes the root of a model in place; the folder is the one that the model is written into."""
-
-
-def _one(root: Element, path: str) -> Element:
-    found = root.find(path)
-    assert found is not None, path
-    return found
 
 
 def _xml(text: str) -> Element:
@@ -29,7 +23,7 @@ def solver(**values: str) -> Edit:
     """Sets parameters of the solver, such as `lstol`."""
 
     def edit(root: Element, _: Path) -> None:
-        section = _one(root, "Control/solver")
+        section = only(root, "Control/solver")
         for tag, value in values.items():
             found = section.find(tag)
             (found if found is not None else etree.SubElement(section, tag)).text = value
@@ -41,15 +35,15 @@ def explicit_dynamics(steps: int) -> Edit:
     """FEBio's explicit solver, with this many equal steps over the same time, and some damping."""
 
     def edit(root: Element, _: Path) -> None:
-        _one(root, "Module").set("type", "explicit-solid")
-        control = _one(root, "Control")
-        number, size = _one(control, "time_steps"), _one(control, "step_size")
+        only(root, "Module").set("type", "explicit-solid")
+        control = only(root, "Control")
+        number, size = only(control, "time_steps"), only(control, "step_size")
         size.text = f"{int(number.text or '') * float(size.text or '') / steps:g}"
         number.text = str(steps)
-        _one(control, "analysis").text = "DYNAMIC"
-        control.remove(_one(control, "time_stepper"))
+        only(control, "analysis").text = "DYNAMIC"
+        control.remove(only(control, "time_stepper"))
         lumped = '<solver type="explicit-solid"><mass_lumping>2</mass_lumping><dyn_damping>0.99</dyn_damping></solver>'
-        control.replace(_one(control, "solver"), _xml(lumped))
+        control.replace(only(control, "solver"), _xml(lumped))
 
     return edit
 
@@ -58,9 +52,9 @@ def updates(method: str, number: int) -> Edit:
     """A quasi-Newton method with this many updates between two matrices."""
 
     def edit(root: Element, _: Path) -> None:
-        found = _one(root, "Control/solver/qn_method")
+        found = only(root, "Control/solver/qn_method")
         found.set("type", method)
-        _one(found, "max_ups").text = str(number)
+        only(found, "max_ups").text = str(number)
 
     return edit
 
@@ -80,8 +74,8 @@ def two_steps(active: tuple[int, ...]) -> Edit:
     """Two steps of half the time steps each, with the contact in the steps `active` alone."""
 
     def edit(root: Element, _: Path) -> None:
-        control, contact = _one(root, "Control"), _one(root, "Contact")
-        half = _one(control, "time_steps")
+        control, contact = only(root, "Control"), only(root, "Contact")
+        half = only(control, "time_steps")
         half.text = str(int(half.text or "") // 2)
         section = etree.Element("Step")
         for number in (1, 2):
@@ -90,7 +84,7 @@ def two_steps(active: tuple[int, ...]) -> Edit:
             if number in active:
                 step.append(deepcopy(contact))
         root.remove(control)
-        _one(root, "LoadData").addprevious(section)
+        only(root, "LoadData").addprevious(section)
         root.remove(contact)
 
     return edit
@@ -98,7 +92,7 @@ def two_steps(active: tuple[int, ...]) -> Edit:
 
 def mesh_from_file(root: Element, folder: Path) -> None:
     """Keeps the mesh in a file of its own, which the model includes."""
-    mesh = _one(root, "Mesh")
+    mesh = only(root, "Mesh")
     inner = etree.Element("febio_spec", version="4.0")
     mesh.addprevious(etree.Element("Mesh", {"from": "mesh.feb"}))
     inner.append(mesh)
@@ -107,7 +101,7 @@ def mesh_from_file(root: Element, folder: Path) -> None:
 
 def by_part_lists(root: Element, _: Path) -> None:
     """Gives conditions their nodes by part list and surface instead of by node set."""
-    mesh = _one(root, "Mesh")
+    mesh = only(root, "Mesh")
     for name in (SLAB, BLOCK):
         etree.SubElement(mesh, "PartList", name=f"parts-of-{name}").text = name
     names = {SLAB: f"@part_list:parts-of-{SLAB}", BLOCK: f"@part_list:parts-of-{BLOCK}"}
@@ -118,7 +112,7 @@ def by_part_lists(root: Element, _: Path) -> None:
 
 def pressure_on_the_contact(root: Element, _: Path) -> None:
     """Prescribes the fluid pressure on the surface of the slab, also where the block touches it."""
-    section = _one(root, "Boundary")
+    section = only(root, "Boundary")
     section.append(_xml(f'<bc type="zero fluid pressure" node_set="{UPPER}"/>'))
 
 
@@ -128,21 +122,21 @@ def body_force(root: Element, _: Path) -> None:
     section = root.find("Loads")
     if section is None:
         section = etree.Element("Loads")
-        _one(root, "Contact").addprevious(section)
+        only(root, "Contact").addprevious(section)
     section.append(load)
 
 
 def penalty_follows_a_curve(root: Element, _: Path) -> None:
     """Lets the penalty rise with the load curve of the displacement."""
-    _one(root, "Contact/contact/penalty").set("lc", "1")
+    only(root, "Contact/contact/penalty").set("lc", "1")
 
 
 def both_ways(root: Element, _: Path) -> None:
     """A second contact between the same surfaces, the other way round, in place of two passes."""
-    mesh, section = _one(root, "Mesh"), _one(root, "Contact")
+    mesh, section = only(root, "Mesh"), only(root, "Contact")
     pair = f'<SurfacePair name="back"><primary>{UPPER}</primary><secondary>{LOWER}</secondary></SurfacePair>'
     mesh.append(_xml(pair))
-    second = deepcopy(_one(section, "contact"))
+    second = deepcopy(only(section, "contact"))
     second.set("name", "back")
     second.set("surface_pair", "back")
     section.append(second)
@@ -150,11 +144,11 @@ def both_ways(root: Element, _: Path) -> None:
 
 def must_points(root: Element, _: Path) -> None:
     """The largest step follows a curve whose points have to be met."""
-    stepper = _one(root, "Control/time_stepper/dtmax")
+    stepper = only(root, "Control/time_stepper/dtmax")
     stepper.set("lc", "3")
     stepper.text = "1"
     points = "".join(f"<pt>{t},{dt}</pt>" for t, dt in ((0, 0.05), (0.5, 0.2), (1, 0.2)))
-    _one(root, "LoadData").append(
+    only(root, "LoadData").append(
         _xml(
             '<load_controller id="3" type="loadcurve"><interpolate>STEP</interpolate><extend>CONSTANT</extend>'
             f"<points>{points}</points></load_controller>"

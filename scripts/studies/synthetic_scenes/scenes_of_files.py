@@ -6,8 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from lxml import etree
-
+from studies import feb
 from studies.synthetic_scenes import edits
 from studies.synthetic_scenes.collection_of_scenes import SCENES as BODIES
 from studies.synthetic_scenes.collection_of_scenes import Scene
@@ -36,12 +35,10 @@ class Edited:
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""
-        path = self.scene.write(name, folder)
-        tree = etree.parse(str(path))
+        made = feb.read(self.scene.write(name, folder))
         for edit in self.edits:
-            edit(tree.getroot(), folder)
-        tree.write(str(path), xml_declaration=True, encoding="ISO-8859-1")
-        return path
+            edit(made.root, folder)
+        return made.write(folder)
 
 
 def _edited(about: str, scene: str, *made: Edit) -> Edited:

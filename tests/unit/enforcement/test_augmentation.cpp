@@ -45,7 +45,7 @@ struct Conductors {
     scene.mesh[Side::primary].conductance.setConstant(first);
     scene.mesh[Side::secondary].conductance.setConstant(second);
     scene.settings.solute = {false, penalty_over_conductance * in_series_of_both};
-    scene.settings.tolerances = {off, off, {0, 1e-10}};
+    scene.settings.tolerances = {off, off, {0, 1e-10}, {}};
     contact = scene.contact();
   }
 
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(multipliers_take_over_the_load) {
 
 BOOST_AUTO_TEST_CASE(a_second_augmentation_adds_the_load_of_the_remaining_gap) {
   Scene scene = loaded_scene();
-  scene.settings.tolerances = {off, off, off};  // everything converged: no growth
+  scene.settings.tolerances = {off, off, off, {}};  // everything converged: no growth
   const auto contact = scene.contact();
   contact->augment(scene.fields);
   contact->augment(scene.fields);
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(growth_stops_at_the_accurate_penalty_and_never_shrinks) {
 
 BOOST_AUTO_TEST_CASE(fields_that_meet_their_tolerance_keep_their_penalty) {
   Scene scene = loaded_scene();
-  scene.settings.tolerances = {{0, 1e-3}, {0, 1}, {0, 1e-3}};  // gap and solute miss theirs, the solvent does not
+  scene.settings.tolerances = {{0, 1e-3}, {0, 1}, {0, 1e-3}, {}};  // gap and solute miss theirs, the solvent does not
   const auto contact = scene.contact();
   contact->augment(scene.fields);
   BOOST_TEST(contact->pass(0).laws().multipliers.traction_penalty_scale == 10.0);
@@ -305,23 +305,23 @@ BOOST_AUTO_TEST_CASE(nothing_in_contact_is_converged) {
 BOOST_AUTO_TEST_CASE(each_tolerance_guards_its_own_field) {
   const Effects effects = effects_of(true, 1);
   const GapReport report{{0.1, 1}, {{0.2, 2}, {0.3, 3}}};
-  BOOST_TEST(meets(report, {off, off, off}, effects));
-  BOOST_TEST(meets(report, {{0.1, 1}, {0.2, 2}, {0.3, 3}}, effects));
-  BOOST_TEST(!meets(report, {{0.09, 0}, off, off}, effects));
-  BOOST_TEST(!meets(report, {{0, 0.9}, off, off}, effects));
-  BOOST_TEST(!meets(report, {off, {0.19, 0}, off}, effects));
-  BOOST_TEST(!meets(report, {off, {0, 1.9}, off}, effects));
-  BOOST_TEST(!meets(report, {off, off, {0.29, 0}}, effects));
-  BOOST_TEST(!meets(report, {off, off, {0, 2.9}}, effects));
+  BOOST_TEST(meets(report, {off, off, off, {}}, effects));
+  BOOST_TEST(meets(report, {{0.1, 1}, {0.2, 2}, {0.3, 3}, {}}, effects));
+  BOOST_TEST(!meets(report, {{0.09, 0}, off, off, {}}, effects));
+  BOOST_TEST(!meets(report, {{0, 0.9}, off, off, {}}, effects));
+  BOOST_TEST(!meets(report, {off, {0.19, 0}, off, {}}, effects));
+  BOOST_TEST(!meets(report, {off, {0, 1.9}, off, {}}, effects));
+  BOOST_TEST(!meets(report, {off, off, {0.29, 0}, {}}, effects));
+  BOOST_TEST(!meets(report, {off, off, {0, 2.9}, {}}, effects));
   // Without a solvent both fields are solutes.
-  BOOST_TEST(meets(report, {off, {0, 0.1}, {0, 3}}, effects_of(false, 2)));
-  BOOST_TEST(!meets(report, {off, off, {0, 1.9}}, effects_of(false, 2)));
+  BOOST_TEST(meets(report, {off, {0, 0.1}, {0, 3}, {}}, effects_of(false, 2)));
+  BOOST_TEST(!meets(report, {off, off, {0, 1.9}, {}}, effects_of(false, 2)));
 }
 
 BOOST_AUTO_TEST_CASE(a_gap_that_is_not_a_number_is_never_converged) {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
-  BOOST_TEST(!meets({{not_a_number, 0}, {}}, {{1e-3, 0}, off, off}, effects_of(false, 0)));
-  BOOST_TEST(!meets({{0, 0}, {{0, not_a_number}}}, {off, off, {0, 1}}, effects_of(false, 1)));
+  BOOST_TEST(!meets({{not_a_number, 0}, {}}, {{1e-3, 0}, off, off, {}}, effects_of(false, 0)));
+  BOOST_TEST(!meets({{0, 0}, {{0, not_a_number}}}, {off, off, {0, 1}, {}}, effects_of(false, 1)));
 }
 
 BOOST_AUTO_TEST_CASE(fields_that_are_not_numbers_are_never_converged) {
@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE(a_pressure_that_nothing_drives_is_converged_at_any_toleranc
   for (const Enforcement enforcement : {Enforcement::augmented_lagrangian, Enforcement::lagrange_multipliers}) {
     Scene scene = loaded_scene();
     scene.settings.enforcement = enforcement;
-    scene.settings.tolerances = {off, {1e-8, 0}, off};
+    scene.settings.tolerances = {off, {1e-8, 0}, off, {}};
     scene.set_field(0, 3e-17, -2e-17);
     const auto contact = scene.contact();
     contact->begin_iteration(scene.fields);
@@ -377,7 +377,7 @@ BOOST_AUTO_TEST_CASE(augmentations_do_not_grow_a_reduced_penalty_back) {
     Scene scene = loaded_scene();
     scene.settings.traction = {true, default_traction_factor};
     scene.settings.traction_reduction = reduction;
-    scene.settings.tolerances = {{1e-12, 0}, off, off};
+    scene.settings.tolerances = {{1e-12, 0}, off, off, {}};
     const auto contact = scene.contact();
     contact->augment(scene.fields);
     BOOST_TEST(contact->pass(0).laws().multipliers.traction_penalty_scale == 1);
@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(augmentations_grow_penalties_to_the_default_of_one_pass_or_
     Scene scene = loaded_scene();
     scene.settings.two_pass = two_pass;
     scene.settings.traction = scene.settings.solvent = scene.settings.solute = {true, 1};
-    scene.settings.tolerances = {{1e-15, 0}, {1e-15, 0}, {1e-15, 0}};
+    scene.settings.tolerances = {{1e-15, 0}, {1e-15, 0}, {1e-15, 0}, {}};
     const auto contact = scene.contact();
     for (int n = 0; n < 8; ++n) contact->augment(scene.fields);
     for (std::size_t pass = 0; pass < contact->passes(); ++pass) {
@@ -404,7 +404,7 @@ BOOST_AUTO_TEST_CASE(augmentations_grow_penalties_to_the_default_of_one_pass_or_
 BOOST_AUTO_TEST_CASE(a_penalty_grows_to_what_meets_the_relative_tolerance_without_multipliers) {
   Scene scene = loaded_scene();
   scene.settings.traction = scene.settings.solvent = scene.settings.solute = {true, 0.25};
-  scene.settings.tolerances = {{0.2, 0}, {0.05, 0}, {0.2, 1e-15}};
+  scene.settings.tolerances = {{0.2, 0}, {0.05, 0}, {0.2, 1e-15}, {}};
   const auto contact = scene.contact();
   BOOST_TEST(contact->augment(scene.fields));
   for (int n = 0; n < 8; ++n) contact->augment(scene.fields);

@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_notes_its_load_curve_or_refuses_it) {
     (complaint.empty() ? followed : refused) += 1;
     if (tag.varies != nullptr) *tag.varies = true;
   });
-  BOOST_TEST(followed == 14);
+  BOOST_TEST(followed == 15);
   BOOST_TEST(refused > 20);
   BOOST_TEST(parameters.gap.offset.varies);
   BOOST_TEST(has_friction(parameters));

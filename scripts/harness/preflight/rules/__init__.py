@@ -5,12 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from harness.preflight.finding import Finding
-from harness.preflight.rules import ambient_values, distances, motion, penalties, settings, surfaces, transport
+from harness.preflight.rules import (
+    ambient_values,
+    distances,
+    membranes,
+    motion,
+    penalties,
+    settings,
+    surfaces,
+    transport,
+)
 from harness.preflight.sides import Joint
 
 Rule = Callable[[Joint], Iterable[Finding]]
 
-ON_TEXT: tuple[Rule, ...] = settings.RULES
+ON_TEXT: tuple[Rule, ...] = (*settings.RULES, *membranes.RULES)
 """Rules that read the file alone."""
 ON_SURFACES: tuple[Rule, ...] = surfaces.RULES
 """Rules on the surfaces; the others are asked only where these find no error."""

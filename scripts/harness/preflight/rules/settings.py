@@ -32,7 +32,8 @@ ALLOWED = {
     "offset": NUMBER,
     "contact_frac": FRACTION,
     "tangential_penalty": POSITIVE,
-    "ambient_concentration": NOT_NEGATIVE,
+    **dict.fromkeys(("ambient_concentration", "hydraulic_conductance", "solute_permeance"), NOT_NEGATIVE),
+    "reflection": FRACTION,
 }
 """What each parameter may be, in words; the others may be anything."""
 LEFT_OUT = {
@@ -46,9 +47,18 @@ FOLLOWED = (
     *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
     *("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol"),
     *("fric_coeff", "contact_frac", "tangential_penalty", "offset"),
+    *("hydraulic_conductance", "solute_permeance", "reflection"),
 )
 """Parameters whose load curves sliding-mixture follows."""
-NEVER_NEGATIVE = {"ambient_concentration": "a concentration", "fric_coeff": "a friction coefficient"}
+NEVER_NEGATIVE = {
+    "ambient_concentration": "a concentration",
+    "fric_coeff": "a friction coefficient",
+    "hydraulic_conductance": "a conductance",
+    "solute_permeance": "a permeance",
+    "reflection": "a reflection coefficient",
+}
+PER_SOLUTE = ("ambient_concentration", "solute_permeance", "reflection")
+"""Parameters that are given once for each solute."""
 FEW_REFORMATIONS = 15
 SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")
 """FEBio's linear solvers for symmetric matrices alone."""
@@ -237,29 +247,29 @@ def not_exchanged(joint: Joint) -> Iterator[Finding]:
 
 
 def ambient_solute(joint: Joint) -> Iterator[Finding]:
-    """Ambient concentrations that do not say which solute they are for."""
+    """Values per solute that do not say which solute they are for."""
     model = joint.model
-    for tag in children(joint.contact.tag, "ambient_concentration"):
+    for tag in (tag for name in PER_SOLUTE for tag in children(joint.contact.tag, name)):
         named = tag.get("sol")
         there = ", ".join(map(str, model.solute_numbers)) or "none"
         if named is not None and named not in model.solutes:
             yield error(
                 "ambient-solute",
                 tag,
-                f"<ambient_concentration> is for solute {named}, which the model does not have; there is {there}",
+                f"<{tag.tag}> is for solute {named}, which the model does not have; there is {there}",
                 "Correct the attribute sol.",
             )
         elif named is None and joint.contact.kind.is_mixture and len(model.solute_numbers) != 1:
             yield error(
                 "ambient-solute",
                 tag,
-                f"<ambient_concentration> does not say which solute it is for; there is {there}",
-                'Write one <ambient_concentration sol="..."> for each solute.',
+                f"<{tag.tag}> does not say which solute it is for; there is {there}",
+                f'Write one <{tag.tag} sol="..."> for each solute.',
             )
 
 
 def negative_in_time(joint: Joint) -> Iterator[Finding]:
-    """Ambient concentrations and friction coefficients that a load curve takes below zero."""
+    """Values that are never negative and that a load curve takes below zero."""
     for tag in (tag for name in NEVER_NEGATIVE for tag in children(joint.contact.tag, name)):
         if tag.get("lc") in joint.model.curves and _number(tag) >= 0.0:
             least = float(joint.model.history(tag)[:, 1].min(initial=0.0))
@@ -274,7 +284,7 @@ def negative_in_time(joint: Joint) -> Iterator[Finding]:
 
 
 def given_twice(joint: Joint) -> Iterator[Finding]:
-    """A parameter, or the ambient concentration of a solute, that is there twice."""
+    """A parameter, or the value of a solute, that is there twice."""
     first: dict[tuple[str, str], Element] = {}
     for tag in children(joint.contact.tag):
         key = (str(tag.tag), _solute_meant(joint, tag))
@@ -289,8 +299,8 @@ def given_twice(joint: Joint) -> Iterator[Finding]:
 
 
 def _solute_meant(joint: Joint, tag: Element) -> str:
-    """The solute that an ambient concentration is of; without `sol` the only one."""
-    if tag.tag != "ambient_concentration":
+    """The solute that a value is of; without `sol` the only one."""
+    if tag.tag not in PER_SOLUTE:
         return ""
     known = joint.model.solutes
     only = joint.model.solute_numbers[0] if len(joint.model.solute_numbers) == 1 else 0

@@ -8,11 +8,10 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness.collection import entries
 from harness.paths import RESULTS
 from harness.run import provenance
 from harness.run.runner import Runner
-from studies.pages.gallery import figures, friction, page
+from studies.pages.gallery import entries, figures, friction, page
 
 COVER, COVER_PICTURE = "joint-release", "images/joint-readme.png"
 """The model whose picture stands in README."""

@@ -8,13 +8,12 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from harness.collection import entries
-from harness.collection.entries import Entry
 from harness.errors import DataFileError
 from harness.models.document import Model
 from harness.run.provenance import Stamp
 from harness.run.runner import RunResult
-from studies.pages.gallery import friction
+from studies.pages.gallery import entries, friction
+from studies.pages.gallery.entries import Entry
 
 PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
 
@@ -104,7 +103,7 @@ def page(results: Results) -> str:
 _INTRODUCTION = """\
 # Gallery
 
-<!-- Written by `scripts/mixcontact gallery --folder docs`: change scripts/harness/collection/entries.py instead. -->
+<!-- Written by `scripts/mixcontact gallery --folder docs`: change scripts/studies/pages/gallery/entries.py instead. -->
 
 Start from one of these models: copy its file in `models/`, change it and run the copy. The head of each file describes
 conditions and units (mm, N, s, nmol, K). The pictures show the effective concentration over the deformed bodies.

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from harness.errors import DataFileError
 from harness.paths import DOCS
+from studies.knees.page import LIMIT as KNEE_LIMIT
 from studies.limit import LIMIT
 from studies.pages import evidence
 
@@ -78,6 +79,7 @@ UNTIMED = (
         (("synthetic-scenes", "--collection", "reported", "--docs", "--jobs", "2", "--folder", "{folder}"),),
         alone=True,
     ),
+    Step("knee", ("knee.csv",), (("knee", "--docs", "--folder", "{folder}"),), KNEE_LIMIT, alone=True),
     Step("agreement", ("agreement.json",), (("agreement", "--docs", "--folder", "{folder}"),), alone=True),
     Step(
         "friction-cases", ("friction-cases.csv",), (("friction-cases", "--docs", "--no-febio", "--folder", "{folder}"),)

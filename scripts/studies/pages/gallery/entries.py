@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.collection import kept_models
 from harness.models import convection, diffusion, graft, indentation, joint, platens
 from harness.models.document import Model
 from harness.models.indentation_mesh import LEVELS
@@ -103,13 +104,12 @@ def _convection() -> Entry:
 
 
 def _indentation() -> Entry:
-    problem = indentation.Indentation(module="multiphasic", clamp=False)
     short = replace(indentation.CONTROL, steps=round(indentation.RAMP / indentation.CONTROL.step))
     return Entry(
         "A semi-cylinder driven into a slab (problem 3.3)",
         "Large deformation and a contact that grows: indenters, condyles; open nodes have the ambient values.",
-        replace(problem, plot=True).model(),
-        replace(problem, grid=LEVELS[0], control=short).model(),
+        kept_models.INDENTATION.model(),
+        replace(kept_models.INDENTATION, plot=False, grid=LEVELS[0], control=short).model(),
         Section(mirrored=True),
         indentation.TIMES,
         ("top", "Ry"),
@@ -120,7 +120,7 @@ def _joint() -> Entry:
     return Entry(
         "Cartilage on cartilage under cyclic load",
         "This is a section of a joint in synovial fluid. Change the curvature, the loading curve, and the solute.",
-        joint.Joint(plot=True).model(),
+        kept_models.JOINT.model(),
         joint.Joint(cycles=1, across=10, through=4).model(),
         Section(mirrored=True),
         (20.0, 30.0, 190.0, 200.0),
@@ -129,12 +129,11 @@ def _joint() -> Entry:
 
 
 def _release() -> Entry:
-    released = joint.Joint(source=joint.Source.UPPER, name="joint-release")
     return Entry(
         "Cartilage on cartilage, a solute crosses",
         "A drug or a contrast agent in one layer goes into the other one and into the synovial fluid.",
-        replace(released, plot=True).model(),
-        replace(released, cycles=1, across=10, through=4).model(),
+        kept_models.JOINT_RELEASE.model(),
+        replace(kept_models.JOINT_RELEASE, plot=False, cycles=1, across=10, through=4).model(),
         Section(mirrored=True),
         (20.0, 30.0, 190.0, 200.0),
     )
@@ -145,7 +144,7 @@ def _graft() -> Entry:
         "A graft in a defect, fed across its wall",
         "Repair tissue and host of different material are in a press fit, in three dimensions. Change both materials "
         "and the solution around them.",
-        graft.Graft(plot=True).model(),
+        kept_models.GRAFT.model(),
         graft.Graft(around=2, outward=4, up=2, control=Control(5, 200.0)).model(),
         UPRIGHT,
         (50.0, 500.0, 1500.0, 3000.0),
@@ -157,7 +156,7 @@ def _platens() -> Entry:
         "A permeable platen against an impermeable one",
         "Confined compression and permeation cells: one contact passes everything, the other traction alone, "
         "because of the materials behind them.",
-        platens.Platens(plot=True).model(),
+        kept_models.PLATENS.model(),
         platens.Platens(elements=5, control=Control(10, 100.0)).model(),
         UPRIGHT,
         (100.0, 500.0, 3000.0),

@@ -1,4 +1,4 @@
-"""A model file as XML, and the few things in it that a variation changes."""
+"""A model file as XML, and the few things in it that studies change."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from pathlib import Path
 from lxml import etree
 
 from harness.errors import ModelError
+from harness.models.document import Model
+from harness.preflight import xml_file
 
 Element = etree._Element
 NODE_FILE = "robustness-nodes.txt"
@@ -42,6 +44,11 @@ class Feb:
         return list(self.root.iter("Control"))
 
     @property
+    def contacts(self) -> list[Element]:
+        """The contacts of all analysis steps."""
+        return list(self.root.iter("contact"))
+
+    @property
     def has_own_stepper(self) -> bool:
         """Whether its time steps adapt themselves."""
         return any(control.find("time_stepper") is not None for control in self.controls)
@@ -64,15 +71,22 @@ def read(path: Path) -> Feb:
     Raises
     ------
     ModelError
-        Where it is missing or no XML, or no model of FEBio 4.
+        Where it is missing or no XML, or no model with a <Control> section.
     """
-    try:
-        root = etree.parse(str(path), etree.XMLParser(resolve_entities=False)).getroot()
-    except (OSError, etree.XMLSyntaxError) as error:
-        raise ModelError(f"{path}: {error}") from error
-    if root.tag != "febio_spec" or next(root.iter("Control"), None) is None:
-        raise ModelError(f"{path}: no model of FEBio 4 with a <Control> section")
+    root = xml_file.root_of(path, xml_file.content(path))
+    if next(root.iter("Control"), None) is None:
+        raise ModelError(f"{path}: no model with a <Control> section")
     return Feb(path.stem, root)
+
+
+def made(model: Model) -> Feb:
+    """The file of a model."""
+    return parsed(model.name, model.text())
+
+
+def parsed(name: str, text: str) -> Feb:
+    """The file of the text of a model."""
+    return Feb(name, etree.fromstring(text.encode("iso-8859-1")))
 
 
 def put(parent: Element, tag: str, text: object, **attributes: str) -> Element:
@@ -93,7 +107,7 @@ def number(parent: Element, tag: str, default: float) -> float:
 
 
 def only(parent: Element, tag: str) -> Element:
-    """The child `tag`.
+    """The child `tag`, or the element at a path from `parent`.
 
     Raises
     ------

@@ -1,0 +1,18 @@
+/// Values that a model gives per solute: <tag sol="name or id">value</tag>.
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The value of one solute, as a model gives it.
+struct SoluteValue {
+  int solute = 0;  ///< id of the model file, 1 and up; 0: not said, which the only solute of a model needs not
+  double value = 0;
+
+  /// Index of the solute, from 0.
+  int index() const { return solute > 0 ? solute - 1 : 0; }
+};
+
+/// What is wrong with the values of a tag: a sentence on the first fault; empty if nothing is. `solutes`: how many the
+/// model has. `most`: the largest value that is allowed; the least is 0.
+std::string complaint(const std::string& tag, const std::vector<SoluteValue>& values, int solutes, double most);

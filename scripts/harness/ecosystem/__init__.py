@@ -1,0 +1,1 @@
+"""The contact in other people's libraries."""

@@ -1,0 +1,116 @@
+"""Two layers with a membrane between them, which solvent and solute cross."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from harness.closed_forms.film import Faces, Film, Steady, layer, steady
+from harness.models.interface import ContactSettings
+from harness.models.layered import Layered, one_above_the_other
+from harness.models.mesh import Layer
+from harness.models.parts import (
+    GAS_CONSTANT,
+    TEMPERATURE,
+    Condition,
+    Control,
+    Material,
+    Mixture,
+    Param,
+    Solid,
+    Solute,
+    concentration,
+    fix,
+    pressure,
+)
+
+THICKNESSES = (1.0, 0.5)
+"""mm."""
+DIFFUSIVITIES = (5e-4, 8e-4)
+"""mm^2/s, in the mixture and in free solution."""
+POROSITIES = (0.8, 0.7)
+PERMEABILITIES = (1e-3, 5e-4)
+"""mm^4/(N s)."""
+FILM = Film(conductance=2e-3, permeance=2e-5, reflection=0.6)
+FACES = Faces((0.06, 0.0), (1.0, 0.2), GAS_CONSTANT * TEMPERATURE)
+
+ABOUT = """\
+Solvent and solute cross a membrane between two layers, in a frozen solid.
+
+The lower layer (1 mm) and the upper one (0.5 mm) touch at z = 1 mm. The membrane there has the hydraulic conductance
+0.002 mm^3/(N s), and for the solute the permeance 2e-5 mm/s and the reflection coefficient 0.6. The lower face has an
+effective pressure of 0.06 MPa and 1 mM, the upper face no effective pressure and 0.2 mM. After 1.2e6 s the state is
+steady and follows the closed form of three films in series (Kedem and Katchalsky 1958, Spiegler and Kedem 1966)."""
+
+
+def film_params(film: Film, **sol: str) -> tuple[Param, ...]:
+    """The parameters of a membrane for one solute, with the attributes of its tags."""
+    return (
+        Param("hydraulic_conductance", film.conductance),
+        Param("solute_permeance", film.permeance, None, sol),
+        Param("reflection", film.reflection, None, sol),
+    )
+
+
+@dataclass(frozen=True)
+class Membrane(Layered):
+    """Choices of the model.
+
+    Attributes
+    ----------
+    film : Film
+    faces : Faces
+    enforcement : tuple of Param
+        Further parameters of the contact.
+    """
+
+    elements: int = 40
+    control: Control = Control(60, 2e4)
+    name: str = "membrane"
+    film: Film = FILM
+    faces: Faces = FACES
+    enforcement: tuple[Param, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.settings is None:
+            extra = (*film_params(self.film, sol="1"), *self.enforcement)
+            object.__setattr__(self, "settings", ContactSettings(extra=extra))
+
+    @property
+    def about(self) -> str:
+        """What the model shows."""
+        return ABOUT
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """One of each layer."""
+        return {
+            name: Mixture(Solid(10.0), k, phi, (Solute(1, d, d),))
+            for name, k, phi, d in zip(("first", "second"), PERMEABILITIES, POROSITIES, DIFFUSIVITIES, strict=True)
+        }
+
+    @property
+    def layers(self) -> list[Layer]:
+        """The first below, the second above."""
+        return one_above_the_other(THICKNESSES, self.elements)
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Both outer faces prescribed."""
+        return (
+            fix("all", "xyz"),
+            *(pressure(face, value) for face, value in zip(("bottom", "top"), self.faces.pressures, strict=True)),
+            *(
+                concentration(face, value)
+                for face, value in zip(("bottom", "top"), self.faces.concentrations, strict=True)
+            ),
+        )
+
+    @property
+    def element_columns(self) -> tuple[str, ...]:
+        """Fluxes of solvent and solute."""
+        return ("wz", "jz") if self.module_used == "solute" else ("wz", "j1z")
+
+    def closed_form(self) -> Steady:
+        """The steady state."""
+        parts = [layer(*values) for values in zip(THICKNESSES, PERMEABILITIES, DIFFUSIVITIES, POROSITIES, strict=True)]
+        return steady(parts[0], self.film, parts[1], self.faces)

@@ -1,0 +1,64 @@
+"""The command `evidence`."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.errors import HarnessError
+from harness.paths import RESULTS
+from harness.run import provenance
+from studies import workflow
+from studies.evidence.steps import STEPS, Step
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def evidence(
+    only: Annotated[
+        list[str] | None, typer.Option(help="Do this step alone, done or not; may be repeated.", metavar="STEP")
+    ] = None,
+) -> None:
+    """Measure all comparisons and all other evidence of the documentation again, one step at a time.
+
+    Each run has one thread and, where it is compared with FEBio's interfaces, the same limit. A step whose files in
+    docs/data were made with the plugin's present commit and that limit is left out, so that a run that was interrupted
+    goes on. Nothing else should run meanwhile: some steps are timed.
+    """
+    steps = _chosen(only)
+    commit = committed()
+    folder = RESULTS / "evidence" / commit
+    wanted = [step for step in steps if only or not step.is_done(commit)]
+    done = workflow.in_turn({step.name: step.commands_in(folder) for step in wanted}, folder)
+    failed = [step for step in wanted if step.name not in done or (step.files and not step.is_done(commit))]
+    for step in steps:
+        console.print(f"{step.name}: {'FAILED' if step in failed else 'done'} at commit {commit}", markup=False)
+    if failed:
+        raise HarnessError(f"not done: {', '.join(step.name for step in failed)}; their logs are in {folder}")
+
+
+def _chosen(only: list[str] | None) -> list[Step]:
+    known = {step.name: step for step in STEPS}
+    for name in only or []:
+        if name not in known:
+            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}", param_hint="--only")
+    return [known[name] for name in only or known]
+
+
+def committed() -> str:
+    """The commit of the plugin's sources.
+
+    Raises
+    ------
+    HarnessError
+        Where they were changed since.
+    """
+    commit = provenance.plugin_commit()
+    if commit.endswith("+"):
+        raise HarnessError(
+            f"{', '.join(provenance.SOURCES)} have changes that are not committed: commit them first, because results "
+            "name the commit that they were made with."
+        )
+    return commit

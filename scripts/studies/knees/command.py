@@ -1,0 +1,56 @@
+"""The command `knee`."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from harness.errors import HarnessError
+from harness.models.knee.bearing import Load
+from harness.models.knee.whole_mesh import Size
+from harness.paths import DOCS, RESULTS
+from harness.run import provenance
+from harness.run.runner import Runner
+from studies import files
+from studies.knees import page
+from studies.knees.knee_run import KneeRun
+from studies.pages.evidence import DATA
+
+console = Console(highlight=False, soft_wrap=True)
+
+
+def knee(
+    stance: Annotated[Size, typer.Option(help="How fine the knee in stance is.")] = Size.SMALL,
+    gait: Annotated[Size, typer.Option(help="How fine the knee in gait is.")] = Size.COARSE,
+    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "knee",
+    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = page.LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write data, page and picture of the documentation.")] = False,
+) -> None:
+    """Run the elastic knee with sliding-mixture and with FEBio's interface, and draw the pressure of both.
+
+    A run that is done is kept.
+    """
+    try:
+        compared, figures = (import_module(f"studies.knees.{name}") for name in ("compared_knees", "figures"))
+    except ImportError as error:
+        raise HarnessError(f"`knee` needs pyfebio and PyVista, and Python 3.11 or newer ({error})") from error
+    runner = Runner(folder / "runs", processor_limit=limit)
+    found: list[KneeRun] = []
+    drawn = []
+    for load, size in ((Load.STANCE, stance), (Load.GAIT, gait)):
+        for model, factor in compared.knees(load, size):
+            console.print(model.name)
+            measured, result = compared.run(model, factor, runner)
+            found.append(measured)
+            if load is Load.STANCE and factor in figures.FACTORS:
+                drawn.append((measured, result))
+    console.print(page.table(found), markup=False)
+    console.print(str(figures.draw(drawn, folder / page.PICTURE)))
+    if docs:
+        files.write_csv(found, KneeRun, DATA / page.SOURCE, provenance.stamp(limit))
+        (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+        console.print(str(figures.draw(drawn, DOCS / "images" / page.PICTURE)))

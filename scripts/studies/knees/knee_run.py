@@ -1,0 +1,54 @@
+"""A row of docs/data/knee.csv."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class KneeRun:
+    """One run, and what passes each compartment at the time of the largest force, or at its end.
+
+    Attributes
+    ----------
+    load, size : str
+    contact : str
+        Type of the six contacts.
+    factor : float
+        Of FEBio's automatic penalties; 0 for the plugin's defaults.
+    ended, limited : bool
+        Whether it ended normally, and whether the limit of processor time ended it.
+    reached : float
+        Last time with a solution, s.
+    seconds, memory : float
+        Processor time, s, and the largest memory, MB.
+    force_medial, force_lateral : float
+        On the femur, N.
+    area_medial, area_lateral : float
+        Of tibia and meniscus under the femur, mm^2.
+    peak_medial, peak_lateral : float
+        Largest mean pressure of a facet, MPa.
+    overlap : float
+        Largest mean overlap of a facet under pressure, mm.
+    """
+
+    load: str
+    size: str
+    contact: str
+    factor: float
+    ended: bool
+    limited: bool
+    reached: float
+    steps: int
+    iterations: int
+    retries: int
+    seconds: float
+    memory: float
+    force_medial: float = math.nan
+    force_lateral: float = math.nan
+    area_medial: float = math.nan
+    area_lateral: float = math.nan
+    peak_medial: float = math.nan
+    peak_lateral: float = math.nan
+    overlap: float = math.nan

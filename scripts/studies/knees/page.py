@@ -1,0 +1,93 @@
+"""The page of the knee: docs/evidence/knee.md, from docs/data/knee.csv."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from harness.models.interface import InterfaceType
+from studies import files
+from studies.knees.knee_run import KneeRun
+from studies.pages.evidence import DATA, EvidencePage
+
+LIMIT = 900.0
+"""s of processor time for one run."""
+SOURCE, PICTURE = "knee.csv", "knee.png"
+_OURS = InterfaceType.MIXTURE.value
+_LIMITS = """\
+Cartilage and menisci are elastic here. The sizes `medium` and `large` are not among these runs. Gait runs on the coarse
+mesh alone, which does not resolve the pressure. No conforming reference says which pressure is right."""
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    runs = files.read_csv(DATA / SOURCE, KneeRun)
+    return {"headline": headline(runs), "runs": table(runs), "compartments": compartments(runs), "limits": _LIMITS}
+
+
+def headline(runs: Sequence[KneeRun]) -> str:
+    """Who completes, and how much it takes."""
+    ours, theirs = ([run for run in runs if (run.contact == _OURS) is mine] for mine in (True, False))
+    done = f"`sliding-mixture` completes {_done(ours)} of {len(ours)} runs, FEBio's interface {_done(theirs)} of "
+    return f"{done}{len(theirs)} with two factors of its penalty. {' '.join(map(_compared, _pairs(runs)))}"
+
+
+def _done(runs: Sequence[KneeRun]) -> int:
+    return sum(run.ended for run in runs)
+
+
+def _pairs(runs: Sequence[KneeRun]) -> list[tuple[KneeRun, KneeRun]]:
+    """The plugin's run of each load, and FEBio's fastest one, where both complete."""
+    pairs = []
+    for mine in (run for run in runs if run.contact == _OURS and run.ended):
+        rivals = [run for run in runs if run.contact != _OURS and run.ended and run.load == mine.load]
+        if rivals:
+            pairs.append((mine, min(rivals, key=lambda run: run.iterations)))
+    return pairs
+
+
+def _compared(pair: tuple[KneeRun, KneeRun]) -> str:
+    mine, other = pair
+    return (
+        f"In {mine.load}, `sliding-mixture` takes {mine.iterations / other.iterations:.2f} times the iterations, "
+        f"{mine.seconds / other.seconds:.2f} times the time and {mine.memory / other.memory:.2f} times the memory of "
+        f"the run of FEBio's with the fewest iterations, and leaves {mine.overlap / other.overlap:.1g} times as much "
+        f"overlap."
+    )
+
+
+def _name(run: KneeRun) -> str:
+    contact = f"`{run.contact}`" + (f" × {run.factor:g}" if run.factor else "")
+    return f"{run.load}, {run.size} | {contact}"
+
+
+def table(runs: Sequence[KneeRun]) -> str:
+    """How the runs went."""
+    head = "| load, size | contact | completes | until [s] | steps | iterations | retries | time [s] | memory [MB] |"
+    rows = [
+        f"| {_name(run)} | {_outcome(run)} | {run.reached:.3g} | {run.steps} | {run.iterations} | {run.retries} "
+        f"| {run.seconds:.0f} | {run.memory:.0f} |"
+        for run in runs
+    ]
+    return "\n".join([head, "|---|---|---|---|---|---|---|---|---|", *rows])
+
+
+def _outcome(run: KneeRun) -> str:
+    return "yes" if run.ended else "no, at the limit of time" if run.limited else "no"
+
+
+def compartments(runs: Sequence[KneeRun]) -> str:
+    """Force, area and largest pressure."""
+    head = "| load, size | contact | force [N] | area [mm²] | largest pressure [MPa] | largest overlap [mm] |"
+    rows = [f"| {_name(run)} | {_passing(run)} | {run.overlap:.4f} |" for run in runs]
+    return "\n".join([head, "|---|---|---|---|---|---|", *rows])
+
+
+def _passing(run: KneeRun) -> str:
+    """Force, area and largest pressure, medial and lateral."""
+    force, area = (run.force_medial, run.force_lateral), (run.area_medial, run.area_lateral)
+    numbers = ((force, ".0f"), (area, ".0f"), ((run.peak_medial, run.peak_lateral), ".2f"))
+    return " | ".join(", ".join(f"{value:{form}}" for value in values) for values, form in numbers)
+
+
+PAGE = EvidencePage("evidence/knee.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

@@ -1,0 +1,56 @@
+"""The table and the headline of the page of the knee."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from harness.models.interface import InterfaceType
+from studies.knees import page
+from studies.knees.knee_run import KneeRun
+
+OURS = KneeRun(
+    load="stance",
+    size="small",
+    contact=InterfaceType.MIXTURE.value,
+    factor=0.0,
+    ended=True,
+    limited=False,
+    reached=0.2,
+    steps=10,
+    iterations=60,
+    retries=0,
+    seconds=80.0,
+    memory=300.0,
+    force_medial=400.0,
+    force_lateral=300.0,
+    area_medial=700.0,
+    area_lateral=600.0,
+    peak_medial=5.0,
+    peak_lateral=3.0,
+    overlap=0.001,
+)
+THEIRS = replace(
+    OURS, contact=InterfaceType.ELASTIC.value, factor=1.0, iterations=40, seconds=40.0, memory=200.0, overlap=0.1
+)
+
+
+def test_the_headline_compares_with_the_run_of_fewest_iterations() -> None:
+    said = page.headline([OURS, THEIRS, replace(THEIRS, factor=10.0, iterations=50)])
+    assert "completes 1 of 1 runs, FEBio's interface 2 of 2" in said
+    assert "1.50 times the iterations, 2.00 times the time and 1.50 times the memory" in said
+    assert "0.01 times as much overlap" in said
+
+
+def test_the_headline_compares_nothing_where_a_run_fails() -> None:
+    said = page.headline([OURS, replace(THEIRS, ended=False)])
+    assert "FEBio's interface 0 of 1" in said
+    assert "times the iterations" not in said
+
+
+def test_tables_have_a_row_for_each_run() -> None:
+    runs = [OURS, replace(THEIRS, ended=False, limited=True), replace(THEIRS, ended=False)]
+    rows = page.table(runs).splitlines()[2:]
+    assert rows[0] == "| stance, small | `sliding-mixture` | yes | 0.2 | 10 | 60 | 0 | 80 | 300 |"
+    assert "no, at the limit of time" in rows[1]
+    assert "| `sliding-elastic` × 1 | no |" in rows[2]
+    assert page.compartments(runs).splitlines()[2].endswith("| 400, 300 | 700, 600 | 5.00, 3.00 | 0.0010 |")
