@@ -3,7 +3,6 @@
 #include "columns_beside.h"
 #include "contact/base/in_order.h"
 #include "contact/interface/corrections.h"
-#include "contact/interface/residual_ahead.h"
 #include "host/mixed_form.h"
 #include "matrix_requests.h"
 #include "rigid_shell_bottoms.h"
@@ -181,13 +180,6 @@ newton::Condition Assembly::condition_of(const NodeEquations& equations, Side fi
   // As an unknown of its own: with K = -dR/du and z = factor variation.du, K du - work z = R.
   return {loads_.of(equations, contact_.core(), first, load.place), equations.entries({first, load.rows}, -load.work),
           equations.entries({first, load.place.columns}, load.variation), -1 / load.factor, 0};
-}
-
-void Assembly::residual_ahead(FEGlobalVector& residual, double dt) const {
-  const PerSide<SurfaceFields> fields = contact_.fields();
-  const RigidShellBottoms arms(surfaces_);
-  const ContactInterface& core = contact_.core();
-  mixture_contact::residual_ahead(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
 }
 
 void Assembly::forget_matrix() {

@@ -52,8 +52,6 @@ class Assembly {
   /// What an increment moves the nodes of the surfaces by [mm], but those that have no equations of their own.
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   const BoundContact& contact() const { return contact_; }
-  /// What of it is of nodes that begin the step in contact though they are open.
-  void residual_ahead(FEGlobalVector& residual, double dt) const;
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt);
   /// Equations are numbered anew.
   void forget_matrix();

@@ -82,12 +82,12 @@ void BoundContact::prepare_step() {
   if (multiplier_layout(*core_).size() > 0) step_start_ = unknown_multipliers(*core_);
 }
 
-bool BoundContact::begin_iteration(bool looks_ahead) {
+bool BoundContact::begin_iteration() {
   const TaskClock timed = core_->measurements().clock(Task::stiffness);
-  const double dt = surfaces_[Side::primary].GetFEModel()->GetTime().timeIncrement;
-  // Between rigid bodies a node that closes too early moves the whole body.
-  const bool gives_way = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
-  const bool has_changed = core_->begin_iteration(fields(), looks_ahead && gives_way ? dt : 0);
+  const bool is_any_free = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass)
+    core_->pass(pass).laws().between_rigid_bodies = !is_any_free;
+  const bool has_changed = core_->begin_iteration(fields());
   if (!begins_open_) begins_open_ = is_open(*core_);
   return has_changed;
 }

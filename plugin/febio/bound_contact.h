@@ -40,7 +40,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   void project() override;
   void prepare_step() override;
   void end_iterations() override { core_->end_iterations(); }
-  bool begin_iteration(bool looks_ahead) override;
+  bool begin_iteration() override;
   void hold_loads() override;
   void linearise_at() override { core_->linearise_at(fields()); }
   bool keeps_matrix() override;

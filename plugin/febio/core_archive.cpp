@@ -42,10 +42,6 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.traction_penalty_scale);
   archive(ar, multipliers.flux_penalty_scale);
   archive(ar, multipliers.accepted_traction);
-  archive(ar, multipliers.opening);
-  archive(ar, multipliers.opening_before);
-  archive(ar, multipliers.step_length);
-  archive(ar, multipliers.was_foretold);
   archive_flags(ar, multipliers.flux_coupled);
 }
 

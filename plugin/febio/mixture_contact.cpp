@@ -3,7 +3,6 @@
 #include "archive.h"
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/multipliers.h"
-#include "contact/interface/past_iterations.h"
 #include "contact/interface/relocation.h"
 #include "host/augmentation.h"
 #include "linear_constraints.h"
@@ -207,10 +206,8 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
 void FEMixtureContact::on_callback(unsigned int when) {
   if (when == CB_TIMESTEP_SOLVED) {
     output_.store();
-    core().accept_step(bound_.fields(), GetFEModel()->GetTime().timeIncrement);
+    core().accept_step(bound_.fields());
   }
-  // Another analysis step tends to have other loads, and a step that is solved again with another mesh has no motion.
-  if (when == CB_STEP_ACTIVE || when == CB_REMESH) forget_motion(core());
   if (when == CB_TIMESTEP_FAILED) bound_.fail_step();
   if (when == CB_SOLVED) output_.log_timings();
 }

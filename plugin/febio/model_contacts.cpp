@@ -1,7 +1,6 @@
 #include "model_contacts.h"
 
 #include "archive.h"
-#include "first_norms.h"
 #include "settling.h"
 #include "solver/febio/solver_totals.h"
 #include "solver/line_search_guard.h"
@@ -181,10 +180,6 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
   offer(predictor, std::make_unique<newton::Predictor>(solver_));
   helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
-  auto first_norms = std::make_unique<FirstNorms>(fem, solver_, [this] { return active(); }, devices_.record());
-  helpers_.add(
-      newton::Device::expected_contact, std::move(first_norms),
-      [this] { return devices_.is_on(newton::Device::expected_contact) && !active().empty(); }, devices_.record());
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |
                       CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_REMESH | CB_SOLVED,

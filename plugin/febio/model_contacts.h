@@ -55,7 +55,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void evaluate_residual(mixture_contact::Changed what) override;
   void correct_residual() override;
   mixture_contact::MatrixUse matrix_use() override;
-  bool may_look_ahead() override { return devices_.is_on(newton::Device::expected_contact); }
   bool is_matrix_due() override { return !devices_.is_on(newton::Device::kept_matrix) || matrix_.is_due(); }
   bool replaces_matrix() override;
   void request_matrix(bool is_needed) override;

@@ -26,7 +26,7 @@ void ContactSteps::activate(SteppedContact& contact) {
   reset_rounds();
   contact.project();
   contact.end_iterations();
-  contact.begin_iteration(false);
+  contact.begin_iteration();
 }
 
 void ContactSteps::reset_rounds() {
@@ -42,12 +42,6 @@ bool ContactSteps::prepare_step(const void* told) {
   return true;
 }
 
-/// Not where a predictor does, which moves the model instead, and not where others hold the same nodes: all that would
-/// close of each would hold more together than there is to hold.
-bool ContactSteps::looks_ahead(const SteppedContact& contact) {
-  return model_.may_look_ahead() && !helpers_.will_predict() && !shares_nodes(contact);
-}
-
 bool ContactSteps::shares_nodes(const SteppedContact& contact) {
   if (!sharing_) sharing_ = with_common_nodes(model_.active_contacts());
   return sharing_->count(&contact) > 0;
@@ -59,12 +53,12 @@ Changed ContactSteps::Changes::kind() const {
 }
 
 /// Decides what is in contact at this state, and what is at ambient values.
-ContactSteps::Changes ContactSteps::begin_iteration(Begins begins) {
+ContactSteps::Changes ContactSteps::begin_iteration() {
   bool loads = false;
   const bool linearises = model_.matrix_use() != MatrixUse::none;
   for (SteppedContact* contact : model_.active_contacts()) {
     if (linearises) {
-      loads = contact->begin_iteration(begins == Begins::anew && looks_ahead(*contact)) || loads;
+      loads = contact->begin_iteration() || loads;
     } else {
       contact->hold_loads();
     }
@@ -86,10 +80,10 @@ void ContactSteps::evaluate(const void* told) {
     case Stepper::Evaluation::begin_anew:
       for (SteppedContact* contact : contacts) contact->end_iterations();
       helpers_.begin_iterations();
-      changed = begin_iteration(Begins::anew).values;
+      changed = begin_iteration().values;
       break;
     case Stepper::Evaluation::go_on:
-      changed = begin_iteration(Begins::from_the_last).values;
+      changed = begin_iteration().values;
       changed = helpers_.adapt() || changed;
       break;
     case Stepper::Evaluation::keep_linearisation:
@@ -136,7 +130,7 @@ void ContactSteps::before_matrix() {
     case Stepper::Matrix::nothing:
       break;
     case Stepper::Matrix::begin:
-      changes = begin_iteration(Begins::from_the_last);
+      changes = begin_iteration();
       changes.values = helpers_.adapt() || changes.values;
       if (changes.values) evaluate_again();
       break;

@@ -28,9 +28,8 @@ class SteppedContact {
   virtual void project() = 0;
   virtual void prepare_step() = 0;
   virtual void end_iterations() = 0;
-  /// `looks_ahead`: where a step begins, nodes may have the status that they are expected to end it with. Returns
-  /// whether loads have changed.
-  virtual bool begin_iteration(bool looks_ahead) = 0;
+  /// Returns whether loads have changed.
+  virtual bool begin_iteration() = 0;
   /// Where no matrix follows: loads of the true laws at this state, without their linearisation.
   virtual void hold_loads() = 0;
   virtual void linearise_at() = 0;
@@ -66,8 +65,6 @@ class SteppedModel {
   virtual bool apply_ambient() = 0;
   /// Evaluates bodies and contacts at the present state, by way of ContactSteps::evaluate().
   virtual void evaluate() = 0;
-  /// Whether a step may begin with the status that nodes are expected to end it with.
-  virtual bool may_look_ahead() = 0;
   /// Within an evaluation: has the bodies evaluated after the contacts.
   virtual void evaluate_bodies_after_contacts() = 0;
   /// Evaluates the residual again, or what of it has changed.
@@ -129,13 +126,7 @@ class ContactSteps {
     bool values;  ///< at nodes, which the bodies depend on
     Changed kind() const;
   };
-  enum class Begins {
-    anew,          ///< a step, or the iterations after an augmentation
-    from_the_last  ///< what the last iteration predicts
-  };
-  Changes begin_iteration(Begins begins);
-  /// Whether a contact may look ahead where a step begins.
-  bool looks_ahead(const SteppedContact& contact);
+  Changes begin_iteration();
   void evaluate_again();
   void bring_residual_up_to_date();
   void start_at_prediction();

@@ -6,7 +6,6 @@
 
 using mixture_contact::Effects;
 using mixture_contact::MembraneRule;
-using mixture_contact::SoluteFilm;
 
 namespace {
 

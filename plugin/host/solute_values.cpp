@@ -24,7 +24,7 @@ std::string complaint(const std::string& tag, const SoluteValue& value, int solu
 
 std::string complaint(const std::string& tag, const std::vector<SoluteValue>& values, int solutes, double most) {
   for (const SoluteValue& value : values) {
-    const std::string wrong = complaint(tag, value, solutes, most);
+    std::string wrong = complaint(tag, value, solutes, most);
     if (!wrong.empty()) return wrong;
     const auto is_same = [&](const SoluteValue& other) { return other.index() == value.index(); };
     if (std::count_if(values.begin(), values.end(), is_same) > 1)

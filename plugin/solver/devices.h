@@ -18,21 +18,14 @@ enum class Device {
   deferred_coupling,            ///< couplings across the contact stay out of the matrix, and come in by iteration
   kept_matrix,                  ///< a matrix of a quasi-Newton method serves on where contact changes
   active_set_prediction,        ///< nodes open and close as the matrix answers, before the solver solves
-  expected_contact,             ///< a step begins with nodes closed or open that are expected to be so at its end
   non_negative_concentrations,  ///< clamped concentrations are solved as an inequality
   line_search_guard,            ///< an increment that the line search cut short is taken as a whole
   predictor                     ///< a step begins at a predicted state
 };
 
-inline constexpr std::array device_names{"loads_as_unknowns",
-                                         "row_operations",
-                                         "deferred_coupling",
-                                         "kept_matrix",
-                                         "active_set_prediction",
-                                         "expected_contact",
-                                         "non_negative_concentrations",
-                                         "line_search_guard",
-                                         "predictor"};
+inline constexpr std::array device_names{
+    "loads_as_unknowns",           "row_operations",    "deferred_coupling", "kept_matrix", "active_set_prediction",
+    "non_negative_concentrations", "line_search_guard", "predictor"};
 
 inline const char* name(Device device) { return indexing::at(device_names, static_cast<int>(device)); }
 

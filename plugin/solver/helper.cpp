@@ -86,10 +86,6 @@ bool Helpers::reject() {
   return any_acts([](Helper& helper) { return helper.rejects(); });
 }
 
-bool Helpers::will_predict() {
-  return any([](const Helper& helper) { return helper.will_predict(); });
-}
-
 bool Helpers::predict(const std::function<void()>& arrived) {
   return any_acts([&](Helper& helper) { return helper.predict(arrived); });
 }

@@ -45,8 +45,6 @@ class Helper {
   /// The last word on a converged state: returns whether the solver is to go on, and prepares that.
   virtual bool rejects() { return false; }
 
-  /// Whether the step that begins is to start at a predicted state.
-  virtual bool will_predict() const { return false; }
   /// Before the first matrix of a step: moves the model to a predicted state, and calls `arrived` there. Returns
   /// whether it has; if not, the state is that of before.
   virtual bool predict(const std::function<void()>& /*arrived*/) { return false; }
@@ -94,7 +92,6 @@ class Helpers {
   bool adapt_before_residual();
   bool are_settled();
   bool reject();
-  bool will_predict();
   bool predict(const std::function<void()>& arrived);
   void complete_residual();
   bool multiply_by_matrix() const;

@@ -34,9 +34,7 @@ class ContactAtState : public mixture_contact::SteppedContact {
   void project() override { contact_.project(problem_.values()); }
   void prepare_step() override {}
   void end_iterations() override { contact_.core().end_iterations(); }
-  bool begin_iteration(bool looks_ahead) override {
-    return contact_.core().begin_iteration(fields(), looks_ahead ? problem_.time_increment() : 0);
-  }
+  bool begin_iteration() override { return contact_.core().begin_iteration(fields()); }
   void hold_loads() override { mixture_contact::hold_loads(contact_.core(), fields()); }
   void linearise_at() override { contact_.core().linearise_at(fields()); }
   bool keeps_matrix() override { return mixture_contact::serves_again(contact_.core(), fields()); }
@@ -176,11 +174,10 @@ void Newton::solve_step(double time, double dt) {
   begin();
   steps_.prepare_step(this);
   form_matrix(false);
-  const VectorXd first_residual = start_ - problem_.residual_ahead();
   for (bool done = false; !done; ++effort_.iterations) {
     log_.print(" %d\n", effort_.iterations + 1);
     const VectorXd change = system_.solve(start_);
-    if (effort_.iterations == 0) first_ = norms(first_residual, change);
+    if (effort_.iterations == 0) first_ = norms(start_, change);
     problem_.advance(change);
     steps_.try_increment(this, {});
     steps_.evaluate(this);

@@ -55,7 +55,6 @@ class Newton : private mixture_contact::SteppedModel {
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
   bool apply_ambient() override { return problem_.switch_ambient(); }
-  bool may_look_ahead() override { return true; }
   bool replaces_matrix() override { return false; }
   void evaluate() override { steps_.evaluate(this); }
   void evaluate_bodies_after_contacts() override {}  // they are evaluated with the residual

@@ -1,6 +1,5 @@
 #include "problem.h"
 
-#include "contact/interface/residual_ahead.h"
 #include "hexahedron.h"
 
 #include <algorithm>
@@ -128,7 +127,7 @@ void Problem::start_step(double time, double dt) {
 
 void Problem::accept_step() {
   bodies_.accept_step(state_.values);
-  for (const Contact& contact : contacts_) contact.core().accept_step(contact.fields(state_.values), dt_);
+  for (const Contact& contact : contacts_) contact.core().accept_step(contact.fields(state_.values));
 }
 
 // ------------------------------------------------------------ contact status
@@ -192,13 +191,6 @@ VectorXd Problem::residual() {
   }
   if (!forces_.allFinite()) throw StepFailure("a residual is not a finite number");
   return on_free_places(forces_);
-}
-
-VectorXd Problem::residual_ahead() const {
-  VectorXd forces = VectorXd::Zero(forces_.size());
-  for (const Contact& contact : contacts_)
-    mixture_contact::residual_ahead(contact.core(), contact.fields(state_.values), dt_, adder(contact, forces));
-  return on_free_places(std::move(forces));
 }
 
 VectorXd Problem::on_free_places(VectorXd forces) const {

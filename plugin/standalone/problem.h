@@ -44,8 +44,6 @@ class Problem {
   /// Forces on the free places; zero in equilibrium. Throws StepFailure where an element is inverted or a force not
   /// finite.
   VectorXd residual();
-  /// What of them is of nodes that begin the step in contact though they are open.
-  VectorXd residual_ahead() const;
   /// Assembles the tangent, -d residual/d values.
   void assemble(LinearSystem& system) const;
 

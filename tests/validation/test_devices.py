@@ -80,16 +80,15 @@ def test_a_step_that_has_failed_is_tried_again_without_devices(runner, tmp_path)
     assert log.count("is tried again without the devices of the solver") == 1
 
 
-def test_a_rigid_cam_under_a_rigid_follower_is_not_expected_to_be_in_contact_ahead(runner, tmp_path):
-    """Nodes of a rigid body that close too early move the whole body."""
+def test_a_rigid_cam_under_a_rigid_follower_is_no_worse_for_the_devices(runner, tmp_path):
+    """A node of a rigid body that closed too early would move the whole body."""
     taken = {}
     for name in ("all", "none"):
         path = tmp_path / f"{name}.feb"
         path.write_text(Cam(params=f"<penalty>100</penalty><solver_devices>{name}</solver_devices>").document().text())
-        report, log = _run(path)
+        report, _ = _run(path)
         assert report.normal, report.errors
         assert report.retries == 0
-        assert "expected_contact" not in log.partition("How often devices")[2]
         taken[name] = report.iterations
     assert taken["all"] <= 1.02 * taken["none"]
 

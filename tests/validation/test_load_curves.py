@@ -67,7 +67,7 @@ def test_the_part_of_the_load_on_the_solid_follows_its_curve(solve):
 
 
 def test_a_curve_that_is_constant_is_no_curve(solve):
-    """All parameters that may follow one, at once."""
+    """All parameters that may follow one, at once, but for those of solutes and of a membrane, which has no penalty."""
     values = {
         "penalty": 20,
         "tangential_penalty": 2,
@@ -80,7 +80,9 @@ def test_a_curve_that_is_constant_is_no_curve(solve):
         "ptol": 1,
         **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance"), 0.01),
     }
-    assert set(FOLLOWED) - set(values) == {"concentration_penalty", "ambient_concentration", "solute_tolerance", "ctol"}
+    of_solutes = {"concentration_penalty", "ambient_concentration", "solute_tolerance", "ctol"}
+    of_membranes = {"hydraulic_conductance", "solute_permeance", "reflection"}
+    assert set(FOLLOWED) - set(values) == of_solutes | of_membranes
     whole = [
         "<laugon>AUGLAG</laugon>" + "".join(f"<{name}{curve_}>{value}</{name}>" for name, value in values.items())
         for curve_ in ("", " lc='2'")

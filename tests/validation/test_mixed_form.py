@@ -39,14 +39,12 @@ ATOL = {"residual": ROUNDING, "energy": 2 * LEFT_BY_SWEEPS, "displacement": 2 * 
 PIVOTS_LOST = "pivots are lost"
 TAKEN_IN = "couplings across the contact are large"
 
-UNASKED = Param("solver_devices", "loads_as_unknowns, row_operations, deferred_coupling, kept_matrix, expected_contact")
+UNASKED = Param("solver_devices", "loads_as_unknowns, row_operations, deferred_coupling, kept_matrix")
 """No matrix is asked which nodes open and close: it answers with its loads alone."""
-WHOLE = Param(
-    "solver_devices", "loads_as_unknowns, row_operations, kept_matrix, active_set_prediction, expected_contact"
-)
+WHOLE = Param("solver_devices", "loads_as_unknowns, row_operations, kept_matrix, active_set_prediction")
 """The matrix holds all couplings: what deferred ones leave may decide whether a kept matrix is formed again."""
 SCENES: Mapping[str, BallInSocket] = {
-    "elastic": BallInSocket(elements=4),
+    "elastic": BallInSocket(elements=4, params=(UNASKED,)),
     "biphasic": BallInSocket(elements=4, porous=True, steps=5),
     "quadratic": BallInSocket(elements=4, quadratic=True, slides=False, steps=5),
     "quasi-Newton, biphasic": BallInSocket(elements=4, porous=True, updates=10, steps=5, params=(WHOLE,)),

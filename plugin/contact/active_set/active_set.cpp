@@ -1,9 +1,8 @@
 #include "active_set/active_set.h"
 
-#include "conditions/openings.h"
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mixture_contact {
 namespace {
@@ -37,39 +36,8 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   return status;
 }
 
-NodeFlags ActiveSet::expected(const NodalGaps& now, double ahead) const {
-  NodeFlags status = initial(now);
-  if (ahead == 0 || !can_expect() || !laws_.multipliers.was_foretold) return status;
-  const VectorXd openings = expected_openings(laws_, now, ahead);
-  const bool may_open = may_open_ahead(status, now, openings);
-  for (Index node = 0; node < status.count(); ++node) {
-    if (status[node]) {
-      status[node] = !may_open || !opens(now, openings[node]);
-    } else {
-      status[node] = may_close(node) && openings[node] < 0;
-    }
-  }
-  return status;
-}
-
-bool ActiveSet::can_expect() const {
+bool ActiveSet::may_predict() const {
   return laws_.effects().nodal_fields() == 0 && !laws_.has_twin() && laws_.normal().may_part();
-}
-
-bool ActiveSet::opens(const NodalGaps& now, double opening) const {
-  return opening > options_.touch_fraction * now.size;
-}
-
-bool ActiveSet::may_open_ahead(const NodeFlags& status, const NodalGaps& now, const VectorXd& openings) const {
-  double all = 0;
-  double opening = 0;
-  for (Index node = 0; node < status.count(); ++node) {
-    if (!status[node]) continue;
-    const double load = laws_.traction_trial(node, now.gap[node]).value;
-    all -= now.area[node] * load;
-    if (opens(now, openings[node])) opening -= now.area[node] * load;
-  }
-  return opening < options_.most_opening_load * all;
 }
 
 NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, double doubt) const {
@@ -114,6 +82,7 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   const bool cycles = !changes_.empty() &&
                       *std::max_element(changes_.begin(), changes_.end()) > options_.most_joint_changes;
   if (cycles) updated = with_first_change(before, updated);
+  if (counts && waits(before, updated)) updated = before;
   ContactStatus status{updated, updated};
   for (Index node = 0; node < updated.count(); ++node) {
     if (counts && updated[node] != before[node]) ++changes_[node];
@@ -122,8 +91,13 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   return status;
 }
 
+bool ActiveSet::waits(const NodeFlags& before, const NodeFlags& updated) {
+  return laws_.between_rigid_bodies && any(before) && !any(updated) && !std::exchange(has_waited_, true);
+}
+
 void ActiveSet::start_counting() {
   changes_.fill(laws_.nodes(), 0);
+  has_waited_ = false;
   if (laws_.effects().has_friction()) slip_changes_.fill(laws_.nodes(), 0);
 }
 

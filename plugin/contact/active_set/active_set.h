@@ -25,9 +25,6 @@ struct ActiveSetOptions {
   /// A node of that surface is in contact where the contact of the nodes that it faces, interpolated, reaches this
   /// share: a half, halfway between a node in contact and one that is not, less rounding.
   double contact_share = 0.5 - 1e-9;
-  /// Nodes that are expected to open in a step begin it open where together they carry less than this part of the
-  /// contact's load: what opens ahead must hold nothing up. The size is a choice: scenes do not tell 0.02 from 0.1.
-  double most_opening_load = 0.02;
   /// Loads that differ by less than this part of the largest one are the same: rounding, as the averages around nodes
   /// sum it up. A larger difference has the residual evaluated again.
   double same_load = 1e-9;
@@ -67,6 +64,10 @@ struct ActiveSetOptions {
 /// A node that closes within iterations begins as one does where iterations begin. A node that sticks and is pulled
 /// slides before it opens: what pulls it may be what holds it.
 ///
+/// Rigid bodies that would part at once do not in the first iteration of a step that says so: they move along chords
+/// there, which leaves a gap of second order in the rotation, and a body that this contact alone holds has no stiffness
+/// without it.
+///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
 /// then on. Where nodes keep changing together, closed pulled and open overlapping, the first of those that would
@@ -84,19 +85,11 @@ class ActiveSet {
 
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;
-  /// Status where a step of `ahead` [s] begins: what the true gaps say, but that nodes which will have closed or opened
-  /// by its end, should they move as in the last step, have that status from its first iteration on (see can_expect()),
-  /// if the last step ended as the one before had foretold.
-  /// One that closes too early is pulled there, and opens in the next iteration as any that is pulled.
-  NodeFlags expected(const NodalGaps& now, double ahead) const;
-  /// Whether it can be told ahead what nodes will do. Not with fields, whose exchange may push a node open that would
-  /// close, or the other way round: either may be an equilibrium. Not where the other side has conditions, too: those
-  /// of both together would hold more than there is to hold. And nodes that may pull do not open.
-  bool can_expect() const;
-  /// Whether the last step began in contact, so that it tells what contact will do, and not only where it will begin.
-  bool foresees() const {
-    return can_expect() && laws_.multipliers.was_foretold && (laws_.multipliers.opening_before.array() < 0).any();
-  }
+  /// Whether solutions with the matrix may tell what nodes will do. Not with fields, whose exchange may push a node
+  /// open that would close, or the other way round: either may be an equilibrium. Not where the other side has
+  /// conditions, too: those of both together would hold more than there is to hold. And nodes that may pull do not
+  /// open.
+  bool may_predict() const;
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
   /// may be off by, so that none below it decides.
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
@@ -151,16 +144,15 @@ class ActiveSet {
   /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
   /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
   bool turns_round(const NodalLoads& predicted, Index node) const;
-  /// Whether an opening is more than what counts as touching.
-  bool opens(const NodalGaps& now, double opening) const;
-  /// Whether the nodes in contact that are expected to open carry next to nothing.
-  bool may_open_ahead(const NodeFlags& status, const NodalGaps& now, const VectorXd& openings) const;
+  /// Whether all nodes in contact between rigid bodies would open, for the first time in a step.
+  bool waits(const NodeFlags& before, const NodeFlags& updated);
   /// Whether a node that is not in contact comes into it.
   bool closes(const NodalGaps& now, Index node, double negligible) const;
 
   const NodalLaws& laws_;
   ActiveSetOptions options_;
   std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
+  bool has_waited_ = false;               ///< since the iterations began
   IndexedVector<int> changes_;            ///< of each node's status since the iterations began
   IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
 };

@@ -16,12 +16,6 @@ double share_of_film(const SurfaceMesh& primary, const Settings& settings) {
 
 }  // namespace
 
-void Multipliers::forget_motion() {
-  opening_before.setConstant(opening.size(), std::numeric_limits<double>::infinity());
-  step_length = 0;
-  was_foretold = true;
-}
-
 NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                      const Settings& settings)
     : primary_(primary),
@@ -38,8 +32,6 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
 
 void NodalLaws::forget_steps() {
   multipliers.accepted_traction.setZero(nodes());
-  multipliers.opening.setConstant(nodes(), std::numeric_limits<double>::infinity());
-  multipliers.forget_motion();
   if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), false);
   if (!effects_.may_rub()) return;
   multipliers.friction.setZero(3, nodes());

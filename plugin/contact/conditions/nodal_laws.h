@@ -17,18 +17,11 @@ struct Multipliers {
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
   VectorXd accepted_traction;         ///< t_a of the step that was accepted last [MPa]; 0 before any
-  VectorXd opening;                   ///< openings() then; infinite before any [mm]
-  VectorXd opening_before;            ///< the same where that step began; infinite where that tells nothing
-  double step_length = 0;             ///< of that step [s]
-  bool was_foretold = true;           ///< whether the step before told what that step ended with (see take_openings())
   NodeFlags flux_coupled;             ///< which nodes were so then, none before any; empty without fluxes
   Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty
                                       ///< without friction
   NodeFlags slips;                    ///< which nodes slid when friction had these values
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
-
-  /// Forgets how openings changed in the last step, and whether that was foretold.
-  void forget_motion();
 };
 
 /// A node's trial traction with what its variation needs.
@@ -133,6 +126,8 @@ class NodalLaws {
   /// Whether a step in which no node would begin in contact begins with those around which points overlap: in an
   /// attempt after one that has failed for want of contact. A node that closes so opens again where it is pulled.
   bool close_overlapped = false;
+  /// Whether no node of either surface moves by itself.
+  bool between_rigid_bodies = false;
 
  private:
   /// Sets the trials, and bound and status where they have not been decided.

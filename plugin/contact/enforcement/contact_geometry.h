@@ -37,7 +37,7 @@ class ContactGeometry {
   virtual void update(const FacingPositions& x) = 0;
 
   /// What ContactPass documents under the same names.
-  virtual bool begin_iteration(const FacingFields& fields, double ahead) = 0;
+  virtual bool begin_iteration(const FacingFields& fields) = 0;
   virtual void hold_loads(const FacingFields& fields) = 0;
   virtual void relinearise(const FacingFields& fields) = 0;
   virtual void start_inactive(const FacingFields& fields) = 0;

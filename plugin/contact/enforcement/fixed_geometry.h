@@ -12,7 +12,7 @@ class FixedGeometry : public ContactGeometry {
   FixedGeometry(MortarSpace& space, const ActiveSet& active_set, const EnforcementMethod& method);
 
   void update(const FacingPositions& x) override;
-  bool begin_iteration(const FacingFields& /*fields*/, double /*ahead*/) override { return false; }
+  bool begin_iteration(const FacingFields& /*fields*/) override { return false; }
   void hold_loads(const FacingFields& /*fields*/) override {}
   void relinearise(const FacingFields& /*fields*/) override {}
   void start_inactive(const FacingFields& /*fields*/) override {}

@@ -137,8 +137,7 @@ void HeldLinearisation::linearise_more(const NodeFlags& nodes, const FacingField
 }
 
 bool HeldLinearisation::may_decide() const {
-  if (!is_correctable() || !matrix_.has_loads || !active_set_.can_expect()) return false;
-  return !begins_ || !active_set_.foresees();
+  return is_correctable() && matrix_.has_loads && active_set_.may_predict();
 }
 
 NodeFlags HeldLinearisation::find_nearing(const FacingPositions& displacements, const FacingFields& fields) {

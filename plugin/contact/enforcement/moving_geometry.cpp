@@ -104,11 +104,10 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
   return point_ ? active_set_.updated(now, gaps) : active_set_.initial(gaps);
 }
 
-NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps, double ahead) const {
-  if (point_ || augmented_) return updated_status(now, gaps);
-  NodeFlags expected = active_set_.expected(gaps, ahead);
-  const bool is_open = std::find(expected.begin(), expected.end(), true) == expected.end();
-  return is_open && laws_.close_overlapped ? overlapped_nodes(space_) : expected;
+NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
+  const NodeFlags status = updated_status(now, gaps);
+  const bool closes_overlapped = !point_ && !augmented_ && laws_.close_overlapped && !any(status);
+  return closes_overlapped ? overlapped_nodes(space_) : status;
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {
@@ -118,7 +117,7 @@ bool MovingGeometry::find_points(const FacingPositions& x) {
   return finds_more;
 }
 
-bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
+bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const bool predicted = point_.has_value();
   const bool finds_more = find_points(positions(fields));
   const NodalLoads before = loads(fields);
@@ -128,7 +127,7 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
     return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
   };
   NodalGaps gaps = space_.gaps();
-  ContactStatus status = active_set_.next(before.in_contact, beginning_status(before, gaps, ahead), predicted);
+  ContactStatus status = active_set_.next(before.in_contact, beginning_status(before, gaps), predicted);
   LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          predicted ? &before : nullptr);
   // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
@@ -138,8 +137,8 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields, double ahead) {
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   if (!predicted && !augmented && method_.predicts()) {
     drop_new_fluxes(laws_.multipliers, next.geometric_flux);
-    const VectorXd traction = admissible(laws_.normal(),
-                                         next.geometric_traction);  // a node that closes ahead is pulled
+    // A node that closes around points that overlap is pulled.
+    const VectorXd traction = admissible(laws_.normal(), next.geometric_traction);
     next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
   }
   next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;

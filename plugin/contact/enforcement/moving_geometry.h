@@ -17,7 +17,7 @@ class MovingGeometry : public ContactGeometry {
       : space_(space), laws_(laws), active_set_(active_set), method_(method), held_(space, laws, active_set, method) {}
 
   void update(const FacingPositions& x) override;
-  bool begin_iteration(const FacingFields& fields, double ahead) override;
+  bool begin_iteration(const FacingFields& fields) override;
   void hold_loads(const FacingFields& fields) override;
   void relinearise(const FacingFields& fields) override;
   void start_inactive(const FacingFields& fields) override;
@@ -56,7 +56,7 @@ class MovingGeometry : public ContactGeometry {
   NodalLoads initial_averages(const FacingFields& fields) const;
   NodeFlags initial_status() const { return active_set_.initial(space_.gaps()); }
   /// Status of an iteration that begins at the present loads and gaps (see ContactPass::begin_iteration()).
-  NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps, double ahead) const;
+  NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps) const;
   /// Status that the present loads and gaps ask for.
   NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;

@@ -31,8 +31,6 @@ void copy_node(Multipliers& to, Index node, const Multipliers& from, Index sourc
   to.traction[node] = from.traction[source];
   to.flux.col(node) = from.flux.col(source);
   to.accepted_traction[node] = from.accepted_traction[source];
-  to.opening[node] = from.opening[source];
-  to.opening_before[node] = from.opening_before[source];
   copy_node(to.flux_coupled, node, from.flux_coupled, source);
   copy_node(to.friction, node, from.friction, source);
   copy_node(to.slips, node, from.slips, source);
@@ -44,7 +42,6 @@ void carry_over(Multipliers& to, const Multipliers& from, const IndexedVector<in
   to.traction_penalty_scale = from.traction_penalty_scale;
   to.flux_penalty_scale = from.flux_penalty_scale;
   to.friction_penalty_scale = from.friction_penalty_scale;
-  to.step_length = from.step_length;
   for_each_common(before, now, [&](Index node, Index source) { copy_node(to, node, from, source); });
 }
 

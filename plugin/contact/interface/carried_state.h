@@ -15,10 +15,10 @@ struct NumberedState {
   ContactInterface::State state;
 };
 
-/// The state that a contact with other nodes goes on with. Nodes that were there before keep their multipliers, loads
-/// and openings, and the positions that their slips are measured from; others have what `fresh`, a contact that has
-/// just been made for the new nodes, begins with, and slips from their present `position`. Penetration-check nodes and
-/// load carriers are found anew. Where both exchange other fields nothing is kept.
+/// The state that a contact with other nodes goes on with. Nodes that were there before keep their multipliers and
+/// loads, and the positions that their slips are measured from; others have what `fresh`, a contact that has just been
+/// made for the new nodes, begins with, and slips from their present `position`. Penetration-check nodes and load
+/// carriers are found anew. Where both exchange other fields nothing is kept.
 ContactInterface::State carried_over(const NumberedState& before, NumberedState fresh,
                                      const PerSide<Matrix3Xd>& position);
 

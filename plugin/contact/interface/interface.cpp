@@ -1,7 +1,6 @@
 #include "interface/interface.h"
 
 #include "base/parallel.h"
-#include "conditions/openings.h"
 #include "interface/past_iterations.h"
 
 #include <algorithm>
@@ -16,7 +15,6 @@ bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
   const Index with_friction = effects.may_rub() ? nodes : 0;
   const Index with_fluxes = fields > 0 ? nodes : 0;
   return multipliers.traction.size() == nodes && multipliers.accepted_traction.size() == nodes &&
-         multipliers.opening.size() == nodes && multipliers.opening_before.size() == nodes &&
          multipliers.flux.rows() == fields && multipliers.flux.cols() == nodes &&
          multipliers.flux_penalty_scale.size() == fields && multipliers.friction.cols() == with_friction &&
          multipliers.slips.count() == with_friction && multipliers.flux_coupled.count() == with_fluxes;
@@ -117,8 +115,8 @@ void check(const ContactInterface::State& state, const ContactInterface& contact
 ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings)
     : mesh_(std::move(mesh)),
       effects_(std::move(effects)),
-      settings_(settings),
-      check_{settings_of_check(settings), NodeFlags(mesh_[Side::secondary].nodes, false), {}},
+      settings_(std::move(settings)),
+      check_{settings_of_check(settings_), NodeFlags(mesh_[Side::secondary].nodes, false), {}},
       measurements_(effects_.scalar_fields()) {
   if (settings_.two_pass && settings_.enforcement == Enforcement::lagrange_multipliers) {
     throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
@@ -134,7 +132,6 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   };
   const bool search_all = search == Search::everywhere;
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
-  const bool starts = effects_.traction && position_[Side::primary].cols() == 0;
   position_ = position;
   if (effects_.may_rub() && slips_from_[Side::primary].size() == 0) {
     slips_from_ = position;
@@ -148,14 +145,13 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
     } else {
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
-    if (starts) start_openings(pass.integral->laws(), pass.integral->space().gaps());
   }
 }
 
-void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields, double dt) {
+void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   for (const SidedPass& pass : passes_) {
-    pass.integral->accept_step(seen_from(pass.side, fields), dt);
+    pass.integral->accept_step(seen_from(pass.side, fields));
     pass.integral->laws().close_overlapped = false;
   }
   if (!effects_.may_rub()) return;
@@ -178,11 +174,11 @@ void ContactInterface::exchange_traction(bool traction) {
   for (Matrix3Xd& position : position_) position.resize(3, 0);
 }
 
-bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields, double ahead) {
+bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
   for (const SidedPass& pass : passes_) {
-    const bool pass_changed = pass.integral->begin_iteration(seen_from(pass.side, fields), ahead);
+    const bool pass_changed = pass.integral->begin_iteration(seen_from(pass.side, fields));
     changed = changed || pass_changed;
     timed.take(pass.integral->space().effect_times(), thread_count());
   }

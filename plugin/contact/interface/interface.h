@@ -9,8 +9,7 @@ namespace mixture_contact {
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers,
 /// check_penetration() the nodes that a second pass is limited to. What can be told from these stands beside the class:
-/// balances and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h), what nodes
-/// add that begin a step in contact though they are open (residual_ahead.h).
+/// balances and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
 class ContactInterface {
  public:
   /// Where a local residual or tangent belongs.
@@ -45,9 +44,9 @@ class ContactInterface {
   void exchange_traction(bool traction);
 
   /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called for its
-  /// positions. `ahead`: of the step, if one begins there [s]. Returns whether the loads at this state differ from
-  /// those before the call, so that a residual is to be evaluated again.
-  bool begin_iteration(const PerSide<SurfaceFields>& fields, double ahead = 0);
+  /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
+  /// evaluated again.
+  bool begin_iteration(const PerSide<SurfaceFields>& fields);
   /// Moves what an iteration holds to another state (see ContactPass::linearise_at), after project().
   void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
@@ -68,8 +67,8 @@ class ContactInterface {
   void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}, const UseRows& use_rows = {}) const;
 
   /// Takes a state over as that which the next step begins with: its tractions, which nodes are flux-coupled, and with
-  /// friction the positions that slips are measured from; then iterations end with it, too. The step took dt [s].
-  void accept_step(const PerSide<SurfaceFields>& fields, double dt);
+  /// friction the positions that slips are measured from; then iterations end with it, too.
+  void accept_step(const PerSide<SurfaceFields>& fields);
   /// Forgets accepted steps: loads begin, and the surfaces begin to slide, where the next projection finds them.
   void forget_steps();
 

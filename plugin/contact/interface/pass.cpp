@@ -1,7 +1,6 @@
 #include "interface/pass.h"
 
 #include "base/bytes.h"
-#include "conditions/openings.h"
 #include "enforcement/fixed_geometry.h"
 #include "enforcement/moving_geometry.h"
 #include "mortar/slips.h"
@@ -47,12 +46,11 @@ void ContactPass::augment(const FacingFields& fields) {
   geometry_->take_multipliers();
 }
 
-void ContactPass::accept_step(const FacingFields& fields, double dt) {
+void ContactPass::accept_step(const FacingFields& fields) {
   if (effects_.scalar_fields() > 0) laws_.multipliers.flux_coupled = flux_coupled();
   if (!effects_.traction) return;
   NodalLoads loads = nodal_loads(fields);
   laws_.multipliers.accepted_traction = loads.traction;
-  take_openings(laws_, space_.gaps(), dt);
   if (!effects_.may_rub()) return;
   space_.measure_slips_from(positions(fields));
   if (loads.friction.empty()) return;
@@ -76,8 +74,8 @@ void ContactPass::tangent(const FacingFields& fields, double dt, const TangentPa
 
 std::size_t ContactPass::memory() const {
   return space_.memory() + bytes(laws_.multipliers.traction) + bytes(laws_.multipliers.accepted_traction) +
-         bytes(laws_.multipliers.opening) + bytes(laws_.multipliers.opening_before) + bytes(laws_.multipliers.flux) +
-         bytes(laws_.penalties().traction) + bytes(laws_.penalties().flux) + geometry_->memory();
+         bytes(laws_.multipliers.flux) + bytes(laws_.penalties().traction) + bytes(laws_.penalties().flux) +
+         geometry_->memory();
 }
 
 }  // namespace mixture_contact

@@ -27,11 +27,8 @@ class ContactPass {
   /// linearisation of their gaps and jumps until the next call. Within the iteration and its line search loads are then
   /// linear in the unknowns and no status changes.
   ///
-  /// Where a step begins, nodes may have the status that they are expected to end it with, `ahead` [s] from there (see
-  /// ActiveSet::expected()); 0: that of the present gaps.
-  ///
   /// Returns whether the loads at this state differ from those before the call.
-  bool begin_iteration(const FacingFields& fields, double ahead) { return geometry_->begin_iteration(fields, ahead); }
+  bool begin_iteration(const FacingFields& fields) { return geometry_->begin_iteration(fields); }
 
   /// Begins at a state where no tangent follows, as in explicit dynamics: decides which nodes are in contact by the
   /// true laws, and holds the loads of this state, without their linearisation, for residuals at it.
@@ -63,9 +60,8 @@ class ContactPass {
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
   /// Takes an accepted state over as that which the next step begins with: its loads, which nodes are flux-coupled, and
-  /// its positions as those that slips are measured from. The step took dt [s]: nodes are expected to go on from it as
-  /// expected_openings() has it.
-  void accept_step(const FacingFields& fields, double dt);
+  /// its positions as those that slips are measured from.
+  void accept_step(const FacingFields& fields);
 
   /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
   void end_iterations() { geometry_->end_iterations(); }

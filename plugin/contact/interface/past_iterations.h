@@ -8,7 +8,4 @@ namespace mixture_contact {
 /// Forgets it, so that iterations to come depend on the state alone: where they may be those of another run.
 void forget_past(ContactInterface& contact);
 
-/// Forgets how nodes came near to contact in the last step, where another loading begins.
-void forget_motion(ContactInterface& contact);
-
 }  // namespace mixture_contact

@@ -27,11 +27,6 @@ double FEBioSystem::increment_tolerance() const {
   return smallest;
 }
 
-ResidualTolerances FEBioSystem::residual_tolerances() const {
-  const FENewtonSolver& solver = *solver_.febio();
-  return {solver.m_Rtol, solver.m_Etol, solver.m_Rmin};
-}
-
 // ------------------------------------------------------------ the system of equations
 
 FEGlobalMatrix& FEBioSystem::matrix() const { return *solver_.febio()->m_pK; }

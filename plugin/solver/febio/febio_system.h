@@ -16,13 +16,6 @@ enum class MatrixStrategy {
   residuals_alone  ///< the same without a matrix
 };
 
-/// FEBio's tolerances of squares of the residual, and of energy; 0 for none.
-struct ResidualTolerances {
-  double residual;        ///< over the first one
-  double energy;          ///< over the first one
-  double least_residual;  ///< below it no force is left
-};
-
 class FEBioSystem {
  public:
   /// Keeps references.
@@ -33,7 +26,6 @@ class FEBioSystem {
   /// The smallest of FEBio's tolerances on increments that are tested, each a part of what the step has changed by;
   /// infinite where none is.
   double increment_tolerance() const;
-  ResidualTolerances residual_tolerances() const;
 
   // The system of equations. FEBio solves for the residual at the start of an iteration, vectors().residual.
   FEGlobalMatrix& matrix() const;

@@ -35,6 +35,12 @@ class AmbientConcentration(Varying):
     sol: int = attr()
 
 
+class OfSolute(Varying):
+    """A property of the membrane for one solute; `sol` is its number in the model, none where there is one solute."""
+
+    sol: int | None = attr(default=None)
+
+
 def _varying(given: object) -> object:
     """A bare number as one that follows no load curve."""
     return Varying(text=float(given)) if isinstance(given, int | float) else given
@@ -73,6 +79,9 @@ class SlidingMixture(BaseXmlModel, validate_assignment=True, extra="forbid"):
     free_draining: Switch = element(default=None)
     ambient_pressure: Number = element(default=None)
     ambient_concentration: list[AmbientConcentration] = element(default=[])
+    hydraulic_conductance: Number = element(default=None)
+    solute_permeance: list[OfSolute] = element(default=[])
+    reflection: list[OfSolute] = element(default=[])
     two_pass: Switch = element(default=None)
     integration: Literal["gauss", "segments"] | None = element(default=None)
     integration_order: int | None = element(default=None)

@@ -441,7 +441,7 @@ BOOST_AUTO_TEST_CASE(a_reduced_penalty_keeps_the_loads_of_the_accepted_state) {
   const ContactPass& pass = contact->pass(0);
   contact->begin_iteration(scene.fields);
   const VectorXd traction = pass.nodal_loads(fields).traction;
-  contact->accept_step(scene.fields, 1);
+  contact->accept_step(scene.fields);
   for (const double reduction : {10.0, 1000.0, 1000.0, 100.0}) {
     scene.settings.traction_reduction = reduction;
     contact->update_laws(scene.settings);

@@ -28,9 +28,8 @@ class FakeContact : public SteppedContact {
   void project() override {}
   void prepare_step() override { note("prepare"); }
   void end_iterations() override { note("end"); }
-  bool begin_iteration(bool looks_ahead) override {
+  bool begin_iteration() override {
     note("begin");
-    looked_ahead = looks_ahead;
     return loads_change;
   }
   void hold_loads() override { note("hold"); }
@@ -44,7 +43,6 @@ class FakeContact : public SteppedContact {
   bool finds_overlap() override { return overlap; }
 
   std::vector<int> own_nodes;
-  bool looked_ahead = false;
   bool loads_change = false;
   bool serves = true;
   bool solution = true;
@@ -70,7 +68,6 @@ class FakeHelper : public newton::Helper {
   }
   bool rejects() override { return std::exchange(too_short, false); }
   bool multiplies_by_matrix() const override { return multiplies; }
-  bool will_predict() const override { return predicted; }
   bool predict(const std::function<void()>& arrived) override {
     if (on_prediction) on_prediction();
     if (predicted) arrived();
@@ -161,7 +158,6 @@ class FakeHost : public SteppedModel {
     }
     return active;
   }
-  bool may_look_ahead() override { return true; }
   bool replaces_matrix() override {
     if (!is_spent) return false;
     notes.emplace_back("matrix at once");
@@ -494,32 +490,21 @@ BOOST_AUTO_TEST_CASE(after_a_dropped_prediction_the_step_starts_plainly) {
   BOOST_TEST(host.augment());
 }
 
-BOOST_AUTO_TEST_CASE(contacts_look_ahead_where_iterations_begin_anew_and_nowhere_else) {
-  FakeHost host(2);
-  host.contacts[0]->own_nodes = {1, 2, 2};
-  host.contacts[1]->own_nodes = {3};
-  host.start_step();
-  for (const auto& contact : host.contacts) BOOST_TEST(contact->looked_ahead);
-  host.update(1.0);
-  host.form_matrix();
-  for (const auto& contact : host.contacts) BOOST_TEST(!contact->looked_ahead);
-}
-
-BOOST_AUTO_TEST_CASE(contacts_that_hold_the_same_nodes_do_not_look_ahead) {
+BOOST_AUTO_TEST_CASE(contacts_that_hold_the_same_nodes_are_known) {
   FakeHost host(3);
   host.contacts[0]->own_nodes = {1, 2};
   host.contacts[1]->own_nodes = {3};
   host.contacts[2]->own_nodes = {4, 2};
   host.start_step();
-  BOOST_TEST(!host.contacts[0]->looked_ahead);
-  BOOST_TEST(host.contacts[1]->looked_ahead);
-  BOOST_TEST(!host.contacts[2]->looked_ahead);
+  BOOST_TEST(host.steps.shares_nodes(*host.contacts[0]));
+  BOOST_TEST(!host.steps.shares_nodes(*host.contacts[1]));
+  BOOST_TEST(host.steps.shares_nodes(*host.contacts[2]));
   host.update(1.0);
   BOOST_TEST(host.augment());
   host.is_active[2] = false;
   host.steps.reset_rounds();
   host.start_step();
-  BOOST_TEST(host.contacts[0]->looked_ahead);
+  BOOST_TEST(!host.steps.shares_nodes(*host.contacts[0]));
 }
 
 BOOST_AUTO_TEST_CASE(matrices_have_no_further_unknowns_where_a_helper_multiplies_by_them) {
@@ -527,11 +512,4 @@ BOOST_AUTO_TEST_CASE(matrices_have_no_further_unknowns_where_a_helper_multiplies
   BOOST_TEST(host.steps.allow_further_unknowns());
   host.helper->multiplies = true;
   BOOST_TEST(!host.steps.allow_further_unknowns());
-}
-
-BOOST_AUTO_TEST_CASE(contacts_do_not_look_ahead_where_a_predictor_does) {
-  FakeHost host(1);
-  host.helper->predicted = true;
-  host.update_model();
-  BOOST_TEST(!host.contacts[0]->looked_ahead);
 }

@@ -568,23 +568,6 @@ BOOST_AUTO_TEST_CASE(nodes_close_as_an_iteration_begins_where_its_matrix_answers
   for (Index node = 0; node < nearing.count(); ++node) BOOST_TEST(flat.traction[node] < 0);
 }
 
-BOOST_AUTO_TEST_CASE(no_matrix_is_asked_where_a_step_begins_as_the_last_one_foresees) {
-  TiltedContact tilted;
-  ContactInterface& contact = *tilted.contact;
-  const auto may_decide_at_first = [&] {
-    contact.end_iterations();
-    contact.begin_iteration(tilted.scene.fields);
-    has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
-    return may_decide(contact);
-  };
-  BOOST_TEST(may_decide_at_first());
-  contact.accept_step(tilted.scene.fields, dt);
-  BOOST_TEST(!may_decide_at_first());
-  contact.begin_iteration(tilted.scene.fields);
-  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
-  BOOST_TEST(may_decide(contact));
-}
-
 BOOST_AUTO_TEST_CASE(no_node_opens_as_an_iteration_begins_where_others_decide_with_its_traction) {
   const auto releasable = [](const Effects& effects, const Settings& settings, bool has_loads) {
     Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects, settings);
@@ -741,7 +724,7 @@ BOOST_AUTO_TEST_CASE(the_geometric_part_of_a_steps_first_tangent_is_that_of_acce
       return assembled_tangent(contact, layout, scene.fields, dt);
     };
     const MatrixXd overlap_of_no_step = first_tangent();
-    contact.accept_step(scene.fields, 1.0);
+    contact.accept_step(scene.fields);
     const MatrixXd of_accepted_step = first_tangent();
     contact.end_iterations();
     const MatrixXd exact = assembled_tangent(contact, layout, scene.fields, dt);

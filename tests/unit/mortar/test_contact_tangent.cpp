@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(an_accepted_step_remembers_which_nodes_were_flux_coupled) {
   const NodeFlags& flux_coupled = contact->pass(0).laws().multipliers.flux_coupled;
   BOOST_TEST((flux_coupled == NodeFlags(4, false)));
   contact->begin_iteration(scene.fields);
-  contact->accept_step(scene.fields, 1.0);
+  contact->accept_step(scene.fields);
   BOOST_TEST((flux_coupled == NodeFlags(4, true)));
   const ContactInterface::State state = contact->state();
   contact->forget_steps();

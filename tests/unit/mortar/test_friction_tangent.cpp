@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(an_accepted_step_keeps_its_friction_and_measures_slip_anew)
     const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {coefficient, false, true}), random);
     const FacingFields fields{step.scene.fields[Side::primary], step.scene.fields[Side::secondary]};
     const NodalLoads before = step.contact->pass(0).nodal_loads(fields);
-    step.contact->accept_step(step.scene.fields, 1.0);
+    step.contact->accept_step(step.scene.fields);
     step.contact->begin_iteration(step.scene.fields);
     const NodalLoads after = step.contact->pass(0).nodal_loads(fields);
     BOOST_TEST(after.friction.slip.norm() <= 1e-14);
@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(an_accepted_step_keeps_its_friction_and_measures_slip_anew)
 BOOST_AUTO_TEST_CASE(a_forgotten_step_leaves_no_friction_and_no_status_behind) {
   std::mt19937 random(18);
   const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {0.2, true, false}), random);
-  step.contact->accept_step(step.scene.fields, 1.0);
+  step.contact->accept_step(step.scene.fields);
   step.contact->forget_steps();
   const Multipliers& left = step.contact->pass(0).laws().multipliers;
   const Multipliers first = step.scene.contact()->pass(0).laws().multipliers;
