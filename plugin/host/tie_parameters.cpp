@@ -17,8 +17,13 @@ bool is_parameter_of_ties(const ParameterTag& tag) {
 
 mixture_contact::Settings tie_settings(const ContactParameters& p, SolverKind solver, double time_step) {
   mixture_contact::Settings settings = core_settings(p, solver);
-  if (!p.penalties.traction.given && solver == SolverKind::newton)
-    settings.traction.value = mixture_contact::default_tie_factor;
+  const auto choose = [](const Varying& given, mixture_contact::PenaltyRule& rule, double factor) {
+    if (!given.given) rule.value = factor;
+  };
+  if (solver == SolverKind::newton)
+    choose(p.penalties.traction, settings.traction, mixture_contact::default_tie_factor);
+  choose(p.penalties.solvent, settings.solvent, mixture_contact::default_tie_flux_factor);
+  choose(p.penalties.solute, settings.solute, mixture_contact::default_tie_flux_factor);
   settings.solvent.time_step = time_step;
   return settings;
 }

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.mixture_only
 
 RAMP = curve(1, (0, 0), (1, 1))
 SOLUTE = (
-    '<solute sol="1"><diffusivity type="diff-const-iso"><free_diff>5e-3</free_diff><diff>5e-3</diff></diffusivity>'
+    '<solute sol="1"><diffusivity type="diff-const-iso"><free_diff>0.5</free_diff><diff>0.5</diff></diffusivity>'
     '<solubility type="solub-const"><solub>1</solub></solubility></solute>'
 )
 SOLUTES = (

@@ -238,7 +238,7 @@ bool Tie::augment(const PerSide<SurfaceFields>& fields) {
                   penalties_.stiffness, default_tie_factor);
   for (int k = 0; k < effects_.scalar_fields(); ++k)
     any = grow(state_.flux_penalty_scale[k], report.flux[k], tolerance_of_flux(tolerances, effects_, k),
-               penalties_.flux.row(k).transpose(), penalties_.conductance.row(k).transpose(), default_flux_factor) ||
+               penalties_.flux.row(k).transpose(), penalties_.conductance.row(k).transpose(), default_tie_flux_factor) ||
           any;
   return any;
 }

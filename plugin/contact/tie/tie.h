@@ -26,8 +26,10 @@ struct TieLoads {
   MatrixXd flux;       ///< (fields, nodes): out of the primary body
 };
 
-/// Default multiple of the stiffness of the adjoining elements. No kink of a tie asks for a smaller one.
-inline constexpr double default_tie_factor = 1e4;
+/// Default multiples of the stiffness and the conductance of the adjoining elements. No kink of a tie asks for smaller
+/// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
+inline constexpr double default_tie_factor = 1e6;
+inline constexpr double default_tie_flux_factor = 1e7;
 
 class Tie {
  public:
