@@ -125,8 +125,9 @@ void TieAssembly::add_to_profile(const Tie& tie, FEGlobalMatrix& matrix) const {
 
 void TieAssembly::residual(const Tie& tie, FEGlobalVector& residual, double dt) const {
   const NodeEquations equations = equations_of(tie);
+  const PerSide<SurfaceFields> fields = fields_of(surfaces_, dofs_, tie.effects());
   const RigidShellBottoms arms(surfaces_);
-  tie.residual(fields_of(surfaces_, dofs_, tie.effects()), dt, [&](const Patch& patch, const VectorXd& values) {
+  tie.residual(fields, dt, [&](const Patch& patch, const VectorXd& values) {
     InFullBlocks(equations, patch).add(values, residual);
   });
 }

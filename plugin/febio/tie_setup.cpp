@@ -82,7 +82,6 @@ std::unique_ptr<Tie> TieSetup::build() const {
                "<flip_primary> or <flip_secondary> where normals point into a body.");
     return nullptr;
   }
-  log_.say(tied_nodes_line(nodes.count(), untied_nodes(nodes, mesh, chosen, reference)));
   auto tie = std::make_unique<Tie>(std::move(mesh), *exchanged, std::move(nodes));
   tie->set_laws(chosen);
   if (!tie->penalties().traction.allFinite()) {
@@ -93,6 +92,11 @@ std::unique_ptr<Tie> TieSetup::build() const {
   }
   if (tie->unknown_count() > 0 && !can_solve_for_multipliers(fem_, dofs_, log_)) return nullptr;
   return tie;
+}
+
+void TieSetup::say_what_is_tied(const Tie& tie) const {
+  const UntiedNodes untied = untied_nodes(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
+  log_.say(tied_nodes_line(tie.nodes().count(), untied));
 }
 
 Matrix3Xd TieSetup::relocated(const Tie& tie) const {

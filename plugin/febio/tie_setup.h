@@ -18,8 +18,9 @@ class TieSetup {
 
   /// Whether the parameters, the surfaces and the model allow a tie; the log says what is wrong.
   bool check() const;
-  /// Finds what is tied where the surfaces are now, and says so. Null where nothing can be; the log says why.
+  /// Finds what is tied where the surfaces are now. Null where nothing can be; the log says why.
   std::unique_ptr<mixture_contact::Tie> build() const;
+  void say_what_is_tied(const mixture_contact::Tie& tie) const;
   /// The primary nodes once their gaps are closed.
   mixture_contact::Matrix3Xd relocated(const mixture_contact::Tie& tie) const;
   /// Takes penalties and tolerances as they are at this time, and materials where penalties follow them. Returns

@@ -38,8 +38,7 @@ FEMixtureTie::FEMixtureTie(FEModel* fem)
 bool FEMixtureTie::Init() {
   dofs_.init();
   if (!find_load_curves() || !prepare_surfaces() || !setup_.check()) return false;
-  tie_ = setup_.build();
-  return tie_ != nullptr && (!parameters_.gap.node_reloc || close_gaps());
+  return !parameters_.gap.node_reloc || close_gaps();
 }
 
 bool FEMixtureTie::find_load_curves() {
@@ -67,9 +66,9 @@ bool FEMixtureTie::prepare_surfaces() {
 }
 
 bool FEMixtureTie::close_gaps() {
-  surfaces_.relocate_primary(setup_.relocated(*tie_));
-  tie_ = setup_.build();
-  return tie_ != nullptr;
+  const std::unique_ptr<Tie> before = setup_.build();
+  if (before != nullptr) surfaces_.relocate_primary(setup_.relocated(*before));
+  return before != nullptr;
 }
 
 int FEMixtureTie::InitEquations(int first) {
@@ -79,7 +78,10 @@ int FEMixtureTie::InitEquations(int first) {
 
 void FEMixtureTie::Activate() {
   FEContactInterface::Activate();
-  if (!setup_.update(*tie_)) throw FatalError();
+  // A tie of a later step begins without stress where bodies are by then. FEBio counts equations after this.
+  if (tie_ == nullptr) tie_ = setup_.build();
+  if (tie_ == nullptr || !setup_.update(*tie_)) throw FatalError();
+  setup_.say_what_is_tied(*tie_);
 }
 
 PerSide<SurfaceFields> FEMixtureTie::fields() { return fields_of(surfaces_, dofs_, tie_->effects()); }
@@ -157,13 +159,18 @@ void FEMixtureTie::serialize_model(DumpStream& ar) {
     }
   });
   archive(ar, step_start_);
+  bool is_built = tie_ != nullptr;
+  ar & is_built;
+  if (!is_built) return;
   archive_tie(ar, tie_);
-  if (!ar.IsSaving()) tie_->set_laws(setup_.settings());
+  // FEBio reads its steps and solvers later; PrepStep() follows those.
+  if (!ar.IsSaving()) tie_->set_laws(tie_settings(parameters_, SolverKind::newton, 0));
 }
 
 void FEMixtureTie::Serialize(DumpStream& ar) {
   FEContactInterface::Serialize(ar);
   if (!ar.IsShallow()) serialize_model(ar);
+  if (tie_ == nullptr) return;
   TieState state = tie_->state();
   archive_state(ar, state);
   if (!ar.IsSaving()) tie_->restore(std::move(state));

@@ -15,8 +15,8 @@ struct Augmentation {
   std::string warning;             ///< where the limit ended the augmentations
 };
 
-/// Reports the gaps of a solution, and calls `take_up` where they miss the tolerances: multipliers are to take the loads
-/// up, and what it returns is whether penalties have grown.
+/// Reports the gaps of a solution, and calls `take_up` where they miss the tolerances: multipliers are to take the
+/// loads up, and what it returns is whether penalties have grown.
 ///
 /// `title`: type and name of the contact; `augmentation`: how many there have been since the time step began.
 Augmentation augment(const std::string& title, const mixture_contact::GapReport& report,

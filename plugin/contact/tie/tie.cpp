@@ -15,7 +15,7 @@ namespace {
 /// Penalty of an unknown multiplier over the stiffness of the adjoining elements. The diagonal -1/penalty makes the
 /// matrix quasi-definite, so that conditions which repeat each other, where several ties or prescribed values meet, do
 /// not make it singular. Each iteration leaves this reciprocal part of what a gap was; the solution meets D = 0.
-constexpr double unknown_factor = 1e6;
+constexpr double unknown_factor = 1e8;
 
 /// Values of a field at the nodes of a tied node, in their order.
 VectorXd values_at(const TiedNode& tied, const PerSide<SurfaceFields>& fields, Index field) {
@@ -235,10 +235,10 @@ bool Tie::augment(const PerSide<SurfaceFields>& fields) {
   state_.flux = now.flux;
   const Tolerances& tolerances = settings_.tolerances;
   bool any = grow(state_.traction_penalty_scale, report.traction, tolerances.traction, penalties_.traction,
-                  penalties_.stiffness, default_tie_factor);
+                  penalties_.stiffness, largest_tie_factor);
   for (int k = 0; k < effects_.scalar_fields(); ++k)
     any = grow(state_.flux_penalty_scale[k], report.flux[k], tolerance_of_flux(tolerances, effects_, k),
-               penalties_.flux.row(k).transpose(), penalties_.conductance.row(k).transpose(), default_tie_flux_factor) ||
+               penalties_.flux.row(k).transpose(), penalties_.conductance.row(k).transpose(), largest_tie_factor) ||
           any;
   return any;
 }

@@ -30,6 +30,8 @@ struct TieLoads {
 /// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
+/// What augmentations may make of them: conditions that others nearly repeat close slowly at less.
+inline constexpr double largest_tie_factor = 1e8;
 
 class Tie {
  public:

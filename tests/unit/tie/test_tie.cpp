@@ -140,8 +140,9 @@ const Eigen::Matrix3d quarter_turn = Eigen::AngleAxisd(0.5 * std::acos(-1.0), Ve
 
 }  // namespace
 
-// Central differences miss the derivative by h^2/6 of the third one. The third derivative of this residual is that of the
-// differences, four times as much at 2h: their change is three times the error at h. Rounding adds that of a sum over h.
+// Central differences miss the derivative by h^2/6 of the third one. The third derivative of this residual is that of
+// the differences, four times as much at 2h: their change is three times the error at h. Rounding adds that of a sum
+// over h.
 BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual) {
   for (const auto& [one, two] : facet_pairs()) {
     for (const Enforcement enforcement : {Enforcement::penalty, Enforcement::lagrange_multipliers}) {
