@@ -11,7 +11,6 @@
 #include <FECore/FEGlobalVector.h>
 #include <FECore/FELinearSystem.h>
 
-#include <utility>
 
 using namespace mixture_contact;
 
@@ -19,7 +18,7 @@ namespace {
 
 using Location = NodeEquations::Location;
 
-Location at_primary(Patch patch) { return {Side::primary, std::move(patch)}; }
+Location at_primary(const Patch& patch) { return {Side::primary, patch}; }
 
 /// The same patch with displacements, where it has none: FEBio takes blocks of one size per node that begin with them.
 Patch with_displacements(Patch patch) {
@@ -80,7 +79,7 @@ class Batch {
   explicit Batch(FEGlobalMatrix& matrix) : rows_(matrix) {}
 
   explicit operator bool() const { return static_cast<bool>(rows_); }
-  void add(std::vector<int> equations, const MatrixXd& values) {
+  void add(const std::vector<int>& equations, const MatrixXd& values) {
     blocks_.push_back({equations, equations, values});
     if (blocks_.count() == batch_size) finish();
   }
@@ -139,9 +138,9 @@ void TieAssembly::tangent(const Tie& tie, FELinearSystem& system, FEGlobalMatrix
   Batch batch(matrix);
   const bool takes_blocks = batch && !has_linear_constraints(*surfaces_[Side::primary].GetFEModel());
   tie.tangent(fields, dt, [&](const Patch& patch, const MatrixXd& values) {
-    std::vector<int> ids = equations.equations(at_primary(patch));
+    const std::vector<int> ids = equations.equations(at_primary(patch));
     if (takes_blocks && !are_prescribed(ids) && !equations.are_rigid(at_primary(patch))) {
-      batch.add(std::move(ids), values);
+      batch.add(ids, values);
     } else {
       InFullBlocks(equations, patch).add(values, system);
     }

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from harness.models.interface import ContactSettings, InterfaceType
+from harness.models.parts import Param
 from studies.models.harmonic import Harmonic
 from studies.models.nonmatching import STEADY, Block, NonMatching
 from studies.models.tied_patches import exact, tied
@@ -16,9 +17,11 @@ from studies.post.harmonic_errors import errors
 pytestmark = pytest.mark.mixture_only
 
 EXACT = {
-    "augmented": ContactSettings(laugon="AUGLAG", tolerance=1e-11, maxaug=12),
+    "augmented": ContactSettings(laugon="AUGLAG", tolerance=1e-9, maxaug=12),
     "multipliers": ContactSettings(laugon="LAGMULT"),
 }
+UNSEARCHED = replace(STEADY, solver=(Param("lstol", 0.0),))
+"""FEBio's line search compares energies, which are rounding where a step of 1e12 diffusion times has converged."""
 LARGE, TURNED = Block((5, 5), width=2.0), Block((3, 3), angle=30.0)
 COARSE, FEW = Block((3, 3), width=2.0), Block((2, 2), angle=30.0)
 PRISMS = replace(COARSE, wedges=True), replace(FEW, wedges=True)
@@ -41,7 +44,7 @@ PATCHES = {
 @pytest.mark.parametrize("name", PATCHES)
 def test_linear_fields_are_exact_in_tension_and_shear(runner, name, settings):
     slug = "".join(letter if letter.isalnum() else "-" for letter in name)
-    model = replace(tied(PATCHES[name], settings), name=f"tied-{slug}-{settings.laugon}")
+    model = replace(tied(PATCHES[name], settings), name=f"tied-{slug}-{settings.laugon}", control=UNSEARCHED)
     result = runner(model)
     for field, value in exact(model.mesh.nodes).items():
         assert np.abs(result.nodes[field][-1] - value).max() <= 1e-10 * np.abs(value).max(), field

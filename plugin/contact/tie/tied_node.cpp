@@ -175,12 +175,13 @@ UntiedNodes untied_nodes(const IndexedVector<TiedNode>& tied, const PerSide<Surf
   const IndexedVector<std::optional<SurfaceHit>> hits = hits_at_any_distance(mesh, settings, reference);
   for (Index node = 0; node < hits.count(); ++node) {
     if (is_tied[node]) continue;
-    if (!hits[node]) {
+    const std::optional<SurfaceHit>& hit = hits[node];
+    if (!hit) {
       ++untied.facing_nothing;
       continue;
     }
     ++untied.too_far;
-    untied.largest_distance = std::max(untied.largest_distance, std::abs(hits[node]->gap));
+    untied.largest_distance = std::max(untied.largest_distance, std::abs(hit->gap));
   }
   return untied;
 }
@@ -192,7 +193,8 @@ Matrix3Xd without_gaps(const IndexedVector<TiedNode>& tied, const PerSide<Surfac
   const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[Side::primary], mesh[Side::secondary],
                                                                       seen_from(Side::primary, reference), settings);
   for (const TiedNode& each : tied) {
-    if (hits[each.node]) moved.col(each.node) += hits[each.node]->gap * normals.col(each.node);
+    const std::optional<SurfaceHit>& hit = hits[each.node];
+    if (hit) moved.col(each.node) += hit->gap * normals.col(each.node);
   }
   return moved;
 }
