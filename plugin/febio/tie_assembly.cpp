@@ -11,7 +11,6 @@
 #include <FECore/FEGlobalVector.h>
 #include <FECore/FELinearSystem.h>
 
-
 using namespace mixture_contact;
 
 namespace {

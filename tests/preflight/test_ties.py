@@ -83,12 +83,19 @@ def test_facets_in_common_are_an_error(path):
     assert "shared-facets" in {finding.rule for finding in check(path)}
 
 
-def test_symmetric_solvers_are_right_without_multipliers(path):
-    for laugon, rules in (("PENALTY", []), ("LAGMULT", ["linear-solver"])):
-        text = joint(f"<laugon>{laugon}</laugon>").text()
-        solver = '<Control><solver><linear_solver type="cg"/></solver></Control>'
-        path.write_text(text.replace("<Globals>", f"{solver}<Globals>"))
-        assert [finding.rule for finding in check(path)] == rules
+@pytest.mark.parametrize(
+    ("solver", "params", "rules"),
+    [
+        ("skyline", "<laugon>LAGMULT</laugon>", []),
+        ("cg", "", ["linear-solver"]),
+        ("cg", "<penalty>1000</penalty><auto_penalty>1</auto_penalty>", []),
+        ("cg", "<penalty>1000</penalty><laugon>LAGMULT</laugon>", ["linear-solver"]),
+    ],
+)
+def test_linear_solvers_that_may_fail_are_a_warning(path, solver, params, rules):
+    chosen = f'<Control><solver><linear_solver type="{solver}"/></solver></Control>'
+    path.write_text(joint(params).text().replace("<Globals>", f"{chosen}<Globals>"))
+    assert [finding.rule for finding in check(path)] == rules
 
 
 # ---- convert ----

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -12,84 +11,10 @@ import pytest
 
 from harness.run import engine
 from studies.models import small
-from studies.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved, rigid
+from studies.models.small import Document, Parts, contact, control, elastic, fixed, moved, rigid
+from studies.models.tied_columns import EXACTLY, MODULES, RAMP, column, material, steps
 
 pytestmark = pytest.mark.mixture_only
-
-RAMP = curve(1, (0, 0), (1, 1))
-SOLUTE = (
-    '<solute sol="1"><diffusivity type="diff-const-iso"><free_diff>0.5</free_diff><diff>0.5</diff></diffusivity>'
-    '<solubility type="solub-const"><solub>1</solub></solubility></solute>'
-)
-SOLUTES = (
-    '<Solutes><solute id="1" name="s1"><charge_number>0</charge_number><molar_mass>1</molar_mass>'
-    "<density>1</density></solute></Solutes>"
-)
-MODULES = {"solid": "ux;uy;uz", "biphasic": "ux;uy;uz;p", "solute": "ux;uy;uz;p;c1"}
-HIGHEST = 2.0
-EXACTLY = "<min_residual>1e-30</min_residual><dtol>1e-9</dtol><etol>1e-12</etol><ptol>1e-9</ptol><ctol>1e-9</ctol>"
-"""Tolerances under which Newton's method leaves less than the bars of these tests: FEBio takes 1e-20 for zero."""
-
-
-def mixed(name: str, number: int) -> str:
-    """A biphasic-solute material."""
-    text = biphasic(name, number).replace('type="biphasic"', 'type="biphasic-solute"')
-    osmotic = '<osmotic_coefficient type="osm-coef-const"><osmcoef>1</osmcoef></osmotic_coefficient>'
-    return text.replace("</material>", f"{osmotic}{SOLUTE}</material>")
-
-
-def material(module: str, name: str, number: int) -> str:
-    """The material of a module's bodies."""
-    return {"solid": elastic, "biphasic": biphasic, "solute": mixed}[module](name, number)
-
-
-def steps(module: str, number: int, size: float, analysis: str = "STATIC") -> str:
-    """Equal steps that are solved far below the bars."""
-    unknown = {"solid": r"<[pc]tol>[^<]*</[pc]tol>", "biphasic": r"<ctol>[^<]*</ctol>"}
-    wanted = re.sub(unknown.get(module, "$."), "", EXACTLY)
-    return control(module, number, size, analysis=analysis).replace("<max_refs>", f"{wanted}<max_refs>")
-
-
-def prescribed(kind: str, where: str, value: float, dof: str = "") -> str:
-    """A prescribed pressure or concentration that follows the ramp."""
-    inner = f'{dof}<value lc="1">{value}</value><relative>0</relative>'
-    return f'<bc type="prescribed {kind}" node_set="{where}">{inner}</bc>'
-
-
-def column(
-    module: str, params: str | None, *, cells: tuple[int, int] = (3, 3), gap: float = 0.0, flips: bool = False
-) -> tuple[Document, Parts]:
-    """A column of one body, or of two that are tied: drawn, sheared and twisted, with flow and diffusion along it."""
-    parts = Parts()
-    if params is None:
-        parts.box("low", (0, 0, 0), (1, 1, HIGHEST), (3, 3, 6), "low")
-        parts.node_sets["up-top"] = parts.node_sets.pop("low-top")
-    else:
-        parts.box("low", (0, 0, 0), (1, 1, 1), (cells[0], cells[0], 3), "low")
-        parts.box("up", (0, 0, 1 + gap), (1, 1, HIGHEST + gap), (cells[1], cells[1], 3), "up")
-    top = [(n, parts.nodes[n - 1]) for n in parts.node_sets["up-top"]]
-    parts.node_sets["left"] = [n for n, x in top if x[0] < 0.5]
-    parts.node_sets["right"] = [n for n, x in top if x[0] > 0.5]
-    boundary = [fixed("low-bottom", "x", "y", "z"), moved("up-top", "x", 0.05), moved("up-top", "z", 0.1)]
-    boundary += [moved("left", "y", -0.05), moved("right", "y", 0.05)]
-    if module != "solid":
-        boundary += [prescribed("fluid pressure", "low-bottom", 0.2), prescribed("fluid pressure", "up-top", 0.0)]
-    if module == "solute":
-        boundary.append(prescribed("concentration", "low-bottom", 1.0, "<dof>c1</dof>"))
-        boundary.append(prescribed("concentration", "up-top", 0.2, "<dof>c1</dof>"))
-    pair = ("low-top", "up-bottom") if flips else ("up-bottom", "low-top")
-    document = Document(
-        parts.mesh({"pair": pair} if params is not None else {}),
-        tuple(material(module, part.material, n) for n, part in enumerate(parts.parts, 1)),
-        module=module,
-        control=steps(module, 2, 0.5, "STATIC" if module == "solid" else "TRANSIENT"),
-        boundary=boundary,
-        contacts=() if params is None else (contact("tie", "pair", "tied-mixture", params),),
-        curves=(RAMP,),
-        node_data=MODULES[module],
-        globals=SOLUTES if module == "solute" else "",
-    )
-    return document, parts
 
 
 def at_places(folder: Path, parts: Parts) -> dict[tuple[float, ...], list[np.ndarray]]:
@@ -117,7 +42,7 @@ WRONG = [("<penalty>-1</penalty>", "<penalty> is -1"), ("<effects>heat</effects>
 TIGHT = "<tolerance>1e-9</tolerance><maxaug>30</maxaug>"
 
 
-@pytest.mark.parametrize("module", MODULES)
+@pytest.mark.parametrize("module", ["solid", "biphasic", "solute"])
 @pytest.mark.parametrize(
     ("params", "motion", "fields"),
     [
@@ -288,3 +213,56 @@ def test_faces_of_shells_are_tied_like_others(solve, pair, laugon, plate):
     assert finished.report.iterations <= 8
     moves = np.abs(small.table(folder / "nodes.txt")[-1][[n - 1 for n in parts.node_sets["up-bottom"]]]).max()
     assert moves <= 1e-6 if plate == "rigid" or not is_back else 1e-6 < moves < 0.05
+
+
+@pytest.mark.parametrize("laugon", LAGGED)
+def test_conditions_that_stand_twice_change_nothing(solve, laugon):
+    """Two ties of the same surfaces: half a jump with penalties, and multipliers that share the load."""
+    found = []
+    for count in (1, 2):
+        document, _ = column("solid", "", cells=(2, 3))
+        names = ("one", "two")[:count]
+        ties = tuple(contact(name, "pair", "tied-mixture", f"<laugon>{laugon}</laugon>") for name in names)
+        folder, finished = solve(f"{count}", replace(document, contacts=ties))
+        found.append((finished.report.iterations, small.table(folder / "nodes.txt")[-1]))
+    assert found[0][0] == found[1][0]
+    assert np.abs(found[0][1] - found[1][1]).max() <= (1e-10 if laugon == "LAGMULT" else 1e-7)
+
+
+def three_blocks(module: str, tie: str, sliding: str) -> Document:
+    """Two blocks that press on each other, each tied to a wide one below: some nodes are in two contacts."""
+    parts = Parts()
+    parts.box("wide", (0, 0, 0), (2, 1, 1), (4, 2, 2), "wide")
+    parts.box("left", (0, 0, 1), (1, 1, 2), (3, 3, 3), "left")
+    parts.box("right", (1, 0, 1), (2, 1, 2), (2, 2, 2), "right")
+    pairs = {
+        "one": ("left-bottom", "wide-top"),
+        "two": ("right-bottom", "wide-top"),
+        "side": ("left-right", "right-left"),
+    }
+    return Document(
+        parts.mesh(pairs),
+        tuple(material(module, part.name, number) for number, part in enumerate(parts.parts, 1)),
+        module=module,
+        control=control(module, 4, 0.25, analysis="STATIC" if module == "solid" else "TRANSIENT"),
+        boundary=[fixed("wide-bottom", "x", "y", "z"), moved("left-left", "x", 0.05), moved("right-right", "x", -0.05)],
+        contacts=(
+            contact("one", "one", "tied-mixture", tie),
+            contact("two", "two", "tied-mixture", tie),
+            contact("side", "side", "sliding-mixture", sliding),
+        ),
+        curves=(RAMP,),
+        node_data=MODULES[module],
+    )
+
+
+@pytest.mark.parametrize("sliding", ["", "<laugon>LAGMULT</laugon>"], ids=["sliding penalty", "sliding multipliers"])
+@pytest.mark.parametrize("module", ["solid", "biphasic"])
+def test_ties_and_sliding_contact_share_nodes(solve, module, sliding):
+    found = []
+    for laugon in ("PENALTY", "LAGMULT"):
+        folder, finished = solve(laugon, three_blocks(module, f"<laugon>{laugon}</laugon>", sliding))
+        assert finished.report.retries == 0
+        assert finished.report.iterations <= 16
+        found.append(small.table(folder / "nodes.txt")[-1])
+    assert np.abs(found[0] - found[1]).max() <= 1e-3 * np.abs(found[1]).max()

@@ -31,7 +31,7 @@ def convert(
     ] = None,
     in_place: Annotated[bool, typer.Option("--in-place", help="Change the model file itself.")] = False,
 ) -> None:
-    """Switch a model to sliding-mixture and tied-mixture, keep all else byte for byte, and say what became of what.
+    """Switch a model to sliding-mixture and tied-mixture, name the fate of each parameter, and keep all other bytes.
 
     Contacts in included files go into new files next to these, which the new model reads.
     Refuses where the physics would change. Exit code 0: written; 2: not converted.

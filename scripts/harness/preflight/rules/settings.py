@@ -375,8 +375,7 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
     for control in joint.model.controls:
         for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
             kind = str(tag.get("type"))
-            is_symmetric = joint.contact.kind.is_tie or joint.contact.on("symmetric_stiffness")
-            if kind in SYMMETRIC_SOLVERS and not is_symmetric:
+            if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
                 why = "solves symmetric matrices only, and that of this contact is not"
             elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
                 why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"

@@ -17,9 +17,11 @@ from harness.preflight.rules.motion import held_axes
 from harness.preflight.rules.tools import error, note, short, warning
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
 from harness.preflight.tied_types import ANY_DISTANCE
+from harness.preflight.xml_file import children
 
 Array = NDArray[np.float64]
 
+ITERATIVE = (*settings.ITERATIVE_SOLVERS, "cg", "hypre_pcg_amg")
 AHEAD = 0.25
 """How far ahead a facet of tied-mixture looks by default, in its longest edge."""
 
@@ -123,6 +125,26 @@ def rigid_primary(joint: Joint) -> Iterator[Finding]:
         )
 
 
+def linear_solver(joint: Joint) -> Iterator[Finding]:
+    """Iterative linear solvers with multipliers or stiff penalties."""
+    contact = joint.contact
+    has_multipliers = contact.method == METHODS.index("LAGMULT")
+    if contact.kind.name != TIED or not (has_multipliers or contact.given("penalty") is None):
+        return
+    why = (
+        "<laugon>LAGMULT</laugon> makes the matrix indefinite" if has_multipliers else "the automatic penalty is stiff"
+    )
+    for control in joint.model.controls:
+        for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
+            if tag.get("type") in ITERATIVE:
+                yield warning(
+                    "linear-solver",
+                    tag,
+                    f"the linear solver '{tag.get('type')}' may find no solution: {why}",
+                    "Use pardiso, mkl_dss or superlu_mt; or PENALTY with <auto_penalty> 1 and <penalty> 1000.",
+                )
+
+
 ON_TEXT = (
     settings.empty_contact,
     settings.unknown_parameter,
@@ -132,7 +154,7 @@ ON_TEXT = (
     settings.material,
     settings.given_twice,
     settings.no_duration,
-    settings.linear_solver,
+    linear_solver,
 )
 """Rules that read the file alone."""
 ON_SURFACES = (
