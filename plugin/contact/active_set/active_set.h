@@ -15,8 +15,8 @@ struct ActiveSetOptions {
   double touch_fraction = 1e-10;
   /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
   int most_status_changes = 3;
-  /// Where a node has changed more often than this within a time step, the active set cycles: from then on nodes change
-  /// one at a time.
+  /// Nodes that have changed more often than this within a time step cycle: from then on these change one at a time,
+  /// and all others together.
   int most_joint_changes = 2 * most_status_changes;
   /// As most_status_changes, for nodes of the surface that faces the one integrated over, a change earlier. One that
   /// went and came back is not at the edge: where a surface slides over a finer one many do, and they would empty it
@@ -70,9 +70,10 @@ struct ActiveSetOptions {
 ///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
-/// then on. Where nodes keep changing together, closed pulled and open overlapping, the first of those that would
-/// change does so alone (least index rule, Murty 1974, Opsearch 11:123-130, which ends where each load grows with its
-/// own gap however the others are held: a P matrix).
+/// then on. Where nodes keep changing together, closed pulled and open overlapping, the first alone of those that cycle
+/// changes in each iteration. Each node changes a bounded number of times with others; from then on the rule is the
+/// least index rule (Murty 1974, Opsearch 11:123-130), which ends where each load grows with its own gap however the
+/// others are held: a P matrix.
 class ActiveSet {
  public:
   /// Keeps a reference to the laws.
