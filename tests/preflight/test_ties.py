@@ -9,7 +9,7 @@ import pytest
 
 from harness.conversion.convert import convert
 from harness.conversion.fates import Action
-from harness.conversion.ties import DROPPED
+from harness.conversion.tied_contacts import DROPPED
 from harness.errors import ModelError
 from harness.paths import REPOSITORY
 from harness.preflight.check import check

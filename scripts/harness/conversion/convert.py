@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from harness.conversion import sources, spans, ties
+from harness.conversion import sources, spans, tied_contacts
 from harness.conversion.fates import (
     DEFAULT,
     IMPERMEABLE,
@@ -80,7 +80,7 @@ def convert(path: Path) -> Converted:
         found = ", ".join(sorted({contact.kind.name for contact in (*model.contacts, *model.ties)}))
         known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
         raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {known} can be")
-    _refuse(path, [*refusals(model), *ties.refusals(model)])
+    _refuse(path, [*refusals(model), *tied_contacts.refusals(model)])
     files = sources.read(path)
     edits, changes = _edits(files, model)
     sources.redirect(files, edits)
@@ -123,7 +123,7 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
         own = [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {new}")]
         found = edits.setdefault(contact.file, [])
         found.append(spans.attribute(data, contact.span, "type", new))
-        for edit, change in (ties.parameters if is_tie else _parameters)(data, contact.span, joint):
+        for edit, change in (tied_contacts.parameters if is_tie else _parameters)(data, contact.span, joint):
             own.append(change)
             found += edit
         changes[_title(contact, number, model.path)] = own
