@@ -11,7 +11,7 @@ import pytest
 
 from harness.run import engine
 from studies.models import small
-from studies.models.small import Document, Parts, contact, control, elastic, fixed, moved, rigid
+from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, step
 from studies.models.tied_columns import EXACTLY, MODULES, RAMP, column, material, steps
 
 pytestmark = pytest.mark.mixture_only
@@ -266,3 +266,36 @@ def test_ties_and_sliding_contact_share_nodes(solve, module, sliding):
         assert finished.report.iterations <= 16
         found.append(small.table(folder / "nodes.txt")[-1])
     assert np.abs(found[0] - found[1]).max() <= 1e-3 * np.abs(found[1]).max()
+
+
+# ---- later steps ----
+
+
+def late(params: str, *, in_step: bool) -> Document:
+    """A block that is let down onto another one, and drawn up again once it is tied; or that begins there, tied."""
+    gap = 0.25 if in_step else 0.05
+    parts = Parts()
+    parts.box("low", (0, 0, 0), (1, 1, 1), (2, 2, 2), "low")
+    parts.box("up", (0, 0, 1 + gap), (1, 1, 2 + gap), (3, 3, 2), "up")
+    tie = contact("tie", "pair", "tied-mixture", params)
+    part = steps("solid", 2, 0.5)
+    down = curve(1, (0, 0), (1, -0.2), (2, -0.1)) if in_step else curve(1, (0, 0), (1, 0.1))
+    timing = {"steps": (step(1, part), step(2, f"{part}<Contact>{tie}</Contact>"))} if in_step else {"control": part}
+    return Document(
+        parts.mesh({"pair": ("up-bottom", "low-top")}),
+        (elastic("low", 1), elastic("up", 2)),
+        boundary=(fixed("low-bottom", "x", "y", "z"), fixed("up-top", "x", "y"), moved("up-top", "z", 1.0)),
+        contacts=() if in_step else (tie,),
+        curves=(down,),
+        node_data="x;y;z",
+        **timing,
+    )
+
+
+@pytest.mark.parametrize("laugon", LAGGED)
+def test_a_tie_of_a_later_step_begins_without_stress(solve, laugon):
+    params = f"<laugon>{laugon}</laugon>"
+    then, now = (solve(name, late(params, in_step=name == "then"))[0] for name in ("then", "now"))
+    places = [small.table(folder / "nodes.txt")[-1] for folder in (then, now)]
+    assert np.abs(places[0] - places[1]).max() <= 1e-9
+    assert places[1][:, 2].max() > 2.1
