@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from harness.preflight.contact_types import TIED, ContactType
+from harness.preflight.plugin_types import PLUGIN_TYPES
 
 _ENFORCED = ("laugon", "tolerance", "penalty", "minaug", "maxaug")
 _AUTOMATIC = (*_ENFORCED, "gaptol", "auto_penalty", "update_penalty", "search_tol", "search_radius")
@@ -10,10 +11,7 @@ _SOLVENT = ("ptol", "pressure_penalty")
 _SOLUTE = ("ctol", "concentration_penalty")
 _OF_FEBIO = ("two_pass", "knmult", "symmetric_stiffness")
 _FLIPS = ("flip_primary", "flip_secondary")
-_OWN = (
-    *("effects", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "integration", "integration_order"),
-    *("node_reloc", "shell_bottom_primary", "shell_bottom_secondary"),
-)
+_OWN = tuple(parameter.name for parameter in PLUGIN_TYPES[TIED])
 
 
 def _tied(name: str, home: str, *parameters: str, solvent: bool = False, solutes: bool = False) -> ContactType:
@@ -23,7 +21,7 @@ def _tied(name: str, home: str, *parameters: str, solvent: bool = False, solutes
 TIED_TYPES = {
     known.name: known
     for known in (
-        _tied(TIED, "", *_AUTOMATIC, *_SOLVENT, *_SOLUTE, *_FLIPS, *_OWN, solvent=True, solutes=True),
+        _tied(TIED, "", *_OWN, solvent=True, solutes=True),
         _tied("tied-elastic", "solid", *_AUTOMATIC, *_OF_FEBIO, *_FLIPS),
         _tied("tied-biphasic", "biphasic", *_AUTOMATIC, *_OF_FEBIO, *_SOLVENT, solvent=True),
         _tied(
