@@ -63,9 +63,11 @@ bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector
          std::all_of(secondary.begin(), secondary.end(), is_rigid);
 }
 
-/// What a mesh holds where a body may meet itself.
-void set_identity(SurfaceMesh& mesh, const FESurface& surface) {
-  for (int i = 0; i < surface.Nodes(); ++i) mesh.node_ids.push_back(surface.NodeIndex(i));
+/// Numbers of a surface's nodes in FEBio's mesh.
+std::vector<int> node_numbers(const FESurface& surface) {
+  std::vector<int> numbers;
+  for (int i = 0; i < surface.Nodes(); ++i) numbers.push_back(surface.NodeIndex(i));
+  return numbers;
 }
 
 /// Facets whose types check_surfaces() has seen to be known.
@@ -288,8 +290,12 @@ bool ContactSetup::build(BoundContact& contact) {
   if (!exchanged) return false;
   PerSide<SurfaceMesh> meshes;
   for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], (*found)[side], *exchanged);
-  for (const Side side : both_sides) {
-    if (parameters_.self_contact) set_identity(meshes[side], surfaces_[side]);
+  const PerSide<std::vector<int>> numbers{
+      {node_numbers(surfaces_[Side::primary]), node_numbers(surfaces_[Side::secondary])}};
+  if (parameters_.self_contact) {
+    for (const Side side : both_sides) meshes[side].node_ids.assign(numbers[side].begin(), numbers[side].end());
+  } else if (surfaces_[Side::primary].has_shell_bottoms() == surfaces_[Side::secondary].has_shell_bottoms()) {
+    find_joined_nodes(meshes, numbers);
   }
   contact.build(std::move(meshes), *exchanged);
   say_stand_in();

@@ -105,7 +105,12 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
 }
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
-  const NodeFlags status = updated_status(now, gaps);
+  NodeFlags status = updated_status(now, gaps);
+  // Twice the load less the multiplier of before, the trial of a node says nothing of the solution that an augmentation
+  // has taken over: what bears load there stays in contact until an iteration has changed it.
+  for (Index node = 0; augmented_ && node < status.count(); ++node) {
+    status[node] = status[node] || (gaps.faces(node) && laws_.multipliers.traction[node] < 0);
+  }
   const bool closes_overlapped = !point_ && !augmented_ && laws_.close_overlapped && !any(status);
   return closes_overlapped ? overlapped_nodes(space_) : status;
 }

@@ -285,7 +285,25 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
       hold_facing(pass, facing_contact(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
     }
   }
-  return nodes_in_contact();
+  PerSide<NodeFlags> nodes = nodes_in_contact();
+  for (const Side side : both_sides) {
+    for (Index node = 0; node < nodes[side].count(); ++node)
+      nodes[side][node] = nodes[side][node] || mesh_[side].is_joined(node);
+  }
+  return nodes;
+}
+
+bool ContactInterface::reconsiders_edge(const PerSide<SurfaceFields>& fields) {
+  if (!effects_.traction) return false;
+  const TaskClock timed = measurements_.clock(Task::augmentation);
+  bool any = false;
+  for (SidedPass& pass : passes_) {
+    any = pass.integral->reconsiders_edge(seen_from(pass.side, fields)) || any;
+    if (!pass.faced) continue;
+    any = reconsiders_facing(pass, facing_contact(pass, mesh_, position_, pass.integral->flux_coupled(), settings_)) ||
+          any;
+  }
+  return any;
 }
 
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {

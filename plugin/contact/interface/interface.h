@@ -86,6 +86,10 @@ class ContactInterface {
   /// that face contact are held until the next one, so that those at the edge of contact do not come and go for ever.
   PerSide<NodeFlags> hold_nodes_in_contact();
 
+  /// Whether a solution has nodes at the edge of contact that have to be tried once more
+  /// (ActiveSet::reconsiders_edge(), reconsiders_facing()): it is none then.
+  bool reconsiders_edge(const PerSide<SurfaceFields>& fields);
+
   /// Looks, at a solution, for secondary nodes inside the primary body that no pass detects. All secondary nodes that
   /// face the same primary facets become penetration-check nodes, those of a second pass in which no others can close,
   /// and remain so: open they carry no load. is_solution() tells whether that changes the loads. Returns what is
