@@ -34,11 +34,13 @@ THEIRS = replace(
 )
 
 
-def test_the_headline_compares_with_the_run_of_fewest_iterations() -> None:
-    said = page.headline([OURS, THEIRS, replace(THEIRS, factor=10.0, iterations=50)])
+def test_the_headline_compares_with_the_runs_of_fewest_iterations_and_of_least_overlap() -> None:
+    tight = replace(THEIRS, factor=100.0, iterations=120, seconds=160.0, overlap=0.01)
+    said = page.headline([OURS, THEIRS, tight])
     assert "completes 1 of 1 runs, FEBio's interface 2 of 2" in said
-    assert "1.50 times the iterations, 2.00 times the time and 1.50 times the memory" in said
-    assert "0.01 times as much overlap" in said
+    assert "1.50 times the iterations, 2.00 times the time and 1.50 times the memory of the run of FEBio's with" in said
+    assert "and 0.50 times the iterations, 0.50 times the time" in said
+    assert "leaves 0.01 and 0.1 times as much overlap" in said
 
 
 def test_the_headline_compares_nothing_where_a_run_fails() -> None:

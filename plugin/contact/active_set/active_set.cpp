@@ -7,12 +7,14 @@
 namespace mixture_contact {
 namespace {
 
-/// The status before with the first of the changes alone.
-NodeFlags with_first_change(const NodeFlags& before, const NodeFlags& status) {
-  NodeFlags next = before;
-  const auto [was, is] = std::mismatch(before.begin(), before.end(), status.begin());
-  if (was != before.end()) next[was - before.begin()] = *is;
-  return next;
+/// The changed status; of the nodes that have changed more often than `most`, the first alone changes.
+NodeFlags with_first_repeated(const NodeFlags& before, NodeFlags status, const IndexedVector<int>& changes, int most) {
+  bool is_first = true;
+  for (Index node = 0; node < status.count(); ++node) {
+    if (status[node] == before[node] || changes[node] <= most) continue;
+    if (!std::exchange(is_first, false)) status[node] = before[node];
+  }
+  return status;
 }
 
 double largest_of(const NodalLoads& loads) { return loads.traction.cwiseAbs().maxCoeff(); }
@@ -79,9 +81,9 @@ ContactStatus ActiveSet::moved(const NodalLoads& last, const NodalGaps& now) con
 }
 
 ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool counts) {
-  const bool cycles = !changes_.empty() &&
-                      *std::max_element(changes_.begin(), changes_.end()) > options_.most_joint_changes;
-  if (cycles) updated = with_first_change(before, updated);
+  if (!changes_.empty()) {
+    updated = with_first_repeated(before, std::move(updated), changes_, options_.most_joint_changes);
+  }
   if (counts && waits(before, updated)) updated = before;
   ContactStatus status{updated, updated};
   for (Index node = 0; node < updated.count(); ++node) {
@@ -172,9 +174,9 @@ NodeFlags ActiveSet::next_slip(const NodalLoads& predicted, const NodalLoads& no
   for (Index node = 0; node < slips.count(); ++node) {
     if (now.in_contact[node] && predicted.in_contact[node]) slips[node] = updated[node];
   }
-  const bool cycles = !slip_changes_.empty() &&
-                      *std::max_element(slip_changes_.begin(), slip_changes_.end()) > options_.most_joint_changes;
-  if (cycles) slips = with_first_change(before, slips);
+  if (!slip_changes_.empty()) {
+    slips = with_first_repeated(before, std::move(slips), slip_changes_, options_.most_joint_changes);
+  }
   for (Index node = 0; node < slips.count(); ++node) {
     if (slips[node] != before[node] || (slips[node] && slides_back(predicted, node))) ++slip_changes_[node];
   }

@@ -16,8 +16,8 @@ struct ActiveSetOptions {
   /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
   /// The same holds for nodes that face contact.
   int most_status_changes = 3;
-  /// Where a node has changed more often than this within a time step, the active set cycles: from then on nodes change
-  /// one at a time.
+  /// Nodes that have changed more often than this within a time step cycle: from then on these change one at a time,
+  /// and all others together.
   int most_joint_changes = 2 * most_status_changes;
   /// A node of the surface that faces the one integrated over is in contact where the contact of the nodes that it
   /// faces, interpolated, reaches this share: a half, halfway between a node in contact and one that is not, less
@@ -69,9 +69,10 @@ struct ActiveSetOptions {
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
 /// then on. Iterations far from a solution may change nodes as often: at a solution those at the edge are tried once
-/// more. Where nodes keep changing together, closed pulled and open overlapping, the first of those that would
-/// change does so alone (least index rule, Murty 1974, Opsearch 11:123-130, which ends where each load grows with its
-/// own gap however the others are held: a P matrix).
+/// more. Where nodes keep changing together, closed pulled and open overlapping, the first alone of those that cycle
+/// changes in each iteration. Each node changes a bounded number of times with others; from then on the rule is the
+/// least index rule (Murty 1974, Opsearch 11:123-130), which ends where each load grows with its own gap however the
+/// others are held: a P matrix.
 class ActiveSet {
  public:
   /// Keeps a reference to the laws.

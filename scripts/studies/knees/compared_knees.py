@@ -18,7 +18,7 @@ from harness.run.runner import Runner, RunResult
 from studies.knees.knee_run import KneeRun
 from studies.limit import at_limit
 
-FACTORS = (1.0, 10.0)
+FACTORS = (1.0, 10.0, 100.0)
 """Of FEBio's automatic penalties; 0 stands for the plugin's defaults."""
 
 

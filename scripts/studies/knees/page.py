@@ -29,30 +29,32 @@ def headline(runs: Sequence[KneeRun]) -> str:
     """Who completes, and how much it takes."""
     ours, theirs = ([run for run in runs if (run.contact == _OURS) is mine] for mine in (True, False))
     done = f"`sliding-mixture` completes {_done(ours)} of {len(ours)} runs, FEBio's interface {_done(theirs)} of "
-    return f"{done}{len(theirs)} with two factors of its penalty. {' '.join(map(_compared, _pairs(runs)))}"
+    compared = [_compared(mine, theirs) for mine in ours if mine.ended]
+    return f"{done}{len(theirs)} with three factors of its penalty. {' '.join(compared)}"
 
 
 def _done(runs: Sequence[KneeRun]) -> int:
     return sum(run.ended for run in runs)
 
 
-def _pairs(runs: Sequence[KneeRun]) -> list[tuple[KneeRun, KneeRun]]:
-    """The plugin's run of each load, and FEBio's fastest one, where both complete."""
-    pairs = []
-    for mine in (run for run in runs if run.contact == _OURS and run.ended):
-        rivals = [run for run in runs if run.contact != _OURS and run.ended and run.load == mine.load]
-        if rivals:
-            pairs.append((mine, min(rivals, key=lambda run: run.iterations)))
-    return pairs
-
-
-def _compared(pair: tuple[KneeRun, KneeRun]) -> str:
-    mine, other = pair
+def _compared(mine: KneeRun, theirs: Sequence[KneeRun]) -> str:
+    """The plugin's run of a load beside two of FEBio's that complete: the fastest and the one that overlaps least."""
+    rivals = [run for run in theirs if run.ended and run.load == mine.load]
+    if not rivals:
+        return f"In {mine.load}, no run of FEBio's completes."
+    fastest = min(rivals, key=lambda run: run.iterations)
+    tightest = min(rivals, key=lambda run: run.overlap)
     return (
-        f"In {mine.load}, `sliding-mixture` takes {mine.iterations / other.iterations:.2f} times the iterations, "
-        f"{mine.seconds / other.seconds:.2f} times the time and {mine.memory / other.memory:.2f} times the memory of "
-        f"the run of FEBio's with the fewest iterations, and leaves {mine.overlap / other.overlap:.1g} times as much "
-        f"overlap."
+        f"In {mine.load}, `sliding-mixture` takes {_times(mine, fastest)} the run of FEBio's with the fewest "
+        f"iterations, and {_times(mine, tightest)} the run of FEBio's with the least overlap. It leaves "
+        f"{mine.overlap / fastest.overlap:.1g} and {mine.overlap / tightest.overlap:.1g} times as much overlap."
+    )
+
+
+def _times(mine: KneeRun, other: KneeRun) -> str:
+    return (
+        f"{mine.iterations / other.iterations:.2f} times the iterations, {mine.seconds / other.seconds:.2f} times the "
+        f"time and {mine.memory / other.memory:.2f} times the memory of"
     )
 
 

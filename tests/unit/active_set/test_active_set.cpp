@@ -143,6 +143,26 @@ BOOST_AUTO_TEST_CASE(nodes_that_change_together_too_often_change_one_at_a_time) 
   }
 }
 
+BOOST_AUTO_TEST_CASE(nodes_that_have_not_cycled_change_together_with_the_first_that_has) {
+  Approach approach(0.125);
+  ActiveSet active_set(approach.contact->pass(0).laws());
+  active_set.start_counting();
+  const NodeFlags open(all, false);
+  NodeFlags two = open;
+  two[0] = two[1] = true;
+  NodeFlags status = open;
+  for (int change = 1; change <= ActiveSetOptions().most_joint_changes + 1; ++change) {
+    const NodeFlags asked = change % 2 == 1 ? two : open;
+    status = active_set.next(status, asked, true).in_contact;
+    BOOST_TEST((status == asked));
+  }
+  NodeFlags expected(all, true);
+  expected[0] = false;
+  NodeFlags asked = expected;
+  asked[1] = false;
+  BOOST_TEST((active_set.next(status, asked, true).in_contact == expected));
+}
+
 // ------------------------------------------------------------ where a step begins
 
 const Effects elastic = effects_of(false, 0);
