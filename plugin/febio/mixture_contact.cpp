@@ -56,19 +56,19 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
     if (tag.choices != nullptr) parameter->setEnums(tag.choices);
   });
   BEGIN_PARAM_GROUP(heading(ParameterGroup::ambient));
-  ADD_PARAMETER(parameters_.ambient.pressure, "ambient_pressure")
-      ->setUnits(UNIT_PRESSURE)
-      ->setLongName("ambient pressure");
+  ADD_PARAMETER(parameters_.ambient.pressure, hosts_own::ambient_pressure.name)
+      ->setUnits(unit_of(hosts_own::ambient_pressure.unit))
+      ->setLongName(hosts_own::ambient_pressure.long_name);
   END_PARAM_GROUP();
-  ADD_PROPERTY(ambient_concentrations_, "ambient_concentration", FEProperty::Optional)
+  ADD_PROPERTY(ambient_concentrations_, hosts_own::ambient_concentration.name, FEProperty::Optional)
       ->SetDefaultType("mixture_ambient_concentration")
-      .SetLongName("ambient concentration");
-  ADD_PROPERTY(membrane_.permeances, "solute_permeance", FEProperty::Optional)
+      .SetLongName(hosts_own::ambient_concentration.long_name);
+  ADD_PROPERTY(membrane_.permeances, hosts_own::solute_permeance.name, FEProperty::Optional)
       ->SetDefaultType("mixture_solute_permeance")
-      .SetLongName("membrane permeance");
-  ADD_PROPERTY(membrane_.reflections, "reflection", FEProperty::Optional)
+      .SetLongName(hosts_own::solute_permeance.long_name);
+  ADD_PROPERTY(membrane_.reflections, hosts_own::reflection.name, FEProperty::Optional)
       ->SetDefaultType("mixture_reflection")
-      .SetLongName("membrane reflection coefficient");
+      .SetLongName(hosts_own::reflection.long_name);
 END_FECORE_CLASS()
 
 FEMixtureContact::FEMixtureContact(FEModel* fem)

@@ -182,6 +182,18 @@ struct ParameterTag {
   bool* varies = nullptr;         ///< to be set where a load curve changes the value; null where none may
 };
 
+/// Parameters that hosts read in their own ways, each with its load curve.
+namespace hosts_own {
+inline constexpr ParameterTag ambient_pressure{"ambient_pressure", "ambient pressure", ParameterGroup::ambient,
+                                               Unit::pressure};
+inline constexpr ParameterTag ambient_concentration{"ambient_concentration", "ambient concentration",
+                                                    ParameterGroup::ambient, Unit::concentration};
+inline constexpr ParameterTag solute_permeance{"solute_permeance", "membrane permeance", ParameterGroup::membrane};
+inline constexpr ParameterTag reflection{"reflection", "membrane reflection coefficient", ParameterGroup::membrane};
+/// Parameters with a value for each solute.
+inline constexpr std::array<ParameterTag, 3> values_per_solute{ambient_concentration, solute_permeance, reflection};
+}  // namespace hosts_own
+
 /// Calls take(tag, value) for a parameter that knows whether the model sets it.
 template <class Take>
 struct TakeGiven {
@@ -281,8 +293,8 @@ void for_each_unused_parameter(ContactParameters& p, const Take& take) {
   take_given({"extrapolation", "predictor (former name)", Group::old_models}, p.unused.extrapolation);
 }
 
-/// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for ambient_pressure,
-/// which hosts read with its load curve, and not for values per solute.
+/// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for those of
+/// hosts_own.
 template <class Take>
 void for_each_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;

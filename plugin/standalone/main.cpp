@@ -2,6 +2,7 @@
 
 #include "analysis.h"
 #include "error.h"
+#include "host/contact_types.h"
 #include "problem.h"
 #include "reader.h"
 
@@ -43,7 +44,8 @@ int run_command_line(int argc, const char* const* argv) {
       "Usage: mixture-contact [options] model.feb\n\nRuns a model (a subset of FEBio XML 4.0) and writes "
       "log and data in its folder.\n\nOptions");
   known.add_options()("help,h", "show this text")("model", options::value<std::string>(), "the model")(
-      "check", "read the model and say what is wrong with it, without running it");
+      "check", "read the model and say what is wrong with it, without running it")(
+      "contact-types", "print the contact types of febio4's plugin and their parameters as JSON");
   options::variables_map given;
   try {
     options::store(options::command_line_parser(argc, argv)
@@ -54,6 +56,10 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const options::error& error) {
     std::cerr << "mixture-contact: " << error.what() << '\n';
     return 1;
+  }
+  if (given.count("contact-types") > 0) {
+    std::cout << contact_types_json();
+    return 0;
   }
   if (given.count("help") > 0 || given.count("model") == 0) {
     std::cout << known << '\n';

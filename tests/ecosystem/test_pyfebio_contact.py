@@ -10,9 +10,9 @@ from typing import get_args
 import pytest
 from lxml import etree
 
+from harness.preflight.plugin_types import PLUGIN_TYPES
 from harness.run import engine
 from studies.models.pressed_blocks import PressedBlocks
-from studies.pages.plugin_parameters import registered
 
 ATTRIBUTES = {"type", "name", "surface_pair"}
 
@@ -25,13 +25,13 @@ def classes() -> SimpleNamespace:
 
 
 def test_it_has_the_parameters_of_the_plugin(classes: SimpleNamespace) -> None:
-    table = {each.name for each in registered() if each.group != "old_models"}
+    table = {each.name for each in PLUGIN_TYPES["sliding-mixture"] if each.group}
     assert set(classes.SlidingMixture.model_fields) - ATTRIBUTES == table
 
 
 def test_values_with_names_are_those_of_the_plugin(classes: SimpleNamespace) -> None:
     fields = classes.SlidingMixture.model_fields
-    for parameter in registered():
+    for parameter in PLUGIN_TYPES["sliding-mixture"]:
         if parameter.choices:
             literal = get_args(fields[parameter.name].annotation)[0]
             assert get_args(literal) == parameter.choices

@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from harness.preflight.plugin_types import PLUGIN_TYPES
 from harness.preflight.rules.settings import FOLLOWED
 from studies.models import small
 from studies.models.small import Document, Parts, biphasic, contact, control, curve, elastic, fixed, moved
-from studies.pages.plugin_parameters import registered
 
 pytestmark = pytest.mark.mixture_only
 
@@ -91,7 +91,7 @@ def test_a_curve_that_is_constant_is_no_curve(solve):
     np.testing.assert_array_equal(forces(with_curves), forces(without))
 
 
-REFUSED = [parameter.name for parameter in registered() if parameter.name not in FOLLOWED]
+REFUSED = [parameter.name for parameter in PLUGIN_TYPES["sliding-mixture"] if parameter.name not in FOLLOWED]
 
 
 @pytest.mark.parametrize("name", REFUSED)

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from harness.errors import DataFileError
 from harness.paths import DOCS
+from harness.preflight.plugin_types import PLUGIN_TYPES, Parameter
 from harness.validate.checks import CHECKS
 from studies import site
 from studies.pages import plugin_parameters, verification
+
+PARAMETERS = PLUGIN_TYPES["sliding-mixture"]
 
 
 @pytest.mark.parametrize("name", site.PAGES)
@@ -17,58 +22,35 @@ def test_a_generated_page_is_up_to_date(name):
     assert (DOCS / name).read_text(encoding="utf-8") == site.PAGES[name]()
 
 
-def altered(tmp_path, monkeypatch, old: str, new: str) -> None:
-    """The table of parameters is that of the code, but for one replacement."""
-    text = plugin_parameters.DECLARATION.read_text(encoding="utf-8")
-    assert old in text
-    changed = tmp_path / plugin_parameters.DECLARATION.name
-    changed.write_text(text.replace(old, new), encoding="utf-8")
-    monkeypatch.setattr(plugin_parameters, "DECLARATION", changed)
+def altered(name: str, **changes: str) -> list[Parameter]:
+    """The parameters, one of which is altered."""
+    return [replace(each, **changes) if each.name == name else each for each in PARAMETERS]
 
 
-def test_a_parameter_without_a_note_is_named(tmp_path, monkeypatch):
-    line = '  take_given({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol);'
-    another = '  take_given({"gap_limit", "gap limit", Group::enforcement}, p.tolerances.gaptol);'
-    altered(tmp_path, monkeypatch, line, f"{another}\n{line}")
+def test_a_parameter_without_a_note_is_named():
     with pytest.raises(DataFileError, match="do not agree on gap_limit"):
-        plugin_parameters.page()
+        plugin_parameters.page([*PARAMETERS, replace(PARAMETERS[0], name="gap_limit")])
 
 
-def test_a_note_without_a_parameter_is_named(tmp_path, monkeypatch):
-    altered(tmp_path, monkeypatch, '"gaptol"', '"ptol"')
+def test_a_note_without_a_parameter_is_named():
     with pytest.raises(DataFileError, match="do not agree on gaptol"):
-        plugin_parameters.page()
+        plugin_parameters.page([each for each in PARAMETERS if each.name != "gaptol"])
 
 
-def test_a_registration_of_another_form_is_an_error(tmp_path, monkeypatch):
-    altered(
-        tmp_path,
-        monkeypatch,
-        'take_given({"gaptol", "gap tolerance", Group::enforcement, Unit::length}, p.tolerances.gaptol)',
-        "take_given(tag, p.tolerances.gaptol)",
-    )
-    with pytest.raises(DataFileError, match="is not of the form"):
-        plugin_parameters.page()
+def test_a_group_without_a_sentence_is_named():
+    with pytest.raises(DataFileError, match="do not agree on Insistence"):
+        plugin_parameters.page(altered("maxaug", group="Insistence"))
 
 
-def test_a_group_without_a_sentence_is_named(tmp_path, monkeypatch):
-    altered(tmp_path, monkeypatch, "case ParameterGroup::enforcement:", "case ParameterGroup::insistence:")
-    with pytest.raises(DataFileError, match="do not agree on enforcement, insistence"):
-        plugin_parameters.page()
-
-
-def test_a_parameter_stands_under_the_heading_of_its_group(tmp_path, monkeypatch):
+def test_a_parameter_stands_under_the_heading_of_its_group():
     assert plugin_parameters.page().index("## Enforcement") < plugin_parameters.page().index("| `maxaug` |")
-    altered(
-        tmp_path, monkeypatch, '"maximum augmentations", Group::enforcement', '"maximum augmentations", Group::effects'
-    )
-    assert plugin_parameters.page().index("| `maxaug` |") < plugin_parameters.page().index("## Enforcement")
+    page = plugin_parameters.page(altered("maxaug", group="Effects"))
+    assert page.index("| `maxaug` |") < page.index("## Enforcement")
 
 
-def test_defaults_come_from_the_code(tmp_path, monkeypatch):
+def test_defaults_come_from_the_code():
     assert "| `maxaug` | - | 10 |" in plugin_parameters.page()
-    altered(tmp_path, monkeypatch, "int maxaug = 10;", "int maxaug = 20;")
-    assert "| `maxaug` | - | 20 |" in plugin_parameters.page()
+    assert "| `maxaug` | - | 20 |" in plugin_parameters.page(altered("maxaug", default="20"))
 
 
 def test_the_report_has_every_check_and_each_figure_meets_its_bar():

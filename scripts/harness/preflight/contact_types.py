@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from harness.preflight.plugin_types import PLUGIN_TYPES
+
 MIXTURE = "sliding-mixture"
 
 _COMMON = ("laugon", "tolerance", "gaptol", "penalty", "auto_penalty", "update_penalty", "two_pass", "knmult")
@@ -71,27 +73,10 @@ MODULES = {
 }
 """FEBio's modules, and those whose classes each of them has."""
 
-_OWN = (
-    "effects",
-    "free_draining",
-    "tangential_penalty",
-    "traction_tolerance",
-    "solvent_tolerance",
-    "solute_tolerance",
-    "integration",
-    "integration_order",
-    "predictor",
-    "extrapolation",
-    "non_negative_concentrations",
-    "line_search_guard",
-    "solver_devices",
-    "hydraulic_conductance",
-    "solute_permeance",
-    "reflection",
-)
-_MIXTURE_PARAMETERS = frozenset(
-    [*_BASE, "symmetric_stiffness", *_SOLVENT, *_SOLUTE, *_FRICTION, *_SHELLS, "offset", "tension", *_OWN]
-)
+
+def _of_plugin(name: str) -> frozenset[str]:
+    """Parameters of one of the plugin's types; FEBio gives every sliding contact the hidden ones."""
+    return frozenset([parameter.name for parameter in PLUGIN_TYPES[name]]).union(_HIDDEN)
 
 
 def _febio(name: str, home: str, *more: str, solvent: bool = False, solutes: bool = False) -> ContactType:
@@ -106,7 +91,7 @@ _FACET_ON_FACET = set(_BASE) | {"dxtol", "fric_coeff", "fric_penalty"}
 TYPES = {
     known.name: known
     for known in (
-        ContactType(MIXTURE, "", _MIXTURE_PARAMETERS, solvent=True, solutes=True),
+        ContactType(MIXTURE, "", _of_plugin(MIXTURE), solvent=True, solutes=True),
         _febio("sliding-elastic", "solid", *_SHELLS, "tension", "offset", "fric_coeff"),
         _febio("sliding-biphasic", "biphasic", *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),
         _febio("sliding-biphasic-mixed", "biphasic", *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),

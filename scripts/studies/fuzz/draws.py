@@ -12,11 +12,12 @@ from harness.models.assembly import box
 from harness.models.document import Model
 from harness.models.interface import ContactSettings
 from harness.models.parts import Mixture, Param, Solid, Solute
+from harness.preflight.contact_types import MIXTURE
+from harness.preflight.plugin_types import PLUGIN_TYPES
 from studies.hard_cases.catalogue import on_corner, rotation, wedge
 from studies.hard_cases.press import Press
 from studies.hard_cases.pushed import Pushed, Shape, along, faces, slab, turned
 from studies.hard_cases.scene import Fineness, Interface
-from studies.pages.plugin_parameters import registered
 
 Random = np.random.Generator
 
@@ -134,7 +135,7 @@ _ANYTHING: tuple[Value, ...] = (
         random.choice(["nan", "inf", "-inf", "", " ", "AUGLAG", "penalty", "1,2,3", "0x10", "1e999", "é"])
     ),
 )
-PARAMETERS = [*(parameter.name for parameter in registered()), "penalti"]
+PARAMETERS = [*(parameter.name for parameter in PLUGIN_TYPES[MIXTURE]), "penalti"]
 """What may be set; the last does not exist."""
 
 

@@ -33,27 +33,29 @@ class Note:
 AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_radius"}
 """Parameters that are chosen by the contact where the model does not give them."""
 
+OLD_MODELS = "Accepted for the sake of old models"
+"""The heading of parameters that FEBio Studio does not offer."""
+
 ABOUT = {
-    "effects": "The effects that are exchanged, among those that the materials on both sides allow; "
+    "Effects": "The effects that are exchanged, among those that the materials on both sides allow; "
     "see [the log](../start/first-model.md).",
-    "enforcement": "How exactly overlap and jumps are closed; see [penalties](../how-to/parameters.md#penalties) and "
+    "Enforcement": "How exactly overlap and jumps are closed; see [penalties](../how-to/parameters.md#penalties) and "
     "[which enforcement](../how-to/parameters.md#which-enforcement).",
-    "ambient": "Values of the fluid that wets nodes out of contact; see [ambient conditions](../how-to/ambient.md).",
-    "surfaces": "Which points see each other, and where (2.5) is integrated.",
-    "solution": "These parameters act on the solver. All but the first switch "
+    "Ambient values": "Values of the fluid that wets nodes out of contact; "
+    "see [ambient conditions](../how-to/ambient.md).",
+    "Surfaces and integration": "Which points see each other, and where (2.5) is integrated.",
+    "Solution": "These parameters act on the solver. All but the first switch "
     "[devices](../how-to/devices.md). "
     "They act on the whole model: contacts that give one must give the same value.",
-    "friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
+    "Friction": "Acts where `fric_coeff` is not 0; [explanation](../explanation/friction.md) has the law, "
     "[FEBio's parameters](from-febio.md#friction) what differs from FEBio's.",
-    "membrane": "A film between the bodies; what is not given crosses freely. See [membranes](../how-to/membranes.md).",
-    "old_models": "They belong to physics or devices that are not part of this contact. Each is an error or a notice, "
+    "Membrane": "A film between the bodies; what is not given crosses freely. See [membranes](../how-to/membranes.md).",
+    OLD_MODELS: "They belong to physics or devices that are not part of this contact. Each is an error or a notice, "
     "as said. FEBio gives every contact two more, hidden parameters, "
     "`penalty_sf` and `max_penalty_sf`. They have no effect "
     "here; a notice says so.",
 }
-"""A sentence on each group of parameters, by its name in plugin/host/contact_parameters.h."""
-OLD_MODELS = "Accepted for the sake of old models"
-"""The heading of parameters that FEBio Studio does not offer."""
+"""A sentence on each group of parameters, by its heading."""
 
 NOTES = {
     "laugon": Note(

@@ -6,9 +6,10 @@ import difflib
 import math
 from collections.abc import Iterator
 
-from harness.preflight.contact_types import MODULES
+from harness.preflight.contact_types import MIXTURE, MODULES
 from harness.preflight.finding import Finding
 from harness.preflight.model import METHODS
+from harness.preflight.plugin_types import PLUGIN_TYPES
 from harness.preflight.rules.tools import error, note, short, warning
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import WITHOUT_CONTENT, Element, children, chosen, place, text
@@ -16,7 +17,8 @@ from harness.preflight.xml_file import WITHOUT_CONTENT, Element, children, chose
 NOT_NEGATIVE = "a number that is not negative"
 COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
 FRACTION, POSITIVE = "a number from 0 to 1", "a number above 0"
-CHOICES = {"laugon": METHODS, "integration": ("gauss", "segments")}
+_OF_MIXTURE = PLUGIN_TYPES[MIXTURE]
+CHOICES = {parameter.name: parameter.choices for parameter in _OF_MIXTURE if parameter.choices}
 OWN_CHOICES = METHODS[-1:]
 """Last of their list, and not in FEBio's sliding interfaces."""
 ALLOWED = {
@@ -43,12 +45,7 @@ LEFT_OUT = {
 }
 """What goes with a penalty."""
 RENAMED = {"extrapolation": "predictor"}
-FOLLOWED = (
-    *("penalty", "pressure_penalty", "concentration_penalty", "ambient_pressure", "ambient_concentration"),
-    *("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance", "gaptol", "ptol", "ctol"),
-    *("fric_coeff", "contact_frac", "tangential_penalty", "offset"),
-    *("hydraulic_conductance", "solute_permeance", "reflection"),
-)
+FOLLOWED = tuple(parameter.name for parameter in _OF_MIXTURE if parameter.curve)
 """Parameters whose load curves sliding-mixture follows."""
 NEVER_NEGATIVE = {
     "ambient_concentration": "a concentration",
@@ -57,7 +54,7 @@ NEVER_NEGATIVE = {
     "solute_permeance": "a permeance",
     "reflection": "a reflection coefficient",
 }
-PER_SOLUTE = ("ambient_concentration", "solute_permeance", "reflection")
+PER_SOLUTE = tuple(parameter.name for parameter in _OF_MIXTURE if parameter.kind == "values per solute")
 """Parameters that are given once for each solute."""
 FEW_REFORMATIONS = 15
 SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")
