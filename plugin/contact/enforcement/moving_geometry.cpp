@@ -211,6 +211,10 @@ void MovingGeometry::forget_past() {
   last_ = {};
 }
 
+bool MovingGeometry::reconsiders_edge(const FacingFields& fields) {
+  return laws_.effects().scalar_fields() > 0 && active_set_.reconsiders_edge(loads(fields));
+}
+
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);

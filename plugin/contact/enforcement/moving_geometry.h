@@ -24,6 +24,7 @@ class MovingGeometry : public ContactGeometry {
   void take_multipliers() override { augmented_ = true; }
   void end_iterations() override;
   void forget_past() override;
+  bool reconsiders_edge(const FacingFields& fields) override;
   bool is_solution(const FacingFields& fields) const override;
   HeldLinearisation* held() override { return &held_; }
 

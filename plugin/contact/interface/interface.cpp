@@ -293,19 +293,6 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
   return nodes;
 }
 
-bool ContactInterface::reconsiders_edge(const PerSide<SurfaceFields>& fields) {
-  if (!effects_.traction) return false;
-  const TaskClock timed = measurements_.clock(Task::augmentation);
-  bool any = false;
-  for (SidedPass& pass : passes_) {
-    any = pass.integral->reconsiders_edge(seen_from(pass.side, fields)) || any;
-    if (!pass.faced) continue;
-    any = reconsiders_facing(pass, facing_contact(pass, mesh_, position_, pass.integral->flux_coupled(), settings_)) ||
-          any;
-  }
-  return any;
-}
-
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
   check_.undetected = {};
   if (settings_.two_pass || !effects_.traction || mesh_[Side::primary].may_meet_itself()) return {};
@@ -420,6 +407,20 @@ bool faces_as_held(const ContactInterface& contact) {
                                       contact.settings_);
     return next_facing(pass, std::move(facing)) == *pass.faced;
   });
+}
+
+bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  if (!contact.effects_.traction) return false;
+  const TaskClock timed = contact.measurements().clock(Task::augmentation);
+  bool any = false;
+  for (SidedPass& pass : contact.passes_) {
+    any = pass.integral->geometry().reconsiders_edge(seen_from(pass.side, fields)) || any;
+    if (!pass.faced) continue;
+    const NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
+                                            contact.settings_);
+    any = reconsiders_facing(pass, facing) || any;
+  }
+  return any;
 }
 
 }  // namespace mixture_contact

@@ -55,6 +55,7 @@ class ContactInterface {
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
   /// Whether the nodes that face contact are still those that the iteration began with.
   friend bool faces_as_held(const ContactInterface& contact);
+  friend bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
@@ -85,10 +86,6 @@ class ContactInterface {
   /// The nodes_in_contact() of an iteration that has begun: once in each, and only where there is an ambient. Nodes
   /// that face contact are held until the next one, so that those at the edge of contact do not come and go for ever.
   PerSide<NodeFlags> hold_nodes_in_contact();
-
-  /// Whether a solution has nodes at the edge of contact that have to be tried once more
-  /// (ActiveSet::reconsiders_edge(), reconsiders_facing()): it is none then.
-  bool reconsiders_edge(const PerSide<SurfaceFields>& fields);
 
   /// Looks, at a solution, for secondary nodes inside the primary body that no pass detects. All secondary nodes that
   /// face the same primary facets become penetration-check nodes, those of a second pass in which no others can close,
@@ -149,5 +146,9 @@ class ContactInterface {
 };
 
 bool faces_as_held(const ContactInterface& contact);
+
+/// Whether a solution has nodes at the edge of contact that have to be tried once more (ActiveSet::reconsiders_edge(),
+/// reconsiders_facing()): it is none then.
+bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 }  // namespace mixture_contact

@@ -56,10 +56,6 @@ void ContactPass::augment(const FacingFields& fields) {
   geometry_->take_multipliers();
 }
 
-bool ContactPass::reconsiders_edge(const FacingFields& fields) {
-  return effects_.traction && effects_.scalar_fields() > 0 && active_set_.reconsiders_edge(nodal_loads(fields));
-}
-
 void ContactPass::accept_step(const FacingFields& fields) {
   if (effects_.scalar_fields() > 0) laws_.multipliers.flux_coupled = flux_coupled();
   if (!effects_.traction) return;

@@ -59,10 +59,6 @@ class ContactPass {
   /// Slips are measured from these positions from now on.
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
-  /// Has nodes at the edge of contact tried once more (see ActiveSet::reconsiders_edge()). Returns whether there are
-  /// any.
-  bool reconsiders_edge(const FacingFields& fields);
-
   /// Takes an accepted state over as that which the next step begins with: its loads, which nodes are flux-coupled, and
   /// its positions as those that slips are measured from.
   void accept_step(const FacingFields& fields);

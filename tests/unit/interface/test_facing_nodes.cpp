@@ -78,11 +78,11 @@ BOOST_AUTO_TEST_CASE(a_solution_has_nodes_that_changed_too_often_to_face_contact
   come_and_go();
   BOOST_TEST(plate.facing() < there);
   BOOST_TEST(faces_as_held(*plate.contact));
-  BOOST_TEST(plate.contact->reconsiders_edge(plate.scene.fields));
+  BOOST_TEST(reconsiders_edge(*plate.contact, plate.scene.fields));
   plate.iterate(0);
   BOOST_TEST(plate.facing() == there);
-  BOOST_TEST(!plate.contact->reconsiders_edge(plate.scene.fields));
+  BOOST_TEST(!reconsiders_edge(*plate.contact, plate.scene.fields));
   come_and_go();
   BOOST_TEST(plate.facing() < there);
-  BOOST_TEST(!plate.contact->reconsiders_edge(plate.scene.fields));
+  BOOST_TEST(!reconsiders_edge(*plate.contact, plate.scene.fields));
 }
