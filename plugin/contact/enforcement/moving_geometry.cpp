@@ -248,7 +248,9 @@ Matrix3Xd MovingGeometry::present_multipliers(const NodalFriction& friction) con
   return present;
 }
 
-NodeFlags MovingGeometry::flux_coupled() const { return point_ ? point_->loads.flux_coupled : initial_status(); }
+NodeFlags MovingGeometry::flux_coupled() const {
+  return point_ ? point_->loads.flux_coupled : active_set_.initial(space_.gaps());
+}
 
 VectorXd MovingGeometry::equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
   return point_ ? point_->equation_weights : method_.equation_weights(loads, x1);
@@ -282,7 +284,7 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
 
 void MovingGeometry::for_each_coupling(const Couplings& use) const {
   const auto use_around = [&](Index node, const Patch& patch) { use_node(method_, space_, node, patch, use); };
-  const NodeFlags in_contact = point_ ? point_->loads.in_contact : initial_status();
+  const NodeFlags in_contact = point_ ? point_->loads.in_contact : active_set_.initial(space_.gaps());
   if (geometric_ && point_) {  // the pairs are still those that the nodes were linearised with
     for (Index node = 0; node < point_->nodes.count(); ++node) {
       if (!point_->nodes[node].empty()) use_around(node, point_->nodes[node].patch);
