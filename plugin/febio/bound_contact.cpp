@@ -29,6 +29,22 @@ bool is_open(const ContactInterface& contact) {
 
 }  // namespace
 
+PerSide<SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs, const Effects& effects) {
+  PerSide<SurfaceFields> all;
+  PerSide<Matrix3Xd> x = surfaces.positions();
+  for (const Side side : both_sides) {
+    FEMixtureSurface& surface = surfaces[side];
+    all[side].position = std::move(x[side]);
+    all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
+    for (int k = 0; k < effects.nodal_fields(); ++k) {
+      const int dof = dofs.field(side, effects, k);
+      in_parallel(surface.Nodes(),
+                  [&](Index node) { all[side].scalar(node, k) = surface.Node(indexing::as_int(node)).get(dof); });
+    }
+  }
+  return all;
+}
+
 void BoundContact::build(PerSide<SurfaceMesh> meshes, const Effects& effects) {
   core_ = std::make_unique<ContactInterface>(std::move(meshes), effects, core_settings(parameters_));
   numbers_ = surfaces_.node_numbers();
@@ -48,22 +64,7 @@ void BoundContact::rewind_to(const NumberedState& before) {
   go_on_from(before);
 }
 
-PerSide<SurfaceFields> BoundContact::fields() const {
-  const Effects& effects = core_->effects();
-  PerSide<SurfaceFields> all;
-  PerSide<Matrix3Xd> x = surfaces_.positions();
-  for (const Side side : both_sides) {
-    FEMixtureSurface& surface = surfaces_[side];
-    all[side].position = std::move(x[side]);
-    all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
-    for (int k = 0; k < effects.nodal_fields(); ++k) {
-      const int dof = dofs_.field(side, effects, k);
-      in_parallel(surface.Nodes(),
-                  [&](Index node) { all[side].scalar(node, k) = surface.Node(indexing::as_int(node)).get(dof); });
-    }
-  }
-  return all;
-}
+PerSide<SurfaceFields> BoundContact::fields() const { return fields_of(surfaces_, dofs_, core_->effects()); }
 
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);

@@ -10,6 +10,10 @@
 #include <optional>
 #include <string>
 
+/// Values at the nodes of both surfaces, as the core takes them.
+mixture_contact::PerSide<mixture_contact::SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs,
+                                                                   const mixture_contact::Effects& effects);
+
 class BoundContact : public mixture_contact::SteppedContact {
  public:
   BoundContact(ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters, const ContactLog& log)

@@ -27,9 +27,11 @@ class ContactLog {
   void warning(const std::string& sentence) const { feLogWarningEx(contact_.GetFEModel(), "%s", sentence.c_str()); }
 
   std::string name() const { return contact_.GetName(); }
+  /// Type and name.
+  std::string title() const { return std::string(contact_.GetTypeStr()) + " \"" + name() + "\""; }
 
  private:
-  std::string subject() const { return "sliding-mixture \"" + name() + "\": "; }
+  std::string subject() const { return title() + ": "; }
 
   FECoreBase& contact_;
 };

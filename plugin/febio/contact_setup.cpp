@@ -5,6 +5,7 @@
 #include "host/membrane.h"
 #include "material_properties.h"
 #include "membrane_values.h"
+#include "surface_materials.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
 #include <FEBioMix/FEBiphasicAnalysis.h>
@@ -24,14 +25,6 @@
 using namespace mixture_contact;
 
 namespace {
-
-/// The first facet of a type that the core does not know; null if there is none.
-const FESurfaceElement* unknown_facet(FESurface& surface) {
-  for (int i = 0; i < surface.Elements(); ++i) {
-    if (!facet_type(surface.Element(i))) return &surface.Element(i);
-  }
-  return nullptr;
-}
 
 /// How many solid elements have all of some nodes.
 int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
@@ -55,14 +48,6 @@ bool is_criterion_of_gaps(FECoreBase& adaptor) {
   return false;
 }
 
-bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
-
-/// Whether some facets are rigid and have nothing but rigid ones to touch.
-bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector<FacetMaterial>& secondary) {
-  return std::any_of(primary.begin(), primary.end(), is_rigid) &&
-         std::all_of(secondary.begin(), secondary.end(), is_rigid);
-}
-
 /// Numbers of a surface's nodes in FEBio's mesh.
 std::vector<int> node_numbers(const FESurface& surface) {
   std::vector<int> numbers;
@@ -70,22 +55,36 @@ std::vector<int> node_numbers(const FESurface& surface) {
   return numbers;
 }
 
-/// Facets whose types check_surfaces() has seen to be known.
-SurfaceMesh surface_mesh(FESurface& surface, const std::vector<FacetMaterial>& materials, const Effects& effects) {
-  SurfaceMesh mesh;
-  mesh.nodes = surface.Nodes();
-  for (int i = 0; i < surface.Elements(); ++i) {
-    const FESurfaceElement& element = surface.Element(i);
-    Facet facet;
-    facet.type = facet_type(element).value_or(FacetType::quad4);
-    std::copy_n(element.m_lnode.begin(), element.Nodes(), facet.nodes.begin());
-    mesh.facets.push_back(facet);
-  }
-  set_materials(mesh, materials, effects);
-  return mesh;
+}  // namespace
+
+SolverKind solver_kind_of(FEModel& fem) {
+  const FESolver* const solver = fem.GetCurrentStep()->GetFESolver();
+  if (dynamic_cast<const FENewtonSolver*>(solver) != nullptr) return SolverKind::newton;
+  const auto* dynamics = dynamic_cast<const FEExplicitSolidSolver*>(solver);
+  return dynamics == nullptr ? SolverKind::conjugate_gradient : SolverKind::explicit_dynamics;
 }
 
-}  // namespace
+double storing_time_step(FEModel& fem) {
+  const bool stores = fem.GetCurrentStep()->m_nanalysis == FEBiphasicAnalysis::TRANSIENT;
+  return stores ? fem.GetTime().timeIncrement : 0;
+}
+
+bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log) {
+  for (int i = 0; i < fem.Steps(); ++i) {
+    FESolver* const solver = fem.GetStep(i)->GetFESolver();
+    if (solver == nullptr || dynamic_cast<const FENewtonSolver*>(solver) != nullptr) continue;
+    log.error(
+        "<laugon>LAGMULT</laugon> needs a solver of Newton's kind, since its multipliers are unknowns of the matrix; that "
+        "of step " +
+        std::to_string(i + 1) + " is " + solver->GetTypeStr() + ". Use PENALTY or AUGLAG.");
+    return false;
+  }
+  if (dofs.deformable_node() >= 0) return true;
+  log.error(
+      "both surfaces are rigid, so there is nothing that <laugon>LAGMULT</laugon> could be solved for. Use PENALTY or "
+      "AUGLAG.");
+  return false;
+}
 
 // ------------------------------------------------------------ checks
 
@@ -107,15 +106,7 @@ bool ContactSetup::check_parameters() const {
 }
 
 bool ContactSetup::check_surfaces() const {
-  const PerSide<std::string> names = surfaces_.names();
-  for (const Side side : both_sides) {
-    const FESurfaceElement* unknown = unknown_facet(surfaces_[side]);
-    if (unknown == nullptr) continue;
-    log_.error("surface \"" + names[side] + "\" has a facet with " + std::to_string(unknown->Nodes()) +
-               " nodes, which is not supported. Allowed are facets with 3, 6 or 7 (triangles) and 4, 8 or 9 nodes "
-               "(quadrilaterals).");
-    return false;
-  }
+  if (!have_known_facets(surfaces_, log_)) return false;
   return !parameters_.self_contact || have_no_inner_facets();
 }
 
@@ -131,19 +122,6 @@ bool ContactSetup::have_no_inner_facets() const {
           "or take outer faces alone.");
       return false;
     }
-  }
-  return true;
-}
-
-bool ContactSetup::are_shells(Side side) const {
-  FEMixtureSurface& surface = surfaces_[side];
-  for (int i = 0; i < surface.Elements(); ++i) {
-    const FEElement* const element = surface.Element(i).m_elem[0].pe;
-    if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
-    log_.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") +
-               "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
-               "\" is no shell. Leave it out, or give the shells a contact of their own.");
-    return false;
   }
   return true;
 }
@@ -186,42 +164,10 @@ bool ContactSetup::has_penalty(const BoundContact& contact) const {
 }
 
 bool ContactSetup::can_have_multipliers(const BoundContact& contact) const {
-  if (multiplier_layout(contact.core()).size() == 0) return true;
-  for (int i = 0; i < fem_.Steps(); ++i) {
-    FESolver* const solver = fem_.GetStep(i)->GetFESolver();
-    if (solver == nullptr || dynamic_cast<const FENewtonSolver*>(solver) != nullptr) continue;
-    log_.error(
-        "<laugon>LAGMULT</laugon> needs a solver of Newton's kind, since its multipliers are unknowns of the matrix; that "
-        "of step " +
-        std::to_string(i + 1) + " is " + solver->GetTypeStr() + ". Use PENALTY or AUGLAG.");
-    return false;
-  }
-  if (dofs_.deformable_node() >= 0) return true;
-  log_.error(
-      "both surfaces are rigid, so there is nothing that <laugon>LAGMULT</laugon> could be solved for. Use PENALTY or "
-      "AUGLAG.");
-  return false;
+  return multiplier_layout(contact.core()).size() == 0 || can_solve_for_multipliers(fem_, dofs_, log_);
 }
 
 // ------------------------------------------------------------ materials
-
-std::optional<FacetMaterials> ContactSetup::facet_materials() const {
-  FacetMaterials materials;
-  MaterialReader reader(fem_);
-  for (const Side side : both_sides) {
-    FEMixtureSurface& surface = surfaces_[side];
-    for (int i = 0; i < surface.Elements(); ++i) {
-      std::string problem;
-      const auto material = reader.behind(surface, surface.Element(i), problem);
-      if (!material) {
-        log_.error("surface \"" + surface.GetName() + "\": " + problem + ".");
-        return std::nullopt;
-      }
-      materials[side].push_back(*material);
-    }
-  }
-  return materials;
-}
 
 bool ContactSetup::lacks_stiffness(const FacetMaterials& materials) const {
   if (parameters_.penalties.traction.given && !parameters_.penalties.auto_penalty) return false;
@@ -231,19 +177,14 @@ bool ContactSetup::lacks_stiffness(const FacetMaterials& materials) const {
 }
 
 std::optional<FacetMaterials> ContactSetup::materials() const {
-  std::optional<FacetMaterials> materials = facet_materials();
+  std::optional<FacetMaterials> materials = facet_materials(fem_, surfaces_, log_);
   if (!materials || !lacks_stiffness(*materials)) return materials;
-  const double modulus = modulus_of_rigid_bodies(fem_);
-  for (std::vector<FacetMaterial>& of_side : *materials) {
-    for (FacetMaterial& material : of_side) {
-      if (is_rigid(material) && modulus > 0) material.stiffness = modulus / material.thickness;
-    }
-  }
+  stand_in_for_rigid_bodies(fem_, *materials);
   return materials;
 }
 
 void ContactSetup::say_stand_in() const {
-  const auto found = facet_materials();
+  const auto found = facet_materials(fem_, surfaces_, log_);
   if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem_) > 0)) return;
   std::ostringstream text;
   text
@@ -306,21 +247,13 @@ void ContactSetup::update_properties(const BoundContact& contact) const {
   if (const auto found = materials()) update_materials(contact.core(), *found);
 }
 
-SolverKind ContactSetup::solver_kind() const {
-  const FESolver* const solver = fem_.GetCurrentStep()->GetFESolver();
-  if (dynamic_cast<const FENewtonSolver*>(solver) != nullptr) return SolverKind::newton;
-  const auto* dynamics = dynamic_cast<const FEExplicitSolidSolver*>(solver);
-  return dynamics == nullptr ? SolverKind::conjugate_gradient : SolverKind::explicit_dynamics;
-}
-
 void ContactSetup::update_laws(const BoundContact& contact, double reduction) const {
-  Settings settings = core_settings(parameters_, solver_kind(), reduction);
-  const bool stores = fem_.GetCurrentStep()->m_nanalysis == FEBiphasicAnalysis::TRANSIENT;
-  settings.solvent.time_step = stores ? fem_.GetTime().timeIncrement : 0;
+  Settings settings = core_settings(parameters_, solver_kind_of(fem_), reduction);
+  settings.solvent.time_step = storing_time_step(fem_);
   contact.core().update_laws(settings);
 }
 
-bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind()); }
+bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind_of(fem_)); }
 
 bool ContactSetup::follow_load_curves(const BoundContact& contact, double reduction) const {
   const bool sound = has_sound_values() && check_ambient();

@@ -12,6 +12,13 @@
 
 using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
 
+/// The kind of the present step's solver.
+SolverKind solver_kind_of(FEModel& fem);
+/// The time step in which elements store solvent [s]; 0 in a steady state.
+double storing_time_step(FEModel& fem);
+/// Whether the solvers of all steps can have multipliers as unknowns beside some node; the log says why not.
+bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log);
+
 class ContactSetup {
  public:
   ContactSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters,
@@ -23,8 +30,6 @@ class ContactSetup {
   bool check_surfaces() const;
   bool check_ambient() const;
   bool check_mesh_adaptors() const;
-  /// Whether all elements behind a surface are shells; the log names one that is not.
-  bool are_shells(mixture_contact::Side side) const;
 
   /// Makes the core from the materials. Returns whether that is possible; the log says if not.
   bool build(BoundContact& contact);
@@ -45,8 +50,6 @@ class ContactSetup {
  private:
   bool has_sound_values() const;
   bool have_no_inner_facets() const;
-  SolverKind solver_kind() const;
-  std::optional<FacetMaterials> facet_materials() const;
   /// The materials behind the facets, with a stiffness for rigid bodies that have no deformable one to touch.
   std::optional<FacetMaterials> materials() const;
   void say_stand_in() const;

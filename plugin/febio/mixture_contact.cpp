@@ -7,6 +7,8 @@
 #include "host/augmentation.h"
 #include "linear_constraints.h"
 #include "matrix_requests.h"
+#include "offered_parameters.h"
+#include "surface_materials.h"
 
 #include <FECore/Callback.h>
 #include <FECore/FEAnalysis.h>
@@ -20,41 +22,8 @@
 
 using namespace mixture_contact;
 
-namespace {
-
-const char* unit_of(Unit unit) {
-  switch (unit) {
-    case Unit::length:
-      return UNIT_LENGTH;
-    case Unit::pressure:
-      return UNIT_PRESSURE;
-    case Unit::concentration:
-      return UNIT_CONCENTRATION;
-    case Unit::none:
-      break;
-  }
-  return UNIT_NONE;
-}
-
-/// Adds a parameter to its group; what FEBio Studio does not offer is hidden.
-template <class Value>
-FEParam* add_to_group(FEParamContainer& owner, const ParameterTag& tag, Value& value) {
-  owner.BeginParameterGroup(heading(tag.group));
-  FEParam* const parameter = owner.AddParameter(value, tag.name);
-  owner.EndParameterGroup();
-  if (heading(tag.group) == nullptr) parameter->SetFlags(parameter->GetFlags() | FE_PARAM_HIDDEN);
-  return parameter;
-}
-
-}  // namespace
-
 BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
-  for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) {
-    FEParam* parameter = add_to_group(*this, tag, value);
-    parameter->setLongName(tag.long_name)->setUnits(unit_of(tag.unit));
-    parameter->SetWatchVariable(tag.given);
-    if (tag.choices != nullptr) parameter->setEnums(tag.choices);
-  });
+  for_each_parameter(parameters_, [this](const ParameterTag& tag, auto& value) { offer_parameter(*this, tag, value); });
   BEGIN_PARAM_GROUP(heading(ParameterGroup::ambient));
   ADD_PARAMETER(parameters_.ambient.pressure, hosts_own::ambient_pressure.name)
       ->setUnits(unit_of(hosts_own::ambient_pressure.unit))
@@ -117,7 +86,7 @@ bool FEMixtureContact::Init() {
 bool FEMixtureContact::take_shell_bottoms() {
   for (const Side side : both_sides) {
     if (!parameters_.surfaces[side].shell_bottom) continue;
-    if (!setup_.are_shells(side)) return false;
+    if (!are_shells(surfaces_[side], side, log_)) return false;
     surfaces_[side].take_shell_bottoms();
   }
   return true;
@@ -134,9 +103,7 @@ void FEMixtureContact::find_self_contact() {
 std::vector<std::string> FEMixtureContact::find_load_curves() {
   std::vector<std::string> wrong;
   for_each_parameter(parameters_, [&](const ParameterTag& tag, auto& value) {
-    const bool varies = GetFEModel()->GetLoadController(FindParameterFromData(&value)) != nullptr;
-    if (tag.varies != nullptr) *tag.varies = varies;
-    const std::string complaint = varies ? load_curve_complaint(tag) : "";
+    const std::string complaint = find_load_curve(*this, tag, value);
     if (!complaint.empty()) wrong.push_back(complaint);
   });
   return wrong;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 using namespace mixture_contact;
 
@@ -21,17 +22,37 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
   return equations;
 }
 
+/// Fills in the equations of a sliding contact's multipliers, from the first one on.
+void fill_multipliers(const ContactInterface& core, int first, const Patch& patch, std::vector<int>& ids) {
+  const LocalLayout layout = patch.layout();
+  const MultiplierLayout own = multiplier_layout(core);
+  const int node = *patch.multiplier_node;
+  if (layout.has_displacements())
+    mixture_contact::at(ids, layout.traction_multiplier()) = first + indexing::as_int(own.traction(node));
+  for (Index k = 0; k < layout.scalar_fields(); ++k)
+    mixture_contact::at(ids, layout.flux_multiplier(k)) = first + indexing::as_int(own.flux(node, patch.fields[k]));
+}
+
 }  // namespace
 
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
-    : dofs_(dofs), constraints_(*surfaces[Side::primary].GetFEModel()), core_(core) {
+    : NodeEquations(dofs, surfaces, core.effects(), [&core, &dofs](const Patch& patch, std::vector<int>& ids) {
+        fill_multipliers(core, dofs.first_multiplier(), patch, ids);
+      }) {}
+
+NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const Effects& effects,
+                             FillMultipliers fill_multipliers)
+    : dofs_(dofs),
+      constraints_(*surfaces[Side::primary].GetFEModel()),
+      effects_(effects),
+      fill_multipliers_(std::move(fill_multipliers)) {
   for (const Side side : both_sides) of_[side] = of_surface(surfaces[side], side);
 }
 
 NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side side) const {
-  const int fields = core_.effects().nodal_fields();
+  const int fields = effects_.nodal_fields();
   std::vector<int> field_dofs;
-  for (int k = 0; k < fields; ++k) field_dofs.push_back(dofs_.field(side, core_.effects(), k));
+  for (int k = 0; k < fields; ++k) field_dofs.push_back(dofs_.field(side, effects_, k));
   const int count = surface.Nodes();
   Surface found{&surface, IndexedVector<int>(count), Eigen::MatrixXi(Surface::displacements + fields, count)};
   in_parallel(count, [&](Index i) {
@@ -60,18 +81,6 @@ std::vector<int> NodeEquations::nodes(const Location& at) const {
   return nodes;
 }
 
-void NodeEquations::add_multipliers(const Location& at, std::vector<int>& ids) const {
-  if (!at.patch.multiplier_node) return;
-  const LocalLayout layout = at.patch.layout();
-  const MultiplierLayout own = multiplier_layout(core_);
-  const int node = *at.patch.multiplier_node;
-  const int first = dofs_.first_multiplier();
-  if (layout.has_displacements())
-    mixture_contact::at(ids, layout.traction_multiplier()) = first + indexing::as_int(own.traction(node));
-  for (Index k = 0; k < layout.scalar_fields(); ++k)
-    mixture_contact::at(ids, layout.flux_multiplier(k)) = first + indexing::as_int(own.flux(node, at.patch.fields[k]));
-}
-
 std::vector<int> NodeEquations::equations(const Location& at) const {
   const LocalLayout layout = at.patch.layout();
   std::vector<int> ids(indexing::entries(layout.size()), -1);
@@ -83,7 +92,7 @@ std::vector<int> NodeEquations::equations(const Location& at) const {
       mixture_contact::at(ids, layout.scalar(n, k)) = surface.field(node, at.patch.fields[k]);
     ++n;
   });
-  add_multipliers(at, ids);
+  if (at.patch.multiplier_node) fill_multipliers_(at.patch, ids);
   return ids;
 }
 

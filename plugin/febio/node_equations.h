@@ -7,6 +7,7 @@
 #include "solver/border.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 class NodeEquations {
@@ -14,7 +15,12 @@ class NodeEquations {
   using Side = mixture_contact::Side;
   using Location = mixture_contact::ContactInterface::Location;
 
+  /// Fills in the equations of a patch's multipliers at their entries of its layout.
+  using FillMultipliers = std::function<void(const mixture_contact::Patch& patch, std::vector<int>& ids)>;
+
   /// Keeps references.
+  NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::Effects& effects,
+                FillMultipliers fill_multipliers);
   NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::ContactInterface& core);
 
   /// The nodes of the mesh whose blocks make up a local vector.
@@ -54,7 +60,6 @@ class NodeEquations {
   /// Calls use(surface, node) for the nodes of a local vector in their order.
   template <class Use>
   void for_each_node(const Location& at, const Use& use) const;
-  void add_multipliers(const Location& at, std::vector<int>& ids) const;
   /// What displacements of these nodes follow by linear constraints.
   void add_followed(const Location& at, std::vector<int>& ids) const;
   /// What an increment changes of a displacement.
@@ -62,6 +67,7 @@ class NodeEquations {
 
   const DofMap& dofs_;
   LinearConstraints constraints_;
-  const mixture_contact::ContactInterface& core_;
+  const mixture_contact::Effects& effects_;
+  FillMultipliers fill_multipliers_;
   mixture_contact::PerSide<Surface> of_;
 };

@@ -5,6 +5,7 @@
 #include "membrane_values.h"
 #include "mixture_contact.h"
 #include "output_variables.h"
+#include "tied_contact.h"
 
 #include <FECore/FECoreKernel.h>
 
@@ -19,6 +20,7 @@ MIXCONTACT_EXPORT void GetPluginVersion(int& major, int& minor, int& patch) {
 MIXCONTACT_EXPORT void PluginInitialize(FECoreKernel& kernel) {
   FECoreKernel::SetInstance(&kernel);
   REGISTER_FECORE_CLASS(FEMixtureContact, "sliding-mixture");
+  REGISTER_FECORE_CLASS(FEMixtureTie, "tied-mixture");
   REGISTER_FECORE_CLASS(FEMixtureAmbientConcentration, "mixture_ambient_concentration");
   REGISTER_FECORE_CLASS(FEMixtureSolutePermeance, "mixture_solute_permeance");
   REGISTER_FECORE_CLASS(FEMixtureReflection, "mixture_reflection");

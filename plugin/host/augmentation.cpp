@@ -33,25 +33,28 @@ std::vector<std::string> gap_table(const std::string& title, const GapReport& re
 
 }  // namespace
 
-Augmentation augment(const std::string& name, ContactInterface& core, const PerSide<SurfaceFields>& fields,
-                     int augmentation) {
-  const Settings& settings = core.settings();
-  if (settings.enforcement == Enforcement::penalty) return {};
-  const GapReport report = core.gaps(fields);
-  const std::string title = "sliding-mixture \"" + name + "\"";
+Augmentation augment(const std::string& title, const GapReport& report, const Settings& settings,
+                     const Effects& effects, int augmentation, const std::function<bool()>& take_up) {
   Augmentation outcome;
   outcome.lines = gap_table(title + ", augmentation " + std::to_string(augmentation), report, settings.tolerances,
-                            core.effects());
+                            effects);
   // Unknown multipliers have closed the gaps already: what is a solution meets them.
   if (settings.enforcement == Enforcement::lagrange_multipliers) return outcome;
-  if (meets(report, settings.tolerances, core.effects()) && augmentation >= settings.tolerances.augmentations.least)
+  if (meets(report, settings.tolerances, effects) && augmentation >= settings.tolerances.augmentations.least)
     return outcome;
   if (augmentation >= settings.tolerances.augmentations.most) {
     outcome.warning = title + ": " + std::to_string(augmentation) +
                       " augmentations (maxaug) were not enough to meet the tolerances.";
     return outcome;
   }
-  outcome.stiffens = core.augment(fields);
+  outcome.stiffens = take_up();
   outcome.done = false;
   return outcome;
+}
+
+Augmentation augment(const std::string& name, ContactInterface& core, const PerSide<SurfaceFields>& fields,
+                     int augmentation) {
+  if (core.settings().enforcement == Enforcement::penalty) return {};
+  return augment("sliding-mixture \"" + name + "\"", core.gaps(fields), core.settings(), core.effects(), augmentation,
+                 [&] { return core.augment(fields); });
 }

@@ -3,6 +3,7 @@
 
 #include "contact/interface/interface.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,14 @@ struct Augmentation {
   std::vector<std::string> lines;  ///< gaps with their tolerances, for the log; none where penalties are all there is
   std::string warning;             ///< where the limit ended the augmentations
 };
+
+/// Reports the gaps of a solution, and calls `take_up` where they miss the tolerances: multipliers are to take the
+/// loads up, and what it returns is whether penalties have grown.
+///
+/// `title`: type and name of the contact; `augmentation`: how many there have been since the time step began.
+Augmentation augment(const std::string& title, const mixture_contact::GapReport& report,
+                     const mixture_contact::Settings& settings, const mixture_contact::Effects& effects,
+                     int augmentation, const std::function<bool()>& take_up);
 
 /// Reports the gaps of a contact at a solution, and augments it where they miss the tolerances.
 ///

@@ -1,6 +1,7 @@
 #include "contact_types.h"
 
 #include "contact_parameters.h"
+#include "tie_parameters.h"
 
 #include <cstring>
 #include <iomanip>
@@ -80,6 +81,17 @@ std::string sliding_parameters() {
   return list.json();
 }
 
+std::string tie_parameters() {
+  ContactParameters defaults;
+  List list;
+  for_each_tie_parameter(defaults, [&](const ParameterTag& tag, const auto& value) {
+    list.add(parameter_json(tag, described(value), tag.varies != nullptr));
+  });
+  return list.json();
+}
+
 }  // namespace
 
-std::string contact_types_json() { return "{\n  \"sliding-mixture\": " + sliding_parameters() + "\n}\n"; }
+std::string contact_types_json() {
+  return "{\n  \"sliding-mixture\": " + sliding_parameters() + ",\n  \"tied-mixture\": " + tie_parameters() + "\n}\n";
+}

@@ -63,6 +63,7 @@ void exchange(const FieldAtContact& field, mixture_contact::Effects& effects) {
 
 /// Why there is no traction.
 const char* without_traction(Motion motion) {
+  if (motion == Motion::tied) return " No traction: <effects> leaves it out.";
   return motion == Motion::untouched ? " No traction: <penalty> is 0."
                                      : " No traction: the displacements of both surfaces are fixed.";
 }
@@ -115,7 +116,8 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
         "<effects> leaves traction out, but not all displacements of the two surfaces are fixed: what can move would "
         "pass through the other side. Name traction, or fix x, y and z of every node of both surfaces.");
   }
-  result.effects.traction = motion == Motion::possible || motion == Motion::undecided;
+  result.effects.traction = motion == Motion::possible || motion == Motion::undecided ||
+                            (motion == Motion::tied && pushes);
   std::vector<std::string> present;
   std::string absent;
   if (result.effects.traction) {

@@ -26,7 +26,8 @@ enum class Motion {
   undecided,   ///< nothing yet
   possible,    ///< at least one can move
   impossible,  ///< every displacement is fixed
-  untouched    ///< the surfaces never touch: their traction has no penalty
+  untouched,   ///< the surfaces never touch: their traction has no penalty
+  tied         ///< they stay where they are on each other: traction is exchanged as other effects are
 };
 
 /// Adds what penalties of 0, and membranes that stop a field, leave out to the obstacles of the fields.

@@ -267,7 +267,7 @@ REFUSED = {
         "takes it for a solid without fluid",
     ),
     "nothing to convert": (text(interface=InterfaceType.MIXTURE), "has nothing to convert"),
-    "tied contact": (in_module(BIPHASIC, "tied-biphasic"), "no sliding contact"),
+    "sticky contact": (in_module(BIPHASIC, "sticky"), "no sliding contact"),
     "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
     "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),
     "a load curve of a radius": (

@@ -16,6 +16,8 @@ from harness.models.parts import Control, Curve, Param, fluid_flux, pressure
 from harness.paths import DOCS, REPOSITORY
 from harness.preflight.finding import Severity
 from studies.models.ambient import Apart
+from studies.models.small import contact
+from studies.models.tied_cubes import joint
 
 PREFLIGHT = REPOSITORY / "scripts" / "harness" / "preflight"
 CONTACT = re.compile(r"<contact( [^>]*?)/?>(?:.*?</contact>)?", re.DOTALL)
@@ -50,6 +52,12 @@ def moved(model, part, shift):
     points = model.mesh.nodes.copy()
     points[np.unique(model.mesh.parts[part].elements) - 1] += shift
     return replace(model, mesh=replace(model.mesh, nodes=points))
+
+
+def tied_twice():
+    """Two cubes with two ties of the same surfaces."""
+    ties = tuple(contact(name, "pair", "tied-mixture", "<laugon>LAGMULT</laugon>") for name in ("one", "two"))
+    return replace(joint(), contacts=ties).text()
 
 
 def turned():
@@ -142,6 +150,13 @@ def ambient_at(solute, value):
 
 
 FAULTS = {
+    "a tie over a gap": (lambda: joint(gap=0.2).text(), "untied", "up to 0.2"),
+    "a tie of fine rigid facets": (
+        lambda: text_of(joint(), ('name="up" type="neo-Hookean"', 'name="up" type="rigid body"')),
+        "rigid-primary",
+        "more conditions",
+    ),
+    "a joint that is tied twice": (tied_twice, "held-twice", "another tie"),
     "facing into the body": (turned, "inverted-facets", "into the body"),
     "on the far side": (far_side, "facing", "same way"),
     "facet of no element": (no_face, "facet-of-no-element", "no solid element"),
@@ -490,6 +505,13 @@ def coarse_primary():
 
 
 NOTES = {
+    "a tie of nodes that are held": (
+        lambda: text_of(
+            joint(),
+            ('<bc type="zero displacement" node_set="low-bottom">', '<bc type="zero displacement" node_set="up-left">'),
+        ),
+        "held-nodes",
+    ),
     "rigid bodies": (
         lambda: text_of(diffusion(), ('type="biphasic-solute">', 'type="rigid body">')),
         "rigid-penalty",

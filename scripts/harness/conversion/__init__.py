@@ -1,1 +1,1 @@
-"""Switches a model from FEBio's sliding interfaces to `sliding-mixture`, byte for byte the same elsewhere."""
+"""Switches a model from FEBio's sliding and tied interfaces to the plugin's, byte for byte the same elsewhere."""

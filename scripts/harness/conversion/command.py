@@ -23,7 +23,7 @@ console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 def convert(
     model: Annotated[
-        Path, typer.Argument(help="A .feb file of format 2.5, 3.0 or 4.0 with one of FEBio's sliding interfaces.")
+        Path, typer.Argument(help="A .feb file of format 2.5, 3.0 or 4.0 with FEBio's sliding or tied interfaces.")
     ],
     output: Annotated[
         Path | None,
@@ -31,7 +31,7 @@ def convert(
     ] = None,
     in_place: Annotated[bool, typer.Option("--in-place", help="Change the model file itself.")] = False,
 ) -> None:
-    """Switch a model to sliding-mixture, keep all else byte for byte, and say what became of each parameter.
+    """Switch a model to sliding-mixture and tied-mixture, name the fate of each parameter, and keep all other bytes.
 
     Contacts in included files go into new files next to these, which the new model reads.
     Refuses where the physics would change. Exit code 0: written; 2: not converted.

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from harness.conversion import sources, spans
+from harness.conversion import sources, spans, tied_contacts
 from harness.conversion.fates import (
     DEFAULT,
     IMPERMEABLE,
@@ -25,12 +25,13 @@ from harness.errors import ModelError
 from harness.preflight import model as models
 from harness.preflight import xml_file as documents
 from harness.preflight.check import check
-from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TYPES
+from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TIED, TYPES
 from harness.preflight.finding import Place, Severity
 from harness.preflight.formats.contact_names import OLD_NAMES
 from harness.preflight.model import Model
 from harness.preflight.prescribed_nodes import prescribed_nodes
 from harness.preflight.sides import Joint
+from harness.preflight.tied_types import CONVERTIBLE_TIES, NOT_STICKY, STICKY, TIED_TYPES
 
 NOT_OURS = {
     "concentration gap": "contact solute jump",
@@ -66,7 +67,7 @@ class Converted:
 
 
 def convert(path: Path) -> Converted:
-    """Switch every contact of FEBio's sliding types to `sliding-mixture`.
+    """Switch contacts of FEBio's sliding types to `sliding-mixture`, and those of its tied types to `tied-mixture`.
 
     Raises
     ------
@@ -75,10 +76,11 @@ def convert(path: Path) -> Converted:
         does not run; says all the reasons.
     """
     model = models.read(path)
-    if not any(contact.kind.name in CONVERTIBLE for contact in model.contacts):
-        found = ", ".join(sorted({contact.kind.name for contact in model.contacts}))
-        raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {', '.join(CONVERTIBLE)} can be")
-    _refuse(path, list(refusals(model)))
+    if not any(contact.kind.name in (*CONVERTIBLE, *CONVERTIBLE_TIES) for contact in (*model.contacts, *model.ties)):
+        found = ", ".join(sorted({contact.kind.name for contact in (*model.contacts, *model.ties)}))
+        known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
+        raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {known} can be")
+    _refuse(path, [*refusals(model), *tied_contacts.refusals(model)])
     files = sources.read(path)
     edits, changes = _edits(files, model)
     sources.redirect(files, edits)
@@ -110,13 +112,18 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     changes: dict[str, list[Change]] = {}
     for number, (contact, joint) in enumerate(_joints(files, model), 1):
         kind = contact.span.attributes.get("type", "")
-        if joint is None or joint.contact.kind.name not in CONVERTIBLE:
+        if kind == STICKY:
+            changes[_title(contact, number, model.path)] = [
+                Change(Action.KEPT, "type", contact.span.line, f"stays: {NOT_STICKY}")
+            ]
+        if joint is None or joint.contact.kind.name not in (*CONVERTIBLE, *CONVERTIBLE_TIES):
             continue
-        data = files.data[contact.file]
-        own = [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {MIXTURE}")]
+        data, is_tie = files.data[contact.file], joint.contact.kind.is_tie
+        new = TIED if is_tie else MIXTURE
+        own = [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {new}")]
         found = edits.setdefault(contact.file, [])
-        found.append(spans.attribute(data, contact.span, "type", MIXTURE))
-        for edit, change in _parameters(data, contact.span, joint):
+        found.append(spans.attribute(data, contact.span, "type", new))
+        for edit, change in (tied_contacts.parameters if is_tie else _parameters)(data, contact.span, joint):
             own.append(change)
             found += edit
         changes[_title(contact, number, model.path)] = own
@@ -133,11 +140,12 @@ def _title(contact: Located, number: int, model: Path) -> str:
 
 
 def _joints(files: Sources, model: Model) -> Iterator[tuple[Located, Joint | None]]:
-    """The contacts of the files with what the model knows of sliding ones: both are in FEBio's order of reading."""
-    known = iter(model.contacts)
+    """The contacts of the files with what the model knows of them: both are in FEBio's order of reading."""
+    sliding, tied = iter(model.contacts), iter(model.ties)
     for contact in files.contacts:
-        sliding = contact.span.attributes.get("type", "") in (*TYPES, *OLD_NAMES)
-        yield contact, Joint(model, next(known)) if sliding else None
+        kind = contact.span.attributes.get("type", "")
+        known = sliding if kind in (*TYPES, *OLD_NAMES) else tied if kind in TIED_TYPES else None
+        yield contact, Joint(model, next(known)) if known is not None else None
 
 
 def _impermeable(joint: Joint) -> bool:

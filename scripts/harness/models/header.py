@@ -21,6 +21,6 @@ def header(name: str, about: str, interface: InterfaceType) -> str:
     interface : InterfaceType
         Decides whether the command loads the plugin.
     """
-    load = " -import build/lib/libFEBioMixtureContact.so" if interface is InterfaceType.MIXTURE else ""
+    load = " -import build/lib/libFEBioMixtureContact.so" if interface.needs_plugin else ""
     run = f"Run it: scripts/mixcontact run models/{name}.feb\nor:     febio4 -i models/{name}.feb{load}"
     return f"{about}\n\n{UNITS}\n\n{run}"

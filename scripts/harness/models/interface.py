@@ -14,7 +14,9 @@ class InterfaceType(str, Enum):
     """What stands between two neighbouring bodies."""
 
     MIXTURE = "sliding-mixture"
-    """The plugin's interface."""
+    """The plugin's sliding interface."""
+    TIED = "tied-mixture"
+    """The plugin's tie."""
     SOLUTE = "sliding-biphasic-solute"
     """FEBio's interface for one solute."""
     MULTIPHASIC = "sliding-multiphasic"
@@ -29,7 +31,12 @@ class InterfaceType(str, Enum):
     @classmethod
     def ours_in(cls, contacts: Container[str]) -> InterfaceType:
         """The plugin's where contacts of these types have one of it, else none."""
-        return cls.MIXTURE if cls.MIXTURE.value in contacts else cls.CONFORMING
+        return next((ours for ours in (cls.MIXTURE, cls.TIED) if ours.value in contacts), cls.CONFORMING)
+
+    @property
+    def needs_plugin(self) -> bool:
+        """Whether FEBio knows it by the plugin alone."""
+        return self in (InterfaceType.MIXTURE, InterfaceType.TIED)
 
     @property
     def is_contact(self) -> bool:
@@ -115,7 +122,7 @@ def augmented(settings: ContactSettings, ctol: float) -> ContactSettings:
 
 def default_settings(interface: InterfaceType) -> ContactSettings:
     """What a user gets without setting a penalty; FEBio's own types need `auto_penalty` and a factor to be accurate."""
-    if interface is InterfaceType.MIXTURE:
+    if interface.needs_plugin:
         return ContactSettings()
     settings = automatic(1000.0)
     if interface is InterfaceType.ELASTIC:

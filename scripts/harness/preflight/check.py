@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from harness.preflight import model as models
 from harness.preflight.finding import Finding, Severity
-from harness.preflight.rules import ON_PHYSICS, ON_SURFACES, ON_TEXT
+from harness.preflight.rules import ON_PHYSICS, ON_SURFACES, ON_TEXT, Rule, ties
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import AS_THEY_ARE, Contents
 
@@ -34,15 +34,17 @@ def check(path: Path, instead: Contents = AS_THEY_ARE) -> list[Finding]:
     found: list[Finding] = []
     model = models.read(path, instead)
     for contact in model.contacts:
-        found += _ask(Joint(model, contact))
+        found += _ask(Joint(model, contact), (ON_TEXT, ON_SURFACES, ON_PHYSICS))
+    for tie in model.ties:
+        found += _ask(Joint(model, tie), (ties.ON_TEXT, ties.ON_SURFACES, ties.ON_PHYSICS))
     unique = list(dict.fromkeys(found))
     return sorted(unique, key=lambda finding: _ORDER.index(finding.severity))
 
 
-def _ask(joint: Joint) -> list[Finding]:
+def _ask(joint: Joint, rounds: Sequence[Sequence[Rule]]) -> list[Finding]:
     """Rules in three rounds; what needs a part that a former round found broken is not asked."""
     found: list[Finding] = []
-    for rules, breaking in ((ON_TEXT, UNREADABLE), (ON_SURFACES, BROKEN), (ON_PHYSICS, ())):
+    for rules, breaking in zip(rounds, (UNREADABLE, BROKEN, ()), strict=True):
         found += [finding for rule in rules for finding in rule(joint)]
         if any(finding.rule in breaking for finding in found):
             break

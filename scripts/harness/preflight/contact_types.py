@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from harness.preflight.plugin_types import PLUGIN_TYPES
 
 MIXTURE = "sliding-mixture"
+TIED = "tied-mixture"
 
 _COMMON = ("laugon", "tolerance", "gaptol", "penalty", "auto_penalty", "update_penalty", "two_pass", "knmult")
 _SEARCH = ("search_tol", "search_radius", "seg_up", "minaug", "maxaug", "node_reloc", "smooth_aug")
@@ -43,7 +44,12 @@ class ContactType:
     @property
     def is_mixture(self) -> bool:
         """Whether it is this plugin's."""
-        return self.name == MIXTURE
+        return self.name in (MIXTURE, TIED)
+
+    @property
+    def is_tie(self) -> bool:
+        """Whether it joins bodies for ever."""
+        return self.name.startswith("tied")
 
     @property
     def modules(self) -> tuple[str, ...]:

@@ -19,6 +19,7 @@ from harness.preflight.formats import newest
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Mesh, Pair
 from harness.preflight.plugin_types import PLUGIN_TYPES
+from harness.preflight.tied_types import NOT_STICKY, STICKY, TIED_TYPES
 from harness.preflight.xml_file import (
     AS_THEY_ARE,
     Contents,
@@ -139,6 +140,7 @@ class Model:
     materials: Mapping[str, Material]
     solutes: Mapping[str, int]
     contacts: tuple[Contact, ...]
+    ties: tuple[Contact, ...] = ()
 
     @property
     def path(self) -> Path:
@@ -271,11 +273,14 @@ def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
         materials=materials.read(document, numbers),
         solutes=numbers,
         contacts=tuple(_contacts(document, made_mesh)),
+        ties=tuple(_ties(document, made_mesh)),
     )
-    if not made.contacts:
+    if not made.contacts and not made.ties:
         others = sorted({str(tag.get("type")) for _, tag in document.everywhere("Contact", "contact")})
         found = f"it has {', '.join(others)}" if others else "it has no <contact>"
-        raise ModelError(f"{path}: has no sliding contact to look at; {found}. Known types: {', '.join(TYPES)}")
+        found += f" ({NOT_STICKY})" if STICKY in others else ""
+        known = ", ".join((*TYPES, *TIED_TYPES))
+        raise ModelError(f"{path}: has no sliding contact and no tie to look at; {found}. Known types: {known}")
     return made
 
 
@@ -301,6 +306,13 @@ def _contacts(document: Document, known: Mesh) -> Iterator[Contact]:
             raise ModelError(
                 f"{place(tag)}: is of type '{shortened(kind)}', which is unknown; there is {', '.join(TYPES)}"
             )
+
+
+def _ties(document: Document, known: Mesh) -> Iterator[Contact]:
+    for step, tag in document.everywhere("Contact", "contact"):
+        kind = attribute(tag, "type")
+        if kind in TIED_TYPES:
+            yield Contact(TIED_TYPES[kind], _pair(tag, known), step, tag)
 
 
 def _pair(tag: Element, known: Mesh) -> Pair:

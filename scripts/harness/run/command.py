@@ -23,11 +23,11 @@ def run(
         hosts.Engine | None, typer.Option("--engine", help="What runs the model: febio4 if it is there.")
     ] = None,
 ) -> None:
-    """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture'."""
+    """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture' or 'tied-mixture'."""
     file = febfile.inspect(model)
     contact = InterfaceType.ours_in(file.contacts)
     for host in hosts.engines(chosen, contact):
-        _run_one(model, file, host, contact is InterfaceType.MIXTURE)
+        _run_one(model, file, host, contact.needs_plugin)
 
 
 def _run_one(model: Path, file: febfile.FebFile, host: engine.Host, needs_plugin: bool) -> None:

@@ -41,7 +41,7 @@ def engines(chosen: Engine | None, interface: InterfaceType) -> tuple[engine.Hos
 def why_not_febio(interface: InterfaceType) -> str:
     """Why febio4 cannot run models with this interface; empty if it can."""
     try:
-        FEBIO4.binaries(plugin=interface is InterfaceType.MIXTURE)
+        FEBIO4.binaries(plugin=interface.needs_plugin)
     except (EngineNotFoundError, PluginNotFoundError) as error:
         return str(error)
     return ""

@@ -162,7 +162,7 @@ class Runner:
 
 def needs_plugin(model: Model) -> bool:
     """Whether a contact of the model is the plugin's."""
-    return any(contact.kind == InterfaceType.MIXTURE.value for contact in model.contacts)
+    return InterfaceType.ours_in([contact.kind for contact in model.contacts]).needs_plugin
 
 
 def _key(model: Model, binaries: Sequence[Path], options: Sequence[str]) -> str:

@@ -118,7 +118,7 @@ def _constraints(model: Model, side: Side) -> Array:
     own, centre = _body_nodes(model, side), _centre(model, side)
     rows = [np.empty((0, 6))]
     for condition in model.boundary:
-        axes = _axes(condition)
+        axes = held_axes(condition)
         if not axes or condition.step > 1:
             continue
         nodes = model.nodes(condition)
@@ -129,7 +129,7 @@ def _constraints(model: Model, side: Side) -> Array:
     return np.concatenate(rows)
 
 
-def _axes(condition: Condition) -> list[int]:
+def held_axes(condition: Condition) -> list[int]:
     """Axes that a boundary condition holds; all three where its type is not one that is known here."""
     if condition.kind == "zero displacement":
         return [k for k, axis in enumerate(AXES) if flag(condition.tag, f"{axis}_dof")]

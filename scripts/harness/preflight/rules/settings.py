@@ -38,6 +38,8 @@ ALLOWED = {
     "reflection": FRACTION,
 }
 """What each parameter may be, in words; the others may be anything."""
+UNLIMITED = ("gaptol", "ptol", "ctol")
+"""Tolerances of FEBio's types that hold nothing where they are negative, which is a default of its tied ones."""
 LEFT_OUT = {
     "penalty": "the whole contact",
     "pressure_penalty": "the exchange of solvent",
@@ -109,6 +111,8 @@ def _allowed(name: str, strict: bool) -> str:
     """What a parameter may be; empty where anything goes."""
     if name in CHOICES:
         return " or ".join(word for word in CHOICES[name] if strict or word not in OWN_CHOICES)
+    if not strict and name in UNLIMITED:
+        return NUMBER
     return ALLOWED.get(name, "")
 
 
@@ -176,7 +180,7 @@ def _without_effect(joint: Joint, tag: Element, curve: str) -> tuple[str, str] |
         )
     if kind.is_mixture and tag.tag not in FOLLOWED:
         return (
-            f"<{tag.tag}> has a load curve, and cannot change in a run of sliding-mixture",
+            f"<{tag.tag}> has a load curve, and cannot change in a run of {kind.name}",
             "Give a value without a load curve; penalties, tolerances, the offset, friction and ambient values may "
             "change in time.",
         )

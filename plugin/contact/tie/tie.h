@@ -1,0 +1,106 @@
+/// The tie of two surfaces: loads at tied nodes, residual and tangent, and what multipliers take up.
+#pragma once
+
+#include "conditions/penalty.h"
+#include "enforcement/gap_measures.h"
+#include "tie/tied_node.h"
+
+#include <functional>
+#include <optional>
+
+namespace mixture_contact {
+
+/// Multipliers of the tied nodes, and what augmentations have multiplied penalties by.
+struct TieState {
+  Matrix3Xd traction;  ///< lambda_a per tied node [MPa]
+  MatrixXd flux;       ///< lambda per (field, tied node)
+  double traction_penalty_scale = 1;
+  VectorXd flux_penalty_scale;  ///< per field
+};
+
+/// What tied nodes see and bear at a state; one column per tied node.
+struct TieLoads {
+  Matrix3Xd gap;       ///< D_a [mm]
+  Matrix3Xd traction;  ///< t_a on the primary surface [MPa]
+  MatrixXd jump;       ///< (fields, nodes): primary less secondary side
+  MatrixXd flux;       ///< (fields, nodes): out of the primary body
+};
+
+/// Default multiples of the stiffness and the conductance of the adjoining elements. No kink of a tie asks for smaller
+/// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
+inline constexpr double default_tie_factor = 1e6;
+inline constexpr double default_tie_flux_factor = 1e7;
+/// What augmentations may make of them: conditions that others nearly repeat close slowly at less.
+inline constexpr double largest_tie_factor = 1e8;
+
+class Tie {
+ public:
+  using AddResidual = std::function<void(const Patch&, const VectorXd&)>;
+  /// Takes a square block of the tangent dR/du; it is symmetric.
+  using AddTangent = std::function<void(const Patch&, const MatrixXd&)>;
+
+  Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes);
+
+  /// Takes penalties and tolerances; multipliers stay.
+  void set_laws(const Settings& settings);
+  /// Takes the materials behind the facets, in the meshes, for automatic penalties.
+  void set_meshes(PerSide<SurfaceMesh> mesh);
+
+  const PerSide<SurfaceMesh>& mesh() const { return mesh_; }
+  const Effects& effects() const { return effects_; }
+  const Settings& settings() const { return settings_; }
+  const IndexedVector<TiedNode>& nodes() const { return nodes_; }
+  const Penalties& penalties() const { return penalties_; }
+  bool has_unknown_multipliers() const { return settings_.enforcement == Enforcement::lagrange_multipliers; }
+
+  /// The unknowns of a node's traction, or of the flux of a field. Its multiplier_node counts tied nodes.
+  Patch patch(Index n) const;
+  Patch patch(Index n, int field) const;
+  /// Calls use(patch) for the traction and the fluxes of all nodes.
+  void for_each_patch(const std::function<void(const Patch&)>& use) const;
+
+  TieLoads loads(const PerSide<SurfaceFields>& fields) const;
+  /// Hands out R of each node: forces -A_a W_aj t_a, flows times dt, and -A_a k D_a of unknown multipliers.
+  void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
+  void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const;
+
+  /// How well a solution meets its conditions (see GapSums).
+  GapReport gaps(const PerSide<SurfaceFields>& fields) const;
+  /// Has multipliers take the loads of a solution up, and fields that miss their tolerances get tenfold penalties, up
+  /// to the automatic ones. Returns whether any has grown.
+  bool augment(const PerSide<SurfaceFields>& fields);
+
+  const TieState& state() const { return state_; }
+  void restore(TieState state) { state_ = std::move(state); }
+
+  /// Unknown multipliers over the stiffness or conductance of the adjoining elements: three of a node's traction, then
+  /// those of the fields that it exchanges, node by node.
+  VectorXd unknowns() const;
+  void set_unknowns(const VectorXd& values);
+  /// How many there are; 0 where multipliers are not unknown.
+  Index unknown_count() const { return has_unknown_multipliers() ? first_.back() : 0; }
+  /// The unknown of a field's flux; without a field the first one of the traction.
+  Index unknown(Index n, std::optional<int> field = std::nullopt) const;
+
+ private:
+  double traction_penalty(Index n) const;
+  double flux_penalty(Index n, int field) const;
+  VectorXd traction_residual(Index n, const FacingPositions& x, const TieLoads& loads) const;
+  VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
+  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const;
+  MatrixXd flux_tangent(Index n, int field) const;
+  /// Calls use(patch, make(node, field)) for the traction, field -1, and the fluxes of all nodes in order; makes them
+  /// on several threads.
+  template <class Values, class Make, class Use>
+  void for_each_part(const Make& make, const Use& use) const;
+
+  PerSide<SurfaceMesh> mesh_;
+  Effects effects_;
+  Settings settings_;
+  IndexedVector<TiedNode> nodes_;
+  IndexedVector<Index> first_;  ///< per node the first of its unknown multipliers; behind them all, how many there are
+  Penalties penalties_;         ///< per node of the primary surface
+  TieState state_;
+};
+
+}  // namespace mixture_contact

@@ -1,0 +1,202 @@
+#include "tie/tied_node.h"
+
+#include "interface/facing_nodes.h"
+#include "mortar/mortar_space.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace mixture_contact {
+namespace {
+
+/// Gaps below this part of a surface's size are rounding of its positions.
+constexpr double rounding_of_gaps = 1e-12;
+
+/// Weights of nodes by their numbers.
+using Weights = std::map<int, double>;
+
+/// Integrals of one quantity around a node.
+struct Sums {
+  double area = 0;
+  PerSide<Weights> weights;
+
+  void add(double share, const Facet& primary, const Facet& secondary, const PointKinematics& point) {
+    area += share;
+    for (Index b = 0; b < primary.count(); ++b)
+      weights[Side::primary][primary.node(b)] -= share * point.primary_shape[b];
+    for (Index b = 0; b < secondary.count(); ++b)
+      weights[Side::secondary][secondary.node(b)] += share * point.secondary_shape[b];
+  }
+};
+
+/// The gap of a point, by the facet whose normal it follows.
+struct GapOfPoint {
+  int facet = 0;
+  FacetGradient gradient;
+  double sum = 0;  ///< INT psi_a g0 dA
+};
+
+/// Integrals around a node over all pairs of facets.
+struct SumsOfNode {
+  Sums all;
+  IndexedVector<Sums> fields;
+  Weights secondary_areas;
+  IndexedVector<GapOfPoint> gaps;
+};
+
+void add_gap(IndexedVector<GapOfPoint>& gaps, const FacetPair& pair, const Facet& facet, const PointKinematics& point,
+             double sum) {
+  const bool has_same_normal = is_flat(facet.type) && !gaps.empty() && gaps.back().facet == pair.primary;
+  if (has_same_normal) {
+    gaps.back().sum += sum;
+  } else {
+    gaps.push_back({pair.primary, point.primary_gradient, sum});
+  }
+}
+
+/// A point of a pair with its kinematics and the share of each node of its primary facet.
+struct PlacedPoint {
+  PointKinematics kinematics;
+  FacetVector shares;            ///< weight |a| psi_a
+  FacetVector secondary_shares;  ///< psi_b of the secondary facet
+};
+
+PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
+                   const PerSide<Matrix3Xd>& x) {
+  const Facet& one = space.facing().primary_facet(pair);
+  const Facet& two = space.facing().secondary_facet(pair);
+  PlacedPoint found;
+  found.kinematics = point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, x[Side::primary]),
+                                      shape_functions(two.type, place.eta), facet_coordinates(two, x[Side::secondary]));
+  const double area = place.weight * found.kinematics.area;
+  found.shares = area * space.shape(pair.primary, place.sub_facet, place.xi).value;
+  found.secondary_shares = multiplier_functions(two.type, sub_facet_at(two.type, place.eta), place.eta).value;
+  return found;
+}
+
+void add_pair(const MortarSpace& space, const FacetPair& pair, const PerSide<Matrix3Xd>& x,
+              IndexedVector<SumsOfNode>& nodes) {
+  const Facet& one = space.facing().primary_facet(pair);
+  const Facet& two = space.facing().secondary_facet(pair);
+  const IndexedVector<int> fields = space.facing().exchanged_fields(pair);
+  const double rounding = rounding_of_gaps * space.facing().surface_size();
+  for (const IntegrationPoint& place : space.facing().points(pair)) {
+    const PlacedPoint point = placed(space, pair, place, x);
+    for (Index a = 0; a < one.count(); ++a) {
+      const double share = point.shares[a];
+      if (share == 0) continue;
+      SumsOfNode& sums = nodes[one.node(a)];
+      sums.all.add(share, one, two, point.kinematics);
+      for (const int field : fields) sums.fields[field].add(share, one, two, point.kinematics);
+      for (Index b = 0; b < two.count(); ++b) sums.secondary_areas[two.node(b)] += share * point.secondary_shares[b];
+      const double gap = point.kinematics.gap;
+      if (std::abs(gap) > rounding) add_gap(sums.gaps, pair, one, point.kinematics, share * gap);
+    }
+  }
+}
+
+/// Numbers of nodes that have weights, ascending.
+IndexedVector<int> numbers_in(const Weights& weights) {
+  IndexedVector<int> numbers;
+  for (const auto& entry : weights) numbers.push_back(entry.first);
+  return numbers;
+}
+
+double weight_in(const Weights& weights, int node) {
+  const auto found = weights.find(node);
+  return found == weights.end() ? 0.0 : found->second;
+}
+
+TiedAverage average_of(const Sums& sums, const TiedNode& tied) {
+  TiedAverage average;
+  if (!(sums.area > 0)) return average;
+  average.area = sums.area;
+  average.weights.resize(tied.count());
+  Index n = 0;
+  for (const int node : tied.primary) average.weights[n++] = weight_in(sums.weights[Side::primary], node) / sums.area;
+  for (const int node : tied.secondary)
+    average.weights[n++] = weight_in(sums.weights[Side::secondary], node) / sums.area;
+  return average;
+}
+
+TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary) {
+  TiedNode tied;
+  tied.node = node;
+  tied.primary = numbers_in(sums.all.weights[Side::primary]);
+  tied.secondary = numbers_in(sums.all.weights[Side::secondary]);
+  tied.traction = average_of(sums.all, tied);
+  for (const Sums& of_field : sums.fields) tied.fields.push_back(average_of(of_field, tied));
+  tied.secondary_shares.resize(tied.secondary.count());
+  for (Index n = 0; n < tied.secondary.count(); ++n)
+    tied.secondary_shares[n] = weight_in(sums.secondary_areas, tied.secondary[n]) / sums.all.area;
+  for (const GapOfPoint& gap : sums.gaps) {
+    KeptGap kept{{}, gap.gradient, gap.sum / sums.all.area};
+    for (const int of_facet : primary.facets[gap.facet]) kept.places.push_back(position_in(tied.primary, of_facet));
+    tied.gaps.push_back(std::move(kept));
+  }
+  return tied;
+}
+
+/// Where the rays of primary nodes along their normals meet the secondary surface, however far away.
+IndexedVector<std::optional<SurfaceHit>> hits_at_any_distance(const PerSide<SurfaceMesh>& mesh, Settings settings,
+                                                              const PerSide<Matrix3Xd>& x) {
+  const FacingPositions facing = seen_from(Side::primary, x);
+  settings.search.radius = 2 * (half_diagonal(facing.primary) + half_diagonal(facing.secondary)) +
+                           (facing.primary.rowwise().mean() - facing.secondary.rowwise().mean()).norm();
+  return hits_of_nodes(mesh[Side::primary], mesh[Side::secondary], facing, settings);
+}
+
+}  // namespace
+
+IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
+                                        const Settings& settings, const PerSide<Matrix3Xd>& reference) {
+  const FacingPositions x = seen_from(Side::primary, reference);
+  MortarSpace space(mesh[Side::primary], mesh[Side::secondary], effects, settings);
+  space.change_facing().search(x, reach_of(settings, x));
+  space.update_boundary_weights(x);
+  SumsOfNode empty;
+  empty.fields.resize(indexing::entries(effects.scalar_fields()));
+  IndexedVector<SumsOfNode> sums(mesh[Side::primary].nodes, empty);
+  for (const FacetPair& pair : space.facing().pairs()) add_pair(space, pair, reference, sums);
+  IndexedVector<TiedNode> tied;
+  for (int node = 0; node < mesh[Side::primary].nodes; ++node) {
+    if (sums[node].all.area > 0) tied.push_back(tied_node(node, sums[node], mesh[Side::primary]));
+  }
+  return tied;
+}
+
+UntiedNodes untied_nodes(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh,
+                         const Settings& settings, const PerSide<Matrix3Xd>& reference) {
+  NodeFlags is_tied(mesh[Side::primary].nodes, false);
+  for (const TiedNode& each : tied) is_tied[each.node] = true;
+  UntiedNodes untied;
+  const IndexedVector<std::optional<SurfaceHit>> hits = hits_at_any_distance(mesh, settings, reference);
+  for (Index node = 0; node < hits.count(); ++node) {
+    if (is_tied[node]) continue;
+    const std::optional<SurfaceHit>& hit = hits[node];
+    if (!hit) {
+      ++untied.facing_nothing;
+      continue;
+    }
+    ++untied.too_far;
+    untied.largest_distance = std::max(untied.largest_distance, std::abs(hit->gap));
+  }
+  return untied;
+}
+
+Matrix3Xd without_gaps(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh, const Settings& settings,
+                       const PerSide<Matrix3Xd>& reference) {
+  Matrix3Xd moved = reference[Side::primary];
+  const Matrix3Xd normals = nodal_normals(mesh[Side::primary], moved);
+  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[Side::primary], mesh[Side::secondary],
+                                                                      seen_from(Side::primary, reference), settings);
+  for (const TiedNode& each : tied) {
+    const std::optional<SurfaceHit>& hit = hits[each.node];
+    if (hit) moved.col(each.node) += hit->gap * normals.col(each.node);
+  }
+  return moved;
+}
+
+}  // namespace mixture_contact

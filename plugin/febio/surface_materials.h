@@ -1,0 +1,28 @@
+/// The surfaces of a contact as the core takes them: facets, and the materials behind them.
+#pragma once
+
+#include "contact_log.h"
+#include "contact_surfaces.h"
+#include "host/facet_material.h"
+
+#include <optional>
+#include <vector>
+
+/// Whether the core knows the types of all facets; the log names one that it does not know.
+bool have_known_facets(ContactSurfaces& surfaces, const ContactLog& log);
+
+/// Whether all elements behind a surface are shells; the log names one that is not.
+bool are_shells(FEMixtureSurface& surface, mixture_contact::Side side, const ContactLog& log);
+
+/// Reads the materials behind all facets. Empty where contact cannot act on one of them; the log says why.
+std::optional<FacetMaterials> facet_materials(FEModel& fem, ContactSurfaces& surfaces, const ContactLog& log);
+
+/// Whether some facets are rigid and have nothing but rigid ones to touch.
+bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector<FacetMaterial>& secondary);
+
+/// Gives rigid materials a stiffness from modulus_of_rigid_bodies(), where that has one.
+void stand_in_for_rigid_bodies(FEModel& fem, FacetMaterials& materials);
+
+/// The mesh of a surface whose facets are all known.
+mixture_contact::SurfaceMesh surface_mesh(FESurface& surface, const std::vector<FacetMaterial>& materials,
+                                          const mixture_contact::Effects& effects);

@@ -1,0 +1,12 @@
+/// Storing a tie in FEBio's dump streams: what is tied, and its state.
+#pragma once
+
+#include "contact/tie/tie.h"
+
+#include <memory>
+
+class DumpStream;
+
+/// Writes surfaces, effects and tied nodes to an archive, or makes a tie of them.
+void archive_tie(DumpStream& ar, std::unique_ptr<mixture_contact::Tie>& tie);
+void archive_state(DumpStream& ar, mixture_contact::TieState& state);

@@ -1,0 +1,25 @@
+/// Assembly of a tie: the core's patches in FEBio's equations.
+#pragma once
+
+#include "contact/tie/tie.h"
+#include "node_equations.h"
+
+class FEGlobalMatrix;
+class FEGlobalVector;
+class FELinearSystem;
+
+class TieAssembly {
+ public:
+  /// Keeps references.
+  TieAssembly(ContactSurfaces& surfaces, const DofMap& dofs) : surfaces_(surfaces), dofs_(dofs) {}
+
+  void add_to_profile(const mixture_contact::Tie& tie, FEGlobalMatrix& matrix) const;
+  void residual(const mixture_contact::Tie& tie, FEGlobalVector& residual, double dt) const;
+  void tangent(const mixture_contact::Tie& tie, FELinearSystem& system, FEGlobalMatrix& matrix, double dt) const;
+
+ private:
+  NodeEquations equations_of(const mixture_contact::Tie& tie) const;
+
+  ContactSurfaces& surfaces_;
+  const DofMap& dofs_;
+};

@@ -1,0 +1,117 @@
+#include "tie_setup.h"
+
+#include "contact_setup.h"
+#include "material_properties.h"
+#include "surface_materials.h"
+
+#include <FECore/FEModel.h>
+
+#include <utility>
+
+using namespace mixture_contact;
+
+namespace {
+
+/// What keeps two surfaces of a model from being tied, one sentence each.
+std::vector<std::string> obstacles(FEModel& fem, const ContactSurfaces& surfaces) {
+  std::vector<std::string> found;
+  if (fem.MeshAdaptors() > 0) {
+    found.emplace_back(
+        "the model has a mesh adaptor, and a tie keeps its nodes for ever. Leave the adaptor out, or use "
+        "sliding-mixture with <tension>1</tension>.");
+  }
+  if (surfaces.common_facets() > 0) {
+    found.emplace_back(
+        "its surfaces have facets in common, which are joined already. Give each body nodes of its own, and a surface of "
+        "them.");
+  }
+  return found;
+}
+
+}  // namespace
+
+bool TieSetup::check() const {
+  std::vector<std::string> wrong = complaints(parameters_);
+  for (std::string& obstacle : obstacles(fem_, surfaces_)) wrong.push_back(std::move(obstacle));
+  log_.errors(wrong);
+  for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
+  return wrong.empty() && have_known_facets(surfaces_, log_);
+}
+
+std::optional<FacetMaterials> TieSetup::materials() const {
+  std::optional<FacetMaterials> found = facet_materials(fem_, surfaces_, log_);
+  const bool is_given = parameters_.penalties.traction.given && !parameters_.penalties.auto_penalty;
+  if (found && !is_given && lack_stiffness((*found)[Side::primary], (*found)[Side::secondary]))
+    stand_in_for_rigid_bodies(fem_, *found);
+  return found;
+}
+
+std::optional<Effects> TieSetup::effects(const FacetMaterials& materials) const {
+  std::vector<std::string> names = solute_names(fem_);
+  names.resize(indexing::entries(dofs_.concentrations()));
+  std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
+  if (dofs_.pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
+  const Exchange exchange = tie_exchange(parameters_, fields);
+  log_.errors(exchange.complaints);
+  if (!exchange.complaints.empty()) return std::nullopt;
+  log_.line(log_.title() + " exchanges " + exchange.summary);
+  if (exchange.effects.scalar_fields() <= max_scalar_fields) return exchange.effects;
+  log_.error("the surfaces share " + std::to_string(exchange.effects.scalar_fields()) + " fields; at most " +
+             std::to_string(max_scalar_fields) + " are supported.");
+  return std::nullopt;
+}
+
+PerSide<SurfaceMesh> TieSetup::meshes(const FacetMaterials& materials, const Effects& effects) const {
+  PerSide<SurfaceMesh> meshes;
+  for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], materials[side], effects);
+  return meshes;
+}
+
+std::unique_ptr<Tie> TieSetup::build() const {
+  const auto found = materials();
+  const auto exchanged = found ? effects(*found) : std::nullopt;
+  if (!exchanged) return nullptr;
+  PerSide<SurfaceMesh> mesh = meshes(*found, *exchanged);
+  const PerSide<Matrix3Xd> reference = surfaces_.positions();
+  const Settings chosen = settings();
+  IndexedVector<TiedNode> nodes = find_tied_nodes(mesh, *exchanged, chosen, reference);
+  if (nodes.empty()) {
+    log_.error("no node of the primary surface \"" + surfaces_.names()[Side::primary] + "\" faces \"" +
+               surfaces_.names()[Side::secondary] +
+               "\" within reach, so that nothing is tied. Set <search_radius> to more than their distance, or "
+               "<flip_primary> or <flip_secondary> where normals point into a body.");
+    return nullptr;
+  }
+  auto tie = std::make_unique<Tie>(std::move(mesh), *exchanged, std::move(nodes));
+  tie->set_laws(chosen);
+  if (!tie->penalties().traction.allFinite()) {
+    log_.error(
+        "both surfaces are rigid and no material has a modulus, so there is no stiffness to choose a penalty from. Set "
+        "<penalty> to a value [force/length^3] and <auto_penalty> to 0, or <E> of a rigid material.");
+    return nullptr;
+  }
+  if (tie->unknown_count() > 0 && !can_solve_for_multipliers(fem_, dofs_, log_)) return nullptr;
+  return tie;
+}
+
+void TieSetup::say_what_is_tied(const Tie& tie) const {
+  const UntiedNodes untied = untied_nodes(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
+  log_.say(tied_nodes_line(tie.nodes().count(), untied));
+}
+
+Matrix3Xd TieSetup::relocated(const Tie& tie) const {
+  return without_gaps(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
+}
+
+Settings TieSetup::settings() const { return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_)); }
+
+bool TieSetup::update(Tie& tie) const {
+  const std::vector<std::string> wrong = complaints(parameters_);
+  log_.errors(wrong);
+  if (!wrong.empty()) return false;
+  if (reads_properties_again(parameters_, tie.effects())) {
+    if (const auto found = materials()) tie.set_meshes(meshes(*found, tie.effects()));
+  }
+  tie.set_laws(settings());
+  return true;
+}

@@ -1,0 +1,42 @@
+/// Setting up a tie: what the model's parameters, surfaces and materials are to the core, and what is wrong with them.
+#pragma once
+
+#include "contact/tie/tie.h"
+#include "contact_log.h"
+#include "dof_map.h"
+#include "host/facet_material.h"
+#include "host/tie_parameters.h"
+
+#include <memory>
+#include <optional>
+
+class TieSetup {
+ public:
+  TieSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters,
+           const ContactLog& log)
+      : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
+
+  /// Whether the parameters, the surfaces and the model allow a tie; the log says what is wrong.
+  bool check() const;
+  /// Finds what is tied where the surfaces are now. Null where nothing can be; the log says why.
+  std::unique_ptr<mixture_contact::Tie> build() const;
+  void say_what_is_tied(const mixture_contact::Tie& tie) const;
+  /// The primary nodes once their gaps are closed.
+  mixture_contact::Matrix3Xd relocated(const mixture_contact::Tie& tie) const;
+  /// Takes penalties and tolerances as they are at this time, and materials where penalties follow them. Returns
+  /// whether all values make sense; the log says which do not.
+  bool update(mixture_contact::Tie& tie) const;
+  mixture_contact::Settings settings() const;
+
+ private:
+  std::optional<FacetMaterials> materials() const;
+  std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials) const;
+  mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes(const FacetMaterials& materials,
+                                                                const mixture_contact::Effects& effects) const;
+
+  FEModel& fem_;
+  ContactSurfaces& surfaces_;
+  DofMap& dofs_;
+  const ContactParameters& parameters_;
+  const ContactLog& log_;
+};

@@ -1,0 +1,117 @@
+"""What becomes of FEBio's tied contacts: `tied-mixture`, or a refusal where the physics would change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from harness.conversion import spans
+from harness.conversion.fates import NO_DIFFERENCE, Action, Change, is_zero
+from harness.conversion.spans import Edit, Span
+from harness.preflight.model import Model
+from harness.preflight.sides import Joint
+from harness.preflight.tied_types import ANY_DISTANCE, CONVERTIBLE_TIES, keeps_gaps
+from harness.preflight.xml_file import place
+
+TOUCHING = 1e-6
+"""Gap over the width of the facets below which surfaces touch."""
+
+DROPPED = {
+    "two_pass": "a condition stands once: in two passes each node is held twice",
+    "knmult": "the linearisation is always complete; it changes the iterations alone",
+    "symmetric_stiffness": "the tangent is symmetric, and the matrix is what FEBio's solver asks for",
+    "search_tolerance": "nodes at the edge of the other surface are tied as far as it covers the facets around them",
+    "special": "the search is along normals, which needs no special cases",
+    "gap_offset": "an initial gap is always kept",
+    "offset_shells": "shells have the thickness that they have",
+}
+"""Parameters without a meaning in `tied-mixture` that do not change the answer."""
+KEPT = {
+    "tolerance": "measures gaps and jumps over the drop across the adjoining elements, not the change of multipliers",
+    "auto_penalty": "both sides count in series instead of one; the same where they are equal",
+    "gaptol": "measured at nodes instead of integration points",
+    "ptol": "measured at nodes instead of integration points",
+    "ctol": "measured at nodes instead of integration points",
+    "search_radius": "always a length",
+    "node_reloc": "nodes move along their normals instead of to the closest point",
+}
+"""What differs in parameters that stay."""
+_PENALTY = "FEBio's default, written out; without it the penalty is automatic, and gaps far smaller"
+_LIMITLESS = "written out: FEBio's type has no limit; without it nodes farther than a quarter of a facet are not tied"
+
+
+def refusals(model: Model) -> Iterator[str]:
+    """Reasons not to convert the ties of a model, one sentence each."""
+    for tie in (each for each in model.ties if each.kind.name in CONVERTIBLE_TIES):
+        joint = Joint(model, tie)
+        if tie.on("offset_shells"):
+            yield f"{place(tie.tag)}: <offset_shells> moves surfaces by half a thickness, tied-mixture does not"
+        if keeps_gaps(tie.kind, has_offset=tie.on("gap_offset")) or tie.on("node_reloc"):
+            continue
+        apart = _largest_gap(joint)
+        if apart > TOUCHING * float(np.sqrt(np.median(joint.primary.area))):
+            yield (
+                f"{place(tie.tag)}: {tie.kind.name} draws surfaces together, under stress, that are up to {apart:.3g} "
+                "apart or overlap; tied-mixture keeps the gap. Move the bodies together, or let <node_reloc> close it "
+                "without stress"
+            )
+
+
+def parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
+    """Edits of the parameters of a tie, and what each does."""
+    for child in contact.children:
+        change = _fate(child, spans.text(data, child))
+        gone = change.action is not Action.KEPT
+        yield [spans.removal(data, child)] if gone else [], change
+    written = list(_written(data, contact, joint))
+    lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
+    for number, (name, value, reason) in enumerate(written):
+        change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
+        yield spans.insertion(data, contact, lines) if number == 0 else [], change
+
+
+def _fate(child: Span, value: str) -> Change:
+    name = child.tag
+    if name in DROPPED:
+        return Change(Action.DROPPED, name, child.line, DROPPED[name])
+    if name in ("gaptol", "ptol", "ctol") and value.startswith("-"):
+        return Change(Action.DROPPED, name, child.line, "a negative tolerance is none")
+    if name == "max_distance":
+        return Change(Action.MAPPED, name, child.line, "becomes <search_radius>, along normals")
+    return Change(Action.KEPT, name, child.line, KEPT.get(name, NO_DIFFERENCE))
+
+
+def _written(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[str, str, str]]:
+    """Parameters that the new contact needs: name, value, reason."""
+    kind = joint.contact.kind
+    given = {child.tag: spans.text(data, child) for child in contact.children}
+    for name in ("penalty", "pressure_penalty", "concentration_penalty"):
+        if name in kind.parameters and name not in given:
+            yield name, "1", _PENALTY
+    if "search_radius" in kind.parameters and "search_radius" not in given:
+        yield "search_radius", "1", "FEBio's default, written out"
+    if kind.name in ANY_DISTANCE:
+        limit = given.get("max_distance", "0")
+        if not is_zero(limit):
+            yield "search_radius", limit, "was <max_distance>"
+        elif _largest_gap(joint) > 0:
+            yield "search_radius", f"{1.1 * _largest_gap(joint):.6g}", _LIMITLESS
+    effects = _effects(joint)
+    if effects:
+        yield "effects", effects, f"written out: {kind.name} exchanges nothing else"
+
+
+def _effects(joint: Joint) -> str:
+    """What a type of FEBio's exchanges where the bodies could exchange more; empty where they cannot."""
+    kind = joint.contact.kind
+    if not kind.solvent:
+        return "traction" if all(side.porous for side in joint.sides) else ""
+    shares_solutes = bool(joint.primary.solutes & joint.secondary.solutes)
+    return "traction,solvent" if not kind.solutes and shares_solutes else ""
+
+
+def _largest_gap(joint: Joint) -> float:
+    """The largest distance or overlap of the surfaces, of facets that see the other one."""
+    known = joint.gaps[np.isfinite(joint.gaps)]
+    return float(np.abs(known).max(initial=0.0))

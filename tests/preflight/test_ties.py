@@ -1,0 +1,186 @@
+"""`check` and `convert` on ties: what would not be tied or is held twice, and what becomes of FEBio's types."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from harness.conversion.convert import convert
+from harness.conversion.fates import Action
+from harness.conversion.tied_contacts import DROPPED
+from harness.errors import ModelError
+from harness.preflight.check import check
+from harness.preflight.finding import Severity
+from harness.preflight.tied_types import CONVERTIBLE_TIES, TIED_TYPES
+from studies.models.small import Document, biphasic, contact, elastic, fixed, rigid
+from studies.models.tied_cubes import joint
+
+
+def porous(document: Document) -> Document:
+    """The same of bodies with fluid."""
+    return replace(document, module="biphasic", materials=(biphasic("low", 1), biphasic("up", 2)))
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "model.feb"
+
+
+def found(path, document):
+    path.write_text(document.text())
+    return [(finding.severity, finding.rule) for finding in check(path)]
+
+
+# ---- check ----
+
+
+def test_a_sound_tie_has_no_findings(path):
+    assert found(path, joint()) == []
+
+
+@pytest.mark.parametrize("kind", TIED_TYPES)
+def test_all_types_of_ties_are_looked_at(path, kind):
+    assert (Severity.ERROR, "unknown-parameter") in found(path, joint("<glue>1</glue>", kind=kind))
+
+
+def test_surfaces_that_are_too_far_apart_are_named_with_their_distance(path):
+    assert found(path, joint(gap=0.2)) == [(Severity.ERROR, "untied")]
+    assert "up to 0.2" in check(path)[0].message
+    assert found(path, joint("<search_radius>0.25</search_radius>", gap=0.2)) == []
+
+
+def test_facets_that_are_too_far_away_are_a_warning(path):
+    path.write_text(re.sub(r'(<node id="\d+">1,\S+),1\.05</node>', r"\1,1.2</node>", joint(gap=0.05).text()))
+    assert [(each.severity, each.rule) for each in check(path)] == [(Severity.WARNING, "untied")]
+
+
+def test_nodes_with_prescribed_displacements_are_spoken_of(path):
+    document = joint()
+    held = replace(document, boundary=(*document.boundary, fixed("up-left", "x")))
+    assert found(path, held) == [(Severity.NOTE, "held-nodes")]
+    assert "4 of 16" in check(path)[0].message
+
+
+def test_nodes_of_two_ties_with_multipliers_are_a_warning(path):
+    document = joint()
+    twice = tuple(contact(name, "pair", "tied-mixture", "<laugon>LAGMULT</laugon>") for name in ("one", "two"))
+    assert set(found(path, replace(document, contacts=twice))) == {(Severity.WARNING, "held-twice")}
+
+
+@pytest.mark.parametrize(("cells", "rules"), [((2, 3), ["rigid-primary"]), ((3, 2), [])])
+def test_a_fine_rigid_primary_surface_is_a_warning(path, cells, rules):
+    document = replace(joint(cells=cells), materials=(elastic("low", 1), rigid("up", 2)), boundary=())
+    assert [rule for _, rule in found(path, document)] == rules
+
+
+def test_facets_in_common_are_an_error(path):
+    text = joint().text().replace("<secondary>low-top</secondary>", "<secondary>up-bottom</secondary>")
+    path.write_text(text)
+    assert "shared-facets" in {finding.rule for finding in check(path)}
+
+
+@pytest.mark.parametrize(
+    ("solver", "params", "rules"),
+    [
+        ("skyline", "<laugon>LAGMULT</laugon>", []),
+        ("cg", "", ["linear-solver"]),
+        ("cg", "<penalty>1000</penalty><auto_penalty>1</auto_penalty>", []),
+        ("cg", "<penalty>1000</penalty><laugon>LAGMULT</laugon>", ["linear-solver"]),
+    ],
+)
+def test_linear_solvers_that_may_fail_are_a_warning(path, solver, params, rules):
+    chosen = f'<Control><solver><linear_solver type="{solver}"/></solver></Control>'
+    path.write_text(joint(params).text().replace("<Globals>", f"{chosen}<Globals>"))
+    assert [finding.rule for finding in check(path)] == rules
+
+
+# ---- convert ----
+
+
+def converted(path, document):
+    path.write_text(document.text())
+    made = convert(path)
+    changes = {change.name: change for change in made.changes['contact "tie"']}
+    return made.data.decode(), changes
+
+
+@pytest.mark.parametrize("kind", CONVERTIBLE_TIES)
+def test_every_type_becomes_a_tie_with_its_penalties(path, kind):
+    new, changes = converted(path, porous(joint("<minaug>1</minaug>", kind=kind)))
+    assert 'type="tied-mixture"' in new
+    assert "<penalty>1</penalty>" in new
+    assert ("<pressure_penalty>1</pressure_penalty>" in new) == TIED_TYPES[kind].solvent
+    assert ("<effects>traction</effects>" in new) == (not TIED_TYPES[kind].solvent)
+    assert changes["minaug"].action is Action.KEPT
+    assert [finding.rule for finding in check(_written(path, new))] == []
+
+
+def _written(path, text):
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize("kind", CONVERTIBLE_TIES)
+def test_every_parameter_has_a_fate(path, kind):
+    values = {"laugon": "AUGLAG", "minaug": "1", "maxaug": "5", "search_radius": "1", "offset_shells": "0"}
+    values |= dict.fromkeys(("flip_primary", "flip_secondary"), "0")
+    params = "".join(f"<{name}>{values.get(name, '1')}</{name}>" for name in sorted(TIED_TYPES[kind].parameters))
+    _, changes = converted(path, joint(params, kind=kind))
+    assert TIED_TYPES[kind].parameters <= set(changes)
+    dropped = {name for name, change in changes.items() if change.action is Action.DROPPED}
+    assert dropped == DROPPED.keys() & TIED_TYPES[kind].parameters
+
+
+def test_negative_tolerances_are_none(path):
+    new, changes = converted(path, joint("<gaptol>-1</gaptol>", kind="tied-elastic"))
+    assert "gaptol" not in new
+    assert changes["gaptol"].action is Action.DROPPED
+
+
+def test_the_largest_distance_becomes_the_search_radius(path):
+    new, _ = converted(path, joint("<max_distance>0.3</max_distance>", kind="tied-node-on-facet"))
+    assert "<search_radius>0.3</search_radius>" in new
+    assert "max_distance" not in new
+
+
+def test_a_search_without_limit_stays_one(path):
+    params = "<gap_offset>1</gap_offset>"
+    new, _ = converted(path, joint(params, kind="tied-facet-on-facet", gap=0.2))
+    assert "<search_radius>0.22</search_radius>" in new
+
+
+@pytest.mark.parametrize(
+    ("kind", "params"),
+    [
+        ("tied-node-on-facet", ""),
+        ("tied-facet-on-facet", ""),
+        ("tied-node-on-facet", "<offset_shells>1</offset_shells>"),
+    ],
+)
+def test_ties_that_draw_surfaces_together_or_offset_them_are_refused(path, kind, params):
+    path.write_text(joint(params, kind=kind, gap=0.0 if params else 0.02).text())
+    with pytest.raises(ModelError, match=r"offset_shells|draws surfaces together"):
+        convert(path)
+
+
+def test_a_gap_that_nodes_close_without_stress_stays_so(path):
+    new, _ = converted(path, joint("<node_reloc>1</node_reloc>", kind="tied-node-on-facet", gap=0.02))
+    assert "<node_reloc>1</node_reloc>" in new
+
+
+def test_sticky_is_no_tie(path):
+    document = joint(kind="sticky")
+    path.write_text(document.text())
+    with pytest.raises(ModelError, match="sticky catches nodes"):
+        convert(path)
+    both = replace(document, contacts=(*document.contacts, contact("other", "pair", "tied-elastic")))
+    new, changes = converted(path, both)
+    assert changes["type"].reason.startswith("stays: sticky catches nodes")
+    assert 'type="sticky"' in new
+
+
+@pytest.mark.parametrize("kind", CONVERTIBLE_TIES)
+def test_what_stays_of_a_type_is_a_parameter_of_ties(kind):
+    assert TIED_TYPES[kind].parameters - DROPPED.keys() - {"max_distance"} <= TIED_TYPES["tied-mixture"].parameters

@@ -1,0 +1,62 @@
+"""Ties are exact for linear fields on meshes that do not match, and of the order of the elements for others."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from harness.models.interface import ContactSettings, InterfaceType
+from harness.models.parts import Param
+from studies.models.harmonic import Harmonic
+from studies.models.nonmatching import STEADY, Block, NonMatching
+from studies.models.tied_patches import exact, tied
+from studies.post.harmonic_errors import errors
+
+pytestmark = pytest.mark.mixture_only
+
+EXACT = {
+    "augmented": ContactSettings(laugon="AUGLAG", tolerance=1e-9, maxaug=12),
+    "multipliers": ContactSettings(laugon="LAGMULT"),
+}
+UNSEARCHED = replace(STEADY, solver=(Param("lstol", 0.0),))
+"""FEBio's line search compares energies, which are rounding where a step of 1e12 diffusion times has converged."""
+LARGE, TURNED = Block((5, 5), width=2.0), Block((3, 3), angle=30.0)
+COARSE, FEW = Block((3, 3), width=2.0), Block((2, 2), angle=30.0)
+PRISMS = replace(COARSE, wedges=True), replace(FEW, wedges=True)
+PATCHES = {
+    **{f"{one} to {two}": NonMatching(Block((one, one)), Block((two, two))) for one, two in ((2, 3), (4, 3), (7, 5))},
+    "triangles to quadrilaterals": NonMatching(Block((3, 3), wedges=True), Block((2, 2))),
+    "quadrilaterals to triangles": NonMatching(Block((3, 3)), Block((2, 2), wedges=True)),
+    "triangles": NonMatching(Block((3, 3), wedges=True), Block((4, 4), wedges=True)),
+    "partly covered": NonMatching(Block((5, 5), width=1.5), Block((3, 3)), held=True),
+    "turned, partly covered": NonMatching(LARGE, TURNED, held=True),
+    "turned, fully covered": NonMatching(LARGE, TURNED, held=True, lower_is_primary=False),
+    "hex20, turned, partly covered": NonMatching(COARSE, FEW, held=True, nodes=20),
+    "hex27, turned, partly covered": NonMatching(COARSE, FEW, held=True, nodes=27),
+    "penta15, turned, partly covered": NonMatching(*PRISMS, held=True, nodes=20),
+    "hex20, 2 to 3": NonMatching(Block((2, 2)), Block((3, 3)), nodes=20),
+}
+
+
+@pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
+@pytest.mark.parametrize("name", PATCHES)
+def test_linear_fields_are_exact_in_tension_and_shear(runner, name, settings):
+    slug = "".join(letter if letter.isalnum() else "-" for letter in name)
+    model = replace(tied(PATCHES[name], settings), name=f"tied-{slug}-{settings.laugon}", control=UNSEARCHED)
+    result = runner(model)
+    for field, value in exact(model.mesh.nodes).items():
+        assert np.abs(result.nodes[field][-1] - value).max() <= 1e-10 * np.abs(value).max(), field
+
+
+@pytest.mark.parametrize(
+    ("nodes", "levels", "order"), [(8, (2, 4), 1.95), pytest.param(20, (2, 3), 2.85, marks=pytest.mark.slow)]
+)
+def test_displacement_and_concentration_converge_with_the_order_of_the_elements(runner, nodes, levels, order):
+    # The strain is 1e-6: 1e-7 of that is still a thousand times the rounding of positions.
+    control = replace(STEADY, displacement_tolerance=1e-7)
+    models = (Harmonic(level, nodes, None, InterfaceType.TIED, f"tied-{nodes}-{level}").model() for level in levels)
+    coarse, fine = (errors(runner(replace(model, control=control))) for model in models)
+    for name, error in coarse.items():
+        assert np.log(error / fine[name]) / np.log(levels[1] / levels[0]) >= order, name
