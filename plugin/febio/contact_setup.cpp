@@ -48,13 +48,6 @@ bool is_criterion_of_gaps(FECoreBase& adaptor) {
   return false;
 }
 
-/// Numbers of a surface's nodes in FEBio's mesh.
-std::vector<int> node_numbers(const FESurface& surface) {
-  std::vector<int> numbers;
-  for (int i = 0; i < surface.Nodes(); ++i) numbers.push_back(surface.NodeIndex(i));
-  return numbers;
-}
-
 }  // namespace
 
 SolverKind solver_kind_of(FEModel& fem) {
@@ -231,12 +224,11 @@ bool ContactSetup::build(BoundContact& contact) {
   if (!exchanged) return false;
   PerSide<SurfaceMesh> meshes;
   for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], (*found)[side], *exchanged);
-  const PerSide<std::vector<int>> numbers{
-      {node_numbers(surfaces_[Side::primary]), node_numbers(surfaces_[Side::secondary])}};
+  const NodeNumbers numbers = surfaces_.node_numbers();
   if (parameters_.self_contact) {
-    for (const Side side : both_sides) meshes[side].node_ids.assign(numbers[side].begin(), numbers[side].end());
+    for (const Side side : both_sides) meshes[side].node_ids = numbers[side];
   } else if (surfaces_[Side::primary].has_shell_bottoms() == surfaces_[Side::secondary].has_shell_bottoms()) {
-    find_joined_nodes(meshes, numbers);
+    find_joined_nodes(meshes, {{numbers[Side::primary], numbers[Side::secondary]}});
   }
   contact.build(std::move(meshes), *exchanged);
   say_stand_in();
