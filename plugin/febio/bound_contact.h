@@ -45,6 +45,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool keeps_matrix() override;
   bool correct() override;
   bool is_solution() override { return core_->is_solution(fields()); }
+  bool reconsiders_edge() override { return mixture_contact::reconsiders_edge(*core_, fields()); }
   bool finds_overlap() override;
   /// A step has failed: where it began without a node in contact says so once, and has the next attempt begin with the
   /// nodes closed around which single points overlap.

@@ -48,11 +48,6 @@ bool is_criterion_of_gaps(FECoreBase& adaptor) {
   return false;
 }
 
-/// What a mesh holds where a body may meet itself.
-void set_identity(SurfaceMesh& mesh, const FESurface& surface) {
-  for (int i = 0; i < surface.Nodes(); ++i) mesh.node_ids.push_back(surface.NodeIndex(i));
-}
-
 }  // namespace
 
 SolverKind solver_kind_of(FEModel& fem) {
@@ -229,8 +224,11 @@ bool ContactSetup::build(BoundContact& contact) {
   if (!exchanged) return false;
   PerSide<SurfaceMesh> meshes;
   for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], (*found)[side], *exchanged);
-  for (const Side side : both_sides) {
-    if (parameters_.self_contact) set_identity(meshes[side], surfaces_[side]);
+  const NodeNumbers numbers = surfaces_.node_numbers();
+  if (parameters_.self_contact) {
+    for (const Side side : both_sides) meshes[side].node_ids = numbers[side];
+  } else if (surfaces_[Side::primary].has_shell_bottoms() == surfaces_[Side::secondary].has_shell_bottoms()) {
+    find_joined_nodes(meshes, {{numbers[Side::primary], numbers[Side::secondary]}});
   }
   contact.build(std::move(meshes), *exchanged);
   say_stand_in();

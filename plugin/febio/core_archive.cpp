@@ -76,6 +76,7 @@ void archive_mesh(DumpStream& ar, SurfaceMesh& mesh) {
   std::vector<int>& ids = mesh.node_ids;
   archive(ar, ids);
   archive(ar, mesh.thickness);
+  archive_flags(ar, mesh.joined);
 }
 
 void archive_effects(DumpStream& ar, Effects& effects) {

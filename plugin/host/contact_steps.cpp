@@ -154,7 +154,10 @@ bool ContactSteps::accepts(const void* told) {
   const bool solved = is_solution();
   bool accepted = solved && helpers_.are_settled();
   if (accepted) {
-    for (SteppedContact* contact : model_.active_contacts()) accepted = !contact->finds_overlap() && accepted;
+    for (SteppedContact* contact : model_.active_contacts()) {
+      accepted = !contact->reconsiders_edge() && accepted;
+      accepted = !contact->finds_overlap() && accepted;
+    }
   }
   if (accepted && !helpers_.reject()) {
     stepper_.accept();

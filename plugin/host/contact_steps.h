@@ -35,6 +35,8 @@ class SteppedContact {
   /// Returns whether loads change.
   virtual bool correct() = 0;
   virtual bool is_solution() = 0;
+  /// Whether a solution has nodes at the edge of contact that have to be tried once more: it is none then.
+  virtual bool reconsiders_edge() = 0;
   /// Whether what a converged state tells of overlaps changes the loads.
   virtual bool finds_overlap() = 0;
 };

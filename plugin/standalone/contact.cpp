@@ -35,6 +35,7 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
   const mixture_contact::Effects effects = decide_effects(at_rest);
   PerSide<mixture_contact::SurfaceMesh> meshes{{surface_mesh(Side::primary), surface_mesh(Side::secondary)}};
   for (const Side side : both_sides) set_materials(meshes[side], at_rest[side], effects);
+  mixture_contact::find_joined_nodes(meshes, nodes_);
   core_ = std::make_unique<mixture_contact::ContactInterface>(meshes, effects, core_settings(definition.parameters));
   if (!core_->pass(0).penalty().traction.allFinite()) {
     throw InputError(

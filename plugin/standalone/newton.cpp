@@ -34,6 +34,7 @@ class ContactAtState : public mixture_contact::SteppedContact {
   bool keeps_matrix() override { return mixture_contact::serves_again(contact_.core(), fields()); }
   bool correct() override { return mixture_contact::correct(contact_.core(), fields()); }
   bool is_solution() override { return contact_.core().is_solution(fields()); }
+  bool reconsiders_edge() override { return mixture_contact::reconsiders_edge(contact_.core(), fields()); }
   bool finds_overlap() override {
     const mixture_contact::UndetectedPenetration undetected = contact_.core().check_penetration(fields());
     if (undetected.nodes == 0) return false;

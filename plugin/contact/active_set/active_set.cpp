@@ -97,9 +97,23 @@ bool ActiveSet::waits(const NodeFlags& before, const NodeFlags& updated) {
   return laws_.between_rigid_bodies && any(before) && !any(updated) && !std::exchange(has_waited_, true);
 }
 
+bool ActiveSet::was_at_edge(Index node) const {
+  return laws_.multipliers.accepted_traction[node] < 0 && !laws_.multipliers.flux_coupled[node];
+}
+
+bool ActiveSet::reconsiders_edge(const NodalLoads& solution) {
+  bool any_new = false;
+  for (Index node = 0; node < laws_.nodes(); ++node) {
+    any_new = any_new || (solution.in_contact[node] && !solution.flux_coupled[node] && !was_at_edge(node));
+  }
+  if (!any_new || std::exchange(has_reconsidered_, true)) return false;
+  changes_.fill(laws_.nodes(), 0);
+  return true;
+}
+
 void ActiveSet::start_counting() {
   changes_.fill(laws_.nodes(), 0);
-  has_waited_ = false;
+  has_waited_ = has_reconsidered_ = false;
   if (laws_.effects().has_friction()) slip_changes_.fill(laws_.nodes(), 0);
 }
 

@@ -14,16 +14,14 @@ struct ActiveSetOptions {
   /// Surfaces closer than this part of their size touch to rounding.
   double touch_fraction = 1e-10;
   /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
+  /// The same holds for nodes that face contact.
   int most_status_changes = 3;
   /// Nodes that have changed more often than this within a time step cycle: from then on these change one at a time,
   /// and all others together.
   int most_joint_changes = 2 * most_status_changes;
-  /// As most_status_changes, for nodes of the surface that faces the one integrated over, a change earlier. One that
-  /// went and came back is not at the edge: where a surface slides over a finer one many do, and they would empty it
-  /// into the ambient.
-  int most_facing_changes = 2;
-  /// A node of that surface is in contact where the contact of the nodes that it faces, interpolated, reaches this
-  /// share: a half, halfway between a node in contact and one that is not, less rounding.
+  /// A node of the surface that faces the one integrated over is in contact where the contact of the nodes that it
+  /// faces, interpolated, reaches this share: a half, halfway between a node in contact and one that is not, less
+  /// rounding.
   double contact_share = 0.5 - 1e-9;
   /// Loads that differ by less than this part of the largest one are the same: rounding, as the averages around nodes
   /// sum it up. A larger difference has the residual evaluated again.
@@ -70,7 +68,8 @@ struct ActiveSetOptions {
 ///
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
-/// then on. Where nodes keep changing together, closed pulled and open overlapping, the first alone of those that cycle
+/// then on. Iterations far from a solution may change nodes as often: at a solution those at the edge are tried once
+/// more. Where nodes keep changing together, closed pulled and open overlapping, the first alone of those that cycle
 /// changes in each iteration. Each node changes a bounded number of times with others; from then on the rule is the
 /// least index rule (Murty 1974, Opsearch 11:123-130), which ends where each load grows with its own gap however the
 /// others are held: a P matrix.
@@ -108,6 +107,12 @@ class ActiveSet {
   /// status before was that of an iteration, too.
   ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
 
+  /// Whether a solution has nodes at the edge of contact that have to be tried once more: they were put there for how
+  /// often they had changed, while others changed as well. All changes are forgotten, so that the next iteration has
+  /// them flux-coupled. Not those that were at the edge in the last accepted step, too, and once at most from where
+  /// iterations begin.
+  bool reconsiders_edge(const NodalLoads& solution);
+
   /// Nodes in contact that slide where iterations begin.
   NodeFlags initial_slip(const NodalLoads& now) const;
   /// Nodes that slide as the loads that an iteration predicts ask for; loads with friction.
@@ -144,6 +149,8 @@ class ActiveSet {
   /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
   /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
   bool turns_round(const NodalLoads& predicted, Index node) const;
+  /// Whether a node was in contact and not flux-coupled in the last accepted step.
+  bool was_at_edge(Index node) const;
   /// Whether all nodes in contact between rigid bodies would open, for the first time in a step.
   bool waits(const NodeFlags& before, const NodeFlags& updated);
   /// Whether a node that is not in contact comes into it.
@@ -153,6 +160,7 @@ class ActiveSet {
   ActiveSetOptions options_;
   std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
   bool has_waited_ = false;               ///< since the iterations began
+  bool has_reconsidered_ = false;         ///< alike
   IndexedVector<int> changes_;            ///< of each node's status since the iterations began
   IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
 };

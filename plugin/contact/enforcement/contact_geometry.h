@@ -45,6 +45,9 @@ class ContactGeometry {
   virtual void end_iterations() = 0;
   /// Forgets what iterations that have ended leave for those to come, so that these depend on the state alone.
   virtual void forget_past() = 0;
+  /// Has nodes at the edge of contact tried once more (see ActiveSet::reconsiders_edge()). Returns whether a solution
+  /// has any.
+  virtual bool reconsiders_edge(const FacingFields& fields) = 0;
   virtual bool is_solution(const FacingFields& fields) const = 0;
   /// The linearisation of iterations; null where surfaces are fixed and gaps linear by themselves.
   virtual HeldLinearisation* held() = 0;

@@ -19,6 +19,7 @@ class FixedGeometry : public ContactGeometry {
   void take_multipliers() override {}
   void end_iterations() override;
   void forget_past() override {}
+  bool reconsiders_edge(const FacingFields& /*fields*/) override { return false; }
   bool is_solution(const FacingFields& /*fields*/) const override { return true; }
   HeldLinearisation* held() override { return nullptr; }
 

@@ -105,7 +105,12 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
 }
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
-  const NodeFlags status = updated_status(now, gaps);
+  NodeFlags status = updated_status(now, gaps);
+  // Twice the load less the multiplier of before, the trial of a node says nothing of the solution that an augmentation
+  // has taken over: what bears load there stays in contact until an iteration has changed it.
+  for (Index node = 0; augmented_ && node < status.count(); ++node) {
+    status[node] = status[node] || (gaps.faces(node) && laws_.multipliers.traction[node] < 0);
+  }
   const bool closes_overlapped = !point_ && !augmented_ && laws_.close_overlapped && !any(status);
   return closes_overlapped ? overlapped_nodes(space_) : status;
 }
@@ -206,6 +211,10 @@ void MovingGeometry::forget_past() {
   last_ = {};
 }
 
+bool MovingGeometry::reconsiders_edge(const FacingFields& fields) {
+  return laws_.effects().scalar_fields() > 0 && active_set_.reconsiders_edge(loads(fields));
+}
+
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
@@ -239,7 +248,9 @@ Matrix3Xd MovingGeometry::present_multipliers(const NodalFriction& friction) con
   return present;
 }
 
-NodeFlags MovingGeometry::flux_coupled() const { return point_ ? point_->loads.flux_coupled : initial_status(); }
+NodeFlags MovingGeometry::flux_coupled() const {
+  return point_ ? point_->loads.flux_coupled : active_set_.initial(space_.gaps());
+}
 
 VectorXd MovingGeometry::equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
   return point_ ? point_->equation_weights : method_.equation_weights(loads, x1);
@@ -273,7 +284,7 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
 
 void MovingGeometry::for_each_coupling(const Couplings& use) const {
   const auto use_around = [&](Index node, const Patch& patch) { use_node(method_, space_, node, patch, use); };
-  const NodeFlags in_contact = point_ ? point_->loads.in_contact : initial_status();
+  const NodeFlags in_contact = point_ ? point_->loads.in_contact : active_set_.initial(space_.gaps());
   if (geometric_ && point_) {  // the pairs are still those that the nodes were linearised with
     for (Index node = 0; node < point_->nodes.count(); ++node) {
       if (!point_->nodes[node].empty()) use_around(node, point_->nodes[node].patch);

@@ -24,6 +24,7 @@ class MovingGeometry : public ContactGeometry {
   void take_multipliers() override { augmented_ = true; }
   void end_iterations() override;
   void forget_past() override;
+  bool reconsiders_edge(const FacingFields& fields) override;
   bool is_solution(const FacingFields& fields) const override;
   HeldLinearisation* held() override { return &held_; }
 
@@ -54,7 +55,6 @@ class MovingGeometry : public ContactGeometry {
   }
   /// Averages of a state with the status that iterations begin with there.
   NodalLoads initial_averages(const FacingFields& fields) const;
-  NodeFlags initial_status() const { return active_set_.initial(space_.gaps()); }
   /// Status of an iteration that begins at the present loads and gaps (see ContactPass::begin_iteration()).
   NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps) const;
   /// Status that the present loads and gaps ask for.

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <map>
+#include <set>
 
 namespace mixture_contact {
 
@@ -37,6 +38,15 @@ const std::vector<RulePoint>& nodal_rule(FacetType type) {
 }
 
 }  // namespace
+
+void find_joined_nodes(PerSide<SurfaceMesh>& meshes, const PerSide<std::vector<int>>& numbers) {
+  for (const Side side : both_sides) {
+    const std::set<int> others(numbers[other(side)].begin(), numbers[other(side)].end());
+    NodeFlags joined;
+    for (const int number : numbers[side]) joined.push_back(others.count(number) > 0);
+    meshes[side].joined = any(joined) ? std::move(joined) : NodeFlags();
+  }
+}
 
 FacetVector areas_of_nodes(const Facet& facet, const Matrix3Xd& position) {
   const FacetCoordinates x = facet_coordinates(facet, position);

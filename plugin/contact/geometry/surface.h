@@ -7,6 +7,7 @@
 #include "geometry/facet.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace mixture_contact {
 
@@ -22,8 +23,15 @@ struct SurfaceMesh {
   IndexedVector<int> node_ids;  ///< per node: its number in the host's mesh, the same for both surfaces
   VectorXd thickness;           ///< per facet: of the element behind it [mm]; empty: not known
 
+  NodeFlags joined;  ///< per node: whether both surfaces have it, where no body meets itself; empty: none
+
   bool may_meet_itself() const { return node_ids.count() > 0; }
+  /// Whether the bodies are one at a node: it cannot part from itself, and no ambient reaches it.
+  bool is_joined(Index node) const { return joined.count() > 0 && joined[node]; }
 };
+
+/// Finds the nodes that both surfaces have, given the numbers of their nodes in the host's mesh: SurfaceMesh::joined.
+void find_joined_nodes(PerSide<SurfaceMesh>& meshes, const PerSide<std::vector<int>>& numbers);
 
 /// The current state of a surface: one column or row per node.
 struct SurfaceFields {

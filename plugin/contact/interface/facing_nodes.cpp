@@ -94,7 +94,7 @@ NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes) {
 
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing) {
   if (!pass.faced) return facing;
-  const int most_changes = pass.integral->active_set().options().most_facing_changes;
+  const int most_changes = pass.integral->active_set().options().most_status_changes;
   for (Index node = 0; node < facing.count(); ++node) {
     const int changes = pass.faced_changes[node] + (facing[node] != (*pass.faced)[node] ? 1 : 0);
     if (changes > most_changes) facing[node] = false;
@@ -104,11 +104,20 @@ NodeFlags next_facing(const SidedPass& pass, NodeFlags facing) {
 
 void hold_facing(SidedPass& pass, const NodeFlags& facing) {
   NodeFlags next = next_facing(pass, facing);
-  if (!pass.faced) pass.faced_changes.assign(facing.size(), 0);
+  if (!pass.faced) {
+    pass.faced_changes.assign(facing.size(), 0);
+    pass.has_reconsidered = false;
+  }
   for (Index node = 0; node < facing.count(); ++node) {
     if (pass.faced && facing[node] != (*pass.faced)[node]) ++pass.faced_changes[node];
   }
   pass.faced = std::move(next);
+}
+
+bool reconsiders_facing(SidedPass& pass, const NodeFlags& facing) {
+  if (!pass.faced || facing == *pass.faced || std::exchange(pass.has_reconsidered, true)) return false;
+  pass.faced_changes.assign(facing.size(), 0);
+  return true;
 }
 
 }  // namespace mixture_contact

@@ -13,6 +13,7 @@ struct SidedPass {
   std::unique_ptr<ContactPass> integral;
   std::optional<NodeFlags> faced;    ///< nodes of the other surface that face contact, during iterations
   IndexedVector<int> faced_changes;  ///< of these, since the iterations began
+  bool has_reconsidered = false;     ///< since then, too
 };
 
 /// A node of the surface that a pass does not integrate over.
@@ -45,6 +46,10 @@ NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
 /// Takes over which nodes face contact, for an iteration that has begun, and counts the changes.
 void hold_facing(SidedPass& pass, const NodeFlags& facing);
+
+/// Whether nodes that are held for how often they have changed should face contact or not otherwise, as `facing` do at
+/// a solution: they are tried once more. All changes are forgotten, once at most from where iterations begin.
+bool reconsiders_facing(SidedPass& pass, const NodeFlags& facing);
 
 /// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position);

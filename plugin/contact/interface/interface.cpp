@@ -285,7 +285,12 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
       hold_facing(pass, facing_contact(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
     }
   }
-  return nodes_in_contact();
+  PerSide<NodeFlags> nodes = nodes_in_contact();
+  for (const Side side : both_sides) {
+    for (Index node = 0; node < nodes[side].count(); ++node)
+      nodes[side][node] = nodes[side][node] || mesh_[side].is_joined(node);
+  }
+  return nodes;
 }
 
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
@@ -402,6 +407,20 @@ bool faces_as_held(const ContactInterface& contact) {
                                       contact.settings_);
     return next_facing(pass, std::move(facing)) == *pass.faced;
   });
+}
+
+bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  if (!contact.effects_.traction) return false;
+  const TaskClock timed = contact.measurements().clock(Task::augmentation);
+  bool any = false;
+  for (SidedPass& pass : contact.passes_) {
+    any = pass.integral->geometry().reconsiders_edge(seen_from(pass.side, fields)) || any;
+    if (!pass.faced) continue;
+    const NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
+                                            contact.settings_);
+    any = reconsiders_facing(pass, facing) || any;
+  }
+  return any;
 }
 
 }  // namespace mixture_contact

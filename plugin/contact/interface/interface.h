@@ -55,6 +55,7 @@ class ContactInterface {
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
   /// Whether the nodes that face contact are still those that the iteration began with.
   friend bool faces_as_held(const ContactInterface& contact);
+  friend bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
@@ -145,5 +146,9 @@ class ContactInterface {
 };
 
 bool faces_as_held(const ContactInterface& contact);
+
+/// Whether a solution has nodes at the edge of contact that have to be tried once more (ActiveSet::reconsiders_edge(),
+/// reconsiders_facing()): it is none then.
+bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 }  // namespace mixture_contact

@@ -6,6 +6,15 @@
 #include "mortar/slips.h"
 
 namespace mixture_contact {
+namespace {
+
+/// Those of some nodes at which the bodies are two.
+NodeFlags apart(const SurfaceMesh& mesh, NodeFlags nodes) {
+  for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] && !mesh.is_joined(node);
+  return nodes;
+}
+
+}  // namespace
 
 ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                          const Settings& settings)
@@ -15,6 +24,7 @@ ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondar
       active_set_(laws_),
       method_(enforcement_method(settings.enforcement, space_, laws_)),
       geometry_(make_geometry()) {
+  if (primary.joined.count() > 0) active_set_.restrict_to(apart(primary, NodeFlags(primary.nodes, true)));
   if (!settings.gap.may_touch) restrict_active_set(NodeFlags(primary.nodes, false));
 }
 
@@ -34,7 +44,7 @@ void ContactPass::project_on_same_facets(const FacingPositions& x) {
 }
 
 void ContactPass::restrict_active_set(const NodeFlags& nodes) {
-  active_set_.restrict_to(nodes);
+  active_set_.restrict_to(apart(space_.facing().primary(), nodes));
   space_.change_facing().restrict_to(nodes);
 }
 

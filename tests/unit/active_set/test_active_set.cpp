@@ -105,6 +105,31 @@ BOOST_AUTO_TEST_CASE(nodes_that_keep_changing_carry_load_but_are_not_flux_couple
   BOOST_TEST(output(*approach.contact, approach.scene.fields).balance.area > 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_solution_has_new_nodes_at_the_edge_tried_once_more) {
+  Approach approach(0.125);
+  ContactInterface& contact = *approach.contact;
+  const PerSide<SurfaceFields>& fields = approach.scene.fields;
+  const auto come_and_go = [&] {
+    for (int change = 0; change <= ActiveSetOptions().most_status_changes; ++change)
+      approach.move_to(change % 2 == 0 ? -0.125 : 0.125);
+  };
+  BOOST_TEST(!reconsiders_edge(contact, fields));
+  come_and_go();
+  BOOST_TEST(approach.flux_coupled() == 0);
+  BOOST_TEST(reconsiders_edge(contact, fields));
+  approach.move_to(0.125);
+  BOOST_TEST(approach.flux_coupled() == all);
+  come_and_go();
+  BOOST_TEST(approach.flux_coupled() == 0);
+  BOOST_TEST(!reconsiders_edge(contact, fields));
+  // A step that finds them where the last one has left them does not try again.
+  contact.accept_step(fields);
+  BOOST_TEST(approach.closed_where_a_step_begins() == all);
+  come_and_go();
+  BOOST_TEST(approach.flux_coupled() == 0);
+  BOOST_TEST(!reconsiders_edge(contact, fields));
+}
+
 BOOST_AUTO_TEST_CASE(nodes_that_change_together_too_often_change_one_at_a_time) {
   Approach approach(0.125);
   for (int change = 1; change <= ActiveSetOptions().most_joint_changes + 1; ++change) {

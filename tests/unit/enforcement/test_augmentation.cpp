@@ -110,6 +110,31 @@ BOOST_AUTO_TEST_CASE(a_second_augmentation_adds_the_load_of_the_remaining_gap) {
   BOOST_TEST((contact->pass(0).laws().multipliers.flux.row(0).array() - 1).abs().maxCoeff() <= rounding);
 }
 
+BOOST_AUTO_TEST_CASE(nodes_that_bear_load_in_a_solution_stay_in_contact_after_it_was_augmented) {
+  Scene scene = loaded_scene();
+  scene.settings.tolerances = {off, off, off, {}};
+  const auto contact = scene.contact();
+  contact->augment(scene.fields);
+  // A third of the load is left where the penalty pulls by the rest, so that the next trials pull.
+  const double load = contact->pass(0).laws().multipliers.traction[0];
+  const double penalty = contact->pass(0).laws().traction_penalty(0);
+  const double overlap = contact->pass(0).space().gaps().gap[0];
+  const PerSide<SurfaceFields> relieved = lifted(scene, -overlap - load * 2 / 3 / penalty);
+  contact->end_iterations();
+  contact->project(positions(relieved));
+  contact->begin_iteration(relieved);
+  contact->augment(relieved);
+  contact->end_iterations();
+  contact->begin_iteration(relieved);
+  const NodalLoads loads = contact->pass(0).nodal_loads(seen_from(Side::primary, relieved));
+  BOOST_TEST(loads.traction.maxCoeff() > 0);
+  BOOST_TEST(std::count(loads.flux_coupled.begin(), loads.flux_coupled.end(), true) ==
+             contact->mesh(Side::primary).nodes);
+  contact->end_iterations();
+  contact->begin_iteration(relieved);
+  BOOST_TEST(!any(contact->nodes_in_contact()[Side::primary]));
+}
+
 BOOST_AUTO_TEST_CASE(points_out_of_contact_get_no_multiplier) {
   Scene scene = loaded_scene();
   const auto contact = scene.contact();

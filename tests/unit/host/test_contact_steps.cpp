@@ -39,11 +39,13 @@ class FakeContact : public SteppedContact {
     return loads_change;
   }
   bool is_solution() override { return solution; }
+  bool reconsiders_edge() override { return std::exchange(at_edge, false); }
   bool finds_overlap() override { return overlap; }
 
   bool loads_change = false;
   bool serves = true;
   bool solution = true;
+  bool at_edge = false;
   bool overlap = false;
 
  private:
@@ -332,6 +334,18 @@ BOOST_AUTO_TEST_CASE(a_state_whose_loads_are_off_alone_is_rejected_without_a_mat
   host.said();
   BOOST_TEST(!host.augment());
   check(host.said(), {"A begin", "B begin", "ambient", "helper adapt"});
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_whose_edge_is_tried_once_more_is_rejected_and_gets_a_matrix) {
+  FakeHost host(2, MatrixUse::kept);
+  host.start_step();
+  host.update(1.0);
+  host.contacts[0]->at_edge = true;
+  host.said();
+  BOOST_TEST(!host.augment());
+  check(host.said(), {"A begin", "B begin", "ambient", "helper adapt"});
+  host.update(1.0);
+  BOOST_TEST(host.augment());
 }
 
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_formed_all_the_same_has_a_residual_of_its_loads) {

@@ -4,6 +4,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+
 using namespace test;
 
 namespace {
@@ -28,6 +30,18 @@ struct SlidingPlate {
     scene.fields[Side::primary].position.row(0).array() += distance;
     contact->project(scene.position());
   }
+
+  /// Slides and begins an iteration there.
+  void iterate(double distance) {
+    slide(distance);
+    contact->begin_iteration(scene.fields);
+    contact->hold_nodes_in_contact();
+  }
+
+  std::ptrdiff_t facing() const {
+    const NodeFlags nodes = contact->nodes_in_contact()[Side::secondary];
+    return std::count(nodes.begin(), nodes.end(), true);
+  }
 };
 
 }  // namespace
@@ -51,4 +65,24 @@ BOOST_AUTO_TEST_CASE(where_no_nodes_are_held_none_has_to_face_contact) {
   plate.contact->end_iterations();
   plate.slide(0.3);
   BOOST_TEST(faces_as_held(*plate.contact));
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_has_nodes_that_changed_too_often_to_face_contact_tried_once_more) {
+  SlidingPlate plate;
+  plate.iterate(0.3);
+  const std::ptrdiff_t there = plate.facing();
+  const auto come_and_go = [&] {
+    for (int change = 0; change <= ActiveSetOptions().most_status_changes; ++change)
+      plate.iterate(change % 2 == 0 ? -0.3 : 0.3);
+  };
+  come_and_go();
+  BOOST_TEST(plate.facing() < there);
+  BOOST_TEST(faces_as_held(*plate.contact));
+  BOOST_TEST(reconsiders_edge(*plate.contact, plate.scene.fields));
+  plate.iterate(0);
+  BOOST_TEST(plate.facing() == there);
+  BOOST_TEST(!reconsiders_edge(*plate.contact, plate.scene.fields));
+  come_and_go();
+  BOOST_TEST(plate.facing() < there);
+  BOOST_TEST(!reconsiders_edge(*plate.contact, plate.scene.fields));
 }

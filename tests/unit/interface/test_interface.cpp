@@ -1015,3 +1015,28 @@ BOOST_AUTO_TEST_CASE(new_properties_change_the_automatic_penalties) {
   BOOST_TEST((contact->pass(1).penalty().traction == 2 * before.traction));
   BOOST_TEST((contact->pass(1).penalty().flux == 4 * before.flux));
 }
+
+BOOST_AUTO_TEST_CASE(where_bodies_are_one_nothing_crosses_and_no_ambient_acts) {
+  Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.01), effects_of(true, 1), explicit_settings(4, 2, 8));
+  PerSide<std::vector<int>> numbers;
+  for (const Side side : both_sides) {
+    for (int node = 0; node < scene.mesh[side].nodes; ++node)
+      numbers[side].push_back(side == Side::primary ? node : node + 8);
+  }
+  find_joined_nodes(scene.mesh, numbers);  // the last primary node is the first secondary one
+  const Index last = scene.mesh[Side::primary].nodes - 1;
+  BOOST_TEST(scene.mesh[Side::primary].is_joined(last));
+  BOOST_TEST(!scene.mesh[Side::primary].is_joined(0));
+  BOOST_TEST(scene.mesh[Side::secondary].is_joined(0));
+  const auto contact = scene.contact();
+  contact->begin_iteration(scene.fields);
+  const NodalLoads loads = contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields));
+  BOOST_TEST(loads.in_contact[0]);
+  BOOST_TEST(!loads.in_contact[last]);
+  const PerSide<NodeFlags> without_ambient = contact->hold_nodes_in_contact();
+  BOOST_TEST(without_ambient[Side::primary][last]);
+  BOOST_TEST(without_ambient[Side::secondary][0]);
+  numbers[Side::secondary] = std::vector<int>(numbers[Side::secondary].size(), 100);
+  find_joined_nodes(scene.mesh, numbers);
+  BOOST_TEST(scene.mesh[Side::primary].joined.empty());
+}
