@@ -78,7 +78,6 @@ void BoundContact::project() {
 }
 
 void BoundContact::prepare_step() {
-  begins_open_.reset();
   if (multiplier_layout(*core_).size() > 0) step_start_ = unknown_multipliers(*core_);
 }
 
@@ -106,8 +105,11 @@ bool BoundContact::finds_overlap() {
 }
 
 void BoundContact::fail_step() {
-  const bool began_open = core_->effects().traction && begins_open_.value_or(false);
-  if (began_open) core_->pass(0).laws().close_overlapped = true;
+  if (!core_->effects().traction) return;
+  const bool began_open = begins_open_.value_or(false);
+  NodalLaws& laws = core_->pass(0).laws();
+  const bool bears_nothing = !laws.has_twin() && laws.multipliers.accepted_traction.isZero(0);
+  if (began_open || bears_nothing) laws.close_overlapped = true;
   if (began_open && !std::exchange(said_open_, true)) log_.line(open_contact_line(log_.name()));
 }
 

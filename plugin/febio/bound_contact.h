@@ -38,7 +38,10 @@ class BoundContact : public mixture_contact::SteppedContact {
 
   void project() override;
   void prepare_step() override;
-  void end_iterations() override { core_->end_iterations(); }
+  void end_iterations() override {
+    core_->end_iterations();
+    begins_open_.reset();
+  }
   bool begin_iteration() override;
   void hold_loads() override;
   void linearise_at() override { core_->linearise_at(fields()); }
@@ -47,8 +50,8 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool is_solution() override { return core_->is_solution(fields()); }
   bool reconsiders_edge() override { return mixture_contact::reconsiders_edge(*core_, fields()); }
   bool finds_overlap() override;
-  /// A step has failed: where it began without a node in contact says so once, and has the next attempt begin with the
-  /// nodes closed around which single points overlap.
+  /// A step has failed: where it began without a node in contact says so once. There, and before contact has borne
+  /// anything, the next attempt begins with all nodes closed around which single points overlap.
   void fail_step();
 
   /// Multipliers that are unknowns, in a trial: those at the start of the step and FEBio's increments.

@@ -239,15 +239,16 @@ void ContactSetup::update_properties(const BoundContact& contact) const {
   if (const auto found = materials()) update_materials(contact.core(), *found);
 }
 
-void ContactSetup::update_laws(const BoundContact& contact, double reduction) const {
-  Settings settings = core_settings(parameters_, solver_kind_of(fem_), reduction);
+void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) const {
+  Settings settings = core_settings(parameters_, solver_kind_of(fem_), reduction.divisor);
+  settings.traction.kept = reduction.kept;
   settings.solvent.time_step = storing_time_step(fem_);
   contact.core().update_laws(settings);
 }
 
 bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind_of(fem_)); }
 
-bool ContactSetup::follow_load_curves(const BoundContact& contact, double reduction) const {
+bool ContactSetup::follow_load_curves(const BoundContact& contact, const ReducedPenalty& reduction) const {
   const bool sound = has_sound_values() && check_ambient();
   if (sound) update_laws(contact, reduction);
   return sound;

@@ -5,6 +5,7 @@
 #include "ambient_concentration.h"
 #include "bound_contact.h"
 #include "host/facet_material.h"
+#include "host/penalty_reduction.h"
 
 #include <optional>
 #include <string>
@@ -36,11 +37,11 @@ class ContactSetup {
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
   /// Takes penalties and tolerances as their load curves say at this time; automatic penalties of the traction are
-  /// divided by `reduction`.
-  void update_laws(const BoundContact& contact, double reduction) const;
+  /// reduced as `reduction` says.
+  void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
   /// Updates the laws by load curves, see update_laws(), where all values make sense. Returns whether they do; the log
   /// says which do not.
-  bool follow_load_curves(const BoundContact& contact, double reduction) const;
+  bool follow_load_curves(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
   /// Whether a reduction has an effect.
   bool has_reducible_penalty() const;
   /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the effects that

@@ -1,11 +1,13 @@
 #include "model_contacts.h"
 
 #include "archive.h"
+#include "contact/interface/load_rounding.h"
 #include "settling.h"
 #include "solver/febio/solver_totals.h"
 #include "solver/line_search_guard.h"
 #include "solver/non_negative_concentrations.h"
 #include "solver/predictor.h"
+#include "solver/residual_floor.h"
 
 #include <FEBioMech/FEResidualVector.h>
 #include <FEBioMech/FESolidSolver2.h>
@@ -115,6 +117,14 @@ void note_overlap(const std::vector<ContactInModel*>& contacts, double time, Red
   reducible.accept();
 }
 
+/// The square of what rounding of positions makes of the loads of contacts [N^2].
+double load_rounding_square(const std::vector<ContactInModel*>& contacts) {
+  double sum = 0;
+  for (ContactInModel* contact : contacts)
+    sum += mixture_contact::load_rounding_square(contact->bound().core(), contact->bound().fields());
+  return sum;
+}
+
 /// Has loads that are unknowns follow from the rows of their nodes.
 newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, FEGlobalMatrix& matrix) {
   newton::RowOperations operations;
@@ -135,7 +145,7 @@ bool will_retry(FEModel& fem) {
 void reduce_penalties(FEModel& fem, const std::vector<ContactInModel*>& contacts, ReduciblePenalties& reducible) {
   const auto is_reducible = [](ContactInModel* contact) { return contact->has_reducible_penalty(); };
   if (!will_retry(fem) || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
-  say(fem, reducible.fail(fem.GetCurrentTime()));
+  say(fem, reducible.fail(fem.GetCurrentTime(), fem.GetTime().timeIncrement));
 }
 
 class FEBioArchive : public newton::Archive {
@@ -179,6 +189,8 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
   offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
   offer(predictor, std::make_unique<newton::Predictor>(solver_));
+  helpers_.add(std::make_unique<newton::ResidualFloor>(solver_, [this] { return load_rounding_square(active()); }),
+               [this] { return solver_.is_newton(); });
   helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |
@@ -321,6 +333,10 @@ void ModelContacts::on_callback(unsigned int when) {
     say(fem_, reducible_.summary());
     say(fem_, devices_.record().summary());
   }
+}
+
+mixture_contact::ReducedPenalty ModelContacts::penalty_reduction() const {
+  return reducible_.at(fem_.GetTime().timeIncrement);
 }
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it

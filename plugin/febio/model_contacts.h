@@ -42,8 +42,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   void on_callback(unsigned int when);
 
   newton::FEBioSolver& solver() { return solver_; }
-  /// What automatic penalties of the traction are divided by at present.
-  double penalty_reduction() const { return reducible_.divisor(); }
+  /// What the present step does with automatic penalties of the traction.
+  mixture_contact::ReducedPenalty penalty_reduction() const;
   const ModelDevices& devices() const { return devices_; }
   /// What the next matrix is to take of the contacts.
   MatrixForm matrix_form() const;

@@ -13,11 +13,16 @@ constexpr int most_patience = 64;
 
 double PenaltyReduction::divisor() const { return std::pow(per_level, level_); }
 
-bool PenaltyReduction::fail() {
+ReducedPenalty PenaltyReduction::at(double dt) const {
+  return {divisor(), fading_ > 0 ? 1 - std::min(1.0, dt / fading_) : 1.0};
+}
+
+bool PenaltyReduction::fail(double dt) {
+  fading_ = is_full() ? dt : std::max(fading_, dt);
   if (recovered_ > 0) patience_ = std::min(2 * patience_, most_patience);
   accepted_ = recovered_ = 0;
   if (level_ == most_levels) return false;
-  ++level_;
+  level_ = most_levels;
   return true;
 }
 

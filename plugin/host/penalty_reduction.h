@@ -3,14 +3,24 @@
 /// A penalty is a device, no property of the scene: a hard contact can invert an element where a softer one does not.
 /// There is one state for a model, since a step that fails does not tell which of its contacts is to blame.
 ///
-///     full ---fail---> reduced, by one level more with each failed attempt
+///     full or reduced ---fail---> the softest level, the stiffness of the bodies
 ///     reduced ---accept, as often as the patience asks---> one level less, in the end full
+///
+/// A body that a hard contact has pressed has to give way to a softer one: the tractions of the accepted state that the
+/// smaller penalty does not bear fade over the length of the step that has failed. The shorter the attempt, the less it
+/// has to release.
 ///
 /// Where an attempt fails after penalties had recovered, they take twice as many accepted steps until they do so again:
 /// a scene that needs soft contact for long is not tried in vain at every other step.
 #pragma once
 
 namespace mixture_contact {
+
+/// What a step does with penalties of the traction.
+struct ReducedPenalty {
+  double divisor = 1;  ///< of the penalties [-]
+  double kept = 1;     ///< see PenaltyRule::kept [-]
+};
 
 class PenaltyReduction {
  public:
@@ -22,8 +32,12 @@ class PenaltyReduction {
   double divisor() const;
   bool is_full() const { return level_ == 0; }
 
-  /// An attempt at a step has failed, and another one follows. Returns whether penalties are smaller from now on.
-  bool fail();
+  /// What a step of `dt` has to do [s].
+  ReducedPenalty at(double dt) const;
+
+  /// An attempt at a step of `dt` has failed [s], and another one follows. Returns whether penalties are smaller from
+  /// now on.
+  bool fail(double dt);
   /// A step has been accepted.
   void accept();
 
@@ -34,6 +48,7 @@ class PenaltyReduction {
     take(patience_);
     take(accepted_);
     take(recovered_);
+    take(fading_);
   }
 
  private:
@@ -41,6 +56,7 @@ class PenaltyReduction {
   int patience_ = 1;   ///< accepted steps until penalties recover by a level
   int accepted_ = 0;   ///< since the level changed
   int recovered_ = 0;  ///< levels since the last failure
+  double fading_ = 0;  ///< length of the longest step that has failed since penalties were full [s]
 };
 
 }  // namespace mixture_contact

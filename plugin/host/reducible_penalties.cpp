@@ -2,8 +2,8 @@
 
 #include <utility>
 
-std::string ReduciblePenalties::fail(double time) {
-  const bool says = reduction_.fail() && !std::exchange(said_, true);
+std::string ReduciblePenalties::fail(double time, double dt) {
+  const bool says = reduction_.fail(dt) && !std::exchange(said_, true);
   return says ? reduction_line(time) : "";
 }
 
@@ -12,5 +12,5 @@ void ReduciblePenalties::note(const std::string& contact, const mixture_contact:
 }
 
 std::string ReduciblePenalties::summary() const {
-  return accepted_.overlap.depth > 0 ? accepted_overlap_line(accepted_, divisor()) : "";
+  return accepted_.overlap.depth > 0 ? accepted_overlap_line(accepted_, reduction_.divisor()) : "";
 }

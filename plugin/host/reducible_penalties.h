@@ -6,13 +6,13 @@
 
 class ReduciblePenalties {
  public:
-  /// What they are divided by at present.
-  double divisor() const { return reduction_.divisor(); }
+  /// What a step of `dt` does with them [s].
+  mixture_contact::ReducedPenalty at(double dt) const { return reduction_.at(dt); }
   bool are_reduced() const { return !reduction_.is_full(); }
 
-  /// An attempt at the step to `time` has failed, and another one follows. Returns what the log is to say; empty where
-  /// nothing.
-  std::string fail(double time);
+  /// An attempt at the step of `dt` to `time` has failed [s], and another one follows. Returns what the log is to say;
+  /// empty where nothing.
+  std::string fail(double time, double dt);
   /// The largest overlap of a contact in a step that is accepted with reduced penalties.
   void note(const std::string& contact, const mixture_contact::Overlap& overlap, double time);
   /// A step has been accepted.

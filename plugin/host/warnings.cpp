@@ -41,16 +41,17 @@ std::string open_contact_line(const std::string& contact) {
   return "sliding-mixture \"" + contact +
          "\": the step that has failed began without a node in contact. A body that this contact alone holds moves "
          "freely until then. Gaps are averages around the nodes of the primary surface: they may be open though single "
-         "points overlap. The next attempt begins in contact around points that do. If it fails, too: let the surfaces overlap more at the start, bring them together by a prescribed displacement "
-         "first, or refine the primary surface. This is said once in a run.";
+         "points overlap. The next attempt begins in contact around points that do. If it fails, too: let the surfaces "
+         "overlap more at the start, bring them together by a prescribed displacement first, or refine the primary "
+         "surface. This is said once in a run.";
 }
 
 std::string reduction_line(double time) {
   std::ostringstream text;
-  text
-      << "sliding-mixture: the step to time " << time << " has failed. The next attempt has automatic penalties of the "
-      << "traction divided by ten, as has each one after another failure; they recover over accepted steps. A <penalty> "
-      << "that is set stays as it is. This is said once in a run.";
+  text << "sliding-mixture: the step to time " << time
+       << " has failed. The next attempt has automatic penalties of the "
+       << "traction divided by up to 1000, down to the stiffness of the elements; they recover tenfold with accepted "
+       << "steps. A <penalty> that is set stays as it is. This is said once in a run.";
   return text.str();
 }
 

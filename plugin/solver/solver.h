@@ -85,12 +85,14 @@ class Solver {
   virtual const std::vector<double>* reactions_of_clamp() const = 0;
   /// The tolerance of the line search, 0 for none; null where there is no line search.
   virtual double* line_search_tolerance() = 0;
-  /// Squares of the residual: of the last trial, over that which the step began with.
+  /// Squares of the residual: of the last trial, over that which the step began with. Below `least` the solver takes
+  /// equations as solved; null where the residual has other parts than forces.
   struct ResidualSquares {
     double now;
     double first;
+    double* least = nullptr;  ///< [N^2]
   };
-  virtual ResidualSquares residual_squares() const = 0;
+  virtual ResidualSquares residual_squares() = 0;
   /// Iterations of the last step.
   virtual int iterations() const = 0;
 

@@ -49,7 +49,7 @@ class Steps {
       const double to = std::min(time_ + stepper_.increment(), end);
       if (!step(to)) {
         if (!stepper_.retry()) return false;
-        reduce_penalties(to);
+        reduce_penalties(to, to - time_);
       } else if (time_ + near < end) {
         stepper_.advance(time_, newton_.effort().iterations);
       }
@@ -68,6 +68,7 @@ class Steps {
   bool step(double time) {
     log_.print("\n===== beginning time step %d : %g =====\n\n", done_ + 1, time);
     const Problem::State before = problem_.save();
+    problem_.reduce_penalties(reducible_.at(time - time_));
     try {
       newton_.solve_step(time, time - time_);
     } catch (const StepFailure& failure) {
@@ -97,12 +98,11 @@ class Steps {
     if (!line.empty()) log_.print("\n%s\n", line.c_str());
   }
 
-  void reduce_penalties(double time) {
+  void reduce_penalties(double time, double dt) {
     const std::vector<Contact>& contacts = problem_.contacts();
     const auto is_reducible = [](const Contact& contact) { return contact.has_reducible_penalty(); };
     if (std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
-    say(reducible_.fail(time));
-    problem_.reduce_penalties(reducible_.divisor());
+    say(reducible_.fail(time, dt));
   }
 
   void note_overlap(double time) {
@@ -112,7 +112,6 @@ class Steps {
       reducible_.note(contact.definition().name, overlap, time);
     }
     reducible_.accept();
-    problem_.reduce_penalties(reducible_.divisor());
   }
 
   void warn_of_overlap() {

@@ -127,10 +127,11 @@ mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
   return mesh;
 }
 
-void Contact::update_laws(double time, double dt, double reduction) {
+void Contact::update_laws(double time, double dt, const mixture_contact::ReducedPenalty& reduction) {
   ContactParameters now = definition_.parameters;
   now.ambient.pressure = definition_.ambient_pressure.at(time, model_.curves);
-  mixture_contact::Settings settings = core_settings(now, SolverKind::newton, reduction);
+  mixture_contact::Settings settings = core_settings(now, SolverKind::newton, reduction.divisor);
+  settings.traction.kept = reduction.kept;
   settings.solvent.time_step = dt;
   core_->update_laws(settings);
 }

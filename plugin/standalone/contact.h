@@ -4,6 +4,7 @@
 
 #include "bodies.h"
 #include "host/facet_material.h"
+#include "host/penalty_reduction.h"
 
 namespace standalone {
 
@@ -25,8 +26,8 @@ class Contact {
   const std::string& effects_line() const { return effects_line_; }
 
   /// Takes laws as they are at the end of a step of `dt` [s]: friction knows the ambient pressure, and an automatic
-  /// penalty of the traction is divided by `reduction`.
-  void update_laws(double time, double dt, double reduction);
+  /// penalty of the traction is reduced as `reduction` says.
+  void update_laws(double time, double dt, const mixture_contact::ReducedPenalty& reduction);
   /// Whether a reduction has an effect.
   bool has_reducible_penalty() const;
   /// Reads the materials behind the facets again: the convective part follows the current flow.

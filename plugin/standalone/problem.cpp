@@ -119,7 +119,7 @@ void Problem::start_step(double time, double dt) {
     }
   }
   for (Contact& contact : contacts_) {
-    contact.update_laws(time, dt_, penalty_divisor_);
+    contact.update_laws(time, dt_, reduction_);
     if (reads_properties_again(contact.definition().parameters, contact.core().effects()))
       contact.update_properties(state_.values);
   }

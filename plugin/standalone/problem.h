@@ -26,8 +26,8 @@ class Problem {
   /// Whether each dof of each node holds an unknown now: its value is neither prescribed nor ambient.
   std::vector<bool> free() const;
 
-  /// Has automatic penalties of the traction divided by this from the next step on.
-  void reduce_penalties(double divisor) { penalty_divisor_ = divisor; }
+  /// Has automatic penalties of the traction reduced so from the next step on.
+  void reduce_penalties(const mixture_contact::ReducedPenalty& reduction) { reduction_ = reduction; }
   /// Starts a time step that ends at `time` [s].
   void start_step(double time, double dt);
   /// Keeps the current state as what the next step starts from.
@@ -72,7 +72,7 @@ class Problem {
   VectorXd pending_;
   VectorXd forces_;  ///< of the last residual(), on all places
   double time_ = 0, dt_ = 0;
-  double penalty_divisor_ = 1;
+  mixture_contact::ReducedPenalty reduction_;
 };
 
 }  // namespace standalone

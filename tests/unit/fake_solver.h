@@ -31,6 +31,8 @@ class FakeSolver : public newton::Solver {
   bool predictable = true;
   bool known_totals = true;
   double tolerance = 0.9;
+  double least_residual = 1e-20;
+  bool has_forces_alone = true;
   bool searches = true;
   ResidualSquares squares{1, 1};
   int taken_iterations = 3;
@@ -101,7 +103,9 @@ class FakeSolver : public newton::Solver {
   void set_totals(const std::vector<double>& by) override { change = totals = by; }
   const std::vector<double>* reactions_of_clamp() const override { return clamps ? &reactions : nullptr; }
   double* line_search_tolerance() override { return searches ? &tolerance : nullptr; }
-  ResidualSquares residual_squares() const override { return squares; }
+  ResidualSquares residual_squares() override {
+    return {squares.now, squares.first, has_forces_alone ? &least_residual : nullptr};
+  }
   int iterations() const override { return taken_iterations; }
   bool is_predictable() const override { return predictable; }
   double time_increment() const override { return dt; }

@@ -45,11 +45,11 @@ FACTOR = "<auto_penalty>1</auto_penalty><penalty>1000</penalty>"
 
 def test_an_automatic_penalty_gives_way_where_a_step_fails_and_one_that_is_given_does_not(solve):
     _, soft = solve("automatic", overlapping())
-    assert soft.output.count("automatic penalties of the traction divided by ten") == 1
+    assert soft.output.count("automatic penalties of the traction divided by up to 1000") == 1
     assert re.search(r"largest overlap of an accepted step was \S+, which is \S+ of an element's edge", soft.output)
     _, hard = solve("given", overlapping(FACTOR), ends=False)
     assert not hard.report.normal
-    assert "divided by ten" not in hard.output
+    assert "divided by up to" not in hard.output
 
 
 def test_a_penalty_that_gave_way_recovers(solve):

@@ -24,7 +24,7 @@ EQUAL = 1e-10
 SLIDES = 1250.0
 """s: within the first time that the block of `_stick_slip` slides."""
 MIXTURE_PENALTY = (Param("auto_penalty", True), Param("penalty", 1000.0))
-"""The default penalty, given: one that nobody gives is divided by ten after a failed attempt."""
+"""The default penalty, given: one that nobody gives is reduced after a failed attempt."""
 
 
 def _stick_slip(extra=(), times=None, reformations=25):

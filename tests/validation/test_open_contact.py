@@ -52,6 +52,16 @@ def test_points_that_overlap_hold_a_body_at_the_second_attempt(runner, tmp_path,
     assert found.report.retries == 1
 
 
+def test_points_that_overlap_keep_a_body_from_turning_at_the_second_attempt(runner, tmp_path):
+    """A soft body that may turn about the one row of nodes whose averages overlap."""
+    path = tmp_path / "converted.feb"
+    path.write_bytes(convert.convert(SCENES["cam-soft-follower"].write("cam-soft-follower", tmp_path)).data)
+    found = engine.run(path, plugin=engine.required_plugin(), check=False)
+    assert found.report.normal, found.report.errors
+    assert SAID not in found.output
+    assert found.report.retries == 1
+
+
 def test_nothing_is_said_where_contact_began_closed(runner, tmp_path):
     found = _run(tmp_path, gap=-0.01, pressure=50.0)  # so large that elements invert
     assert not found.report.normal

@@ -82,6 +82,7 @@ class ActiveSet {
 
   /// Lets only some nodes close.
   void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
+  bool is_restricted() const { return restriction_.has_value(); }
 
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;

@@ -125,8 +125,9 @@ class NodalLaws {
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;
-  /// Whether a step in which no node would begin in contact begins with those around which points overlap: in an
-  /// attempt after one that has failed for want of contact. A node that closes so opens again where it is pulled.
+  /// Whether a step begins in contact around all points that overlap: in an attempt after one that has failed for want
+  /// of contact, or before contact has borne anything. Too few nodes may leave a body free to turn. A node that closes
+  /// so opens again where it is pulled.
   bool close_overlapped = false;
   /// Whether no node of either surface moves by itself.
   bool between_rigid_bodies = false;

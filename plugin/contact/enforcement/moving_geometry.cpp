@@ -6,6 +6,7 @@
 #include "mortar/trial_variation.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace mixture_contact {
@@ -111,8 +112,12 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
   for (Index node = 0; augmented_ && node < status.count(); ++node) {
     status[node] = status[node] || (gaps.faces(node) && laws_.multipliers.traction[node] < 0);
   }
-  const bool closes_overlapped = !point_ && !augmented_ && laws_.close_overlapped && !any(status);
-  return closes_overlapped ? overlapped_nodes(space_) : status;
+  const bool closes = !point_ && !augmented_ && laws_.close_overlapped && !active_set_.is_restricted();
+  // Two surfaces with conditions hold each other where either is in contact.
+  if (!closes || (laws_.has_twin() && any(status))) return status;
+  const NodeFlags overlapped = overlapped_nodes(space_);
+  std::transform(status.begin(), status.end(), overlapped.begin(), status.begin(), std::logical_or<>());
+  return status;
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {

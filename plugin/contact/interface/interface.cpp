@@ -52,15 +52,15 @@ bool has_reduced_penalty(const Settings& settings) {
   return settings.enforcement == Enforcement::penalty && settings.traction_reduction > 1;
 }
 
-/// Has the law of each node pass through the accepted state, from which a reduced penalty would be far: its loads would
-/// ask for overlaps that are as many times deeper as the penalty is smaller.
-void keep_loads(ContactPass& pass) {
+/// Has the law of each node pass by the accepted state, from which a reduced penalty would be far: its loads would ask
+/// for overlaps that are as many times deeper as the penalty is smaller. What it does not bear fades from step to step.
+void keep_loads(ContactPass& pass, double kept) {
   NodalLaws& laws = pass.laws();
   const NodalGaps& gaps = pass.space().gaps();
   for (Index node = 0; node < laws.nodes(); ++node) {
     const double traction = laws.multipliers.accepted_traction[node];
     const bool bears = traction < 0 && gaps.faces(node);
-    laws.multipliers.traction[node] = bears ? traction - laws.traction_penalty(node) * gaps.gap[node] : 0;
+    laws.multipliers.traction[node] = bears ? kept * (traction - laws.traction_penalty(node) * gaps.gap[node]) : 0;
   }
 }
 
@@ -194,7 +194,7 @@ void ContactInterface::end_iterations() {
   for (SidedPass& pass : passes_) {
     if (effects_.traction) pass.faced.reset();
     pass.integral->end_iterations();
-    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral);  // those that follow begin at the accepted state
+    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.traction.kept);
   }
 }
 
@@ -395,7 +395,7 @@ void ContactInterface::update_laws(const Settings& settings) {
     NodalLaws& laws = pass.integral->laws();
     if (!same) laws.update_penalties();
     if (was_reduced) laws.multipliers.traction.setZero();  // a full penalty has no multipliers
-    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral);
+    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.traction.kept);
   }
 }
 

@@ -116,9 +116,10 @@ double* FEBioSolver::line_search_tolerance() {
   return search == nullptr ? nullptr : &search->m_LStol;
 }
 
-Solver::ResidualSquares FEBioSolver::residual_squares() const {
+Solver::ResidualSquares FEBioSolver::residual_squares() {
   const ConvergenceInfo residual = febio()->GetResidualConvergence();
-  return {residual.norm, residual.norm0};
+  auto* const solids = dynamic_cast<FESolidSolver2*>(febio());
+  return {residual.norm, residual.norm0, solids == nullptr ? nullptr : &solids->m_Rmin};
 }
 
 int FEBioSolver::iterations() const { return febio()->m_niter; }

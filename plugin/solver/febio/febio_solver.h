@@ -37,7 +37,7 @@ class FEBioSolver : public Solver {
   void set_totals(const std::vector<double>& change) override;
   const std::vector<double>* reactions_of_clamp() const override;
   double* line_search_tolerance() override;
-  ResidualSquares residual_squares() const override;
+  ResidualSquares residual_squares() override;
   int iterations() const override;
   bool is_predictable() const override;
   double time_increment() const override;

@@ -183,16 +183,23 @@ BOOST_AUTO_TEST_CASE(a_node_that_slid_without_friction_begins_a_step_sliding) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_step_that_would_begin_open_begins_with_overlapping_points_until_one_is_accepted) {
+BOOST_AUTO_TEST_CASE(an_attempt_after_a_failed_one_begins_with_all_overlapping_points_until_a_step_is_accepted) {
   Approach approach(-0.1, elastic);
-  // The middle of the lower surface stands up by 0.5: facets around the middle overlap there, and averages are open.
-  const auto raise_middle = [&] { approach.scene.fields[Side::primary].position(2, 4) += 0.3; };
-  raise_middle();
-  approach.contact->project(approach.scene.position());
-  const NodeFlags around = overlapped_nodes(approach.contact->pass(0).space());
-  approach.contact->pass(0).laws().close_overlapped = true;
-  const std::ptrdiff_t begun = approach.closed_where_a_step_begins();
-  BOOST_TEST(begun == std::count(around.begin(), around.end(), true));
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  std::ptrdiff_t overlapped = 0;
+  std::ptrdiff_t closed = 0;
+  // The middle stands up until its own average overlaps, and those of the nodes around it do not.
+  for (int n = 0; n < 20 && closed == overlapped; ++n) {
+    approach.scene.fields[Side::primary].position(2, 4) += 0.1;
+    approach.contact->project(approach.scene.position());
+    const NodeFlags around = overlapped_nodes(approach.contact->pass(0).space());
+    overlapped = std::count(around.begin(), around.end(), true);
+    closed = approach.closed_where_a_step_begins();
+  }
+  BOOST_TEST(closed > 0);
+  BOOST_TEST_REQUIRE(closed < overlapped);
+  laws.close_overlapped = true;
+  BOOST_TEST(approach.closed_where_a_step_begins() == overlapped);
   approach.contact->accept_step(approach.scene.fields);
-  BOOST_TEST(!approach.contact->pass(0).laws().close_overlapped);
+  BOOST_TEST(!laws.close_overlapped);
 }

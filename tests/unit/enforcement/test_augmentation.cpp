@@ -480,3 +480,25 @@ BOOST_AUTO_TEST_CASE(a_reduced_penalty_keeps_the_loads_of_the_accepted_state) {
   contact->update_laws(scene.settings);
   BOOST_TEST(pass.laws().multipliers.traction.norm() == 0);
 }
+
+BOOST_AUTO_TEST_CASE(loads_that_a_reduced_penalty_does_not_bear_fade) {
+  constexpr double reduction = 10;
+  Scene scene = loaded_scene();
+  scene.settings.traction = {true, default_traction_factor};
+  const auto contact = scene.contact();
+  const FacingFields fields{scene.fields[Side::primary], scene.fields[Side::secondary]};
+  const ContactPass& pass = contact->pass(0);
+  contact->begin_iteration(scene.fields);
+  const VectorXd traction = pass.nodal_loads(fields).traction;
+  contact->accept_step(scene.fields);
+  scene.settings.traction_reduction = reduction;
+  for (const double kept : {1.0, 0.25, 0.0}) {
+    scene.settings.traction.kept = kept;
+    contact->update_laws(scene.settings);
+    contact->end_iterations();
+    contact->begin_iteration(scene.fields);
+    // The gaps are those of the full penalty.
+    const VectorXd expected = (kept + (1 - kept) / reduction) * traction;
+    BOOST_TEST((pass.nodal_loads(fields).traction - expected).norm() <= rounding * traction.norm());
+  }
+}

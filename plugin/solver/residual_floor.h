@@ -1,0 +1,32 @@
+/// The least residual that a solver can come to beside a stiff contact.
+///
+/// A large penalty multiplies the rounding of positions. In a step in which nothing changes the residual is that from
+/// the start, and no part of it goes away: what measures it against its own first value never ends.
+#pragma once
+
+#include "helper.h"
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace newton {
+
+class ResidualFloor : public Helper {
+ public:
+  /// `rounding`: the square of the forces that rounding of positions makes of the loads at present [N^2].
+  ResidualFloor(Solver& solver, std::function<double()> rounding) : solver_(solver), rounding_(std::move(rounding)) {}
+
+  /// The solver's own least residual is at least the rounding, until the step ends.
+  void begin_step() override;
+  void end_step() override { let_go(); }
+  void rewind() override { let_go(); }
+  void let_go() override;
+
+ private:
+  Solver& solver_;
+  std::function<double()> rounding_;
+  std::optional<double> given_;  ///< the solver's own, while it is raised [N^2]
+};
+
+}  // namespace newton

@@ -1,0 +1,44 @@
+#include "fake_solver.h"
+#include "solver/residual_floor.h"
+
+#include <boost/test/unit_test.hpp>
+
+using newton::ResidualFloor;
+
+namespace {
+
+constexpr double given = 1e-20;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_least_residual_is_that_of_rounding_until_the_step_ends) {
+  FakeSolver solver;
+  double rounding = 1e-15;
+  ResidualFloor floor(solver, [&] { return rounding; });
+  floor.begin_step();
+  BOOST_TEST(solver.least_residual == 1e-15);
+  rounding = 1e-16;
+  floor.begin_step();
+  BOOST_TEST(solver.least_residual == 1e-16);
+  floor.end_step();
+  BOOST_TEST(solver.least_residual == given);
+  floor.begin_step();
+  floor.rewind();
+  BOOST_TEST(solver.least_residual == given);
+}
+
+BOOST_AUTO_TEST_CASE(a_larger_one_that_a_user_gives_stays) {
+  FakeSolver solver;
+  ResidualFloor floor(solver, [] { return 1e-25; });
+  floor.begin_step();
+  BOOST_TEST(solver.least_residual == given);
+}
+
+BOOST_AUTO_TEST_CASE(a_residual_of_other_parts_than_forces_has_no_floor) {
+  FakeSolver solver;
+  solver.has_forces_alone = false;
+  ResidualFloor floor(solver, [] { return 1.0; });
+  floor.begin_step();
+  floor.end_step();
+  BOOST_TEST(solver.least_residual == given);
+}
