@@ -309,8 +309,7 @@ void ModelContacts::on_callback(unsigned int when) {
     steps_.matrix_formed();
     matrix_.formed(matrix_parts(contacts));
     const auto evaluate_loads = [&] { evaluate_residual(Changed::loads); };
-    if (asks_the_matrix(devices_, solver_) &&
-        settle({contacts, evaluate_loads, solver_.time_increment()}, matrix_))
+    if (asks_the_matrix(devices_, solver_) && settle({contacts, evaluate_loads, solver_.time_increment()}, matrix_))
       devices_.record().acted(newton::Device::active_set_prediction);
   }
   if (when == CB_MINOR_ITERS && solver_.is_newton()) {

@@ -16,9 +16,9 @@
 
 /// What settling needs of a model.
 struct SettledModel {
-  std::vector<ContactInModel*> contacts;                    ///< all that are active
-  std::function<void()> evaluate_residual;                  ///< with loads that have changed
-  double time_increment;                                    ///< [s]
+  std::vector<ContactInModel*> contacts;    ///< all that are active
+  std::function<void()> evaluate_residual;  ///< with loads that have changed
+  double time_increment;                    ///< [s]
 };
 
 /// Opens nodes that would pull and closes those that would overlap, before FEBio solves. Where they do not settle

@@ -27,7 +27,7 @@ struct PenaltyRule {
   bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
   double value = 1.0;
   double time_step = 0;  ///< in which elements store the field, where that counts [s]; 0: it does not
-  /// Of a reduced penalty: part of the accepted loads beyond those of the gaps that a step begins with [-].
+  /// Part of the accepted loads beyond those of the gaps that a step with a reduced penalty begins with [-].
   double kept = 1;
 
   friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {

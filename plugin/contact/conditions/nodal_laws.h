@@ -80,7 +80,6 @@ class NodalLaws {
 
   // The largest multiples of stiffness and conductance that augmentations may bring penalties to
   double largest_traction_factor() const { return normal().penalty_factor(has_twin()) / settings_.traction_reduction; }
-  double largest_flux_factor() const { return has_twin() ? two_pass_flux_factor : default_flux_factor; }
 
   /// Whether the surface that these nodes face has conditions of its own.
   bool has_twin() const { return settings_.two_pass || may_meet_itself(); }

@@ -48,10 +48,11 @@ bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   any = grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_penalties(),
              penalty.stiffness, laws.largest_traction_factor()) ||
         any;
+  const double largest_flux_factor = laws.has_twin() ? two_pass_flux_factor : default_flux_factor;
   for (Index k = 0; k < report.flux.count(); ++k) {
     if (!laws.scalar(k).is_enforced()) continue;
     any = grow(state.flux_penalty_scale[k], report.flux[k], tolerance_of_flux(tolerances, laws.effects(), k),
-               penalty.flux.row(k).transpose(), penalty.conductance.row(k).transpose(), laws.largest_flux_factor()) ||
+               penalty.flux.row(k).transpose(), penalty.conductance.row(k).transpose(), largest_flux_factor) ||
           any;
   }
   return any;
