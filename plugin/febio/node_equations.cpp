@@ -24,6 +24,7 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
 
 /// Fills in the equations of a sliding contact's multipliers, from the first one on.
 void fill_multipliers(const ContactInterface& core, int first, const Patch& patch, std::vector<int>& ids) {
+  if (!patch.multiplier_node) return;
   const LocalLayout layout = patch.layout();
   const MultiplierLayout own = multiplier_layout(core);
   const int node = *patch.multiplier_node;

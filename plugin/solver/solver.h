@@ -88,8 +88,8 @@ class Solver {
   /// Squares of the residual: of the last trial, over that which the step began with. Below `least` the solver takes
   /// equations as solved; null where the residual has other parts than forces.
   struct ResidualSquares {
-    double now;
-    double first;
+    double now = 0;
+    double first = 0;
     double* least = nullptr;  ///< [N^2]
   };
   virtual ResidualSquares residual_squares() = 0;
