@@ -17,7 +17,7 @@ std::string quoted(const char* text) {
   return out.str();
 }
 
-std::string word_of(Unit unit) {
+const char* word_of(Unit unit) {
   switch (unit) {
     case Unit::length:
       return "length";
@@ -54,7 +54,7 @@ Value described(double value) {
 
 std::string parameter_json(const ParameterTag& tag, const Value& value, bool may_follow_curve) {
   return R"({"name": )" + quoted(tag.name) + R"(, "long_name": )" + quoted(tag.long_name) + R"(, "group": )" +
-         quoted(heading(tag.group)) + R"(, "unit": )" + quoted(word_of(tag.unit).c_str()) + R"(, "kind": )" +
+         quoted(heading(tag.group)) + R"(, "unit": )" + quoted(word_of(tag.unit)) + R"(, "kind": )" +
          quoted(value.kind) + R"(, "default": )" + quoted(value.text.c_str()) + R"(, "choices": )" +
          choices_json(tag.choices) + R"(, "curve": )" + (may_follow_curve ? "true" : "false") + "}";
 }
