@@ -3,11 +3,17 @@
 #include <algorithm>
 
 namespace newton {
+namespace {
+
+/// FEBio's default of the least residual [N^2]; another value is the user's.
+constexpr double default_least = 1e-20;
+
+}  // namespace
 
 void ResidualFloor::begin_step() {
   let_go();
   double* const least = solver_.residual_squares().least;
-  if (least == nullptr) return;
+  if (least == nullptr || *least != default_least) return;
   given_ = *least;
   *least = std::max(*least, rounding_());
 }

@@ -27,7 +27,17 @@ BOOST_AUTO_TEST_CASE(the_least_residual_is_that_of_rounding_until_the_step_ends)
   BOOST_TEST(solver.least_residual == given);
 }
 
-BOOST_AUTO_TEST_CASE(a_larger_one_that_a_user_gives_stays) {
+BOOST_AUTO_TEST_CASE(one_that_a_user_gives_stays) {
+  FakeSolver solver;
+  solver.least_residual = 1e-22;
+  ResidualFloor floor(solver, [] { return 1e-15; });
+  floor.begin_step();
+  BOOST_TEST(solver.least_residual == 1e-22);
+  floor.end_step();
+  BOOST_TEST(solver.least_residual == 1e-22);
+}
+
+BOOST_AUTO_TEST_CASE(a_smaller_rounding_changes_nothing) {
   FakeSolver solver;
   ResidualFloor floor(solver, [] { return 1e-25; });
   floor.begin_step();
