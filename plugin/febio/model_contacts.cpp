@@ -189,8 +189,10 @@ ModelContacts::ModelContacts(FEModel& fem)
   offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
   offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
   offer(predictor, std::make_unique<newton::Predictor>(solver_));
-  helpers_.add(std::make_unique<newton::ResidualFloor>(solver_, [this] { return load_rounding_square(active()); }),
-               [this] { return solver_.is_newton(); });
+  helpers_.add(
+      newton::Device::residual_floor,
+      std::make_unique<newton::ResidualFloor>(solver_, [this] { return load_rounding_square(active()); }),
+      [this] { return solver_.is_newton() && devices_.is_on(newton::Device::residual_floor); }, devices_.record());
   helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |

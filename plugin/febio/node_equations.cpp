@@ -23,11 +23,9 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
 }
 
 /// Fills in the equations of a sliding contact's multipliers, from the first one on.
-void fill_multipliers(const ContactInterface& core, int first, const Patch& patch, std::vector<int>& ids) {
-  if (!patch.multiplier_node) return;
+void fill_multipliers(const ContactInterface& core, int first, const Patch& patch, int node, std::vector<int>& ids) {
   const LocalLayout layout = patch.layout();
   const MultiplierLayout own = multiplier_layout(core);
-  const int node = *patch.multiplier_node;
   if (layout.has_displacements())
     mixture_contact::at(ids, layout.traction_multiplier()) = first + indexing::as_int(own.traction(node));
   for (Index k = 0; k < layout.scalar_fields(); ++k)
@@ -37,9 +35,10 @@ void fill_multipliers(const ContactInterface& core, int first, const Patch& patc
 }  // namespace
 
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
-    : NodeEquations(dofs, surfaces, core.effects(), [&core, &dofs](const Patch& patch, std::vector<int>& ids) {
-        fill_multipliers(core, dofs.first_multiplier(), patch, ids);
-      }) {}
+    : NodeEquations(dofs, surfaces, core.effects(),
+                    [&core, &dofs](const Patch& patch, int node, std::vector<int>& ids) {
+                      fill_multipliers(core, dofs.first_multiplier(), patch, node, ids);
+                    }) {}
 
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const Effects& effects,
                              FillMultipliers fill_multipliers)
@@ -93,7 +92,7 @@ std::vector<int> NodeEquations::equations(const Location& at) const {
       mixture_contact::at(ids, layout.scalar(n, k)) = surface.field(node, at.patch.fields[k]);
     ++n;
   });
-  if (at.patch.multiplier_node) fill_multipliers_(at.patch, ids);
+  if (at.patch.multiplier_node) fill_multipliers_(at.patch, *at.patch.multiplier_node, ids);
   return ids;
 }
 

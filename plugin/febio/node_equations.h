@@ -15,8 +15,8 @@ class NodeEquations {
   using Side = mixture_contact::Side;
   using Location = mixture_contact::ContactInterface::Location;
 
-  /// Fills in the equations of a patch's multipliers at their entries of its layout.
-  using FillMultipliers = std::function<void(const mixture_contact::Patch& patch, std::vector<int>& ids)>;
+  /// Fills in the equations of the multipliers of a patch, those of a node, at their entries of its layout.
+  using FillMultipliers = std::function<void(const mixture_contact::Patch& patch, int node, std::vector<int>& ids)>;
 
   /// Keeps references.
   NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::Effects& effects,

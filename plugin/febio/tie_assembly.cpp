@@ -96,9 +96,8 @@ class Batch {
 
 NodeEquations TieAssembly::equations_of(const Tie& tie) const {
   const int first = dofs_.first_multiplier();
-  return {dofs_, surfaces_, tie.effects(), [&tie, first](const Patch& patch, std::vector<int>& ids) {
+  return {dofs_, surfaces_, tie.effects(), [&tie, first](const Patch& patch, int node, std::vector<int>& ids) {
             const LocalLayout layout = patch.layout();
-            const int node = *patch.multiplier_node;
             for (Index i = 0; layout.has_displacements() && i < 3; ++i)
               mixture_contact::at(
                   ids, layout.displacement(layout.nodes(), i)) = patch.fields.empty()

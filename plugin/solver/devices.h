@@ -20,12 +20,13 @@ enum class Device {
   active_set_prediction,        ///< nodes open and close as the matrix answers, before the solver solves
   non_negative_concentrations,  ///< clamped concentrations are solved as an inequality
   line_search_guard,            ///< an increment that the line search cut short is taken as a whole
+  residual_floor,               ///< a residual that rounding makes of stiff contact counts as none
   predictor                     ///< a step begins at a predicted state
 };
 
-inline constexpr std::array device_names{
-    "loads_as_unknowns",           "row_operations",    "deferred_coupling", "kept_matrix", "active_set_prediction",
-    "non_negative_concentrations", "line_search_guard", "predictor"};
+inline constexpr std::array device_names{"loads_as_unknowns", "row_operations",        "deferred_coupling",
+                                         "kept_matrix",       "active_set_prediction", "non_negative_concentrations",
+                                         "line_search_guard", "residual_floor",        "predictor"};
 
 inline const char* name(Device device) { return indexing::at(device_names, static_cast<int>(device)); }
 

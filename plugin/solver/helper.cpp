@@ -47,13 +47,19 @@ bool Helpers::any_acts(const Ask& ask) {
   for_each_switched([&](const Switched& switched) {
     if (found || !switched.is_on() || !ask(*switched.helper)) return;
     found = true;
-    if (switched.device) switched.record->acted(*switched.device);
+    switched.count();
   });
   return found;
 }
 
+void Helpers::Switched::count() const {
+  if (device) record->acted(*device);
+}
+
 void Helpers::begin_step() {
-  for_each([](Helper& helper) { helper.begin_step(); });
+  for_each_switched([](const Switched& switched) {
+    if (switched.is_on() && switched.helper->begin_step()) switched.count();
+  });
 }
 
 void Helpers::begin_iterations() {

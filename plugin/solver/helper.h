@@ -28,8 +28,8 @@ class Helper {
   /// Why it cannot help in this model, after its name in a sentence; empty where it can.
   virtual std::string unavailable() const { return {}; }
 
-  /// A time step begins, or an attempt at one.
-  virtual void begin_step() {}
+  /// A time step begins, or an attempt at one. Returns whether it acts by that.
+  virtual bool begin_step() { return false; }
   /// Iterations begin: at the start of a step, and after an augmentation.
   virtual void begin_iterations() {}
   /// A trial increment has been set.
@@ -107,6 +107,9 @@ class Helpers {
     Switch is_on;
     std::optional<Device> device;
     DeviceRecord* record = nullptr;  ///< of a device
+
+    /// Notes that a device has acted.
+    void count() const;
   };
   /// Calls `use` with each helper and its switch, where the solver is one of Newton's kind.
   template <class Use>

@@ -19,9 +19,10 @@ bool is_rounding(const Solver::ResidualSquares& residual) {
 
 }  // namespace
 
-void LineSearchGuard::begin_step() {
+bool LineSearchGuard::begin_step() {
   allow_search();
   has_acted_ = false;
+  return false;
 }
 
 void LineSearchGuard::try_increment(const std::vector<double>& increment) {

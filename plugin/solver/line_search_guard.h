@@ -16,7 +16,7 @@ class LineSearchGuard : public Helper {
   explicit LineSearchGuard(Solver& solver) : solver_(solver) {}
 
   /// What was left out in the last step, or in a failed attempt, counts no more.
-  void begin_step() override;
+  bool begin_step() override;
   void try_increment(const std::vector<double>& increment) override;
   /// Whether a solution that the solver is about to accept took a small part of its last increment for all of it; if so
   /// the next one is not searched. Not where the residual that is left is rounding. Once in a step: where increments

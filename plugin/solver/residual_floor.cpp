@@ -10,12 +10,13 @@ constexpr double default_least = 1e-20;
 
 }  // namespace
 
-void ResidualFloor::begin_step() {
+bool ResidualFloor::begin_step() {
   let_go();
   double* const least = solver_.residual_squares().least;
-  if (least == nullptr || *least != default_least) return;
+  if (least == nullptr || *least != default_least) return false;
   given_ = *least;
   *least = std::max(*least, rounding_());
+  return *least > *given_;
 }
 
 void ResidualFloor::let_go() {

@@ -18,7 +18,7 @@ class ResidualFloor : public Helper {
   ResidualFloor(Solver& solver, std::function<double()> rounding) : solver_(solver), rounding_(std::move(rounding)) {}
 
   /// The solver's own least residual is at least the rounding, until the step ends. One that a user gives stays.
-  void begin_step() override;
+  bool begin_step() override;
   void end_step() override { let_go(); }
   void rewind() override { let_go(); }
   void let_go() override;

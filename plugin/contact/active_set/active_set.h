@@ -14,7 +14,7 @@ struct ActiveSetOptions {
   /// Surfaces closer than this part of their size touch to rounding.
   double touch_fraction = 1e-10;
   /// A node whose status changes more often within a time step is at the edge of contact: it came, went and came again.
-  /// The same holds for nodes that face contact.
+  /// Nodes that face contact are so, too.
   int most_status_changes = 3;
   /// Nodes that have changed more often than this within a time step cycle: from then on these change one at a time,
   /// and all others together.
@@ -161,7 +161,7 @@ class ActiveSet {
   ActiveSetOptions options_;
   std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
   bool has_waited_ = false;               ///< since the iterations began
-  bool has_reconsidered_ = false;         ///< alike
+  bool has_reconsidered_ = false;         ///< since the iterations began
   IndexedVector<int> changes_;            ///< of each node's status since the iterations began
   IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
 };
