@@ -240,8 +240,7 @@ void ContactSetup::update_properties(const BoundContact& contact) const {
 }
 
 void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) const {
-  Settings settings = core_settings(parameters_, solver_kind_of(fem_), reduction.divisor);
-  settings.traction.kept = reduction.kept;
+  Settings settings = core_settings(parameters_, solver_kind_of(fem_), reduction);
   settings.solvent.time_step = storing_time_step(fem_);
   contact.core().update_laws(settings);
 }

@@ -62,7 +62,8 @@ FEMixtureContact::~FEMixtureContact() { model_->remove(*this); }
 
 bool FEMixtureContact::Init() {
   dofs_.init();
-  std::vector<std::string> wrong = find_load_curves();
+  std::vector<std::string> wrong = find_load_curves(
+      *this, [this](const auto& take) { for_each_parameter(parameters_, take); });
   find_self_contact();
   parameters_.membrane.thermal_energy = GetFEModel()->GetGlobalConstant("R") * GetFEModel()->GetGlobalConstant("T");
   read_membrane(membrane_, parameters_.membrane);
@@ -77,19 +78,10 @@ bool FEMixtureContact::Init() {
   for (const Side side : both_sides) {
     if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
   }
-  const bool sound = setup_.check_surfaces() && take_shell_bottoms() && setup_.check_mesh_adaptors() &&
-                     setup_.build(bound_) && setup_.check_ambient();
+  const bool sound = setup_.check_surfaces() && take_shell_bottoms(surfaces_, parameters_, log_) &&
+                     setup_.check_mesh_adaptors() && setup_.build(bound_) && setup_.check_ambient();
   surfaces_.take_change();
   return sound;
-}
-
-bool FEMixtureContact::take_shell_bottoms() {
-  for (const Side side : both_sides) {
-    if (!parameters_.surfaces[side].shell_bottom) continue;
-    if (!are_shells(surfaces_[side], side, log_)) return false;
-    surfaces_[side].take_shell_bottoms();
-  }
-  return true;
 }
 
 void FEMixtureContact::find_self_contact() {
@@ -98,15 +90,6 @@ void FEMixtureContact::find_self_contact() {
   const bool is_same = common == surfaces_[Side::primary].Elements() && common == surfaces_[Side::secondary].Elements();
   if (is_same && std::exchange(parameters_.enforcement.two_pass, false))
     log_.say("<two_pass> has no effect: both surfaces are the same, so that each side has conditions already.");
-}
-
-std::vector<std::string> FEMixtureContact::find_load_curves() {
-  std::vector<std::string> wrong;
-  for_each_parameter(parameters_, [&](const ParameterTag& tag, auto& value) {
-    const std::string complaint = find_load_curve(*this, tag, value);
-    if (!complaint.empty()) wrong.push_back(complaint);
-  });
-  return wrong;
 }
 
 int FEMixtureContact::InitEquations(int first) {

@@ -52,10 +52,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
  private:
   mixture_contact::ContactInterface& core() const { return bound_.core(); }
-  /// Notes which parameters change in time. Returns what is wrong: a sentence for each that must not.
-  std::vector<std::string> find_load_curves();
   void find_self_contact();
-  bool take_shell_bottoms();
   /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.
   void follow_surfaces();
   /// Surfaces whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.

@@ -8,6 +8,7 @@
 #include <FECore/units.h>
 
 #include <string>
+#include <vector>
 
 inline const char* unit_of(Unit unit) {
   switch (unit) {
@@ -35,10 +36,16 @@ void offer_parameter(FEParamContainer& owner, const ParameterTag& tag, Value& va
   if (tag.choices != nullptr) parameter->setEnums(tag.choices);
 }
 
-/// Notes whether a load curve changes a parameter. Returns what is wrong with that; nothing where it may.
-template <class Value>
-std::string find_load_curve(FECoreBase& owner, const ParameterTag& tag, Value& value) {
-  const bool varies = owner.GetFEModel()->GetLoadController(owner.FindParameterFromData(&value)) != nullptr;
-  if (tag.varies != nullptr) *tag.varies = varies;
-  return varies ? load_curve_complaint(tag) : "";
+/// Notes which parameters load curves change; for_each(take) calls take(tag, value) for each. Returns what is wrong
+/// with these curves, one sentence each.
+template <class ForEach>
+std::vector<std::string> find_load_curves(FECoreBase& owner, const ForEach& for_each) {
+  std::vector<std::string> wrong;
+  for_each([&](const ParameterTag& tag, auto& value) {
+    const bool varies = owner.GetFEModel()->GetLoadController(owner.FindParameterFromData(&value)) != nullptr;
+    if (tag.varies != nullptr) *tag.varies = varies;
+    const std::string complaint = varies ? load_curve_complaint(tag) : "";
+    if (!complaint.empty()) wrong.push_back(complaint);
+  });
+  return wrong;
 }

@@ -18,6 +18,19 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
   return nullptr;
 }
 
+/// Whether all elements behind a surface are shells; the log names one that is not.
+bool are_shells(FEMixtureSurface& surface, Side side, const ContactLog& log) {
+  for (int i = 0; i < surface.Elements(); ++i) {
+    const FEElement* const element = surface.Element(i).m_elem[0].pe;
+    if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
+    log.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") +
+              "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
+              "\" is no shell. Leave it out, or give the shells a contact of their own.");
+    return false;
+  }
+  return true;
+}
+
 bool is_rigid(const FacetMaterial& material) { return std::isinf(material.stiffness); }
 
 }  // namespace
@@ -34,14 +47,11 @@ bool have_known_facets(ContactSurfaces& surfaces, const ContactLog& log) {
   return true;
 }
 
-bool are_shells(FEMixtureSurface& surface, Side side, const ContactLog& log) {
-  for (int i = 0; i < surface.Elements(); ++i) {
-    const FEElement* const element = surface.Element(i).m_elem[0].pe;
-    if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
-    log.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") +
-              "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
-              "\" is no shell. Leave it out, or give the shells a contact of their own.");
-    return false;
+bool take_shell_bottoms(ContactSurfaces& surfaces, const ContactParameters& parameters, const ContactLog& log) {
+  for (const Side side : both_sides) {
+    if (!parameters.surfaces[side].shell_bottom) continue;
+    if (!are_shells(surfaces[side], side, log)) return false;
+    surfaces[side].take_shell_bottoms();
   }
   return true;
 }

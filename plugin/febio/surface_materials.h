@@ -3,6 +3,7 @@
 
 #include "contact_log.h"
 #include "contact_surfaces.h"
+#include "host/contact_parameters.h"
 #include "host/facet_material.h"
 
 #include <optional>
@@ -11,8 +12,9 @@
 /// Whether the core knows the types of all facets; the log names one that it does not know.
 bool have_known_facets(ContactSurfaces& surfaces, const ContactLog& log);
 
-/// Whether all elements behind a surface are shells; the log names one that is not.
-bool are_shells(FEMixtureSurface& surface, mixture_contact::Side side, const ContactLog& log);
+/// Has surfaces lie on the back faces of their shells, where the parameters ask for that. Returns whether all elements
+/// behind these are shells; the log names one that is not.
+bool take_shell_bottoms(ContactSurfaces& surfaces, const ContactParameters& parameters, const ContactLog& log);
 
 /// Reads the materials behind all facets. Empty where contact cannot act on one of them; the log says why.
 std::optional<FacetMaterials> facet_materials(FEModel& fem, ContactSurfaces& surfaces, const ContactLog& log);

@@ -37,32 +37,19 @@ FEMixtureTie::FEMixtureTie(FEModel* fem)
 
 bool FEMixtureTie::Init() {
   dofs_.init();
-  if (!find_load_curves() || !prepare_surfaces() || !setup_.check()) return false;
-  return !parameters_.gap.node_reloc || close_gaps();
-}
-
-bool FEMixtureTie::find_load_curves() {
-  std::vector<std::string> wrong;
-  for_each_tie_parameter(parameters_, [&](const ParameterTag& tag, auto& value) {
-    const std::string complaint = find_load_curve(*this, tag, value);
-    if (!complaint.empty()) wrong.push_back(complaint);
-  });
+  const std::vector<std::string> wrong = find_load_curves(
+      *this, [this](const auto& take) { for_each_tie_parameter(parameters_, take); });
   log_.errors(wrong);
-  return wrong.empty();
+  if (!wrong.empty() || !prepare_surfaces() || !setup_.check()) return false;
+  return !parameters_.gap.node_reloc || close_gaps();
 }
 
 bool FEMixtureTie::prepare_surfaces() {
   for (const Side side : both_sides) {
     if (!surfaces_[side].Init()) return false;
+    if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
   }
-  for (const Side side : both_sides) {
-    const SurfaceParameters& chosen = parameters_.surfaces[side];
-    if (chosen.flip) surfaces_[side].turn_round();
-    if (!chosen.shell_bottom) continue;
-    if (!are_shells(surfaces_[side], side, log_)) return false;
-    surfaces_[side].take_shell_bottoms();
-  }
-  return true;
+  return take_shell_bottoms(surfaces_, parameters_, log_);
 }
 
 bool FEMixtureTie::close_gaps() {

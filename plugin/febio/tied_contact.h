@@ -33,8 +33,6 @@ class FEMixtureTie : public FEContactInterface {
   bool UseNodalIntegration() override { return false; }
 
  private:
-  /// Notes which parameters change in time. Returns whether all of these may; the log says which may not.
-  bool find_load_curves();
   bool prepare_surfaces();
   bool close_gaps();
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields();

@@ -219,7 +219,8 @@ bool reads_properties_again(const ContactParameters& parameters, const mixture_c
   return parameters.penalties.update_penalty || follows_convection;
 }
 
-mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind solver, double reduction) {
+mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind solver,
+                                        const mixture_contact::ReducedPenalty& reduction) {
   using namespace mixture_contact;
   Settings settings;
   settings.enforcement = enforcement(p.enforcement.laugon);
@@ -228,7 +229,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
                                  largest_traction_factor(solver));
   const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
   settings.traction = penalty_rule(p.penalties.traction, p.penalties.auto_penalty, factor);
-  settings.traction_reduction = borne_reduction(p, factor, reduction);
+  settings.reduced_traction = {borne_reduction(p, factor, reduction.divisor), reduction.kept};
   settings.solvent = penalty_rule(p.penalties.solvent, p.penalties.auto_penalty, flux_factor);
   settings.solute = penalty_rule(p.penalties.solute, p.penalties.auto_penalty, flux_factor);
   const auto relative = [&p](const Given<double>& own) { return own.given ? own.value : p.tolerances.all.value; };
@@ -249,5 +250,5 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
 }
 
 bool is_reducible(const ContactParameters& p, SolverKind solver) {
-  return core_settings(p, solver, mixture_contact::PenaltyReduction::per_level).traction_reduction > 1;
+  return core_settings(p, solver, {mixture_contact::PenaltyReduction::per_level}).reduced_traction.divisor > 1;
 }

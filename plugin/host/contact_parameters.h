@@ -348,6 +348,6 @@ enum class SolverKind {
 /// The core's settings. `reduction`: what an automatic penalty of the traction is divided by, but not below the
 /// stiffness of the bodies; one that is given stays as it is.
 mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton,
-                                        double reduction = 1);
+                                        const mixture_contact::ReducedPenalty& reduction = {});
 /// Whether a reduction has an effect.
 bool is_reducible(const ContactParameters& parameters, SolverKind solver);

@@ -14,13 +14,9 @@
 /// a scene that needs soft contact for long is not tried in vain at every other step.
 #pragma once
 
-namespace mixture_contact {
+#include "contact/base/settings.h"
 
-/// What a step does with penalties of the traction.
-struct ReducedPenalty {
-  double divisor = 1;  ///< of the penalties [-]
-  double kept = 1;     ///< see PenaltyRule::kept [-]
-};
+namespace mixture_contact {
 
 class PenaltyReduction {
  public:

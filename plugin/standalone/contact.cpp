@@ -130,8 +130,7 @@ mixture_contact::SurfaceMesh Contact::surface_mesh(Side side) const {
 void Contact::update_laws(double time, double dt, const mixture_contact::ReducedPenalty& reduction) {
   ContactParameters now = definition_.parameters;
   now.ambient.pressure = definition_.ambient_pressure.at(time, model_.curves);
-  mixture_contact::Settings settings = core_settings(now, SolverKind::newton, reduction.divisor);
-  settings.traction.kept = reduction.kept;
+  mixture_contact::Settings settings = core_settings(now, SolverKind::newton, reduction);
   settings.solvent.time_step = dt;
   core_->update_laws(settings);
 }

@@ -13,7 +13,7 @@ from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
 from harness.models.parts import Control
 from studies.models import harmonic, ironing
-from studies.models.nonmatching import Block, NonMatching
+from studies.models.nonmatching import PATCHES, QUADRATIC_PATCHES, NonMatching
 from studies.post.harmonic_errors import errors
 from studies.post.ironing_reaction import ripple
 
@@ -30,28 +30,6 @@ STRICT = Control(
     pressure_tolerance=1e-9,
     concentration_tolerance=1e-9,
 )
-DIVISIONS = [(2, 3), (3, 4), (4, 3), (7, 5)]
-LARGE = Block((5, 5), width=2.0)
-TURNED = Block((3, 3), angle=30.0)
-PATCHES = {
-    **{f"{one} to {two}": NonMatching(Block((one, one)), Block((two, two))) for one, two in DIVISIONS},
-    "triangles to quadrilaterals": NonMatching(Block((3, 3), wedges=True), Block((2, 2))),
-    "quadrilaterals to triangles": NonMatching(Block((3, 3)), Block((2, 2), wedges=True)),
-    "triangles": NonMatching(Block((3, 3), wedges=True), Block((4, 4), wedges=True)),
-    "partly covered": NonMatching(Block((5, 5), width=1.5), Block((3, 3)), held=True),
-    "turned, partly covered": NonMatching(LARGE, TURNED, held=True),
-    "turned, fully covered": NonMatching(LARGE, TURNED, held=True, lower_is_primary=False),
-}
-
-
-_LARGE, _TURNED = Block((3, 3), width=2.0), Block((2, 2), angle=30.0)
-_PRISMS = replace(_LARGE, wedges=True), replace(_TURNED, wedges=True)
-QUADRATIC = {
-    "hex20, turned, partly covered": NonMatching(_LARGE, _TURNED, held=True, nodes=20),
-    "hex27, turned, partly covered": NonMatching(_LARGE, _TURNED, held=True, nodes=27),
-    "penta15, turned, partly covered": NonMatching(*_PRISMS, held=True, nodes=20),
-    "hex20, 2 to 3": NonMatching(Block((2, 2)), Block((3, 3)), nodes=20),
-}
 
 
 def relative_errors(result, exact):
@@ -64,7 +42,7 @@ def patch(name, settings):
     slug = "".join(letter if letter.isalnum() else "-" for letter in name)
     return NonMatching(
         **{
-            **vars((PATCHES | QUADRATIC)[name]),
+            **vars((PATCHES | QUADRATIC_PATCHES)[name]),
             "settings": settings,
             "name": f"{slug}-{settings.integration}-{settings.laugon}",
         }
@@ -72,7 +50,7 @@ def patch(name, settings):
 
 
 @pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
-@pytest.mark.parametrize("name", [*PATCHES, *QUADRATIC])
+@pytest.mark.parametrize("name", [*PATCHES, *QUADRATIC_PATCHES])
 def test_uniform_traction_and_linear_fields_are_exact(runner, name, settings):
     chosen = patch(name, settings)
     result = runner(chosen.model())

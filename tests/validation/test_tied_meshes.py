@@ -10,7 +10,7 @@ import pytest
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Param
 from studies.models.harmonic import Harmonic
-from studies.models.nonmatching import STEADY, Block, NonMatching
+from studies.models.nonmatching import PATCHES, QUADRATIC_PATCHES, STEADY
 from studies.models.tied_patches import exact, tied
 from studies.post.harmonic_errors import errors
 
@@ -22,29 +22,14 @@ EXACT = {
 }
 UNSEARCHED = replace(STEADY, solver=(Param("lstol", 0.0),))
 """FEBio's line search compares energies, which are rounding where a step of 1e12 diffusion times has converged."""
-LARGE, TURNED = Block((5, 5), width=2.0), Block((3, 3), angle=30.0)
-COARSE, FEW = Block((3, 3), width=2.0), Block((2, 2), angle=30.0)
-PRISMS = replace(COARSE, wedges=True), replace(FEW, wedges=True)
-PATCHES = {
-    **{f"{one} to {two}": NonMatching(Block((one, one)), Block((two, two))) for one, two in ((2, 3), (4, 3), (7, 5))},
-    "triangles to quadrilaterals": NonMatching(Block((3, 3), wedges=True), Block((2, 2))),
-    "quadrilaterals to triangles": NonMatching(Block((3, 3)), Block((2, 2), wedges=True)),
-    "triangles": NonMatching(Block((3, 3), wedges=True), Block((4, 4), wedges=True)),
-    "partly covered": NonMatching(Block((5, 5), width=1.5), Block((3, 3)), held=True),
-    "turned, partly covered": NonMatching(LARGE, TURNED, held=True),
-    "turned, fully covered": NonMatching(LARGE, TURNED, held=True, lower_is_primary=False),
-    "hex20, turned, partly covered": NonMatching(COARSE, FEW, held=True, nodes=20),
-    "hex27, turned, partly covered": NonMatching(COARSE, FEW, held=True, nodes=27),
-    "penta15, turned, partly covered": NonMatching(*PRISMS, held=True, nodes=20),
-    "hex20, 2 to 3": NonMatching(Block((2, 2)), Block((3, 3)), nodes=20),
-}
+JOINTS = PATCHES | QUADRATIC_PATCHES
 
 
 @pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
-@pytest.mark.parametrize("name", PATCHES)
+@pytest.mark.parametrize("name", JOINTS)
 def test_linear_fields_are_exact_in_tension_and_shear(runner, name, settings):
     slug = "".join(letter if letter.isalnum() else "-" for letter in name)
-    model = replace(tied(PATCHES[name], settings), name=f"tied-{slug}-{settings.laugon}", control=UNSEARCHED)
+    model = replace(tied(JOINTS[name], settings), name=f"tied-{slug}-{settings.laugon}", control=UNSEARCHED)
     result = runner(model)
     for field, value in exact(model.mesh.nodes).items():
         assert np.abs(result.nodes[field][-1] - value).max() <= 1e-10 * np.abs(value).max(), field

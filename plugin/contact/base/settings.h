@@ -27,12 +27,16 @@ struct PenaltyRule {
   bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
   double value = 1.0;
   double time_step = 0;  ///< in which elements store the field, where that counts [s]; 0: it does not
-  /// Part of the accepted loads beyond those of the gaps that a step with a reduced penalty begins with [-].
-  double kept = 1;
 
   friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {
     return a.automatic == b.automatic && a.value == b.value && a.time_step == b.time_step;
   }
+};
+
+/// What a step after a failed one does with penalties of the traction.
+struct ReducedPenalty {
+  double divisor = 1;  ///< of the penalties [-]
+  double kept = 1;     ///< part of the accepted loads, beyond those of the gaps, that the step begins with [-]
 };
 
 /// What a film lets pass of a solute.
@@ -133,7 +137,7 @@ struct Settings {
   PenaltyRule solute{true, default_flux_factor};
   FrictionRule friction;
   MembraneRule membrane;
-  double traction_reduction = 1;  ///< by which the penalty of the traction is divided
+  ReducedPenalty reduced_traction;
   Tolerances tolerances;
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
   bool symmetric = false;  ///< hand out the symmetric part of the tangent
@@ -146,7 +150,7 @@ struct Settings {
 
 inline bool same_penalties(const Settings& a, const Settings& b) {
   return a.traction == b.traction && a.solvent == b.solvent && a.solute == b.solute && a.membrane == b.membrane &&
-         a.traction_reduction == b.traction_reduction;
+         a.reduced_traction.divisor == b.reduced_traction.divisor;
 }
 
 }  // namespace mixture_contact

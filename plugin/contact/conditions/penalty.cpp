@@ -53,7 +53,7 @@ Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, co
   const double secondary_stiffness = harmonic_mean(secondary.stiffness);
   for (Index f = 0; f < facets; ++f) {
     result.stiffness[f] = in_series(primary.stiffness[f], secondary_stiffness);
-    result.traction[f] = apply(settings.traction, result.stiffness[f]) / settings.traction_reduction;
+    result.traction[f] = apply(settings.traction, result.stiffness[f]) / settings.reduced_traction.divisor;
     // Two rigid sides have no elements to measure gaps against: an explicit penalty stands in for their stiffness.
     if (std::isinf(result.stiffness[f])) result.stiffness[f] = result.traction[f];
   }

@@ -49,7 +49,7 @@ void measure_slips(const std::vector<SidedPass>& passes, const PerSide<Matrix3Xd
 }
 
 bool has_reduced_penalty(const Settings& settings) {
-  return settings.enforcement == Enforcement::penalty && settings.traction_reduction > 1;
+  return settings.enforcement == Enforcement::penalty && settings.reduced_traction.divisor > 1;
 }
 
 /// Has the law of each node pass by the accepted state, from which a reduced penalty would be far: its loads would ask
@@ -194,7 +194,7 @@ void ContactInterface::end_iterations() {
   for (SidedPass& pass : passes_) {
     if (effects_.traction) pass.faced.reset();
     pass.integral->end_iterations();
-    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.traction.kept);
+    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
   }
 }
 
@@ -389,13 +389,13 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;
   settings_.membrane = settings.membrane;
-  settings_.traction_reduction = settings.traction_reduction;
+  settings_.reduced_traction = settings.reduced_traction;
   check_.settings = settings_of_check(settings_);
   for (const SidedPass& pass : passes_) {
     NodalLaws& laws = pass.integral->laws();
     if (!same) laws.update_penalties();
     if (was_reduced) laws.multipliers.traction.setZero();  // a full penalty has no multipliers
-    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.traction.kept);
+    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
   }
 }
 

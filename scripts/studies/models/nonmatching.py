@@ -164,3 +164,26 @@ def _triangles(facets: Ids) -> Ids:
     """The facets of such prisms: a hexahedron's lower face begins at its first corner, too."""
     halves = [facets[:, places] for places in ([0, 1, 2], [0, 2, 3])]
     return np.asarray(np.stack(halves, axis=1).reshape(-1, 3), dtype=np.int64)
+
+
+_LARGE, _TURNED = Block((5, 5), width=2.0), Block((3, 3), angle=30.0)
+PATCHES = {
+    **{f"{a} to {b}": NonMatching(Block((a, a)), Block((b, b))) for a, b in ((2, 3), (3, 4), (4, 3), (7, 5))},
+    "triangles to quadrilaterals": NonMatching(Block((3, 3), wedges=True), Block((2, 2))),
+    "quadrilaterals to triangles": NonMatching(Block((3, 3)), Block((2, 2), wedges=True)),
+    "triangles": NonMatching(Block((3, 3), wedges=True), Block((4, 4), wedges=True)),
+    "partly covered": NonMatching(Block((5, 5), width=1.5), Block((3, 3)), held=True),
+    "turned, partly covered": NonMatching(_LARGE, _TURNED, held=True),
+    "turned, fully covered": NonMatching(_LARGE, _TURNED, held=True, lower_is_primary=False),
+}
+"""Linear facets of both kinds that do not match, turned, and covered in part."""
+
+_COARSE, _FEW = Block((3, 3), width=2.0), Block((2, 2), angle=30.0)
+_PRISMS = replace(_COARSE, wedges=True), replace(_FEW, wedges=True)
+QUADRATIC_PATCHES = {
+    "hex20, turned, partly covered": NonMatching(_COARSE, _FEW, held=True, nodes=20),
+    "hex27, turned, partly covered": NonMatching(_COARSE, _FEW, held=True, nodes=27),
+    "penta15, turned, partly covered": NonMatching(*_PRISMS, held=True, nodes=20),
+    "hex20, 2 to 3": NonMatching(Block((2, 2)), Block((3, 3)), nodes=20),
+}
+"""Quadratic facets, turned, and covered in part."""

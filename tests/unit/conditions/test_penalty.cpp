@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_contact_of_solids_alone_has_no_flux_penalties) {
 BOOST_AUTO_TEST_CASE(a_reduction_divides_the_penalty_of_the_traction_alone) {
   Sides sides;
   const Penalties full = sides.result();
-  sides.settings.traction_reduction = 100;
+  sides.settings.reduced_traction.divisor = 100;
   const Penalties reduced = sides.result();
   for (Index f = 0; f < 2; ++f) check_close(reduced.traction[f], full.traction[f] / 100);
   BOOST_TEST((reduced.flux - full.flux).cwiseAbs().maxCoeff() == 0);

@@ -401,7 +401,7 @@ BOOST_AUTO_TEST_CASE(augmentations_do_not_grow_a_reduced_penalty_back) {
   for (const double reduction : {1.0, 100.0}) {
     Scene scene = loaded_scene();
     scene.settings.traction = {true, default_traction_factor};
-    scene.settings.traction_reduction = reduction;
+    scene.settings.reduced_traction.divisor = reduction;
     scene.settings.tolerances = {{1e-12, 0}, off, off, {}};
     const auto contact = scene.contact();
     contact->augment(scene.fields);
@@ -458,47 +458,50 @@ BOOST_AUTO_TEST_CASE(what_slips_along_the_normal_of_a_node_is_no_slip_of_one_tha
   check_close(measure_gaps(pass.laws(), loads, fields).slip.largest, 0.1, rounding);
 }
 
-BOOST_AUTO_TEST_CASE(a_reduced_penalty_keeps_the_loads_of_the_accepted_state) {
+/// A contact with an accepted step, and its tractions where a step with a reduced penalty begins.
+struct Accepted {
   Scene scene = loaded_scene();
-  scene.settings.traction = {true, default_traction_factor};
-  const auto contact = scene.contact();
-  const FacingFields fields{scene.fields[Side::primary], scene.fields[Side::secondary]};
-  const ContactPass& pass = contact->pass(0);
-  contact->begin_iteration(scene.fields);
-  const VectorXd traction = pass.nodal_loads(fields).traction;
-  contact->accept_step(scene.fields);
-  for (const double reduction : {10.0, 1000.0, 1000.0, 100.0}) {
-    scene.settings.traction_reduction = reduction;
+  std::unique_ptr<ContactInterface> contact;
+  VectorXd traction;
+
+  Accepted() {
+    scene.settings.traction = {true, default_traction_factor};
+    contact = scene.contact();
+    contact->begin_iteration(scene.fields);
+    traction = present();
+    contact->accept_step(scene.fields);
+  }
+  const ContactPass& pass() const { return contact->pass(0); }
+  VectorXd present() const {
+    return pass().nodal_loads({scene.fields[Side::primary], scene.fields[Side::secondary]}).traction;
+  }
+  VectorXd with(const ReducedPenalty& reduction) {
+    scene.settings.reduced_traction = reduction;
     contact->update_laws(scene.settings);
     contact->end_iterations();
     contact->begin_iteration(scene.fields);
-    BOOST_TEST((pass.nodal_loads(fields).traction - traction).norm() <= rounding * traction.norm());
-    check_close(reduction * pass.penalty().traction[0], default_traction_factor * pass.penalty().stiffness[0],
-                rounding);
+    return present();
   }
-  scene.settings.traction_reduction = 1;
-  contact->update_laws(scene.settings);
-  BOOST_TEST(pass.laws().multipliers.traction.norm() == 0);
+};
+
+BOOST_AUTO_TEST_CASE(a_reduced_penalty_keeps_the_loads_of_the_accepted_state) {
+  Accepted accepted;
+  const Penalties& penalty = accepted.pass().penalty();
+  for (const double divisor : {10.0, 1000.0, 1000.0, 100.0}) {
+    BOOST_TEST((accepted.with({divisor}) - accepted.traction).norm() <= rounding * accepted.traction.norm());
+    check_close(divisor * penalty.traction[0], default_traction_factor * penalty.stiffness[0], rounding);
+  }
+  accepted.scene.settings.reduced_traction = {};
+  accepted.contact->update_laws(accepted.scene.settings);
+  BOOST_TEST(accepted.pass().laws().multipliers.traction.norm() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(loads_that_a_reduced_penalty_does_not_bear_fade) {
-  constexpr double reduction = 10;
-  Scene scene = loaded_scene();
-  scene.settings.traction = {true, default_traction_factor};
-  const auto contact = scene.contact();
-  const FacingFields fields{scene.fields[Side::primary], scene.fields[Side::secondary]};
-  const ContactPass& pass = contact->pass(0);
-  contact->begin_iteration(scene.fields);
-  const VectorXd traction = pass.nodal_loads(fields).traction;
-  contact->accept_step(scene.fields);
-  scene.settings.traction_reduction = reduction;
+  constexpr double divisor = 10;
+  Accepted accepted;
   for (const double kept : {1.0, 0.25, 0.0}) {
-    scene.settings.traction.kept = kept;
-    contact->update_laws(scene.settings);
-    contact->end_iterations();
-    contact->begin_iteration(scene.fields);
     // The gaps are those of the full penalty.
-    const VectorXd expected = (kept + (1 - kept) / reduction) * traction;
-    BOOST_TEST((pass.nodal_loads(fields).traction - expected).norm() <= rounding * traction.norm());
+    const VectorXd expected = (kept + (1 - kept) / divisor) * accepted.traction;
+    BOOST_TEST((accepted.with({divisor, kept}) - expected).norm() <= rounding * accepted.traction.norm());
   }
 }

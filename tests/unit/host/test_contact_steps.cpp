@@ -59,7 +59,10 @@ class FakeContact : public SteppedContact {
 class FakeHelper : public newton::Helper {
  public:
   explicit FakeHelper(Notes& notes) : notes_(notes) {}
-  void begin_step() override { notes_.emplace_back("helper step"); }
+  bool begin_step() override {
+    notes_.emplace_back("helper step");
+    return false;
+  }
   void begin_iterations() override { notes_.emplace_back("helper iterations"); }
   void try_increment(const std::vector<double>& /*increment*/) override { notes_.emplace_back("helper trial"); }
   bool adapt() override {

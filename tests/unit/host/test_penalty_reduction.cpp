@@ -113,20 +113,20 @@ BOOST_AUTO_TEST_CASE(a_penalty_that_is_given_is_never_reduced) {
   given.penalties.traction = {{7, true}};
   for (const bool is_factor : {false, true}) {
     given.penalties.auto_penalty = is_factor;
-    BOOST_TEST(core_settings(given, SolverKind::newton, 100).traction_reduction == 1);
+    BOOST_TEST(core_settings(given, SolverKind::newton, {100}).reduced_traction.divisor == 1);
   }
 }
 
 BOOST_AUTO_TEST_CASE(automatic_penalties_are_reduced_down_to_the_stiffness_of_the_bodies) {
-  BOOST_TEST(core_settings(automatic(), SolverKind::newton, 100).traction_reduction == 100);
+  BOOST_TEST(core_settings(automatic(), SolverKind::newton, {100}).reduced_traction.divisor == 100);
   ContactParameters two_pass;
   two_pass.enforcement.two_pass = true;
-  BOOST_TEST(core_settings(two_pass, SolverKind::newton, 1000).traction_reduction == 100);
-  BOOST_TEST(core_settings(automatic(), SolverKind::explicit_dynamics, 10).traction_reduction == 1);
+  BOOST_TEST(core_settings(two_pass, SolverKind::newton, {1000}).reduced_traction.divisor == 100);
+  BOOST_TEST(core_settings(automatic(), SolverKind::explicit_dynamics, {10}).reduced_traction.divisor == 1);
 }
 
 BOOST_AUTO_TEST_CASE(unknown_multipliers_have_no_penalty_to_reduce) {
   ContactParameters multipliers;
   multipliers.enforcement.laugon = 2;
-  BOOST_TEST(core_settings(multipliers, SolverKind::newton, 10).traction_reduction == 1);
+  BOOST_TEST(core_settings(multipliers, SolverKind::newton, {10}).reduced_traction.divisor == 1);
 }
