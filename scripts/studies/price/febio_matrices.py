@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.document import Model
 from harness.run.febio_log import Report
 from studies import timing
 from studies.limit import LIMIT
+from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints, table
 from studies.price.joints import Joint, Scene
 
