@@ -9,9 +9,9 @@ import pytest
 
 from harness.models.interface import InterfaceType
 from harness.paths import DOCS, MODELS
-from harness.run.provenance import Stamp
 from studies.models import platens
 from studies.pages.gallery import entries, figures, page
+from studies.stamps import Stamp
 
 ENTRIES = {entry.model.name: entry for entry in entries.entries()}
 PNG = b"\x89PNG"

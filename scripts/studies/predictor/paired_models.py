@@ -11,8 +11,8 @@ from harness.models.parts import Contact, Rigid
 from harness.run.runner import Runner
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
-from studies.limit import at_limit
 from studies.models import kept_models as collection
+from studies.stamps import at_limit
 
 MOST = 1.02
 """Iterations with the predictor over those without it, at most, for it to become the default."""
