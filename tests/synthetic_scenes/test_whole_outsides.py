@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import febio_runs
 import numpy as np
 import pytest
 from scenes import facing
@@ -38,7 +39,7 @@ def outcome(scene: FacingScene, folder, *, whole: bool) -> Outcome:
     folder.mkdir()
     model = folder / "model.feb"
     model.write_text(scene.document(whole=whole).text())
-    report = engine.run(model, plugin=engine.required_plugin()).report
+    report = febio_runs.run(model, plugin=engine.required_plugin()).report
     nodes = table(folder / "nodes.txt")[-1]
     return Outcome(scene.force(nodes), nodes[:, 6:], report)
 

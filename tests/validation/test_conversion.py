@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
+import febio_runs
 import numpy as np
 import pytest
 from lxml import etree
@@ -151,7 +152,7 @@ def with_gauss_points(data):
 
 
 def answer(path, chosen, plugin=None):
-    finished = engine.run(path, plugin=plugin)
+    finished = febio_runs.run(path, plugin=plugin)
     history = logdata.read_history(path.parent / chosen.file, chosen.columns)
     return finished, history
 
@@ -182,7 +183,7 @@ def in_folder(folder, text):
 
 def results(path, plugin=None):
     """What a run logs, and in how many iterations."""
-    finished = engine.run(path, plugin=plugin)
+    finished = febio_runs.run(path, plugin=plugin)
     logged = {file.name: file.read_bytes() for file in path.parent.glob("*.txt")}
     assert logged
     return finished.report.iterations, logged

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
 from scenes.cam import Cam
@@ -31,7 +32,7 @@ def _only(names: str) -> tuple[Param, ...]:
 
 
 def _run(path: Path) -> tuple[Report, str]:
-    report = engine.run(path, plugin=engine.required_plugin(), check=False).report
+    report = febio_runs.run(path, plugin=engine.required_plugin(), check=False).report
     return report, path.with_suffix(".log").read_text(errors="replace")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache, partial
 from itertools import product
 
+import febio_runs
 import numpy as np
 import pytest
 from scenes import friction_checks as checks
@@ -65,7 +66,7 @@ def test_a_converted_model_has_the_friction_it_had(runner, tmp_path):
     model = BlockOnIncline(InterfaceType.ELASTIC, name="incline-febio").model()
     path = tmp_path / f"{model.name}.feb"
     path.write_bytes(convert(model.write(tmp_path)).data)
-    engine.run(path, plugin=engine.required_plugin())
+    febio_runs.run(path, plugin=engine.required_plugin())
     nodes, base = logdata.read_history(tmp_path / model.node_file, model.node_columns), model.mesh.node_sets["base"] - 1
     along, weight = (np.abs(nodes[column][-1, base].sum()) for column in ("Rx", "Rz"))
     assert along / weight == pytest.approx((SLOPE + FRICTION) / (1.0 - SLOPE * FRICTION), abs=checks.INCLINE_BAR)

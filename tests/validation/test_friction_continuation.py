@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
 from scenes.block_on_incline import FRICTION, PUSHED, SLOPE, STANDING, BlockOnIncline
@@ -42,7 +43,7 @@ def test_a_continued_run_keeps_its_friction(runner, tmp_path, steps, phase):
     whole = runner(model, options=("-dump=1", f"-dump_stride={steps}"))
     folder = shutil.copytree(whole.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
-    engine.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
+    febio_runs.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
     part = logdata.read_history(folder / model.node_file, model.node_columns)
     after = whole.nodes.times > part.times[0] - 1e-6
     np.testing.assert_allclose(part.times, whole.nodes.times[after])

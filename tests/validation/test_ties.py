@@ -6,6 +6,7 @@ import shutil
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
 from scenes.tied_columns import EXACTLY, MODULES, RAMP, column, material, steps
@@ -143,7 +144,7 @@ def test_a_run_that_is_continued_is_as_one_that_was_not(solve, tmp_path, laugon)
     folder, _ = solve("whole", text, options=("-dump=1", "-dump_stride=3"))
     part = shutil.copytree(folder, tmp_path / "part")
     (part / "nodes.txt").unlink()
-    engine.restart(part / "model.dmp", plugin=engine.required_plugin())
+    febio_runs.restart(part / "model.dmp", plugin=engine.required_plugin())
     whole, continued = (small.table(each / "nodes.txt")[-1] for each in (folder, part))
     assert np.abs(continued - whole).max() <= 1e-10
 
