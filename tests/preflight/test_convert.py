@@ -476,3 +476,11 @@ def test_the_migration_page_tells_the_same():
         for name in re.findall(r"`([^`]+)`", cell):
             there = [mark.strip() == "x" for mark in marks]
             assert there == [name in TYPES[kind].parameters for kind in CONVERTIBLE], name
+
+
+@pytest.mark.parametrize("text", ["<a><b/></a>", "<a><b /></a>", "<a>\n<b/>\n</a>"])
+def test_an_element_that_is_closed_in_itself_ends_there(text):
+    child = spans.locate(text.encode(), "model.feb").children[0]
+    assert child.closed_in_itself
+    assert text[child.start : child.end] in ("<b/>", "<b />")
+    assert spans.apply(text.encode(), spans.insertion(text.encode(), child, ["<c/>"])).count(b"</b>") == 1
