@@ -300,7 +300,7 @@ class Joint:
         return np.concatenate([centres, corners])
 
     def facing(self) -> Joint:
-        """This contact with sides of shells turned round where the primary surface would see nothing else."""
+        """The contact with sides of shells turned round where the primary surface would see nothing else."""
         shells = [name for name, side in zip(SIDES, self.sides, strict=True) if not side.found.any()]
         ways = [self, *(replace(self, turned=chosen) for n in (1, 2) for chosen in combinations(shells, n))]
         return next((way for way in ways if np.isfinite(way.gaps).any()), self)
