@@ -9,11 +9,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from lxml import etree
+from scenes import pairs
 
 from harness.models.parts import Param, fix
 from harness.run import engine, logdata
-from studies.models import pairs
-from studies.models.pairs import Kind
+from studies.models.sheared_blocks import Kind
 
 REASON = "No traction: the displacements of both surfaces are fixed."
 SAME = 1e-9

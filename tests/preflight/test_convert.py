@@ -7,6 +7,8 @@ import re
 from dataclasses import replace
 
 import pytest
+from scenes import pairs
+from scenes.ambient import Apart
 
 from harness.conversion import spans
 from harness.conversion.command import convert as command
@@ -21,9 +23,7 @@ from harness.models.parts import Param, concentration, pressure
 from harness.paths import REPOSITORY
 from harness.preflight.contact_types import CONVERTIBLE, TYPES, UNLIMITED_SEARCH
 from harness.preflight.model import read
-from studies.models import pairs
-from studies.models.ambient import Apart
-from studies.models.pairs import Kind
+from studies.models.sheared_blocks import Kind
 
 
 def text(*params, interface=InterfaceType.SOLUTE):

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from scenes.tied_cubes import joint
 
 from harness.conversion.convert import convert
 from harness.conversion.fates import Action
@@ -15,7 +16,6 @@ from harness.preflight.check import check
 from harness.preflight.finding import Severity
 from harness.preflight.tied_types import ANY_DISTANCE, CONVERTIBLE_TIES, TIED_TYPES
 from studies.models.small import Document, biphasic, contact, elastic, fixed, rigid
-from studies.models.tied_cubes import joint
 
 
 def porous(document: Document) -> Document:

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from scenes import facing
+from scenes.facing import FacingScene
 
 from harness.run import engine
 from harness.run.febio_log import Report
-from studies.models import facing
-from studies.models.facing import FacingScene
 from studies.models.small import table
 
 BAR = 1e-8

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from scenes.ambient import Apart
 
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Param
 from harness.run import engine
-from studies.models.ambient import Apart
 
 pytestmark = pytest.mark.mixture_only
 

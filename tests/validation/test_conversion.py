@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from lxml import etree
 from older_formats import VERSIONS, in_instances, older
+from scenes.patches import Patches
 
 from harness.conversion.convert import convert
 from harness.models.composite import Composite
@@ -27,7 +28,6 @@ from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
 from harness.preflight.model import read
 from harness.run import engine, logdata
-from studies.models.patches import Patches
 from studies.synthetic_scenes.all_scenes import SCENES
 
 pytestmark = pytest.mark.mixture_only

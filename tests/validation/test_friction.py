@@ -7,21 +7,20 @@ from itertools import product
 
 import numpy as np
 import pytest
+from scenes import friction_checks as checks
+from scenes.block_on_incline import FRICTION, SLOPE, BlockOnIncline
 
 from harness.conversion.convert import convert
 from harness.models.interface import InterfaceType
 from harness.post.compare import missed
 from harness.run import engine, logdata
 from studies import files
-from studies import friction_checks as checks
 from studies.friction import page
 from studies.hard_cases import rubbing_record
 from studies.hard_cases.outcomes import OURS, Outcome, arranged
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness
-from studies.models.block_on_incline import FRICTION, SLOPE, BlockOnIncline
-from studies.models.pairs import Kind
-from studies.models.sheared_blocks import MODULES
+from studies.models.sheared_blocks import MODULES, Kind
 from studies.pages.evidence import DATA
 
 pytestmark = pytest.mark.mixture_only

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes.block_on_incline import FRICTION, PUSHED, SLOPE, STANDING, BlockOnIncline
 
 from harness.models.interface import ContactSettings
 from harness.models.parts import Curve, Param
@@ -14,9 +15,7 @@ from harness.run import engine, logdata
 from harness.run.runner import Runner
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness, Interface
-from studies.models.block_on_incline import FRICTION, PUSHED, SLOPE, STANDING, BlockOnIncline
-from studies.models.pairs import Kind
-from studies.models.sheared_blocks import ShearedBlocks
+from studies.models.sheared_blocks import Kind, ShearedBlocks
 
 pytestmark = pytest.mark.mixture_only
 

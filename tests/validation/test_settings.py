@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes import pairs
 
 from harness.models.confined import LOAD, OVERLAP, Confined
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Curve, Param, normal_load
 from harness.post import compare
 from harness.run import engine, logdata
-from studies.models import pairs
-from studies.models.pairs import Kind
+from studies.models.sheared_blocks import Kind
 
 pytestmark = pytest.mark.mixture_only
 

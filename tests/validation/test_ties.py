@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scenes.tied_columns import EXACTLY, MODULES, RAMP, column, material, steps
 
 from harness.run import engine
 from studies.models import small
 from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, step
-from studies.models.tied_columns import EXACTLY, MODULES, RAMP, column, material, steps
 
 pytestmark = pytest.mark.mixture_only
 
