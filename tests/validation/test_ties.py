@@ -66,8 +66,11 @@ def test_values_that_make_no_sense_are_named(solve, tag, said):
 
 
 def test_surfaces_out_of_reach_are_an_error(solve):
-    _, finished = solve("far", column("solid", "<search_radius>0.1</search_radius>", gap=0.5)[0], ends=False)
+    folder, finished = solve("far", column("solid", "<search_radius>0.1</search_radius>", gap=0.5)[0], ends=False)
     assert "nothing is tied" in finished.output
+    log = (folder / "model.log").read_text()
+    assert "E R R O R   T E R M I N A T I O N" in log
+    assert "Retrying" not in log
 
 
 # ---- rigid motion ----
