@@ -98,10 +98,6 @@ class ContactSettings:
         return (*(Param(name, value) for name, value in named), *self.extra)
 
 
-PREDICTOR = Param("predictor", True)
-"""Turns the plugin's predictor on."""
-
-
 def automatic(scale: float) -> ContactSettings:
     """FEBio's automatic penalties times one common factor, by the penalty method."""
     return ContactSettings(
@@ -128,15 +124,6 @@ def default_settings(interface: InterfaceType) -> ContactSettings:
     if interface is InterfaceType.ELASTIC:
         return replace(settings, pressure_penalty=None, concentration_penalty=None)
     return replace(settings, concentration_penalty=None) if interface is InterfaceType.BIPHASIC else settings
-
-
-def with_friction(
-    interface: InterfaceType, coefficient: float, *, solid_fraction: float | None = None
-) -> ContactSettings:
-    """The default settings with a friction coefficient mu_eq and, between porous bodies, the solid fraction phi."""
-    given = default_settings(interface)
-    fraction = () if solid_fraction is None else (Param("contact_frac", solid_fraction),)
-    return replace(given, extra=(*given.extra, Param("fric_coeff", coefficient), *fraction))
 
 
 def column(

@@ -23,11 +23,11 @@ from harness.models.parts import (
     Solid,
     TimeStepper,
     displace,
-    hold,
     pressure,
 )
 from studies.models import spherical_shells
 from studies.models.assembly import assembled, plane, sphere
+from studies.models.pieces import hold
 from studies.models.quadratic import quadratic
 from studies.models.tetrahedra import tetrahedra
 

@@ -12,8 +12,9 @@ from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import InterfaceType, contacts, default_settings
 from harness.models.mesh import Mesh
-from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix, hold
+from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor
+from studies.models.pieces import hold
 
 RADIUS = 10.0
 """mm."""

@@ -16,12 +16,10 @@ from harness.models.mesh import Mesh
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
-    UNCLAMPED,
     Control,
     Mixture,
     Solid,
     Solute,
-    ambient,
     concentration,
     fix,
     initial_concentration,
@@ -29,6 +27,7 @@ from harness.models.parts import (
     pressure,
 )
 from studies.models.assembly import assembled, cylinder, everywhere, graded, plane
+from studies.models.pieces import UNCLAMPED, ambient
 
 DEFECT = 2.0
 """Radius of the defect, mm."""

@@ -17,7 +17,6 @@ from harness.models.mesh import Mesh
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
-    UNCLAMPED,
     Condition,
     Control,
     Curve,
@@ -25,13 +24,13 @@ from harness.models.parts import (
     Param,
     Solid,
     Solute,
-    ambient,
     displace,
     fix,
     initial_concentration,
     initial_pressure,
 )
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
+from studies.models.pieces import UNCLAMPED, ambient
 
 RADIUS = 15.0
 """Radius of curvature of the upper cartilage, mm."""

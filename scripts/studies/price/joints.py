@@ -11,10 +11,10 @@ from statistics import median
 from typing import NamedTuple
 
 from harness.errors import DataFileError
-from harness.models.interface import PREDICTOR
 from studies import timing
 from studies.hard_cases.scene import Interface
 from studies.models.ball_in_socket import BallInSocket
+from studies.models.pieces import PREDICTOR
 from studies.models.pressed_blocks import PressedBlocks
 from studies.price import table
 from studies.price.scenes import Kind, penalties

@@ -27,10 +27,10 @@ from harness.models.parts import (
     fix,
     hold_rigid,
     initial_concentration,
-    move_rigid,
     pressure,
     push_rigid,
 )
+from studies.models.pieces import move_rigid
 from studies.models.sheared_blocks import Kind
 
 HEIGHT = 1.0
