@@ -20,10 +20,11 @@ from harness.conversion.fates import (
 )
 from harness.conversion.refusals import refusals
 from harness.conversion.sources import Located, Sources
-from harness.conversion.spans import Edit, Span
+from harness.conversion.spans import Edit
 from harness.errors import ModelError
 from harness.preflight import model as models
 from harness.preflight import xml_file as documents
+from harness.preflight.byte_spans import Span
 from harness.preflight.check import check
 from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TIED, TYPES
 from harness.preflight.finding import Place, Severity
@@ -96,7 +97,7 @@ def convert(path: Path) -> Converted:
 def _place_before(files: Sources, edits: Mapping[Path, list[Edit]], place: Place) -> Place:
     """Where in the user's file a place of the new one comes from: nobody sees what is not written."""
     for file, made in edits.items():
-        if place.file in (file if file == files.model else None, sources.converted_name(file)):
+        if place.file in (file if file == files.document.path else None, sources.converted_name(file)):
             return replace(place, file=file, line=spans.line_before(files.data[file], dict.fromkeys(made), place.line))
     return place
 
