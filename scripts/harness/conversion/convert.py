@@ -24,13 +24,13 @@ from harness.conversion.spans import Edit
 from harness.errors import ModelError
 from harness.preflight import model as models
 from harness.preflight import xml_file as documents
-from harness.preflight.byte_spans import Span
+from harness.preflight.byte_spans import Place, Span
 from harness.preflight.check import check
 from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TIED, TYPES
-from harness.preflight.finding import Place, Severity
-from harness.preflight.formats.contact_names import OLD_NAMES
+from harness.preflight.finding import Severity
+from harness.preflight.formats.rewriting import OLD_NAMES
+from harness.preflight.levels import prescribed_nodes
 from harness.preflight.model import Model
-from harness.preflight.prescribed_nodes import prescribed_nodes
 from harness.preflight.sides import Joint
 from harness.preflight.tied_types import CONVERTIBLE_TIES, NOT_STICKY, STICKY, TIED_TYPES
 

@@ -10,8 +10,7 @@ from harness.conversion import spans
 from harness.conversion.spans import Edit
 from harness.errors import ModelError
 from harness.preflight import byte_spans, xml_file
-from harness.preflight.byte_spans import Span
-from harness.preflight.finding import Place
+from harness.preflight.byte_spans import Place, Span
 from harness.preflight.xml_file import Document, Element
 
 _ADDED = "-mixture"

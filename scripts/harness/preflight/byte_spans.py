@@ -1,11 +1,33 @@
-"""Where the tags of an XML file stand, in bytes."""
+"""Where the tags of an XML file stand: in lines, for messages, and in bytes."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 from xml.parsers import expat
+
+
+@dataclass(frozen=True)
+class Place:
+    """A tag in a file.
+
+    Attributes
+    ----------
+    file : Path
+    line : int
+        From 1; where the tag begins.
+    tag : str
+        As in the file, with the attribute that tells it from its like: ``<contact name="joint">``.
+    """
+
+    file: Path
+    line: int
+    tag: str
+
+    def __str__(self) -> str:
+        return f"{self.file}, line {self.line}: {self.tag}"
 
 
 @dataclass

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from harness.errors import ModelError
 from harness.preflight import byte_spans
-from harness.preflight.finding import Place
+from harness.preflight.byte_spans import Place
 
 Element = etree._Element
 Contents: TypeAlias = Mapping[Path, bytes]

@@ -8,8 +8,7 @@ import numpy as np
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import InterfaceType
+from harness.models.interface import InterfaceType, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     Condition,

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, default_settings
+from harness.models.interface import ContactSettings, InterfaceType, default_settings, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Contact, Control, Curve, Elastic, Solid, TimeStepper, displace, fix
 from studies.models import spherical_shells

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import InterfaceType, contacts, default_settings
+from harness.models.interface import InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor

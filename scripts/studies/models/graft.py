@@ -9,9 +9,8 @@ import numpy as np
 from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
 from harness.models.indentation_mesh import disk
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     GAS_CONSTANT,

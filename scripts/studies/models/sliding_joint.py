@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Mixture, Solid, TimeStepper, displace, fix
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, tensor

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings
+from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace
 from studies.models import spherical_shells

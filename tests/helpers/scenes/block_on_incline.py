@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Rigid, Solid, hold_rigid, push_rigid
 from studies.models.assembly import assembled, box, plane
