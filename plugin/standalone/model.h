@@ -140,13 +140,18 @@ struct Control {
   bool plot = true;
 };
 
-/// A contact interface.
+/// A contact interface or a tie.
 struct ContactDefinition {
   std::string name;
   mixture_contact::PerSide<std::string> surfaces;
   ContactParameters parameters;
   Parameter ambient_pressure;                      ///< p* [MPa]
   std::map<int, Parameter> ambient_concentration;  ///< solute -> c* [mM]
+};
+
+struct ContactDefinitions {
+  std::vector<ContactDefinition> sliding;
+  std::vector<ContactDefinition> tied;
 };
 
 /// A file of node or element data.
@@ -169,7 +174,7 @@ struct Model {
   std::vector<Condition> prescribed;
   std::vector<Condition> initial;
   std::vector<SurfaceLoad> loads;
-  std::vector<ContactDefinition> contacts;
+  ContactDefinitions contacts;
   std::vector<LoadCurve> curves;
   std::vector<DataFile> data;
   std::vector<std::string> notices;  ///< what a user should know of parameters without effect
