@@ -203,3 +203,25 @@ BOOST_AUTO_TEST_CASE(an_attempt_after_a_failed_one_begins_with_all_overlapping_p
   approach.contact->accept_step(approach.scene.fields);
   BOOST_TEST(!laws.close_overlapped);
 }
+
+BOOST_AUTO_TEST_CASE(a_step_begins_with_all_overlapping_points_where_a_free_rigid_body_has_no_node_in_contact) {
+  Approach approach(-0.1, elastic);
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  std::ptrdiff_t overlapped = 0;
+  const auto raise_the_middle = [&](double by) {
+    approach.scene.fields[Side::primary].position(2, 4) += by;
+    approach.contact->project(approach.scene.position());
+    const NodeFlags around = overlapped_nodes(approach.contact->pass(0).space());
+    overlapped = std::count(around.begin(), around.end(), true);
+  };
+  while (overlapped == 0) raise_the_middle(0.01);
+  BOOST_TEST(approach.closed_where_a_step_begins() == 0);
+  laws.holds_rigid_body = true;
+  BOOST_TEST(approach.closed_where_a_step_begins() == overlapped);
+  while (approach.closed_where_a_step_begins() == overlapped) raise_the_middle(0.1);
+  laws.holds_rigid_body = false;
+  const std::ptrdiff_t closed = approach.closed_where_a_step_begins();
+  BOOST_TEST(closed > 0);
+  laws.holds_rigid_body = true;
+  BOOST_TEST(approach.closed_where_a_step_begins() == closed);
+}
