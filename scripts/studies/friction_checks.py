@@ -7,14 +7,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models import plate_on_layer
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Param
 from harness.post import compare
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.closed_forms import incline, sliding_plate
-from studies.models import block_on_incline, partial_slip, sheared_blocks
+from studies.models import block_on_incline, partial_slip, plate_on_layer, sheared_blocks
 from studies.models.pairs import Kind
 from studies.post import slip_zones
 

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.parts import Param, TimeStepper
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
 from studies.ablation import ablated_runs
 from studies.models import small
+from studies.models.ball_in_socket import BallInSocket
 from studies.models.cam import Cam
 from studies.models.small import Document, Parts
 

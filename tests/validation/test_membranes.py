@@ -9,11 +9,9 @@ import numpy as np
 import pytest
 
 from harness.closed_forms import composite_slab
-from harness.closed_forms.film import Faces, Film
 from harness.models.composite import AMBIENT, FIRST, SECOND, Composite
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings
-from harness.models.membrane import FACES, Membrane, film_params
 from harness.models.mesh import Section
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -28,6 +26,8 @@ from harness.models.parts import (
 from harness.run import engine, logdata
 from harness.run.hosts import STANDALONE
 from harness.run.runner import Runner
+from studies.closed_forms.film import Faces, Film
+from studies.models.membrane import FACES, Membrane, film_params
 
 pytestmark = pytest.mark.mixture_only
 

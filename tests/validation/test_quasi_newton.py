@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.parts import Param
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
+from studies.models.ball_in_socket import BallInSocket
 from studies.price.joints import rival
 
 pytestmark = pytest.mark.mixture_only

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
 from studies.linear_solvers.trials import write
+from studies.models.ball_in_socket import BallInSocket
 from studies.pages.linear_solver_results import Solver
 
 pytestmark = pytest.mark.mixture_only

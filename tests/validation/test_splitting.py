@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from harness.models import ball_in_socket
-from harness.models.ball_in_socket import BallInSocket
 from harness.run import engine
+from studies.models import ball_in_socket
+from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints
 
 pytestmark = pytest.mark.mixture_only

@@ -24,7 +24,7 @@ ROOMS = {
         *("indentation", "validate", "collection", "user_commands"),
     ),
     "studies": (
-        *("feb", "files", "limit", "tables", "timing", "diagnosis", "workflow"),
+        *("stamps", "feb", "files", "tables", "timing", "diagnosis", "workflow"),
         *("closed_forms", "models", "post", "friction_checks"),
         *("indentation", "engines", "pages", "hard_cases", "fuzz", "cost", "friction", "predictor", "price"),
         *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers", "knees"),

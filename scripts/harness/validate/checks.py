@@ -22,7 +22,7 @@ from harness.closed_forms import (
 )
 from harness.indentation import histories, measures
 from harness.models import composite, confined, convection, diffusion, layers
-from harness.models.indentation import Variant
+from harness.models.indentation import Indentation
 from harness.models.indentation_mesh import Primary
 from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic
 from harness.models.parts import Control
@@ -126,8 +126,8 @@ def indentation_pair(context: Context) -> tuple[RunResult, RunResult]:
         if context.interface is InterfaceType.MIXTURE
         else (InterfaceType.MULTIPHASIC, automatic(1.0))
     )
-    problem = replace(Variant.PLAIN.problem, interface=interface, settings=settings, module="multiphasic", clamp=False)
-    other = replace(problem, primary=Primary.SLAB, name=Variant.SLAB_PRIMARY.problem.name)
+    problem = Indentation(interface, settings, module="multiphasic", clamp=False)
+    other = replace(problem, primary=Primary.SLAB, name="indentation-slab-primary")
     return context.runner(problem.model()), context.runner(other.model())
 
 

@@ -13,13 +13,13 @@ from harness.models.parts import Param
 from harness.run.runner import Runner, RunResult
 from studies import friction_checks, timing
 from studies.cost.points import AUGLAG_START
-from studies.limit import at_limit
 from studies.models.pairs import Kind
 from studies.models.partial_slip import FRICTION as PARTIAL
 from studies.models.partial_slip import PartialSlip
 from studies.models.sheared_blocks import FRICTION as HIGH
 from studies.models.sheared_blocks import ShearedBlocks
 from studies.post import slip_zones
+from studies.stamps import at_limit
 
 SOURCE = "friction-cost.csv"
 """Below docs/data."""

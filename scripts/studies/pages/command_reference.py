@@ -12,25 +12,11 @@ from enum import Enum
 from typer.models import ArgumentInfo, OptionInfo
 
 from harness.paths import REPOSITORY
+from studies.pages.texts import page_text
 
 PAGE = "reference/commands.md"
 
-HEAD = """\
-# Commands
-
-<!-- Written by `scripts/mixcontact pages` from the commands. -->
-
-`scripts/mixcontact --help` says:
-
-```text
-{summary}
-```
-
-The sections below describe each command that runs or reads models. An installed `mixcontact` (`pip install .`) has the
-first ones, marked with a star. The exit code is 0 if the command is done and its checks hold, and 1 if a check does not
-hold. It is 2 if the input cannot be used, and 4 if the command has a fault.
-
-"""
+HEAD = page_text("commands")
 
 
 def page(functions: Sequence[Callable[..., None]], installed: Sequence[Callable[..., None]]) -> str:

@@ -7,11 +7,11 @@ from enum import Enum
 
 import numpy as np
 
-from harness.models.assembly import box
 from harness.models.blocks import FACES, TET_FACES, Body
 from harness.models.mesh import Ids, Mesh, Nodes, Part
-from harness.models.quadratic import quadratic
-from harness.models.tetrahedra import tetrahedra
+from studies.models.assembly import box
+from studies.models.quadratic import quadratic
+from studies.models.tetrahedra import tetrahedra
 
 SLAB, BLOCK = "slab", "block"
 BASE, LOADED = "slab-base", "block-loaded"

@@ -9,12 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from harness.models import sliding_joint
-from harness.models.plate_on_layer import PlateOnLayer
-from harness.models.sliding_joint import DRAINED, END, SlidingJoint
 from harness.post.section_figures import Section, draw_bodies
 from harness.run.runner import Runner, RunResult
 from studies import friction_checks
+from studies.models import sliding_joint
+from studies.models.plate_on_layer import PlateOnLayer
+from studies.models.sliding_joint import DRAINED, END, SlidingJoint
 
 Array = NDArray[np.float64]
 FRACTIONS = (0.0, 0.1, 0.5)

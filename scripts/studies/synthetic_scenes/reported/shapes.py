@@ -13,8 +13,8 @@ from scipy.spatial import cKDTree
 from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.mesh import Nodes
-from harness.models.quadratic import ADDED
-from harness.models.tetrahedra import tetrahedra
+from studies.models.quadratic import ADDED
+from studies.models.tetrahedra import tetrahedra
 
 Place = Callable[[Nodes], Nodes]
 """Positions (n, 3) in mm of points (n, 3) of the unit cube."""
