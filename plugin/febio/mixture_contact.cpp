@@ -113,7 +113,7 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
 void FEMixtureContact::follow_surfaces() {
   const NumberedState before = bound_.numbered_state();
   const bool is_same_mesh = bound_.nodes_of_mesh() == GetFEModel()->GetMesh().Nodes();
-  if (!setup_.check_surfaces() || !setup_.build(bound_)) throw FatalError();
+  if (!setup_.check_surfaces() || !setup_.build(bound_)) log_.end_run();
   if (is_same_mesh) bound_.go_on_from(before);
   log_.line("sliding-mixture \"" + GetName() + "\": the facets of its surfaces have changed, " +
             std::to_string(surfaces_[Side::primary].Elements()) + " and " +
@@ -151,7 +151,7 @@ void FEMixtureContact::Deactivate() {
 
 void FEMixtureContact::PrepStep() {
   read_membrane(membrane_, parameters_.membrane);
-  if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) throw FatalError();
+  if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   if (reads_properties_again(parameters_, core().effects())) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
@@ -159,8 +159,7 @@ void FEMixtureContact::PrepStep() {
 void FEMixtureContact::Update() {
   read_membrane(membrane_, parameters_.membrane);
   // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
-  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction()))
-    throw FatalError();
+  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   model_->steps().evaluate(&bound_);
 }
 

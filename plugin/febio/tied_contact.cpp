@@ -60,35 +60,39 @@ bool FEMixtureTie::close_gaps() {
 
 int FEMixtureTie::InitEquations(int first) {
   dofs_.number_multipliers(first);
-  return indexing::as_int(tie_->unknown_count());
+  return tie_ == nullptr ? 0 : indexing::as_int(tie_->unknown_count());
 }
 
 void FEMixtureTie::Activate() {
   FEContactInterface::Activate();
   // A tie of a later step begins without stress where bodies are by then. FEBio counts equations after this.
   if (tie_ == nullptr) tie_ = setup_.build();
-  if (tie_ == nullptr || !setup_.update(*tie_)) throw FatalError();
-  setup_.say_what_is_tied(*tie_);
+  if (tie_ != nullptr) setup_.say_what_is_tied(*tie_);
 }
 
 PerSide<SurfaceFields> FEMixtureTie::fields() { return fields_of(surfaces_, dofs_, tie_->effects()); }
 
 // ------------------------------------------------------------ steps and iterations
 
+void FEMixtureTie::update_laws() {
+  // FEBio catches what a step throws, and nothing that an activation does.
+  if (tie_ == nullptr || !setup_.update(*tie_)) log_.end_run();
+}
+
 void FEMixtureTie::PrepStep() {
-  if (!setup_.update(*tie_)) throw FatalError();
+  update_laws();
   step_start_ = tie_->unknowns();
 }
 
 void FEMixtureTie::Update() {
   // FEBio prepares no steps for contacts, and asks for no augmentation, where its solver is none of Newton's kind.
   if (solver_kind_of(*GetFEModel()) == SolverKind::newton) return;
-  if (!setup_.update(*tie_)) throw FatalError();
+  update_laws();
   store_output();
 }
 
 void FEMixtureTie::Update(const std::vector<double>& total, const std::vector<double>& increment) {
-  const Index count = tie_->unknown_count();
+  const Index count = tie_ == nullptr ? 0 : tie_->unknown_count();
   if (count == 0) return;
   const auto own = [&](const std::vector<double>& all) {
     return Eigen::Map<const VectorXd>(all.data() + dofs_.first_multiplier(), count);
@@ -98,6 +102,7 @@ void FEMixtureTie::Update(const std::vector<double>& total, const std::vector<do
 
 void FEMixtureTie::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
   // FEBio's solver for solids leaves equations that are not nodes' to their owners.
+  if (tie_ == nullptr) return;
   const int first = dofs_.first_multiplier();
   for (Index n = first; n < first + tie_->unknown_count(); ++n)
     mixture_contact::at(total, n) += mixture_contact::at(increment, n);

@@ -35,6 +35,7 @@ class FEMixtureTie : public FEContactInterface {
  private:
   bool prepare_surfaces();
   bool close_gaps();
+  void update_laws();
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields();
   void store_output();
   void serialize_model(DumpStream& ar);

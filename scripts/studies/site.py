@@ -9,7 +9,7 @@ import typer
 
 from harness.errors import HarnessError
 from harness.paths import DOCS, MODELS
-from harness.user_commands import FOR_EVERYBODY, function
+from harness.user_commands import FOR_EVERYBODY, commands
 from studies.agreement import page as agreement
 from studies.cli import COMMANDS
 from studies.cost import page as cost
@@ -65,9 +65,7 @@ PAGES: dict[str, Callable[[], str]] = {
         linear_solver_results.read(DOCS / linear_solver_results.DATA)
     ),
     **{page.name: page for page in EVIDENCE},
-    command_reference.PAGE: lambda: command_reference.page(
-        [function(name, COMMANDS) for name in COMMANDS], [function(name, COMMANDS) for name in FOR_EVERYBODY]
-    ),
+    command_reference.PAGE: lambda: command_reference.page(commands(COMMANDS), FOR_EVERYBODY),
     front.PAGE: front.page,
 }
 """Generated pages, from code or from results in docs/data, without a run."""

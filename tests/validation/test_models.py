@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from lxml import etree
+from scenes.ambient import Apart, HalfWet
+from scenes.patches import Patches
 
 import harness.collection.kept_models
 from harness.errors import ModelError
@@ -21,8 +23,6 @@ from harness.post import compare
 from harness.run import febfile
 from studies.models import kept_models as collection
 from studies.models import spherical_shells
-from studies.models.ambient import Apart, HalfWet
-from studies.models.patches import Patches
 from studies.models.tetrahedra import tetrahedra
 
 LAYERS = [Layer("a", "m", 1.0, 3), Layer("b", "m", 0.5, 2), Layer("c", "m", 2.0, 1)]

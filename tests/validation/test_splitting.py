@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import pytest
 
 from harness.run import engine
@@ -23,7 +24,7 @@ POROUS = BallInSocket(elements=4, steps=4, porous=True, slides=False)
 
 def _log(scene: BallInSocket, folder: Path) -> str:
     path = scene.model().write(folder)
-    engine.run(path, plugin=engine.required_plugin())
+    febio_runs.run(path, plugin=engine.required_plugin())
     return path.with_suffix(".log").read_text()
 
 
