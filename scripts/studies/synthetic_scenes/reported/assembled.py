@@ -26,7 +26,6 @@ from studies.synthetic_scenes.reported.words import (
     mooney,
     neo,
     ogden,
-    press,
     push,
     radius,
     rigid,
@@ -330,7 +329,9 @@ def meniscus(params: str, force: float = 0.3) -> Sketch:
 
 _FLUID = auto(1.0, NEAR + fluid(1.0))
 SCENES: Mapping[str, Reported] = {
-    "contact-begins-later": Reported("contact begins in the second step of an analysis", partial(later, auto(1.0, NEAR))),
+    "contact-begins-later": Reported(
+        "contact begins in the second step of an analysis", partial(later, auto(1.0, NEAR))
+    ),
     "contact-begins-later-facets": Reported(
         "contact begins in the second step of an analysis, sliding-facet-on-facet",
         partial(later, auto(1.0, NEAR), "sliding-facet-on-facet"),
@@ -355,9 +356,7 @@ SCENES: Mapping[str, Reported] = {
     "hertz-penta15-two-pass": Reported(
         "half a ball of penta15, two passes", Hertz("penta15", auto(1.0, NEAR + TWO_PASS))
     ),
-    "hertz-hard": Reported(
-        "half a ball 1000 times as stiff as the block", Hertz("hex8", auto(1.0, NEAR), neo(1000.0))
-    ),
+    "hertz-hard": Reported("half a ball 1000 times as stiff as the block", Hertz("hex8", auto(1.0, NEAR), neo(1000.0))),
     "hertz-symmetric-default-solver": Reported(
         "half a ball, FEBio's default solver", Hertz("hex8", auto(1.0, NEAR), scheme=Scheme(updates=10, symmetric=None))
     ),
@@ -368,9 +367,7 @@ SCENES: Mapping[str, Reported] = {
     "skin-on-foam-tri3": Reported(
         "a shell of triangles on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR), "tri3")
     ),
-    "peeled-tension": Reported(
-        "a strip that tension holds is pulled up", partial(peeled, auto(1.0, NEAR + TENSION))
-    ),
+    "peeled-tension": Reported("a strip that tension holds is pulled up", partial(peeled, auto(1.0, NEAR + TENSION))),
     "dropped": Reported("a soft ball falls onto a slab", partial(dropped, auto(1.0, NEAR))),
     "dropped-friction": Reported(
         "a soft ball falls aslant onto a slab, friction 0.3", partial(dropped, auto(1.0, NEAR), 0.3)
@@ -392,7 +389,9 @@ SCENES: Mapping[str, Reported] = {
         partial(flat_pair, auglag(0.1, 0.1, NEAR + fluid(0.1)), "sliding-biphasic", "biphasic"),
         "biphasic",
     ),
-    "meniscus": Reported("a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID), "biphasic"),
+    "meniscus": Reported(
+        "a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID), "biphasic"
+    ),
     "ogden-hertz-deep": Reported(
         "half a ball of Ogden, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)
     ),
