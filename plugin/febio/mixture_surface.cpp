@@ -47,17 +47,28 @@ void FEMixtureSurface::drop_inactive_facets() {
     const FESurfaceElement& element = Element(face);
     if (element.isActive()) kept.emplace_back(element.Type(), element.m_node);
   }
-  const int count = mixture_contact::number_of(kept);
-  if (count == Elements()) return;
+  if (mixture_contact::number_of(kept) != Elements()) create(kept);
+}
+
+void FEMixtureSurface::create(const std::vector<std::pair<int, std::vector<int>>>& facets) {
+  const int count = mixture_contact::number_of(facets);
   Create(count);
   for (int face = 0; face < count; ++face) {
-    const auto& [type, nodes] = at(kept, face);
+    const auto& [type, nodes] = at(facets, face);
     FESurfaceElement& element = Element(face);
     element.SetType(type);
     element.m_node = nodes;
     element.setActive();
   }
   CreateMaterialPointData();
+}
+
+void FEMixtureSurface::take_facets_of(const FEMixtureSurface& other) {
+  std::vector<std::pair<int, std::vector<int>>> facets;
+  for (int face = 0; face < other.Elements(); ++face)
+    facets.emplace_back(other.Element(face).Type(), other.Element(face).m_node);
+  create(facets);
+  InitSurface();
 }
 
 int FEMixtureSurface::exchanged_field(int solute) const {
@@ -287,6 +298,13 @@ void FEMixtureSurface::Serialize(DumpStream& ar) {
   archive(ar, nodal_.friction.bound);
   archive(ar, nodal_.friction.fluid);
   archive(ar, nodal_.friction.status);
+  archive(ar, nodal_.breaking.damage);
+  archive(ar, nodal_.breaking.opening);
+  archive(ar, nodal_.breaking.energy);
+  archive(ar, nodal_.breaking.broken_at);
+  archive(ar, total_.bonds.dissipated);
+  archive(ar, total_.bonds.stored);
+  archive(ar, total_.bonds.broken_area);
   archive(ar, exchanged_);
   ar & has_shell_bottoms_;
 }

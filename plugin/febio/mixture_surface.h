@@ -20,6 +20,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Begins with the facets that are active: FEBio's erosion calls this, too, where it has made some inactive or has
   /// made others.
   bool Init() override;
+  /// Takes the facets of another surface, which this one is beside.
+  void take_facets_of(const FEMixtureSurface& other);
   /// Whether facets may have changed since the last call.
   bool take_change() { return std::exchange(has_changed_, false); }
 
@@ -67,6 +69,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
 
  private:
   void drop_inactive_facets();
+  /// Makes facets anew, of FEBio's types and nodes of the mesh.
+  void create(const std::vector<std::pair<int, std::vector<int>>>& facets);
   /// Whether the facets are listed as those of the front faces of shells.
   bool faces_front();
   void store_friction(FESurfaceElement& element);

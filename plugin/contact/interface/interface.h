@@ -36,6 +36,10 @@ class ContactInterface {
   /// Whether a projection looks for the facet anew or keeps to the one that a point saw last.
   enum class Search { everywhere, same_facets };
 
+  /// Has something else join nodes of the surfaces, or leave them: joined nodes do not close, and no ambient reaches
+  /// them. Iterations end with it. With the next project() the others find what they face.
+  void join(PerSide<NodeFlags> nodes);
+
   /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
   void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
 

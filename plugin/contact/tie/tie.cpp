@@ -39,21 +39,49 @@ double flux_unit(const Penalties& penalties, int field, int node) {
   return unit_of(penalties.conductance.row(field).transpose(), node);
 }
 
+/// Takes the state over where an iteration begins, and decides whether growing bonds yield in it.
+void go_on(BondIterations& last, IndexedVector<BondIterations::Phase> phases, const Matrix3Xd& gaps) {
+  if (last.phases.empty()) {
+    last.phases = std::move(phases);
+    last.changes.assign(last.phases.size(), 0);
+    last.gaps = gaps;
+    return;
+  }
+  const double move = (gaps - last.gaps).norm();
+  last.contractions = move < 0.9 * last.move ? last.contractions + 1 : 0;
+  if (last.contractions >= enough_contractions) last.yields = false;
+  for (Index n = 0; n < phases.count(); ++n) {
+    if (phases[n] == last.phases[n]) continue;
+    last.contractions = 0;
+    last.yields = ++last.changes[n] > most_phase_changes || last.yields;
+  }
+  last.phases = std::move(phases);
+  last.gaps = gaps;
+  last.move = move;
+}
+
 FacingPositions positions_of(const PerSide<SurfaceFields>& fields) {
   return {fields[Side::primary].position, fields[Side::secondary].position};
 }
 
 }  // namespace
 
-Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes)
-    : mesh_(std::move(mesh)), effects_(std::move(effects)), nodes_(std::move(nodes)), first_(1, 0) {
+Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking)
+    : mesh_(std::move(mesh)),
+      effects_(std::move(effects)),
+      nodes_(std::move(nodes)),
+      breaking_(std::move(breaking)),
+      first_(1, 0) {
   for (const TiedNode& tied : nodes_) {
     const auto exchanged = std::count_if(tied.fields.begin(), tied.fields.end(),
                                          [](const TiedAverage& average) { return average.exists(); });
     first_.push_back(first_.back() + (effects_.traction ? 3 : 0) + exchanged);
   }
   const int fields = effects_.scalar_fields();
-  state_ = {Matrix3Xd::Zero(3, nodes_.count()), MatrixXd::Zero(fields, nodes_.count()), 1, VectorXd::Ones(fields)};
+  state_ = {Matrix3Xd::Zero(3, nodes_.count()), MatrixXd::Zero(fields, nodes_.count()), 1, VectorXd::Ones(fields), {}};
+  if (!may_break(breaking_)) return;
+  find_normals(nodes_, mesh_[Side::primary]);
+  state_.damage = DamageState(nodes_.count());
 }
 
 void Tie::set_laws(const Settings& settings) {
@@ -79,15 +107,38 @@ double Tie::flux_penalty(Index n, int field) const {
   return state_.flux_penalty_scale[field] * penalties_.flux(field, nodes_[n].node);
 }
 
+BondLoad Tie::bond(Index n, double damage, const Vector3d& gap, const FacingPositions& x) const {
+  return bond_load(std::get<Cohesive>(breaking_), traction_penalty(n), damage, gap, normal_of(nodes_[n], x));
+}
+
+BondHessian Tie::bond_tangent(Index n, const TieLoads& loads, const FacingPositions& x) const {
+  const double accepted = state_.damage.damage[n];
+  const Vector3d gap = loads.gap.col(n);
+  if (iterations_.yields && phase(n, loads.damage[n]) == BondIterations::Phase::growing)
+    return yielding_derivative(traction_penalty(n), loads.damage[n], gap, normal_of(nodes_[n], x));
+  return bond(n, accepted, gap, x).derivative;
+}
+
 TieLoads Tie::loads(const PerSide<SurfaceFields>& fields) const {
   const Index count = nodes_.count();
   const Index scalars = effects_.scalar_fields();
-  TieLoads loads{Matrix3Xd::Zero(3, count), Matrix3Xd::Zero(3, count), MatrixXd::Zero(scalars, count),
-                 MatrixXd::Zero(scalars, count)};
+  const bool is_cohesive = std::holds_alternative<Cohesive>(breaking_);
+  TieLoads loads{Matrix3Xd::Zero(3, count),
+                 Matrix3Xd::Zero(3, count),
+                 MatrixXd::Zero(scalars, count),
+                 MatrixXd::Zero(scalars, count),
+                 Matrix3Xd::Zero(3, is_cohesive ? count : 0),
+                 state_.damage.damage};
   const FacingPositions x = positions_of(fields);
   in_parallel(count, [&](Index n) {
     loads.gap.col(n) = gap_vector(nodes_[n], x);
-    if (effects_.traction) {
+    if (is_broken(n)) return;
+    if (effects_.traction && is_cohesive) {
+      const BondLoad load = bond(n, state_.damage.damage[n], loads.gap.col(n), x);
+      loads.traction.col(n) = load.value.head<3>();
+      loads.turning.col(n) = load.value.tail<3>();
+      loads.damage[n] = load.damage;
+    } else if (effects_.traction) {
       const double penalty = traction_penalty(n);
       loads.traction.col(n) = bonded_traction(state_.traction.col(n), penalty, loads.gap.col(n)).value;
     }
@@ -137,8 +188,14 @@ VectorXd Tie::traction_residual(Index n, const FacingPositions& x, const TieLoad
   const double area = nodes_[n].traction.area;
   VectorXd residual(layout.size());
   residual.head(3 * layout.nodes()) = -area * gap_variation(nodes_[n], x).transpose() * loads.traction.col(n);
-  if (layout.has_multipliers())
+  if (loads.turning.cols() > 0)
+    residual.head(3 * layout.nodes()) -= area * normal_variation(nodes_[n], x).transpose() * loads.turning.col(n);
+  if (!layout.has_multipliers()) return residual;
+  if (is_broken(n)) {
+    residual.tail<3>() = area * state_.traction.col(n);
+  } else {
     residual.tail<3>() = -area * traction_unit(penalties_, nodes_[n].node) * loads.gap.col(n);
+  }
   return residual;
 }
 
@@ -147,23 +204,43 @@ VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   const TiedAverage& average = nodes_[n].fields[field];
   VectorXd residual(layout.size());
   residual.head(layout.nodes()) = -average.area * loads.flux(field, n) * average.weights;
-  if (layout.has_multipliers())
-    residual[layout.flux_multiplier(0)] = average.area * flux_unit(penalties_, field, nodes_[n].node) *
-                                          loads.jump(field, n);
+  if (!layout.has_multipliers()) return residual;
+  residual[layout.flux_multiplier(0)] = average.area *
+                                        (is_broken(n) ? -state_.flux(field, n)
+                                                      : flux_unit(penalties_, field, nodes_[n].node) *
+                                                            loads.jump(field, n));
   return residual;
+}
+
+/// The second derivative of a node's energy per area with the positions.
+MatrixXd Tie::stiffness(Index n, const FacingPositions& x, const TieLoads& loads) const {
+  const Matrix3Xd variation = gap_variation(nodes_[n], x);
+  MatrixXd stiffness;
+  if (loads.turning.cols() > 0) {
+    MatrixXd both(6, variation.cols());
+    both << variation, normal_variation(nodes_[n], x);
+    stiffness.noalias() = both.transpose() * bond_tangent(n, loads, x) * both;
+    stiffness += normal_hessian(nodes_[n], x, loads.turning.col(n));
+  } else {
+    stiffness.noalias() = traction_penalty(n) * variation.transpose() * variation;
+  }
+  if (!nodes_[n].gaps.empty()) stiffness += gap_hessian(nodes_[n], x, loads.traction.col(n));
+  return stiffness;
 }
 
 MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const {
   const LocalLayout layout = patch(n).layout();
   const Index own = 3 * layout.nodes();
   const double area = nodes_[n].traction.area;
-  const Matrix3Xd variation = gap_variation(nodes_[n], x);
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
-  auto of_nodes = tangent.topLeftCorner(own, own);
-  of_nodes.noalias() = (-area * traction_penalty(n)) * variation.transpose() * variation;
-  if (!nodes_[n].gaps.empty()) of_nodes -= area * gap_hessian(nodes_[n], x, loads.traction.col(n));
+  if (!is_broken(n)) tangent.topLeftCorner(own, own) = -area * stiffness(n, x, loads);
   if (!layout.has_multipliers()) return tangent;
   const double unit = traction_unit(penalties_, nodes_[n].node);
+  if (is_broken(n)) {
+    tangent.bottomRightCorner<3, 3>() = area * unit * Eigen::Matrix3d::Identity();
+    return tangent;
+  }
+  const Matrix3Xd variation = gap_variation(nodes_[n], x);
   tangent.bottomLeftCorner(3, own) = -area * unit * variation;
   tangent.topRightCorner(own, 3) = -area * unit * variation.transpose();
   tangent.bottomRightCorner<3, 3>() = (area * unit / unknown_factor) * Eigen::Matrix3d::Identity();
@@ -175,10 +252,14 @@ MatrixXd Tie::flux_tangent(Index n, int field) const {
   const Index own = layout.nodes();
   const TiedAverage& average = nodes_[n].fields[field];
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
+  const double unit = flux_unit(penalties_, field, nodes_[n].node);
+  if (is_broken(n)) {
+    if (layout.has_multipliers()) tangent(own, own) = -average.area * unit;
+    return tangent;
+  }
   tangent.topLeftCorner(own, own).noalias() = (average.area * flux_penalty(n, field)) * average.weights *
                                               average.weights.transpose();
   if (!layout.has_multipliers()) return tangent;
-  const double unit = flux_unit(penalties_, field, nodes_[n].node);
   tangent.col(own).head(own) = -average.area * unit * average.weights;
   tangent.row(own).head(own) = -average.area * unit * average.weights.transpose();
   tangent(own, own) = -average.area * unit / unknown_factor;
@@ -205,13 +286,37 @@ void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTang
       add);
 }
 
-// ------------------------------------------------------------ multipliers
+// ------------------------------------------------------------ damage and multipliers
+
+BondIterations::Phase Tie::phase(Index n, double damage) const {
+  using Phase = BondIterations::Phase;
+  if (!(damage > state_.damage.damage[n])) return Phase::constant;
+  return damage < 1 ? Phase::growing : Phase::failed;
+}
+
+void Tie::begin_iteration(const PerSide<SurfaceFields>& fields) {
+  if (!std::holds_alternative<Cohesive>(breaking_)) return;
+  const TieLoads now = loads(fields);
+  IndexedVector<BondIterations::Phase> phases;
+  for (Index n = 0; n < nodes_.count(); ++n) phases.push_back(phase(n, now.damage[n]));
+  go_on(iterations_, std::move(phases), now.gap);
+}
+
+void Tie::take(DamageState damage) {
+  state_.damage = std::move(damage);
+  for (Index n = 0; n < nodes_.count(); ++n) {
+    if (!is_broken(n) || has_unknown_multipliers()) continue;  // the equation of an unknown one takes it to zero
+    state_.traction.col(n).setZero();
+    state_.flux.col(n).setZero();
+  }
+}
 
 GapReport Tie::gaps(const PerSide<SurfaceFields>& fields) const {
   const TieLoads now = loads(fields);
   GapSums traction;
   IndexedVector<GapSums> flux(effects_.scalar_fields());
   for (Index n = 0; n < nodes_.count(); ++n) {
+    if (is_broken(n)) continue;
     const TiedNode& tied = nodes_[n];
     const double area = tied.traction.area;
     if (effects_.traction)

@@ -3,6 +3,7 @@
 
 #include "conditions/penalty.h"
 #include "enforcement/gap_measures.h"
+#include "tie/breaking.h"
 #include "tie/tied_node.h"
 
 #include <functional>
@@ -16,6 +17,7 @@ struct TieState {
   MatrixXd flux;       ///< lambda per (field, tied node)
   double traction_penalty_scale = 1;
   VectorXd flux_penalty_scale;  ///< per field
+  DamageState damage;
 };
 
 /// What tied nodes see and bear at a state; one column per tied node.
@@ -24,22 +26,44 @@ struct TieLoads {
   Matrix3Xd traction;  ///< t_a on the primary surface [MPa]
   MatrixXd jump;       ///< (fields, nodes): primary less secondary side
   MatrixXd flux;       ///< (fields, nodes): out of the primary body
+  Matrix3Xd turning;   ///< d psi/dn of the cohesive law [N/mm]; empty without it
+  VectorXd damage;     ///< d at this state [-]; empty where a tie cannot break
 };
 
 /// Default multiples of the stiffness and the conductance of the adjoining elements. No kink of a tie asks for smaller
 /// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
+/// The default of a tie that softens: a stiffer bond is no more exact where it opens by the energy that breaks it, and an
+/// iteration that unloads it goes wrong the farther.
+inline constexpr double default_cohesive_factor = 1e3;
 /// What augmentations may make of them: conditions that others nearly repeat close slowly at less.
 inline constexpr double largest_tie_factor = 1e8;
+
+/// How bonds that soften change in the iterations of a step.
+struct BondIterations {
+  enum class Phase { constant, growing, failed };
+  IndexedVector<Phase> phases;  ///< per tied node where the last iteration began; empty: none has
+  IndexedVector<int> changes;   ///< of phase, per tied node
+  Matrix3Xd gaps;               ///< gap vectors where the last iteration began [mm]
+  double move = 0;              ///< what the last iteration changed them by [mm]
+  int contractions = 0;         ///< iterations in a row without a change of phase that moved less than the last one
+  bool yields = false;          ///< whether bonds yield whose damage grows
+};
+
+/// How often a bond may change its phase in a step before it is taken for going to and fro: it begins to grow, fails, and
+/// may do one of these too early. The size is a choice.
+inline constexpr int most_phase_changes = 3;
+/// After as many contractions iterations are near a solution, and Newton's method ends them. The size is a choice.
+inline constexpr int enough_contractions = 2;
 
 class Tie {
  public:
   using AddResidual = std::function<void(const Patch&, const VectorXd&)>;
-  /// Takes a square block of the tangent dR/du; it is symmetric.
+  /// Takes a square block of the tangent dR/du; it is symmetric unless damage grows.
   using AddTangent = std::function<void(const Patch&, const MatrixXd&)>;
 
-  Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes);
+  Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking = Unbreakable());
 
   /// Takes penalties and tolerances; multipliers stay.
   void set_laws(const Settings& settings);
@@ -51,6 +75,10 @@ class Tie {
   const Settings& settings() const { return settings_; }
   const IndexedVector<TiedNode>& nodes() const { return nodes_; }
   const Penalties& penalties() const { return penalties_; }
+  const BreakingLaw& breaking() const { return breaking_; }
+  /// The penalty of a node's traction [N/mm^3]; 0 where multipliers are unknown.
+  double traction_penalty(Index n) const;
+  bool is_broken(Index n) const { return state_.damage.is_broken(n); }
   bool has_unknown_multipliers() const { return settings_.enforcement == Enforcement::lagrange_multipliers; }
 
   /// The unknowns of a node's traction, or of the flux of a field. Its multiplier_node counts tied nodes.
@@ -64,11 +92,22 @@ class Tie {
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const;
 
+  /// Forgets how bonds have changed in iterations: a step begins.
+  void begin_step() { iterations_ = {}; }
+  /// Begins an iteration at a state whose tangent is taken next. Once bonds go to and fro between constant damage,
+  /// growing damage and failure, those whose damage grows yield (yielding_derivative()) until iterations contract: where
+  /// softening outweighs what is around it, as when a crack jumps, Newton's method leads up and down for ever, and these
+  /// iterations lead to a state beyond the jump.
+  void begin_iteration(const PerSide<SurfaceFields>& fields);
+
   /// How well a solution meets its conditions (see GapSums).
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
   /// Has multipliers take the loads of a solution up, and fields that miss their tolerances get tenfold penalties, up
   /// to the automatic ones. Returns whether any has grown.
   bool augment(const PerSide<SurfaceFields>& fields);
+
+  /// Takes damage over; nodes that have broken lose their multipliers.
+  void take(DamageState damage);
 
   const TieState& state() const { return state_; }
   void restore(TieState state) { state_ = std::move(state); }
@@ -83,10 +122,14 @@ class Tie {
   Index unknown(Index n, std::optional<int> field = std::nullopt) const;
 
  private:
-  double traction_penalty(Index n) const;
   double flux_penalty(Index n, int field) const;
+  BondLoad bond(Index n, double damage, const Vector3d& gap, const FacingPositions& x) const;
+  BondIterations::Phase phase(Index n, double damage) const;
+  /// The derivative of a bond's loads that an iteration takes.
+  BondHessian bond_tangent(Index n, const TieLoads& loads, const FacingPositions& x) const;
   VectorXd traction_residual(Index n, const FacingPositions& x, const TieLoads& loads) const;
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
+  MatrixXd stiffness(Index n, const FacingPositions& x, const TieLoads& loads) const;
   MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const;
   MatrixXd flux_tangent(Index n, int field) const;
   /// Calls use(patch, make(node, field)) for the traction, field -1, and the fluxes of all nodes in order; makes them
@@ -98,9 +141,11 @@ class Tie {
   Effects effects_;
   Settings settings_;
   IndexedVector<TiedNode> nodes_;
+  BreakingLaw breaking_;
   IndexedVector<Index> first_;  ///< per node the first of its unknown multipliers; behind them all, how many there are
   Penalties penalties_;         ///< per node of the primary surface
   TieState state_;
+  BondIterations iterations_;
 };
 
 }  // namespace mixture_contact
