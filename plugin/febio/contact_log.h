@@ -4,6 +4,7 @@
 #include <FECore/FECoreBase.h>
 #include <FECore/log.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ class ContactLog {
   void errors(const std::vector<std::string>& sentences) const {
     for (const std::string& sentence : sentences) error(sentence);
   }
+
+  /// Ends the run after an error: FEBio tries steps again after its own exceptions, and the fault would stay.
+  [[noreturn]] void end_run() const { throw std::runtime_error(subject() + "cannot go on, see the error above."); }
 
   // Sentences that name the contact themselves
   void line(const std::string& sentence) const { feLogEx(contact_.GetFEModel(), "%s\n", sentence.c_str()); }

@@ -29,13 +29,13 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
       ->setUnits(unit_of(hosts_own::ambient_pressure.unit))
       ->setLongName(hosts_own::ambient_pressure.long_name);
   END_PARAM_GROUP();
-  ADD_PROPERTY(ambient_concentrations_, hosts_own::ambient_concentration.name, FEProperty::Optional)
+  ADD_PROPERTY(properties_.ambient, hosts_own::ambient_concentration.name, FEProperty::Optional)
       ->SetDefaultType("mixture_ambient_concentration")
       .SetLongName(hosts_own::ambient_concentration.long_name);
-  ADD_PROPERTY(membrane_.permeances, hosts_own::solute_permeance.name, FEProperty::Optional)
+  ADD_PROPERTY(properties_.membrane.permeances, hosts_own::solute_permeance.name, FEProperty::Optional)
       ->SetDefaultType("mixture_solute_permeance")
       .SetLongName(hosts_own::solute_permeance.long_name);
-  ADD_PROPERTY(membrane_.reflections, hosts_own::reflection.name, FEProperty::Optional)
+  ADD_PROPERTY(properties_.membrane.reflections, hosts_own::reflection.name, FEProperty::Optional)
       ->SetDefaultType("mixture_reflection")
       .SetLongName(hosts_own::reflection.long_name);
 END_FECORE_CLASS()
@@ -47,7 +47,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       surfaces_(*fem, *this),
       dofs_(*fem, surfaces_),
       bound_(surfaces_, dofs_, parameters_, log_),
-      setup_(*fem, surfaces_, dofs_, parameters_, ambient_concentrations_, log_),
+      setup_(*fem, surfaces_, dofs_, parameters_, properties_.ambient, log_),
       assembly_(bound_, surfaces_, dofs_, loads_),
       output_(bound_, surfaces_, log_) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
@@ -85,8 +85,8 @@ bool FEMixtureContact::Init() {
 }
 
 void FEMixtureContact::read_properties() {
-  if (owner_ != nullptr) owner_->give_parameters(parameters_, ambient_concentrations_);
-  read_membrane(membrane_, parameters_.membrane);
+  if (owner_ != nullptr) owner_->give_parameters(parameters_, properties_.ambient);
+  read_membrane(properties_.membrane, parameters_.membrane);
 }
 
 void FEMixtureContact::find_self_contact() {
@@ -109,16 +109,17 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
   // FEBio tries a step again with the unknowns that it began with, though elements may have eroded in it; and a matrix
   // with linear constraints takes whole blocks alone.
   const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
-  const bool any = owner_ == nullptr && model_->devices().is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
-                   takes_mixed_form(*GetFEModel()) && !has_other_unknowns && model_->steps().allow_further_unknowns() &&
-                   dofs_.has_free_node(Side::primary) && dofs_.has_free_node(Side::secondary);
+  const bool any = owner_ == nullptr && model_->devices().is_on(newton::Device::loads_as_unknowns) &&
+                   core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
+                   model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
+                   dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
 }
 
 void FEMixtureContact::follow_surfaces() {
   const NumberedState before = bound_.numbered_state();
   const bool is_same_mesh = bound_.nodes_of_mesh() == GetFEModel()->GetMesh().Nodes();
-  if (!setup_.check_surfaces() || !setup_.build(bound_)) throw FatalError();
+  if (!setup_.check_surfaces() || !setup_.build(bound_)) log_.end_run();
   if (is_same_mesh) bound_.go_on_from(before);
   log_.line("sliding-mixture \"" + GetName() + "\": the facets of its surfaces have changed, " +
             std::to_string(surfaces_[Side::primary].Elements()) + " and " +
@@ -156,7 +157,7 @@ void FEMixtureContact::Deactivate() {
 
 void FEMixtureContact::PrepStep() {
   read_properties();
-  if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) throw FatalError();
+  if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   if (reads_properties_again(parameters_, core().effects())) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
@@ -164,8 +165,7 @@ void FEMixtureContact::PrepStep() {
 void FEMixtureContact::Update() {
   read_properties();
   // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
-  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction()))
-    throw FatalError();
+  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   model_->steps().evaluate(&bound_);
 }
 
@@ -223,7 +223,7 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 
 double FEMixtureContact::ambient_value(int dof) const {
   if (dof == dofs_.pressure(false) || dof == dofs_.pressure(true)) return parameters_.ambient.pressure;
-  for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
+  for (const FEMixtureAmbientConcentration* ambient : properties_.ambient) {
     const int solute = ambient->solute > 0 ? ambient->solute - 1 : 0;
     if (dof == dofs_.concentration(false, solute) || dof == dofs_.concentration(true, solute)) return ambient->value;
   }

@@ -14,6 +14,12 @@
 #include <string>
 #include <vector>
 
+/// What the model gives for each solute.
+struct ContactProperties {
+  AmbientConcentrations ambient;
+  MembraneProperties membrane;
+};
+
 /// The interface that a contact acts for, which has the tag in the model.
 class ContactOwner {
  public:
@@ -63,7 +69,6 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
   /// Acts for another interface. Keeps a reference.
   void act_for(ContactOwner& owner) { owner_ = &owner; }
-  ContactSurfaces& surfaces() { return surfaces_; }
 
   bool is_active() const override { return IsActive(); }
   BoundContact& bound() override { return bound_; }
@@ -84,8 +89,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;
-  AmbientConcentrations ambient_concentrations_;
-  MembraneProperties membrane_;
+  ContactProperties properties_;
   ContactLog log_;
   ContactSurfaces surfaces_;
   DofMap dofs_;

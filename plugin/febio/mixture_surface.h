@@ -69,8 +69,6 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
 
  private:
   void drop_inactive_facets();
-  /// Makes facets anew, of FEBio's types and nodes of the mesh.
-  void create(const std::vector<std::pair<int, std::vector<int>>>& facets);
   /// Whether the facets are listed as those of the front faces of shells.
   bool faces_front();
   void store_friction(FESurfaceElement& element);

@@ -64,8 +64,9 @@ void FEMixtureTie::add_sliding_contact() {
   sliding().act_for(*this);
   sliding().SetName(GetName() + " (broken)");
   for (const Side side : both_sides) {
-    sliding().surfaces()[side].take_facets_of(surfaces_[side]);
-    sliding().surfaces()[side].SetName(surfaces_[side].GetName() + " (broken)");
+    FESurface* const its = side == Side::primary ? sliding_->GetPrimarySurface() : sliding_->GetSecondarySurface();
+    dynamic_cast<FEMixtureSurface&>(*its).take_facets_of(surfaces_[side]);
+    its->SetName(surfaces_[side].GetName() + " (broken)");
   }
   if (!IsActive()) sliding().Deactivate();
   fem.AddSurfacePairConstraint(sliding_);  // FEBio initialises it after this one
@@ -97,18 +98,18 @@ bool FEMixtureTie::close_gaps() {
 
 int FEMixtureTie::InitEquations(int first) {
   dofs_.number_multipliers(first);
-  return indexing::as_int(tie_->unknown_count());
+  return tie_ == nullptr ? 0 : indexing::as_int(tie_->unknown_count());
 }
 
 void FEMixtureTie::Activate() {
   FEContactInterface::Activate();
   // A tie of a later step begins without stress where bodies are by then. FEBio counts equations after this.
   if (tie_ == nullptr) tie_ = setup_.build();
-  if (tie_ == nullptr || !setup_.update(*tie_)) throw FatalError();
+  if (tie_ == nullptr) return;
   setup_.say_what_is_tied(*tie_);
   if (sliding_ == nullptr) return;
   setup_.judge_cohesive_zone(*tie_);
-  sliding().bound().core().join(joined_nodes(*tie_));
+  join(sliding().bound().core(), joined_nodes(*tie_));
   if (!sliding_->IsActive()) sliding_->Activate();
 }
 
@@ -121,21 +122,26 @@ PerSide<SurfaceFields> FEMixtureTie::fields() { return fields_of(surfaces_, dofs
 
 // ------------------------------------------------------------ steps and iterations
 
+void FEMixtureTie::update_laws() {
+  // FEBio catches what a step throws, and nothing that an activation does.
+  if (tie_ == nullptr || !setup_.update(*tie_)) log_.end_run();
+}
+
 void FEMixtureTie::PrepStep() {
-  if (!setup_.update(*tie_)) throw FatalError();
+  update_laws();
   step_start_ = tie_->unknowns();
-  tie_->begin_step();
+  iterations_ = {};
 }
 
 void FEMixtureTie::Update() {
   // FEBio prepares no steps for contacts, and asks for no augmentation, where its solver is none of Newton's kind.
   if (solver_kind_of(*GetFEModel()) == SolverKind::newton) return;
-  if (!setup_.update(*tie_)) throw FatalError();
-  store_output();
+  update_laws();
+  store_output(tie_->state().damage);
 }
 
 void FEMixtureTie::Update(const std::vector<double>& total, const std::vector<double>& increment) {
-  const Index count = tie_->unknown_count();
+  const Index count = tie_ == nullptr ? 0 : tie_->unknown_count();
   if (count == 0) return;
   const auto own = [&](const std::vector<double>& all) {
     return Eigen::Map<const VectorXd>(all.data() + dofs_.first_multiplier(), count);
@@ -145,13 +151,14 @@ void FEMixtureTie::Update(const std::vector<double>& total, const std::vector<do
 
 void FEMixtureTie::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
   // FEBio's solver for solids leaves equations that are not nodes' to their owners.
+  if (tie_ == nullptr) return;
   const int first = dofs_.first_multiplier();
   for (Index n = first; n < first + tie_->unknown_count(); ++n)
     mixture_contact::at(total, n) += mixture_contact::at(increment, n);
 }
 
 bool FEMixtureTie::Augment(int augmentation, const FETimeInfo& /*time*/) {
-  store_output();
+  store_output(tie_->state().damage);
   is_augmented_ = true;
   if (tie_->settings().enforcement == Enforcement::penalty) return true;
   const PerSide<SurfaceFields> now = fields();
@@ -181,8 +188,8 @@ void FEMixtureTie::step_solved() {
 
 void FEMixtureTie::take_damage(DamageState damage) {
   const Index before = broken_nodes(*tie_);
-  tie_->take(std::move(damage));
-  if (broken_nodes(*tie_) != before) sliding().bound().core().join(joined_nodes(*tie_));
+  mixture_contact::take_damage(*tie_, std::move(damage));
+  if (broken_nodes(*tie_) != before) join(sliding().bound().core(), joined_nodes(*tie_));
 }
 
 void FEMixtureTie::store_output(const DamageState& damage) {
@@ -206,9 +213,9 @@ void FEMixtureTie::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) 
 }
 
 void FEMixtureTie::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
-  tie_->begin_iteration(fields());
+  iterations_.begin(*tie_, fields());
   auto* const solver = dynamic_cast<FENewtonSolver*>(GetFEModel()->GetCurrentStep()->GetFESolver());
-  assembly_.tangent(*tie_, system, *solver->GetStiffnessMatrix(), time.timeIncrement);
+  assembly_.tangent(*tie_, system, *solver->GetStiffnessMatrix(), time.timeIncrement, iterations_.softening());
 }
 
 void FEMixtureTie::serialize_model(DumpStream& ar) {
@@ -241,5 +248,5 @@ void FEMixtureTie::Serialize(DumpStream& ar) {
   tie_->restore(std::move(state));
   if (sliding_ == nullptr) return;
   sliding().act_for(*this);
-  sliding().bound().core().join(joined_nodes(*tie_));
+  join(sliding().bound().core(), joined_nodes(*tie_));
 }

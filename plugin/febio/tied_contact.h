@@ -1,6 +1,7 @@
 /// The contact interface <contact type="tied-mixture">: FEBio's side of ties.
 #pragma once
 
+#include "contact/tie/bond_iterations.h"
 #include "mixture_contact.h"
 #include "tie_assembly.h"
 #include "tie_setup.h"
@@ -48,10 +49,10 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   /// Takes damage over, and has the sliding contact take the nodes that have broken.
   void take_damage(mixture_contact::DamageState damage);
   bool close_gaps();
+  void update_laws();
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields();
   /// `damage`: what the present state has come to.
   void store_output(const mixture_contact::DamageState& damage);
-  void store_output() { store_output(tie_->state().damage); }
   void serialize_model(DumpStream& ar);
 
   TieParameters parameters_;
@@ -64,7 +65,8 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   std::unique_ptr<mixture_contact::Tie> tie_;
   FESurfacePairConstraint* sliding_ = nullptr;  ///< of broken nodes, the model's own; null where none can break
   bool is_augmented_ = true;                    ///< at the last solution
-  mixture_contact::VectorXd step_start_;  ///< unknown multipliers at the start of the step
+  mixture_contact::BondIterations iterations_;  ///< of the step
+  mixture_contact::VectorXd step_start_;        ///< unknown multipliers at the start of the step
 
   DECLARE_FECORE_CLASS()
 };

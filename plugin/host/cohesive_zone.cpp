@@ -30,7 +30,8 @@ std::string penalty_complaint(const Tie& tie) {
   const double needed = least_penalty(*law);
   if (least > needed) return "";
   std::ostringstream text;
-  text << "the penalty of the tie is " << least << " at some node, and a bond of this strength and <fracture_energy> needs "
+  text << "the penalty of the tie is " << least
+       << " at some node, and a bond of this strength and <fracture_energy> needs "
        << "more than " << needed << " (strength^2/(2 energy)) to soften. Set <penalty> to several times that and "
        << "<auto_penalty> to 0.";
   return text.str();
@@ -38,8 +39,8 @@ std::string penalty_complaint(const Tie& tie) {
 
 double cohesive_zone(const Cohesive& law, double modulus) {
   const ByMode& limit = law.strength.traction;
-  return modulus * std::min(law.energy.normal / (limit.normal * limit.normal),
-                            law.energy.shear / (limit.shear * limit.shear));
+  return modulus *
+         std::min(law.energy.normal / (limit.normal * limit.normal), law.energy.shear / (limit.shear * limit.shear));
 }
 
 std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, const PerSide<Matrix3Xd>& position) {
@@ -51,8 +52,10 @@ std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, 
   const double zone = cohesive_zone(*law, least_modulus(materials));
   if (zone >= facets_in_cohesive_zone * longest) return "";
   std::ostringstream text;
-  text << "bonds soften over a length of about " << zone << " (modulus energy/strength^2), and facets are up to " << longest
-       << " long. Fewer than three facets in this zone make the load wave, and steps fail. Refine the surface, or choose a "
-       << "smaller <max_traction>, which hardly changes how a crack grows.";
+  text
+      << "bonds soften over a length of about " << zone << " (modulus energy/strength^2), and facets are up to "
+      << longest
+      << " long. Fewer than three facets in this zone make the load wave, and steps fail. Refine the surface, or choose a "
+      << "smaller <max_traction>, which hardly changes how a crack grows.";
   return text.str();
 }

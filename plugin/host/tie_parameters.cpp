@@ -47,8 +47,7 @@ void complain_of_values(std::vector<std::string>& list, const BreakingParameters
 
 void complain_of_lacking(std::vector<std::string>& list, const BreakingParameters& p) {
   const auto require = [&](bool given, const char* name, bool has, const char* other) {
-    if (given && !has)
-      list.push_back("<" + std::string(name) + "> is set without <" + other + ">, which it needs.");
+    if (given && !has) list.push_back("<" + std::string(name) + "> is set without <" + other + ">, which it needs.");
   };
   const bool may_break = p.max_traction.given;
   require(p.max_shear.given, "max_shear", may_break, "max_traction");
@@ -62,7 +61,8 @@ void complain_of_sliding(std::vector<std::string>& list, const TieParameters& p)
   if (p.breaking.max_traction.given) return;
   const auto refuse = [&](bool given, const std::string& name) {
     if (given)
-      list.push_back(name + " is set, and the tie cannot break: this is of the contact of nodes that have broken. Set "
+      list.push_back(name +
+                     " is set, and the tie cannot break: this is of the contact of nodes that have broken. Set "
                      "<max_traction>, or leave it out.");
   };
   refuse(p.friction.fric_coeff.given, "<fric_coeff>");

@@ -1,4 +1,4 @@
-"""All generated pages of the documentation, and the command that writes them."""
+"""All generated pages of the documentation, the files of models/, and the command that writes them."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from harness.errors import HarnessError
-from harness.paths import DOCS
-from harness.user_commands import FOR_EVERYBODY, function
+from harness.paths import DOCS, MODELS
+from harness.user_commands import FOR_EVERYBODY, commands
 from studies.agreement import page as agreement
 from studies.cli import COMMANDS
 from studies.cost import page as cost
@@ -19,6 +19,7 @@ from studies.friction import page as friction
 from studies.hard_cases import page as hard_cases
 from studies.hertz import page as hertz
 from studies.knees import page as knees
+from studies.models import kept_models
 from studies.pages import (
     command_reference,
     evidence,
@@ -64,29 +65,27 @@ PAGES: dict[str, Callable[[], str]] = {
         linear_solver_results.read(DOCS / linear_solver_results.DATA)
     ),
     **{page.name: page for page in EVIDENCE},
-    command_reference.PAGE: lambda: command_reference.page(
-        [function(name, COMMANDS) for name in COMMANDS], [function(name, COMMANDS) for name in FOR_EVERYBODY]
-    ),
+    command_reference.PAGE: lambda: command_reference.page(commands(COMMANDS), FOR_EVERYBODY),
     front.PAGE: front.page,
 }
 """Generated pages, from code or from results in docs/data, without a run."""
 
 
 def pages(
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a page is not up to date.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a file is not up to date.")] = False,
 ) -> None:
-    """Write the generated pages of the documentation, from the code and from the results in docs/data.
+    """Write the generated pages of the documentation, from code and results in docs/data, and the models of models/.
 
     It also fails with --check if the results in docs/data were not measured in one go.
     """
     if check:
         evidence.check_together(LIMITS)
-    for name, text in PAGES.items():
-        path = DOCS / name
-        made = text()
+    made = {DOCS / name: text() for name, text in PAGES.items()}
+    made |= {MODELS / f"{model.name}.feb": model.text() for model in kept_models.every_model()}
+    for path, text in made.items():
         if not check:
-            path.write_text(made, encoding="utf-8")
-        elif not path.is_file() or path.read_text(encoding="utf-8") != made:
+            path.write_text(text, encoding="utf-8")
+        elif not path.is_file() or path.read_text(encoding="utf-8") != text:
             raise HarnessError(f"{path} is not what `pages` writes; it writes it anew")
     if not check:
         sketches.draw(DOCS)

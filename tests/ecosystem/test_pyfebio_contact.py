@@ -7,6 +7,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import get_args
 
+import febio_runs
 import pytest
 from lxml import etree
 
@@ -84,4 +85,4 @@ def test_febio_reads_it(classes: SimpleNamespace, runner, tmp_path: Path) -> Non
     root.replace(section, etree.fromstring(made.to_xml(skip_empty=True)))
     file = tmp_path / "pressed.feb"
     file.write_bytes(etree.tostring(root, encoding="ISO-8859-1", xml_declaration=True))
-    assert engine.run(file, plugin=engine.required_plugin()).report.normal
+    assert febio_runs.run(file, plugin=engine.required_plugin()).report.normal

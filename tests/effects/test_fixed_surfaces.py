@@ -6,14 +6,15 @@ import shutil
 from copy import deepcopy
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
 from lxml import etree
+from scenes import pairs
 
 from harness.models.parts import Param, fix
 from harness.run import engine, logdata
-from studies.models import pairs
-from studies.models.pairs import Kind
+from studies.models.sheared_blocks import Kind
 
 REASON = "No traction: the displacements of both surfaces are fixed."
 SAME = 1e-9
@@ -73,7 +74,7 @@ def test_restart_of_fixed_blocks(runner, tmp_path):
     whole = runner(model, options=("-dump=1", "-dump_stride=3"))
     folder = shutil.copytree(whole.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
-    engine.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
+    febio_runs.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
     part = logdata.read_history(folder / model.node_file, model.node_columns)
     assert np.allclose(part.times, whole.nodes.times[4:])
     assert np.allclose(part.values, whole.nodes.values[4:], rtol=SAME, atol=0)
@@ -111,7 +112,7 @@ def test_blocks_that_are_freed_in_a_second_step(runner, tmp_path):
     free = runner(blocks("never-fixed", fixed=False))
     model = blocks("freed", fixed=False)
     file = in_two_steps(model, tmp_path / "freed")
-    report = engine.run(file, plugin=engine.required_plugin()).report
+    report = febio_runs.run(file, plugin=engine.required_plugin()).report
     log = file.with_suffix(".log").read_text()
     assert report.normal
     assert log.index(REASON) < log.index("exchanges traction, solvent")

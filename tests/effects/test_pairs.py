@@ -7,11 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes import pairs
+from scenes.pairs import Pair
 
 from harness.models.parts import Mixture, Param
 from harness.post import compare
-from studies.models import pairs
-from studies.models.pairs import Kind, Pair
+from studies.models.sheared_blocks import Kind
 
 BODIES = ("lower", "upper")
 SURFACES = ("lower-top", "upper-bottom")

@@ -11,7 +11,6 @@ import pytest
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
 from harness.run import engine
-from harness.run.provenance import Stamp
 from harness.run.runner import RunResult
 from studies import files
 from studies import timing as timing_of_runs
@@ -19,7 +18,7 @@ from studies.cost import command, interleaved, pareto
 from studies.cost.interleaved import Timing
 from studies.cost.point_runs import Datum
 from studies.cost.points import OWN, Problem, finest, points
-from studies.limit import LIMIT, at_limit
+from studies.stamps import LIMIT, Stamp, at_limit
 
 BASE = Datum(
     "3.2", "sliding-mixture", "default", 0.0, True, 1e-6, 3e-4, 20, 24, 44, 0, 0.3, 0.2, 0.1, 0.3, 1.0, 0.0, 9.0

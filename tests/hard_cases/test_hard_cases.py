@@ -6,6 +6,7 @@ import re
 import shutil
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
 
@@ -94,7 +95,7 @@ def test_restart_with_penetration_check_nodes(runner, tmp_path):
     whole = runner(model, options=("-dump=1", "-dump_stride=12"))
     folder = shutil.copytree(whole.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
-    again = engine.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
+    again = febio_runs.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
     assert "have contact conditions of their own" not in again.output  # known from the archive
     part = logdata.read_history(folder / model.node_file, model.node_columns)
     np.testing.assert_allclose(part.values, whole.nodes.values[13:], atol=1e-10, rtol=0.0)

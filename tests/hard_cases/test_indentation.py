@@ -13,8 +13,9 @@ import pytest
 from harness.indentation import measures
 from harness.indentation.histories import curves
 from harness.models.indentation import CONTROL, END, Indentation
-from harness.models.indentation_mesh import LEVELS, Primary
+from harness.models.indentation_mesh import Primary
 from harness.models.interface import PREDICTOR, ContactSettings
+from studies.models.indentation_variants import LEVELS
 
 COARSE, MIDDLE = LEVELS[:2]
 MEASURED = {

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes import pairs
 
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
-from studies.models import pairs
 from studies.price import bars, effect_costs, joints, page, paired_runs, table
 from studies.price.paired_runs import Timed
 from studies.price.scenes import Kind, Scene, effects_added

@@ -7,6 +7,8 @@ import re
 from dataclasses import replace
 
 import pytest
+from scenes import pairs
+from scenes.ambient import Apart
 
 from harness.conversion import spans
 from harness.conversion.command import convert as command
@@ -21,9 +23,7 @@ from harness.models.parts import Param, concentration, pressure
 from harness.paths import REPOSITORY
 from harness.preflight.contact_types import CONVERTIBLE, TYPES, UNLIMITED_SEARCH
 from harness.preflight.model import read
-from studies.models import pairs
-from studies.models.ambient import Apart
-from studies.models.pairs import Kind
+from studies.models.sheared_blocks import Kind
 
 
 def text(*params, interface=InterfaceType.SOLUTE):
@@ -268,7 +268,6 @@ REFUSED = {
     ),
     "nothing to convert": (text(interface=InterfaceType.MIXTURE), "has nothing to convert"),
     "sticky contact": (in_module(BIPHASIC, "sticky"), "no sliding contact"),
-    "the mixed type": (in_module(BIPHASIC, "sliding-biphasic-mixed"), "has nothing to convert"),
     "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),
     "a load curve of a radius": (
         with_curve(text(Param("search_radius", 2.0)), "search_radius"),
@@ -468,6 +467,9 @@ def test_what_stays_of_a_type_is_a_parameter_of_the_contact(name):
     assert TYPES[name].parameters - DROPPED.keys() <= TYPES["sliding-mixture"].parameters
 
 
+COLUMNS = [kind for kind in CONVERTIBLE if kind not in ("sliding-biphasic-mixed", "sliding2")]
+
+
 def test_the_migration_page_tells_the_same():
     page = (REPOSITORY / "docs" / "reference" / "from-febio.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (`.+?) \|(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|", page, re.MULTILINE)
@@ -475,4 +477,14 @@ def test_the_migration_page_tells_the_same():
     for cell, *marks in rows:
         for name in re.findall(r"`([^`]+)`", cell):
             there = [mark.strip() == "x" for mark in marks]
-            assert there == [name in TYPES[kind].parameters for kind in CONVERTIBLE], name
+            assert there == [name in TYPES[kind].parameters for kind in COLUMNS], name
+    assert TYPES["sliding-biphasic-mixed"].parameters == TYPES["sliding-biphasic"].parameters
+    assert TYPES["sliding2"].parameters - {"dual_proj"} < TYPES["sliding-biphasic"].parameters
+
+
+@pytest.mark.parametrize("text", ["<a><b/></a>", "<a><b /></a>", "<a>\n<b/>\n</a>"])
+def test_an_element_that_is_closed_in_itself_ends_there(text):
+    child = spans.locate(text.encode(), "model.feb").children[0]
+    assert child.closed_in_itself
+    assert text[child.start : child.end] in ("<b/>", "<b />")
+    assert spans.apply(text.encode(), spans.insertion(text.encode(), child, ["<c/>"])).count(b"</b>") == 1

@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes.ambient import Apart
+from scenes.tied_cubes import joint
 
 from harness.errors import ModelError
 from harness.models.diffusion import Diffusion
@@ -15,9 +17,7 @@ from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Param, fluid_flux, pressure
 from harness.paths import DOCS, REPOSITORY
 from harness.preflight.finding import Severity
-from studies.models.ambient import Apart
 from studies.models.small import contact
-from studies.models.tied_cubes import joint
 
 PREFLIGHT = REPOSITORY / "scripts" / "harness" / "preflight"
 CONTACT = re.compile(r"<contact( [^>]*?)/?>(?:.*?</contact>)?", re.DOTALL)

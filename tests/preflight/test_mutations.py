@@ -7,6 +7,8 @@ import re
 
 import pytest
 from older_formats import VERSIONS, in_instances, older
+from scenes.ambient import Apart
+from scenes.pairs import of_kinds
 
 from harness.conversion.convert import convert
 from harness.errors import ModelError
@@ -14,8 +16,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType
 from harness.preflight.check import check
 from harness.run import febfile
-from studies.models.ambient import Apart
-from studies.models.pairs import Kind, of_kinds
+from studies.models.sheared_blocks import Kind
 
 FILES = 400
 SEED = 20120103

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import pytest
 from older_formats import VERSIONS, in_instances, older
+from scenes.pairs import of_kinds
 
 from harness.conversion.convert import convert
 from harness.errors import ModelError
@@ -19,7 +20,7 @@ from harness.preflight.check import check
 from harness.preflight.model import read
 from harness.preflight.xml_file import place
 from harness.run import febfile
-from studies.models.pairs import Kind, of_kinds
+from studies.models.sheared_blocks import Kind
 
 GALLERY = ("before-migration", "diffusion", "indentation", "joint", "platens", "sliding-joint")
 

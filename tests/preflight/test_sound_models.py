@@ -21,7 +21,6 @@ from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
-from harness.models.indentation import Variant
 from harness.models.interface import PAPER, ContactSettings, InterfaceType
 from harness.models.layers import Layers
 from harness.models.mesh import Section
@@ -35,6 +34,7 @@ from harness.preflight.penalty import leak, penalty
 from harness.preflight.sides import TRACTION, Joint, solute
 from harness.user_commands import FOR_EVERYBODY, commands
 from studies.cli import main
+from studies.models.indentation_variants import Variant
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
 EXPECTED = {"joint-before": ["leak"], "membrane": ["ambient-pressure"]}

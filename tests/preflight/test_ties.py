@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from scenes.tied_cubes import joint
 
 from harness.conversion.convert import convert
 from harness.conversion.fates import Action
@@ -13,9 +14,8 @@ from harness.conversion.tied_contacts import DROPPED
 from harness.errors import ModelError
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
-from harness.preflight.tied_types import CONVERTIBLE_TIES, TIED_TYPES
+from harness.preflight.tied_types import ANY_DISTANCE, CONVERTIBLE_TIES, TIED_TYPES
 from studies.models.small import Document, biphasic, contact, elastic, fixed, rigid
-from studies.models.tied_cubes import joint
 
 
 def porous(document: Document) -> Document:
@@ -151,18 +151,44 @@ def test_a_search_without_limit_stays_one(path):
     assert "<search_radius>0.22</search_radius>" in new
 
 
-@pytest.mark.parametrize(
-    ("kind", "params"),
-    [
-        ("tied-node-on-facet", ""),
-        ("tied-facet-on-facet", ""),
-        ("tied-node-on-facet", "<offset_shells>1</offset_shells>"),
-    ],
-)
-def test_ties_that_draw_surfaces_together_or_offset_them_are_refused(path, kind, params):
-    path.write_text(joint(params, kind=kind, gap=0.0 if params else 0.02).text())
-    with pytest.raises(ModelError, match=r"offset_shells|draws surfaces together"):
-        convert(path)
+@pytest.mark.parametrize("kind", ANY_DISTANCE)
+def test_a_gap_that_the_type_would_close_under_stress_is_named_and_kept(path, kind):
+    new, changes = converted(path, joint(kind=kind, gap=0.02))
+    assert "up to 0.02 apart" in changes["gap"].reason
+    assert "<search_radius>0.022</search_radius>" in new
+    assert "gap" not in converted(path, joint(kind=kind))[1]
+
+
+def on_shells(kind: str) -> str:
+    """The same with the lower body a sheet of shells, which looks away."""
+    text = joint(kind=kind).text()
+    face = re.search(r'<Surface name="low-top">.*?</Surface>', text, re.DOTALL)
+    rows = [row.split(",") for row in re.findall(r"<quad4[^>]*>([^<]*)<", face.group())]
+    turned = [",".join(reversed(row)) for row in rows]
+    sheet = "".join(f'<elem id="{900 + n}">{row}</elem>' for n, row in enumerate(turned))
+    looking = "".join(f'<quad4 id="{n}">{row}</quad4>' for n, row in enumerate(turned, 1))
+    text = text.replace(face.group(), f'<Surface name="low-top">{looking}</Surface>')
+    return re.sub(
+        r'<Elements [^>]*name="low">.*?</Elements>',
+        f'<Elements type="quad4" name="low">{sheet}</Elements>',
+        text,
+        count=1,
+        flags=re.DOTALL,
+    )
+
+
+@pytest.mark.parametrize("kind", ANY_DISTANCE)
+def test_shells_that_look_away_are_turned_round(path, kind):
+    path.write_text(on_shells(kind))
+    new = convert(path).data.decode()
+    assert "<flip_secondary>1</flip_secondary>" in new
+    assert "flip_primary" not in new
+
+
+def test_shells_that_look_away_are_not_tied(path):
+    path.write_text(on_shells("tied-mixture"))
+    errors = [each for each in check(path) if each.severity is Severity.ERROR]
+    assert [(each.rule, each.suggestion) for each in errors] == [("untied", "Set <flip_secondary>1</flip_secondary>.")]
 
 
 def test_a_gap_that_nodes_close_without_stress_stays_so(path):

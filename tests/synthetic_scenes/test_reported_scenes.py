@@ -9,8 +9,8 @@ import pytest
 from lxml import etree
 
 from harness.conversion import convert
-from studies.limit import LIMIT
 from studies.pages.scene_results import Took
+from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison, kept_runs
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
 from studies.synthetic_scenes.reported.shapes import MIDDLES, arc, box, mapped, shell

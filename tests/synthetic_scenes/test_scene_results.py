@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from harness.run.provenance import Stamp
 from studies.pages import scene_results, stamped_rows
 from studies.pages.scene_results import AT_LIMIT, UNAVAILABLE, Row, Took
+from studies.stamps import Stamp
 
 FEBIO = Took(True, 10, 30, 0, difference=0.0)
 ENDED = Took(True, 10, 28, 1, difference=0.01)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from studies.limit import LIMIT
 from studies.pages import scene_results
+from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison
 from studies.synthetic_scenes.all_scenes import SCENES
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import febio_runs
 import numpy as np
 import pytest
+from scenes import facing
+from scenes.facing import FacingScene
 
 from harness.run import engine
 from harness.run.febio_log import Report
-from studies.models import facing
-from studies.models.facing import FacingScene
 from studies.models.small import table
 
 BAR = 1e-8
@@ -38,7 +39,7 @@ def outcome(scene: FacingScene, folder, *, whole: bool) -> Outcome:
     folder.mkdir()
     model = folder / "model.feb"
     model.write_text(scene.document(whole=whole).text())
-    report = engine.run(model, plugin=engine.required_plugin()).report
+    report = febio_runs.run(model, plugin=engine.required_plugin()).report
     nodes = table(folder / "nodes.txt")[-1]
     return Outcome(scene.force(nodes), nodes[:, 6:], report)
 

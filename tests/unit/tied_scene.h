@@ -96,7 +96,7 @@ struct TiedScene {
 
   MatrixXd tangent() {
     MatrixXd sum = MatrixXd::Zero(size(), size());
-    tie->tangent(scene.fields, dt, [&](const Patch& patch, const MatrixXd& values) {
+    tie->tangent(scene.fields, dt, Softening::exact, [&](const Patch& patch, const MatrixXd& values) {
       const std::vector<Index> ids = entries(patch);
       sum(ids, ids) += values;
     });
@@ -118,7 +118,7 @@ inline void check_tangent(TiedScene& tied, std::mt19937& random) {
     if (std::abs(tangent(n, n)) < regularisation) tangent(n, n) = 0;
   }
   const double noise = static_cast<double>(q.size()) * std::numeric_limits<double>::epsilon() *
-                          tangent.cwiseAbs().maxCoeff() / difference_step;
+                       tangent.cwiseAbs().maxCoeff() / difference_step;
   for (int n = 0; n < 4; ++n) {
     const VectorXd direction = VectorXd::NullaryExpr(q.size(), [&] { return random_vector(1, random)[0]; });
     const VectorXd near = difference_along(tied, q, direction, difference_step);
@@ -144,6 +144,6 @@ inline Vector3d moment_of(TiedScene& tied) {
 }
 
 inline const Eigen::Matrix3d quarter_turn = Eigen::AngleAxisd(0.5 * std::acos(-1.0), Vector3d(1, 2, 3).normalized())
-                                         .toRotationMatrix();
+                                                .toRotationMatrix();
 
 }  // namespace test

@@ -11,6 +11,7 @@ import os
 from pathlib import Path
 from types import ModuleType
 
+import febio_runs
 import pytest
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
@@ -77,7 +78,7 @@ def solve(runner, tmp_path):
         folder.mkdir()
         path = folder / "model.feb"
         path.write_text(document if isinstance(document, str) else document.text())
-        finished = engine.run(path, plugin=engine.required_plugin(), check=False, options=options)
+        finished = febio_runs.run(path, plugin=engine.required_plugin(), check=False, options=options)
         assert finished.report.normal or not ends, finished.report.errors
         return folder, finished
 

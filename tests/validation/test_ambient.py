@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scenes.ambient import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
+from scenes.patches import Patches
 
 from harness.models.interface import InterfaceType
 from harness.models.parts import concentration, pressure
 from harness.post import compare
-from studies.models.ambient import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
-from studies.models.patches import Patches
 
 
 def ambient(times):

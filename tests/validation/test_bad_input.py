@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import febio_runs
 import pytest
+from scenes.ambient import Apart
 
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Param
 from harness.run import engine
-from studies.models.ambient import Apart
 
 pytestmark = pytest.mark.mixture_only
 
@@ -22,7 +23,7 @@ def complaint(runner, tmp_path):
     def run(model, change=lambda text: text):
         path = model.write(tmp_path)
         path.write_text(change(path.read_text()))
-        finished = engine.run(path, plugin=engine.required_plugin(), check=False)
+        finished = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
         assert not finished.report.normal
         assert finished.report.steps == 0
         assert "Segmentation" not in finished.output

@@ -10,8 +10,8 @@ from statistics import median
 import pytest
 
 from harness.paths import DOCS, REPOSITORY
-from studies.limit import LIMIT, NEARLY
 from studies.pages import front
+from studies.stamps import LIMIT, NEARLY
 
 DATA = DOCS / "data"
 OURS = "sliding-mixture"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
 
@@ -40,7 +41,7 @@ def test_restart(context, settings, tmp_path):
     folder = shutil.copytree(run.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
     plugin = engine.required_plugin() if context.interface is InterfaceType.MIXTURE else None
-    engine.restart(folder / "restart.dmp", plugin=plugin)
+    febio_runs.restart(folder / "restart.dmp", plugin=plugin)
     whole, part = run.nodes, logdata.read_history(folder / model.node_file, model.node_columns)
     np.testing.assert_allclose(part.times, whole.times[13:])
     np.testing.assert_allclose(part.values, whole.values[13:], atol=EQUAL, rtol=0.0)
@@ -99,7 +100,7 @@ def test_a_second_run_is_the_same_run(context, settings, tmp_path):
     model = Diffusion(context.interface, settings, elements=5, control=Control(10, 50.0), name="again").model()
     first = context.runner(model)
     plugin = engine.required_plugin() if context.interface is InterfaceType.MIXTURE else None
-    engine.run(model.write(tmp_path), plugin=plugin)
+    febio_runs.run(model.write(tmp_path), plugin=plugin)
     again = logdata.read_history(tmp_path / model.node_file, model.node_columns)
     np.testing.assert_array_equal(again.values, first.nodes.values)
 

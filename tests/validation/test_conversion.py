@@ -10,10 +10,12 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
+import febio_runs
 import numpy as np
 import pytest
 from lxml import etree
 from older_formats import VERSIONS, in_instances, older
+from scenes.patches import Patches
 
 from harness.conversion.convert import convert
 from harness.models.composite import Composite
@@ -27,7 +29,6 @@ from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
 from harness.preflight.model import read
 from harness.run import engine, logdata
-from studies.models.patches import Patches
 from studies.synthetic_scenes.all_scenes import SCENES
 
 pytestmark = pytest.mark.mixture_only
@@ -151,7 +152,7 @@ def with_gauss_points(data):
 
 
 def answer(path, chosen, plugin=None):
-    finished = engine.run(path, plugin=plugin)
+    finished = febio_runs.run(path, plugin=plugin)
     history = logdata.read_history(path.parent / chosen.file, chosen.columns)
     return finished, history
 
@@ -182,7 +183,7 @@ def in_folder(folder, text):
 
 def results(path, plugin=None):
     """What a run logs, and in how many iterations."""
-    finished = engine.run(path, plugin=plugin)
+    finished = febio_runs.run(path, plugin=plugin)
     logged = {file.name: file.read_bytes() for file in path.parent.glob("*.txt")}
     assert logged
     return finished.report.iterations, logged

@@ -6,16 +6,17 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
+from scenes.cam import Cam
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.parts import Param, TimeStepper
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
 from studies.ablation import ablated_runs
 from studies.models import small
-from studies.models.cam import Cam
+from studies.models.ball_in_socket import BallInSocket
 from studies.models.small import Document, Parts
 
 pytestmark = pytest.mark.mixture_only
@@ -31,7 +32,7 @@ def _only(names: str) -> tuple[Param, ...]:
 
 
 def _run(path: Path) -> tuple[Report, str]:
-    report = engine.run(path, plugin=engine.required_plugin(), check=False).report
+    report = febio_runs.run(path, plugin=engine.required_plugin(), check=False).report
     return report, path.with_suffix(".log").read_text(errors="replace")
 
 

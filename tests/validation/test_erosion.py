@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
 
@@ -218,6 +219,6 @@ def test_a_run_goes_on_from_an_archive_after_elements_have_eroded(solve, setting
     text = document.text().replace("<plot_level>PLOT_NEVER</plot_level>", "").replace("<Output>", plotted)
     folder, _ = solve("run", text, options=("-dump=1", "-dump_stride=3"))
     whole = small.table(folder / "nodes.txt")
-    engine.restart(folder / "model.dmp", plugin=engine.required_plugin())
+    febio_runs.restart(folder / "model.dmp", plugin=engine.required_plugin())
     continued = small.table(folder / "nodes.txt")
     np.testing.assert_allclose(continued[-1], whole[-1], atol=1e-9)

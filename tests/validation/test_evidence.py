@@ -10,14 +10,13 @@ import pytest
 
 from harness.errors import DataFileError, HarnessError
 from harness.paths import DOCS, MODELS, REPOSITORY
-from harness.run import provenance
-from harness.run.provenance import Stamp
-from studies import site, workflow
+from studies import site, stamps, workflow
 from studies.cli import COMMANDS
 from studies.evidence import command
 from studies.evidence.steps import ALONE, LIMITS, STEPS, Step
 from studies.pages import evidence, front
 from studies.pages.evidence import EvidencePage
+from studies.stamps import Stamp
 
 STAMP = Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 60.0)
 MEASURED = re.compile(r"\d ?%|\b\d+ (?:Newton )?iterations\b|\b\d+ retries\b|\b\d+(?:\.\d+)? times (?:as|FEBio|the)\b")
@@ -133,7 +132,7 @@ def test_steps_are_done_in_turn_and_the_last_one_at_the_end(tmp_path):
 
 
 def test_evidence_of_sources_that_are_not_committed_is_refused(monkeypatch):
-    monkeypatch.setattr(provenance, "plugin_commit", lambda: "abc1234+")
+    monkeypatch.setattr(stamps, "plugin_commit", lambda: "abc1234+")
     with pytest.raises(HarnessError, match=r"plugin, cmake, CMakeLists\.txt have changes that are not committed"):
         command.committed()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import febio_runs
 import numpy as np
 import pytest
 
@@ -31,7 +32,7 @@ def run(runner, tmp_path):
             for name in SURFACES
         )
         path.write_text(path.read_text().replace("</logfile>", f"{lines}</logfile>"))
-        engine.run(path, plugin=engine.required_plugin())
+        febio_runs.run(path, plugin=engine.required_plugin())
         loads = [logdata.read_history(tmp_path / f"{name}.txt", LOGGED).values[:, 0] for name in SURFACES]
         return logdata.read_history(tmp_path / model.node_file, model.node_columns), *loads
 

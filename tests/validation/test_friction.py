@@ -5,23 +5,23 @@ from __future__ import annotations
 from functools import cache, partial
 from itertools import product
 
+import febio_runs
 import numpy as np
 import pytest
+from scenes import friction_checks as checks
+from scenes.block_on_incline import FRICTION, SLOPE, BlockOnIncline
 
 from harness.conversion.convert import convert
 from harness.models.interface import InterfaceType
 from harness.post.compare import missed
 from harness.run import engine, logdata
 from studies import files
-from studies import friction_checks as checks
 from studies.friction import page
 from studies.hard_cases import rubbing_record
 from studies.hard_cases.outcomes import OURS, Outcome, arranged
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness
-from studies.models.block_on_incline import FRICTION, SLOPE, BlockOnIncline
-from studies.models.pairs import Kind
-from studies.models.sheared_blocks import MODULES
+from studies.models.sheared_blocks import MODULES, Kind
 from studies.pages.evidence import DATA
 
 pytestmark = pytest.mark.mixture_only
@@ -66,7 +66,7 @@ def test_a_converted_model_has_the_friction_it_had(runner, tmp_path):
     model = BlockOnIncline(InterfaceType.ELASTIC, name="incline-febio").model()
     path = tmp_path / f"{model.name}.feb"
     path.write_bytes(convert(model.write(tmp_path)).data)
-    engine.run(path, plugin=engine.required_plugin())
+    febio_runs.run(path, plugin=engine.required_plugin())
     nodes, base = logdata.read_history(tmp_path / model.node_file, model.node_columns), model.mesh.node_sets["base"] - 1
     along, weight = (np.abs(nodes[column][-1, base].sum()) for column in ("Rx", "Rz"))
     assert along / weight == pytest.approx((SLOPE + FRICTION) / (1.0 - SLOPE * FRICTION), abs=checks.INCLINE_BAR)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import shutil
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
+from scenes.block_on_incline import FRICTION, PUSHED, SLOPE, STANDING, BlockOnIncline
 
 from harness.models.interface import ContactSettings
 from harness.models.parts import Curve, Param
@@ -14,9 +16,7 @@ from harness.run import engine, logdata
 from harness.run.runner import Runner
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness, Interface
-from studies.models.block_on_incline import FRICTION, PUSHED, SLOPE, STANDING, BlockOnIncline
-from studies.models.pairs import Kind
-from studies.models.sheared_blocks import ShearedBlocks
+from studies.models.sheared_blocks import Kind, ShearedBlocks
 
 pytestmark = pytest.mark.mixture_only
 
@@ -43,7 +43,7 @@ def test_a_continued_run_keeps_its_friction(runner, tmp_path, steps, phase):
     whole = runner(model, options=("-dump=1", f"-dump_stride={steps}"))
     folder = shutil.copytree(whole.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
-    engine.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
+    febio_runs.restart(folder / f"{model.name}.dmp", plugin=engine.required_plugin())
     part = logdata.read_history(folder / model.node_file, model.node_columns)
     after = whole.nodes.times > part.times[0] - 1e-6
     np.testing.assert_allclose(part.times, whole.nodes.times[after])

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from harness.models import platens
 from harness.models.interface import InterfaceType
 from harness.paths import DOCS, MODELS
-from harness.run.provenance import Stamp
+from studies.models import platens
 from studies.pages.gallery import entries, figures, page
+from studies.stamps import Stamp
 
 ENTRIES = {entry.model.name: entry for entry in entries.entries()}
 PNG = b"\x89PNG"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import febio_runs
 import pytest
 
 from harness.run import engine
@@ -36,7 +37,7 @@ def _held(kind: str) -> Document:
 def test_a_force_is_held_without_retries(runner, tmp_path, kind):
     path = tmp_path / "held.feb"
     path.write_text(_held(kind).text())
-    found = engine.run(path, plugin=engine.required_plugin(), check=False)
+    found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     assert found.report.normal, found.report.errors
     assert found.report.retries == 0
     assert found.report.steps == STEPS

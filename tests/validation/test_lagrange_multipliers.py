@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes import pairs
 
 from harness.models.confined import Confined
 from harness.models.convection import Convection
@@ -14,8 +15,7 @@ from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
 from harness.models.parts import Control
 from harness.post import compare
-from studies.models import pairs
-from studies.models.pairs import Kind
+from studies.models.sheared_blocks import Kind
 
 LAGMULT = ContactSettings(laugon="LAGMULT")
 STRICT = Control(

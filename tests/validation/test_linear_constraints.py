@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
 
@@ -27,7 +28,7 @@ def solve(runner, tmp_path):
         folder.mkdir()
         path = folder / "model.feb"
         path.write_text(document.text())
-        finished = engine.run(path, plugin=engine.required_plugin())
+        finished = febio_runs.run(path, plugin=engine.required_plugin())
         return small.table(folder / "nodes.txt")[-1], finished.report
 
     return run

@@ -9,10 +9,10 @@ import pytest
 from harness.paths import DOCS
 from harness.run import engine
 from harness.run.febio_log import Report
-from harness.run.provenance import Stamp
 from studies.linear_solvers.trials import MODELS, SYMMETRIC_ONLY, outcome, trials
 from studies.pages import linear_solver_results
 from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS, Outcome, Results, Solver, Trial, renewed
+from studies.stamps import Stamp
 
 MEASURED = {trial.cell: trial.outcome for trial in linear_solver_results.read(DOCS / linear_solver_results.DATA).rows}
 QUICK = ("creep", "LAGMULT")

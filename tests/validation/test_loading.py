@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import febio_runs
 import pytest
 
 from harness.errors import EngineFailedError
@@ -24,7 +25,7 @@ def path(runner, tmp_path):
 
 
 def test_by_import(path):
-    finished = engine.run(path, plugin=engine.required_plugin())
+    finished = febio_runs.run(path, plugin=engine.required_plugin())
     assert "Success loading plugin" in finished.output
     assert finished.report.steps == 5
 
@@ -33,14 +34,14 @@ def test_by_configuration_file(path):
     """An ``<import>`` in febio.xml gives the same run as ``-import``."""
     own, model = path.parent / "own", _model()
     own.mkdir()
-    engine.run(model.write(own), plugin=engine.required_plugin())
+    febio_runs.run(model.write(own), plugin=engine.required_plugin())
     configuration = path.parent / "febio.xml"
     configuration.write_text(
         '<?xml version="1.0" encoding="ISO-8859-1"?>\n<febio_config version="3.0">\n'
         '<default_linear_solver type="pardiso"></default_linear_solver>\n'
         f"<import>{engine.required_plugin()}</import>\n</febio_config>\n"
     )
-    finished = engine.run(path, options=("-config", str(configuration)))
+    finished = febio_runs.run(path, options=("-config", str(configuration)))
     assert finished.report.steps == 5
     first, second = (
         logdata.read_history(folder / model.node_file, model.node_columns) for folder in (own, path.parent)
@@ -50,11 +51,11 @@ def test_by_configuration_file(path):
 
 def test_without_the_plugin_febio_says_what_it_does_not_know(path):
     with pytest.raises(EngineFailedError, match=r'tag "contact" .* attribute "type"'):
-        engine.run(path)
+        febio_runs.run(path)
 
 
 def test_the_log_says_which_effects_are_active(path):
-    finished = engine.run(path, plugin=engine.required_plugin())
+    finished = febio_runs.run(path, plugin=engine.required_plugin())
     line = next(line for line in finished.output.splitlines() if "exchanges" in line)
     assert "sliding-mixture" in line
     for effect in ("traction", "solvent", "solute 1"):

@@ -5,15 +5,14 @@ from __future__ import annotations
 import shutil
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
 
 from harness.closed_forms import composite_slab
-from harness.closed_forms.film import Faces, Film
 from harness.models.composite import AMBIENT, FIRST, SECOND, Composite
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings
-from harness.models.membrane import FACES, Membrane, film_params
 from harness.models.mesh import Section
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -28,6 +27,8 @@ from harness.models.parts import (
 from harness.run import engine, logdata
 from harness.run.hosts import STANDALONE
 from harness.run.runner import Runner
+from studies.closed_forms.film import Faces, Film
+from studies.models.membrane import FACES, Membrane, film_params
 
 pytestmark = pytest.mark.mixture_only
 
@@ -185,7 +186,7 @@ def test_what_leaves_one_side_enters_the_other(runner, tmp_path):
         f'<surface_data surface="{name}" data="{";".join(logged)}" file="{name}.txt" delim=" "/>' for name in names
     )
     path.write_text(path.read_text().replace("</logfile>", f"{lines}</logfile>"))
-    engine.run(path, plugin=engine.required_plugin())
+    febio_runs.run(path, plugin=engine.required_plugin())
     one, two = (logdata.read_history(tmp_path / f"{name}.txt", logged).values[:, 0] for name in names)
     assert np.all(np.abs(one[1:]).max(axis=0) > 0.0)
     np.testing.assert_allclose(one, -two, rtol=1e-12, atol=1e-12 * np.abs(one).max(axis=0).min())
@@ -196,7 +197,7 @@ def test_restart(runner, tmp_path):
     run = runner(model, options=("-dump=1", "-dump_stride=12"))
     folder = shutil.copytree(run.folder, tmp_path / "continued")
     (folder / model.node_file).unlink()
-    engine.restart(folder / "film-restart.dmp", plugin=engine.required_plugin())
+    febio_runs.restart(folder / "film-restart.dmp", plugin=engine.required_plugin())
     whole, part = run.nodes, logdata.read_history(folder / model.node_file, model.node_columns)
     np.testing.assert_allclose(part.values, whole.values[13:], atol=1e-10, rtol=0.0)
 
@@ -226,7 +227,7 @@ def _model(*params):
 )
 def test_films_that_mean_nothing(runner, tmp_path, params, said):
     path = _model(*params).write(tmp_path)
-    finished = engine.run(path, plugin=engine.required_plugin(), check=False)
+    finished = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     assert not finished.report.normal
     assert said in path.with_suffix(".log").read_text()
 

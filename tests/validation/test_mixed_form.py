@@ -7,15 +7,16 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.interface import PREDICTOR
 from harness.models.parts import Param
 from harness.run import engine
 from harness.run.febio_log import Report
 from studies.linear_solvers.trials import write
+from studies.models.ball_in_socket import BallInSocket
 from studies.pages.linear_solver_results import Solver
 from studies.synthetic_scenes import drawn_scenes
 
@@ -58,7 +59,7 @@ ONE_PIVOT = ("two passes", "ambient that rises")
 
 def _run(model: str, solver: Solver, folder: Path) -> tuple[Report, str]:
     path = write(model, solver, folder / solver.type)
-    run = engine.run(path, plugin=engine.required_plugin(), check=False)
+    run = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     return run.report, path.with_suffix(".log").read_text()
 
 

@@ -3,25 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from lxml import etree
+from scenes.ambient import Apart, HalfWet
+from scenes.patches import Patches
 
-from harness.collection import kept_models as collection
+import harness.collection.kept_models
 from harness.errors import ModelError
-from harness.models import spherical_shells
 from harness.models.blocks import boundary
 from harness.models.diffusion import Diffusion
 from harness.models.interface import PAPER, InterfaceType, automatic
 from harness.models.mesh import Layer, Section, conforming_column, split_column
 from harness.models.parts import Control, Param, fix
-from harness.models.tetrahedra import tetrahedra
-from harness.paths import MODELS
+from harness.paths import MODELS, REPOSITORY
 from harness.post import compare
 from harness.run import febfile
-from studies.models.ambient import Apart, HalfWet
-from studies.models.patches import Patches
+from studies.models import kept_models as collection
+from studies.models import spherical_shells
+from studies.models.tetrahedra import tetrahedra
 
 LAYERS = [Layer("a", "m", 1.0, 3), Layer("b", "m", 0.5, 2), Layer("c", "m", 2.0, 1)]
 SECTION = Section((2.0, 1.0), (3, 2))
@@ -75,7 +77,13 @@ def test_a_layer_needs_a_size(thickness, elements):
 
 
 def test_committed_models_are_what_the_generator_writes():
-    assert collection.outdated(MODELS) == []
+    made = {f"{model.name}.feb": model.text() for model in collection.every_model()}
+    assert made == {path.name: path.read_text() for path in MODELS.glob("*.feb")}
+
+
+def test_a_wheel_has_the_models_where_the_command_looks_for_them():
+    place = Path(harness.collection.kept_models.__file__).with_name("models").relative_to(REPOSITORY / "scripts")
+    assert f'models = "{place.as_posix()}"\n' in (REPOSITORY / "pyproject.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("model", collection.models(), ids=lambda model: model.name)

@@ -6,16 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes import harmonic, ironing
+from scenes.harmonic_errors import errors
+from scenes.ironing_reaction import ripple
+from scenes.nonmatching import PATCHES, QUADRATIC_PATCHES, NonMatching
 
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.mesh import Section
 from harness.models.parts import Control
-from studies.models import harmonic, ironing
-from studies.models.nonmatching import PATCHES, QUADRATIC_PATCHES, NonMatching
-from studies.post.harmonic_errors import errors
-from studies.post.ironing_reaction import ripple
 
 pytestmark = pytest.mark.mixture_only
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import febio_runs
 import pytest
 
 from harness.conversion import convert
@@ -31,7 +32,7 @@ def _run(folder, gap: float, pressure: float, boundary=()):
     )
     path = folder / "model.feb"
     path.write_text(document.text())
-    return engine.run(path, plugin=engine.required_plugin(), check=False)
+    return febio_runs.run(path, plugin=engine.required_plugin(), check=False)
 
 
 def test_an_open_contact_that_should_hold_a_body_is_named(runner, tmp_path):
@@ -46,7 +47,7 @@ def test_points_that_overlap_hold_a_body_at_the_second_attempt(runner, tmp_path,
     """A sphere under a force: its lowest points overlap, and averages around the nodes are open."""
     path = tmp_path / "converted.feb"
     path.write_bytes(convert.convert(SCENES[name].write(name, tmp_path)).data)
-    found = engine.run(path, plugin=engine.required_plugin(), check=False)
+    found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     assert found.report.normal, found.report.errors
     assert found.output.count(SAID) == 1
     assert found.report.retries == 1
@@ -56,7 +57,7 @@ def test_points_that_overlap_keep_a_body_from_turning_at_the_second_attempt(runn
     """A soft body that may turn about the one row of nodes whose averages overlap."""
     path = tmp_path / "converted.feb"
     path.write_bytes(convert.convert(SCENES["cam-soft-follower"].write("cam-soft-follower", tmp_path)).data)
-    found = engine.run(path, plugin=engine.required_plugin(), check=False)
+    found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     assert found.report.normal, found.report.errors
     assert SAID not in found.output
     assert found.report.retries == 1

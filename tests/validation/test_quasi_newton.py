@@ -7,13 +7,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.parts import Param
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
+from studies.models.ball_in_socket import BallInSocket
 from studies.price.joints import rival
 
 pytestmark = pytest.mark.mixture_only
@@ -34,7 +35,7 @@ def _run(scene: BallInSocket, folder: Path) -> tuple[Report, np.ndarray, str]:
     """Report, displacements at the end, and the log."""
     model = scene.model()
     path = model.write(folder)
-    report = engine.run(path, plugin=engine.required_plugin(), check=False).report
+    report = febio_runs.run(path, plugin=engine.required_plugin(), check=False).report
     assert report.normal, report.errors
     history = logdata.read_history(path.parent / model.node_file, model.node_columns)
     end = logdata.at_the_end(history, ("ux", "uy", "uz"))

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import febio_runs
 import pytest
 import yaml
 
@@ -137,7 +138,7 @@ def test_the_changelog_is_short():
 def test_a_model_runs_with_the_plugin_of_the_archive(archive, tmp_path):
     shutil.unpack_archive(archive, tmp_path)
     (library,) = tmp_path.rglob(PLUGIN_NAME)
-    assert engine.run(small_model(tmp_path), plugin=library).report.steps == 3
+    assert febio_runs.run(small_model(tmp_path), plugin=library).report.steps == 3
 
 
 def test_a_model_of_the_archive_runs_in_a_fresh_directory_by_its_own_febio_xml(archive, tmp_path):

@@ -5,16 +5,17 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+import febio_runs
 import numpy as np
 import pytest
+from scenes import pairs
 
 from harness.models.confined import LOAD, OVERLAP, Confined
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control, Curve, Param, normal_load
 from harness.post import compare
 from harness.run import engine, logdata
-from studies.models import pairs
-from studies.models.pairs import Kind
+from studies.models.sheared_blocks import Kind
 
 pytestmark = pytest.mark.mixture_only
 
@@ -161,6 +162,6 @@ def test_a_solute_is_named_by_its_name_or_its_number(runner, tmp_path):
         tag = '<ambient_concentration sol="2">'
         assert tag in path.read_text()
         path.write_text(path.read_text().replace(tag, tag.replace("2", sol)))
-        assert engine.run(path, plugin=engine.required_plugin()).report.normal
+        assert febio_runs.run(path, plugin=engine.required_plugin()).report.normal
         results.append(logdata.read_history(path.parent / named.node_file, named.node_columns).values)
     np.testing.assert_array_equal(*results)

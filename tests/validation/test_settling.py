@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
 from studies.linear_solvers.trials import write
+from studies.models.ball_in_socket import BallInSocket
 from studies.pages.linear_solver_results import Solver
 
 pytestmark = pytest.mark.mixture_only
@@ -28,7 +29,7 @@ def _run(scene: BallInSocket, solver: Solver, folder: Path) -> tuple[Report, np.
     """Report, and displacements at the end."""
     model = scene.model()
     path = write(model.text(), solver, folder / solver.type)
-    report = engine.run(path, plugin=engine.required_plugin(), check=False).report
+    report = febio_runs.run(path, plugin=engine.required_plugin(), check=False).report
     assert report.normal, report.errors
     history = logdata.read_history(path.parent / model.node_file, model.node_columns)
     return report, logdata.at_the_end(history, ("ux", "uy", "uz"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import febio_runs
 import numpy as np
 import pytest
 
@@ -46,7 +47,7 @@ def records(runner, tmp_path):
     def run(document: Document):
         path = tmp_path / "model.feb"
         path.write_text(document.text())
-        engine.run(path, plugin=engine.required_plugin())
+        febio_runs.run(path, plugin=engine.required_plugin())
         return {name: small.table(tmp_path / f"surface-{name}.txt")[-1, 0] for name in document.surface_data}
 
     return run

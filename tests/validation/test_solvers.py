@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
 
@@ -27,7 +28,7 @@ def blocks(runner, tmp_path):
         path = tmp_path / name / "model.feb"
         path.parent.mkdir()
         path.write_text(text)
-        finished = engine.run(path, plugin=engine.required_plugin(), check=False)
+        finished = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
         assert finished.report.normal, finished.report.errors
         return logdata.read_history(path.parent / "nodes.dat", COLUMNS)["uz"][-1]
 
@@ -72,7 +73,7 @@ def test_multipliers_need_a_matrix(runner, tmp_path):
     path = tmp_path / "model.feb"
     text = (MODELS / "two-blocks.feb").read_text()
     path.write_text(text.replace(FACTOR[0], 'type="sliding-mixture"><laugon>LAGMULT</laugon></contact>'))
-    finished = engine.run(path, plugin=engine.required_plugin(), check=False)
+    finished = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     assert not finished.report.normal
     assert "CG-solid" in " ".join(finished.report.errors)
 
@@ -81,9 +82,9 @@ def test_a_step_in_which_overlap_was_first_found_is_cut_back(runner, tmp_path):
     """Two reformations do not suffice for a step that gains nodes of the other surface: each is tried again shorter."""
     path = tmp_path / "model.feb"
     path.write_text((MODELS / "blunt-corner.feb").read_text())
-    finished = engine.run(path, plugin=engine.required_plugin(), check=False)
+    finished = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     assert finished.report.retries >= 10
     assert "Max nr of reformations" in " ".join(finished.report.errors)
     assert "Segmentation" not in finished.output
     path.write_text(path.read_text().replace("<max_refs>2<", "<max_refs>3<"))
-    assert engine.run(path, plugin=engine.required_plugin(), check=False).report.normal
+    assert febio_runs.run(path, plugin=engine.required_plugin(), check=False).report.normal

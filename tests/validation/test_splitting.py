@@ -6,11 +6,12 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import pytest
 
-from harness.models import ball_in_socket
-from harness.models.ball_in_socket import BallInSocket
 from harness.run import engine
+from studies.models import ball_in_socket
+from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints
 
 pytestmark = pytest.mark.mixture_only
@@ -23,7 +24,7 @@ POROUS = BallInSocket(elements=4, steps=4, porous=True, slides=False)
 
 def _log(scene: BallInSocket, folder: Path) -> str:
     path = scene.model().write(folder)
-    engine.run(path, plugin=engine.required_plugin())
+    febio_runs.run(path, plugin=engine.required_plugin())
     return path.with_suffix(".log").read_text()
 
 

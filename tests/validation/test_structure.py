@@ -24,8 +24,8 @@ ROOMS = {
         *("indentation", "validate", "collection", "user_commands"),
     ),
     "studies": (
-        *("feb", "files", "limit", "tables", "timing", "diagnosis", "workflow"),
-        *("closed_forms", "models", "post", "friction_checks"),
+        *("stamps", "feb", "files", "tables", "timing", "diagnosis", "workflow"),
+        *("closed_forms", "models", "post"),
         *("indentation", "engines", "pages", "hard_cases", "fuzz", "cost", "friction", "predictor", "price"),
         *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers", "knees"),
         *("run_tables", "evidence", "cli", "site", "__main__"),

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes.harmonic import Harmonic
+from scenes.harmonic_errors import errors
+from scenes.nonmatching import PATCHES, QUADRATIC_PATCHES, STEADY
+from scenes.tied_patches import exact, tied
 
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Param
-from studies.models.harmonic import Harmonic
-from studies.models.nonmatching import PATCHES, QUADRATIC_PATCHES, STEADY
-from studies.models.tied_patches import exact, tied
-from studies.post.harmonic_errors import errors
 
 pytestmark = pytest.mark.mixture_only
 

@@ -6,13 +6,14 @@ import shutil
 from dataclasses import replace
 from pathlib import Path
 
+import febio_runs
 import numpy as np
 import pytest
+from scenes.tied_columns import EXACTLY, MODULES, RAMP, column, material, steps
 
 from harness.run import engine
 from studies.models import small
 from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, step
-from studies.models.tied_columns import EXACTLY, MODULES, RAMP, column, material, steps
 
 pytestmark = pytest.mark.mixture_only
 
@@ -65,8 +66,11 @@ def test_values_that_make_no_sense_are_named(solve, tag, said):
 
 
 def test_surfaces_out_of_reach_are_an_error(solve):
-    _, finished = solve("far", column("solid", "<search_radius>0.1</search_radius>", gap=0.5)[0], ends=False)
+    folder, finished = solve("far", column("solid", "<search_radius>0.1</search_radius>", gap=0.5)[0], ends=False)
     assert "nothing is tied" in finished.output
+    log = (folder / "model.log").read_text()
+    assert "E R R O R   T E R M I N A T I O N" in log
+    assert "Retrying" not in log
 
 
 # ---- rigid motion ----
@@ -143,7 +147,7 @@ def test_a_run_that_is_continued_is_as_one_that_was_not(solve, tmp_path, laugon)
     folder, _ = solve("whole", text, options=("-dump=1", "-dump_stride=3"))
     part = shutil.copytree(folder, tmp_path / "part")
     (part / "nodes.txt").unlink()
-    engine.restart(part / "model.dmp", plugin=engine.required_plugin())
+    febio_runs.restart(part / "model.dmp", plugin=engine.required_plugin())
     whole, continued = (small.table(each / "nodes.txt")[-1] for each in (folder, part))
     assert np.abs(continued - whole).max() <= 1e-10
 

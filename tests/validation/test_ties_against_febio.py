@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes.tied_columns import column
 
 from studies.models import small
 from studies.models.small import Document, Parts, control
-from studies.models.tied_columns import column
 
 pytestmark = pytest.mark.mixture_only
 

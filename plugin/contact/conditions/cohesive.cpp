@@ -12,9 +12,7 @@ struct Derived {
   BondGradient derivative;
 };
 
-BondGradient stacked(const Vector3d& gap, const Vector3d& normal) {
-  return (BondGradient() << gap, normal).finished();
-}
+BondGradient stacked(const Vector3d& gap, const Vector3d& normal) { return (BondGradient() << gap, normal).finished(); }
 
 /// A bond's opening, D_n, lambda and B.
 struct Opening {
@@ -108,8 +106,7 @@ BondLoad bond_load(const Cohesive& law, double penalty, double damage, const Vec
   BondLoad load;
   load.damage = grows ? growing.value : damage;
   const double left = penalty * (1 - load.damage);
-  load.value = left * stacked(gap, Vector3d::Zero()) +
-               penalty * load.damage * opening.compression * opening.d_normal;
+  load.value = left * stacked(gap, Vector3d::Zero()) + penalty * load.damage * opening.compression * opening.d_normal;
   load.derivative = secant(penalty, load.damage, opening);
   if (grows) load.derivative -= penalty * opening.half_square * growing.derivative.transpose();
   return load;

@@ -10,8 +10,8 @@
 ///     d = f (lambda - o)/(lambda (f - o)) between o and f, and never less than it was
 ///     (K o)^2 = sigma_c^2 + (tau_c^2 - sigma_c^2) B^eta,    f = 2 (G_n + (G_s - G_n) B^eta)/(K o)
 ///
-/// The state is d and not the largest lambda: at a mode that stays the same both say the same, and at one that changes d
-/// never heals.
+/// The state is d and not the largest lambda: at a mode that stays the same both say the same, and at one that changes
+/// d never heals.
 #pragma once
 
 #include "conditions/strength.h"
@@ -37,12 +37,13 @@ struct BondLoad {
 /// The load of a bond. `damage`: d of the accepted state; `normal`: of unit length.
 BondLoad bond_load(const Cohesive& law, double penalty, double damage, const Vector3d& gap, const Vector3d& normal);
 
-/// The derivative of the loads of a bond that yields: as if its traction stayed as the bond opens. Where damage grows, the
-/// energy is concave in the opening, so that its tangent plane is above it: iterations with this derivative go down.
+/// The derivative of the loads of a bond that yields: as if its traction stayed as the bond opens. Where damage grows,
+/// the energy is concave in the opening, so that its tangent plane is above it: iterations with this derivative go
+/// down.
 BondHessian yielding_derivative(double penalty, double damage, const Vector3d& gap, const Vector3d& normal);
 
-/// The energy that damage from `before` to `after` dissipates at the mode of a gap vector [N/mm]; from 0 to 1 it is that
-/// of the law.
+/// The energy that damage from `before` to `after` dissipates at the mode of a gap vector [N/mm]; from 0 to 1 it is
+/// that of the law.
 double dissipated(const Cohesive& law, double penalty, double before, double after, const Vector3d& gap,
                   const Vector3d& normal);
 

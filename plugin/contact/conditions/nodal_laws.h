@@ -79,7 +79,9 @@ class NodalLaws {
   VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
 
   // The largest multiples of stiffness and conductance that augmentations may bring penalties to
-  double largest_traction_factor() const { return normal().penalty_factor(has_twin()) / settings_.reduced_traction.divisor; }
+  double largest_traction_factor() const {
+    return normal().penalty_factor(has_twin()) / settings_.reduced_traction.divisor;
+  }
 
   /// Whether the surface that these nodes face has conditions of its own.
   bool has_twin() const { return settings_.two_pass || may_meet_itself(); }

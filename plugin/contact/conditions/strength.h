@@ -1,5 +1,5 @@
-/// The strength of a bond by the mode that it is loaded in: criterion of Camanho and Davila (2002), NASA/TM-2002-211737,
-/// with the mixing of Benzeggagh and Kenane (1996), Compos Sci Technol 56:439-449.
+/// The strength of a bond by the mode that it is loaded in: criterion of Camanho and Davila (2002),
+/// NASA/TM-2002-211737, with the mixing of Benzeggagh and Kenane (1996), Compos Sci Technol 56:439-449.
 #pragma once
 
 #include "base/types.h"

@@ -180,17 +180,6 @@ void ContactInterface::exchange_traction(bool traction) {
   for (Matrix3Xd& position : position_) position.resize(3, 0);
 }
 
-void ContactInterface::join(PerSide<NodeFlags> nodes) {
-  for (const Side side : both_sides) mesh_[side].joined = std::move(nodes[side]);
-  for (SidedPass& pass : passes_) {
-    pass.faced.reset();
-    pass.integral->leave_out_joined_nodes();
-  }
-  if (!check_.nodes.empty() && passes_.size() > 1 && !settings_.two_pass) restrict_second_pass();
-  end_iterations();
-  for (Matrix3Xd& position : position_) position.resize(3, 0);
-}
-
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
@@ -436,6 +425,17 @@ bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& f
     any = reconsiders_facing(pass, facing) || any;
   }
   return any;
+}
+
+void join(ContactInterface& contact, PerSide<NodeFlags> nodes) {
+  for (const Side side : both_sides) contact.mesh_[side].joined = std::move(nodes[side]);
+  for (SidedPass& pass : contact.passes_) {
+    pass.faced.reset();
+    pass.integral->restrict_active_set(NodeFlags(contact.mesh_[pass.side].nodes, true));
+  }
+  if (any(contact.check_.nodes)) contact.restrict_second_pass();
+  contact.end_iterations();
+  for (Matrix3Xd& position : contact.position_) position.resize(3, 0);
 }
 
 }  // namespace mixture_contact

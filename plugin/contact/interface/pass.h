@@ -38,9 +38,6 @@ class ContactPass {
   /// effect with the next project().
   void restrict_active_set(const NodeFlags& nodes);
 
-  /// Restricts the active set to nodes that are not joined; takes effect with the next project().
-  void leave_out_joined_nodes() { restrict_active_set(NodeFlags(space_.facing().primary().nodes, true)); }
-
   /// How it evaluates the integral: for what a host that keeps its matrix asks (corrections.h), and start_inactive(),
   /// which begins an iteration with every node open, for a pass that joins others within a step.
   ContactGeometry& geometry() const { return *geometry_; }

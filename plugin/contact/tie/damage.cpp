@@ -2,6 +2,8 @@
 
 #include "tie/gap_vector.h"
 
+#include <utility>
+
 namespace mixture_contact {
 namespace {
 
@@ -47,9 +49,20 @@ DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, d
   return next;
 }
 
+void take_damage(Tie& tie, DamageState damage) {
+  TieState state = tie.state();
+  state.damage = std::move(damage);
+  for (Index n = 0; n < tie.nodes().count() && !tie.has_unknown_multipliers(); ++n) {
+    if (!state.damage.is_broken(n)) continue;
+    state.traction.col(n).setZero();
+    state.flux.col(n).setZero();
+  }
+  tie.restore(std::move(state));
+}
+
 Index broken_nodes(const Tie& tie) {
   Index count = 0;
-  for (Index n = 0; n < tie.nodes().count(); ++n) count += tie.is_broken(n) ? 1 : 0;
+  for (Index n = 0; n < tie.nodes().count(); ++n) count += tie.state().damage.is_broken(n) ? 1 : 0;
   return count;
 }
 
@@ -57,12 +70,12 @@ PerSide<NodeFlags> joined_nodes(const Tie& tie) {
   PerSide<NodeFlags> joined;
   for (const Side side : both_sides) joined[side] = NodeFlags(tie.mesh()[side].nodes, true);
   for (Index n = 0; n < tie.nodes().count(); ++n) {
-    if (!tie.is_broken(n)) continue;
+    if (!tie.state().damage.is_broken(n)) continue;
     joined[Side::primary][tie.nodes()[n].node] = false;
     for (const int node : tie.nodes()[n].secondary) joined[Side::secondary][node] = false;
   }
   for (Index n = 0; n < tie.nodes().count(); ++n) {
-    if (tie.is_broken(n)) continue;
+    if (tie.state().damage.is_broken(n)) continue;
     for (const int node : tie.nodes()[n].secondary) joined[Side::secondary][node] = true;
   }
   return joined;

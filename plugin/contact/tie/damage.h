@@ -5,9 +5,13 @@
 
 namespace mixture_contact {
 
-/// The damage that a solution leaves, at a time [s]. Brittle bonds break where their load exceeds the strength; cohesive
-/// ones have softened. What a bond had stored that breaks at once counts as dissipated.
+/// The damage that a solution leaves, at a time [s]. Brittle bonds break where their load exceeds the strength;
+/// cohesive ones have softened. What a bond had stored that breaks at once counts as dissipated.
 DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time);
+
+/// Has a tie take damage over. Nodes that have broken lose their multipliers; the equation of an unknown one takes it
+/// to zero.
+void take_damage(Tie& tie, DamageState damage);
 
 /// How many nodes have broken.
 Index broken_nodes(const Tie& tie);

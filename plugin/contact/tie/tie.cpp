@@ -39,29 +39,57 @@ double flux_unit(const Penalties& penalties, int field, int node) {
   return unit_of(penalties.conductance.row(field).transpose(), node);
 }
 
-/// Takes the state over where an iteration begins, and decides whether growing bonds yield in it.
-void go_on(BondIterations& last, IndexedVector<BondIterations::Phase> phases, const Matrix3Xd& gaps) {
-  if (last.phases.empty()) {
-    last.phases = std::move(phases);
-    last.changes.assign(last.phases.size(), 0);
-    last.gaps = gaps;
-    return;
-  }
-  const double move = (gaps - last.gaps).norm();
-  last.contractions = move < 0.9 * last.move ? last.contractions + 1 : 0;
-  if (last.contractions >= enough_contractions) last.yields = false;
-  for (Index n = 0; n < phases.count(); ++n) {
-    if (phases[n] == last.phases[n]) continue;
-    last.contractions = 0;
-    last.yields = ++last.changes[n] > most_phase_changes || last.yields;
-  }
-  last.phases = std::move(phases);
-  last.gaps = gaps;
-  last.move = move;
-}
-
 FacingPositions positions_of(const PerSide<SurfaceFields>& fields) {
   return {fields[Side::primary].position, fields[Side::secondary].position};
+}
+
+BondLoad bond(const Tie& tie, Index n, const Vector3d& gap, const FacingPositions& x) {
+  return bond_load(std::get<Cohesive>(tie.breaking()), tie.traction_penalty(n), tie.state().damage.damage[n], gap,
+                   normal_of(tie.nodes()[n], x));
+}
+
+/// The derivative of the loads of a bond with its gap vector and its normal.
+BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads,
+                         Softening softening) {
+  const Vector3d gap = loads.gap.col(n);
+  const double damage = loads.damage[n];
+  const bool grows = damage > tie.state().damage.damage[n] && damage < 1;
+  if (!grows || softening == Softening::exact) return bond(tie, n, gap, x).derivative;
+  return yielding_derivative(tie.traction_penalty(n), damage, gap, normal_of(tie.nodes()[n], x));
+}
+
+VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads) {
+  const TiedNode& tied = tie.nodes()[n];
+  const LocalLayout layout = tie.patch(n).layout();
+  const double area = tied.traction.area;
+  VectorXd residual(layout.size());
+  residual.head(3 * layout.nodes()) = -area * gap_variation(tied, x).transpose() * loads.traction.col(n);
+  if (loads.turning.cols() > 0)
+    residual.head(3 * layout.nodes()) -= area * normal_variation(tied, x).transpose() * loads.turning.col(n);
+  if (!layout.has_multipliers()) return residual;
+  if (tie.state().damage.is_broken(n)) {
+    residual.tail<3>() = area * tie.state().traction.col(n);
+  } else {
+    residual.tail<3>() = -area * traction_unit(tie.penalties(), tied.node) * loads.gap.col(n);
+  }
+  return residual;
+}
+
+/// The second derivative of a node's energy per area with the positions.
+MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) {
+  const TiedNode& tied = tie.nodes()[n];
+  const Matrix3Xd variation = gap_variation(tied, x);
+  MatrixXd stiffness;
+  if (loads.turning.cols() > 0) {
+    MatrixXd both(6, variation.cols());
+    both << variation, normal_variation(tied, x);
+    stiffness.noalias() = both.transpose() * bond_tangent(tie, n, x, loads, softening) * both;
+    stiffness += normal_hessian(tied, x, loads.turning.col(n));
+  } else {
+    stiffness.noalias() = tie.traction_penalty(n) * variation.transpose() * variation;
+  }
+  if (!tied.gaps.empty()) stiffness += gap_hessian(tied, x, loads.traction.col(n));
+  return stiffness;
 }
 
 }  // namespace
@@ -107,18 +135,6 @@ double Tie::flux_penalty(Index n, int field) const {
   return state_.flux_penalty_scale[field] * penalties_.flux(field, nodes_[n].node);
 }
 
-BondLoad Tie::bond(Index n, double damage, const Vector3d& gap, const FacingPositions& x) const {
-  return bond_load(std::get<Cohesive>(breaking_), traction_penalty(n), damage, gap, normal_of(nodes_[n], x));
-}
-
-BondHessian Tie::bond_tangent(Index n, const TieLoads& loads, const FacingPositions& x) const {
-  const double accepted = state_.damage.damage[n];
-  const Vector3d gap = loads.gap.col(n);
-  if (iterations_.yields && phase(n, loads.damage[n]) == BondIterations::Phase::growing)
-    return yielding_derivative(traction_penalty(n), loads.damage[n], gap, normal_of(nodes_[n], x));
-  return bond(n, accepted, gap, x).derivative;
-}
-
 TieLoads Tie::loads(const PerSide<SurfaceFields>& fields) const {
   const Index count = nodes_.count();
   const Index scalars = effects_.scalar_fields();
@@ -132,9 +148,9 @@ TieLoads Tie::loads(const PerSide<SurfaceFields>& fields) const {
   const FacingPositions x = positions_of(fields);
   in_parallel(count, [&](Index n) {
     loads.gap.col(n) = gap_vector(nodes_[n], x);
-    if (is_broken(n)) return;
+    if (state_.damage.is_broken(n)) return;
     if (effects_.traction && is_cohesive) {
-      const BondLoad load = bond(n, state_.damage.damage[n], loads.gap.col(n), x);
+      const BondLoad load = bond(*this, n, loads.gap.col(n), x);
       loads.traction.col(n) = load.value.head<3>();
       loads.turning.col(n) = load.value.tail<3>();
       loads.damage[n] = load.damage;
@@ -183,22 +199,6 @@ void Tie::for_each_patch(const std::function<void(const Patch&)>& use) const {
                           [&](const Patch& patch, const VectorXd& /*none*/) { use(patch); });
 }
 
-VectorXd Tie::traction_residual(Index n, const FacingPositions& x, const TieLoads& loads) const {
-  const LocalLayout layout = patch(n).layout();
-  const double area = nodes_[n].traction.area;
-  VectorXd residual(layout.size());
-  residual.head(3 * layout.nodes()) = -area * gap_variation(nodes_[n], x).transpose() * loads.traction.col(n);
-  if (loads.turning.cols() > 0)
-    residual.head(3 * layout.nodes()) -= area * normal_variation(nodes_[n], x).transpose() * loads.turning.col(n);
-  if (!layout.has_multipliers()) return residual;
-  if (is_broken(n)) {
-    residual.tail<3>() = area * state_.traction.col(n);
-  } else {
-    residual.tail<3>() = -area * traction_unit(penalties_, nodes_[n].node) * loads.gap.col(n);
-  }
-  return residual;
-}
-
 VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   const LocalLayout layout = patch(n, field).layout();
   const TiedAverage& average = nodes_[n].fields[field];
@@ -206,37 +206,21 @@ VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   residual.head(layout.nodes()) = -average.area * loads.flux(field, n) * average.weights;
   if (!layout.has_multipliers()) return residual;
   residual[layout.flux_multiplier(0)] = average.area *
-                                        (is_broken(n) ? -state_.flux(field, n)
-                                                      : flux_unit(penalties_, field, nodes_[n].node) *
-                                                            loads.jump(field, n));
+                                        (state_.damage.is_broken(n)
+                                             ? -state_.flux(field, n)
+                                             : flux_unit(penalties_, field, nodes_[n].node) * loads.jump(field, n));
   return residual;
 }
 
-/// The second derivative of a node's energy per area with the positions.
-MatrixXd Tie::stiffness(Index n, const FacingPositions& x, const TieLoads& loads) const {
-  const Matrix3Xd variation = gap_variation(nodes_[n], x);
-  MatrixXd stiffness;
-  if (loads.turning.cols() > 0) {
-    MatrixXd both(6, variation.cols());
-    both << variation, normal_variation(nodes_[n], x);
-    stiffness.noalias() = both.transpose() * bond_tangent(n, loads, x) * both;
-    stiffness += normal_hessian(nodes_[n], x, loads.turning.col(n));
-  } else {
-    stiffness.noalias() = traction_penalty(n) * variation.transpose() * variation;
-  }
-  if (!nodes_[n].gaps.empty()) stiffness += gap_hessian(nodes_[n], x, loads.traction.col(n));
-  return stiffness;
-}
-
-MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const {
+MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) const {
   const LocalLayout layout = patch(n).layout();
   const Index own = 3 * layout.nodes();
   const double area = nodes_[n].traction.area;
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
-  if (!is_broken(n)) tangent.topLeftCorner(own, own) = -area * stiffness(n, x, loads);
+  if (!state_.damage.is_broken(n)) tangent.topLeftCorner(own, own) = -area * stiffness(*this, n, x, loads, softening);
   if (!layout.has_multipliers()) return tangent;
   const double unit = traction_unit(penalties_, nodes_[n].node);
-  if (is_broken(n)) {
+  if (state_.damage.is_broken(n)) {
     tangent.bottomRightCorner<3, 3>() = area * unit * Eigen::Matrix3d::Identity();
     return tangent;
   }
@@ -253,7 +237,7 @@ MatrixXd Tie::flux_tangent(Index n, int field) const {
   const TiedAverage& average = nodes_[n].fields[field];
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
   const double unit = flux_unit(penalties_, field, nodes_[n].node);
-  if (is_broken(n)) {
+  if (state_.damage.is_broken(n)) {
     if (layout.has_multipliers()) tangent(own, own) = -average.area * unit;
     return tangent;
   }
@@ -271,52 +255,29 @@ void Tie::residual(const PerSide<SurfaceFields>& fields, double dt, const AddRes
   const FacingPositions x = positions_of(fields);
   for_each_part<VectorXd>(
       [&](Index n, int field) -> VectorXd {
-        return field < 0 ? traction_residual(n, x, now) : dt * flux_residual(n, field, now);
+        return field < 0 ? traction_residual(*this, n, x, now) : dt * flux_residual(n, field, now);
       },
       add);
 }
 
-void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
+void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, Softening softening, const AddTangent& add) const {
   const TieLoads now = loads(fields);
   const FacingPositions x = positions_of(fields);
   for_each_part<MatrixXd>(
       [&](Index n, int field) -> MatrixXd {
-        return field < 0 ? traction_tangent(n, x, now) : dt * flux_tangent(n, field);
+        return field < 0 ? traction_tangent(n, x, now, softening) : dt * flux_tangent(n, field);
       },
       add);
 }
 
-// ------------------------------------------------------------ damage and multipliers
-
-BondIterations::Phase Tie::phase(Index n, double damage) const {
-  using Phase = BondIterations::Phase;
-  if (!(damage > state_.damage.damage[n])) return Phase::constant;
-  return damage < 1 ? Phase::growing : Phase::failed;
-}
-
-void Tie::begin_iteration(const PerSide<SurfaceFields>& fields) {
-  if (!std::holds_alternative<Cohesive>(breaking_)) return;
-  const TieLoads now = loads(fields);
-  IndexedVector<BondIterations::Phase> phases;
-  for (Index n = 0; n < nodes_.count(); ++n) phases.push_back(phase(n, now.damage[n]));
-  go_on(iterations_, std::move(phases), now.gap);
-}
-
-void Tie::take(DamageState damage) {
-  state_.damage = std::move(damage);
-  for (Index n = 0; n < nodes_.count(); ++n) {
-    if (!is_broken(n) || has_unknown_multipliers()) continue;  // the equation of an unknown one takes it to zero
-    state_.traction.col(n).setZero();
-    state_.flux.col(n).setZero();
-  }
-}
+// ------------------------------------------------------------ multipliers
 
 GapReport Tie::gaps(const PerSide<SurfaceFields>& fields) const {
   const TieLoads now = loads(fields);
   GapSums traction;
   IndexedVector<GapSums> flux(effects_.scalar_fields());
   for (Index n = 0; n < nodes_.count(); ++n) {
-    if (is_broken(n)) continue;
+    if (state_.damage.is_broken(n)) continue;
     const TiedNode& tied = nodes_[n];
     const double area = tied.traction.area;
     if (effects_.traction)

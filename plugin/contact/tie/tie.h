@@ -34,28 +34,15 @@ struct TieLoads {
 /// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
-/// The default of a tie that softens: a stiffer bond is no more exact where it opens by the energy that breaks it, and an
-/// iteration that unloads it goes wrong the farther.
+/// The default of a tie that softens: a stiffer bond is no more exact where it opens by the energy that breaks it, and
+/// an iteration that unloads it goes wrong the farther.
 inline constexpr double default_cohesive_factor = 1e3;
 /// What augmentations may make of them: conditions that others nearly repeat close slowly at less.
 inline constexpr double largest_tie_factor = 1e8;
 
-/// How bonds that soften change in the iterations of a step.
-struct BondIterations {
-  enum class Phase { constant, growing, failed };
-  IndexedVector<Phase> phases;  ///< per tied node where the last iteration began; empty: none has
-  IndexedVector<int> changes;   ///< of phase, per tied node
-  Matrix3Xd gaps;               ///< gap vectors where the last iteration began [mm]
-  double move = 0;              ///< what the last iteration changed them by [mm]
-  int contractions = 0;         ///< iterations in a row without a change of phase that moved less than the last one
-  bool yields = false;          ///< whether bonds yield whose damage grows
-};
-
-/// How often a bond may change its phase in a step before it is taken for going to and fro: it begins to grow, fails, and
-/// may do one of these too early. The size is a choice.
-inline constexpr int most_phase_changes = 3;
-/// After as many contractions iterations are near a solution, and Newton's method ends them. The size is a choice.
-inline constexpr int enough_contractions = 2;
+/// What an iteration takes for the derivative of a bond whose damage grows: the derivative, or that of one that yields
+/// (yielding_derivative()).
+enum class Softening { exact, yielding };
 
 class Tie {
  public:
@@ -78,7 +65,6 @@ class Tie {
   const BreakingLaw& breaking() const { return breaking_; }
   /// The penalty of a node's traction [N/mm^3]; 0 where multipliers are unknown.
   double traction_penalty(Index n) const;
-  bool is_broken(Index n) const { return state_.damage.is_broken(n); }
   bool has_unknown_multipliers() const { return settings_.enforcement == Enforcement::lagrange_multipliers; }
 
   /// The unknowns of a node's traction, or of the flux of a field. Its multiplier_node counts tied nodes.
@@ -90,24 +76,13 @@ class Tie {
   TieLoads loads(const PerSide<SurfaceFields>& fields) const;
   /// Hands out R of each node: forces -A_a W_aj t_a, flows times dt, and -A_a k D_a of unknown multipliers.
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const;
-
-  /// Forgets how bonds have changed in iterations: a step begins.
-  void begin_step() { iterations_ = {}; }
-  /// Begins an iteration at a state whose tangent is taken next. Once bonds go to and fro between constant damage,
-  /// growing damage and failure, those whose damage grows yield (yielding_derivative()) until iterations contract: where
-  /// softening outweighs what is around it, as when a crack jumps, Newton's method leads up and down for ever, and these
-  /// iterations lead to a state beyond the jump.
-  void begin_iteration(const PerSide<SurfaceFields>& fields);
+  void tangent(const PerSide<SurfaceFields>& fields, double dt, Softening softening, const AddTangent& add) const;
 
   /// How well a solution meets its conditions (see GapSums).
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
   /// Has multipliers take the loads of a solution up, and fields that miss their tolerances get tenfold penalties, up
   /// to the automatic ones. Returns whether any has grown.
   bool augment(const PerSide<SurfaceFields>& fields);
-
-  /// Takes damage over; nodes that have broken lose their multipliers.
-  void take(DamageState damage);
 
   const TieState& state() const { return state_; }
   void restore(TieState state) { state_ = std::move(state); }
@@ -123,14 +98,8 @@ class Tie {
 
  private:
   double flux_penalty(Index n, int field) const;
-  BondLoad bond(Index n, double damage, const Vector3d& gap, const FacingPositions& x) const;
-  BondIterations::Phase phase(Index n, double damage) const;
-  /// The derivative of a bond's loads that an iteration takes.
-  BondHessian bond_tangent(Index n, const TieLoads& loads, const FacingPositions& x) const;
-  VectorXd traction_residual(Index n, const FacingPositions& x, const TieLoads& loads) const;
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
-  MatrixXd stiffness(Index n, const FacingPositions& x, const TieLoads& loads) const;
-  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const;
+  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) const;
   MatrixXd flux_tangent(Index n, int field) const;
   /// Calls use(patch, make(node, field)) for the traction, field -1, and the fluxes of all nodes in order; makes them
   /// on several threads.
@@ -145,7 +114,6 @@ class Tie {
   IndexedVector<Index> first_;  ///< per node the first of its unknown multipliers; behind them all, how many there are
   Penalties penalties_;         ///< per node of the primary surface
   TieState state_;
-  BondIterations iterations_;
 };
 
 }  // namespace mixture_contact

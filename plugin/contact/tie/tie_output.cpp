@@ -82,8 +82,7 @@ struct BondSums {
   BreakingOutput means() const {
     BreakingOutput means = sums;
     const VectorXd factor = area.unaryExpr([](double sum) { return sum > 0 ? 1 / sum : 0.0; });
-    for (VectorXd* const values : {&means.damage, &means.opening, &means.energy})
-      values->array() *= factor.array();
+    for (VectorXd* const values : {&means.damage, &means.opening, &means.energy}) values->array() *= factor.array();
     for (Index node = 0; node < area.size(); ++node) {
       if (!(area[node] > 0)) means.broken_at[node] = -1;
     }
@@ -128,7 +127,7 @@ InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields, con
   InterfaceOutput all;
   all.balance.flow.setZero(scalars);
   for (Index n = 0; n < tie.nodes().count(); ++n) {
-    if (tie.is_broken(n)) continue;
+    if (tie.state().damage.is_broken(n)) continue;
     const TiedNode& tied = tie.nodes()[n];
     const double area = tied.traction.area;
     all.balance.force += area * loads.traction.col(n);

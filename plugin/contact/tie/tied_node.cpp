@@ -139,8 +139,7 @@ TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary)
   for (Index n = 0; n < tied.secondary.count(); ++n)
     tied.secondary_shares[n] = weight_in(sums.secondary_areas, tied.secondary[n]) / sums.all.area;
   for (const GapOfPoint& gap : sums.gaps) {
-    tied.gaps.push_back(
-        {place_on(primary.facets[gap.facet], gap.gradient, tied.primary), gap.sum / sums.all.area});
+    tied.gaps.push_back({place_on(primary.facets[gap.facet], gap.gradient, tied.primary), gap.sum / sums.all.area});
   }
   return tied;
 }

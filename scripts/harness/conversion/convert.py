@@ -80,7 +80,7 @@ def convert(path: Path) -> Converted:
         found = ", ".join(sorted({contact.kind.name for contact in (*model.contacts, *model.ties)}))
         known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
         raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {known} can be")
-    _refuse(path, [*refusals(model), *tied_contacts.refusals(model)])
+    _refuse(path, list(refusals(model)))
     files = sources.read(path)
     edits, changes = _edits(files, model)
     sources.redirect(files, edits)

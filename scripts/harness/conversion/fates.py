@@ -34,6 +34,7 @@ DROPPED = {
     "smooth_fls": "the part of the load that the fluid bears is always averaged around nodes",
     "penalty_sf": "acts between augmentations alone; penalties grow by themselves",
     "max_penalty_sf": "acts between augmentations alone; penalties grow by themselves",
+    "dual_proj": "pairs of facets are always found from both surfaces",
     "dxtol": "a hidden parameter: the width within which FEBio softens the tangent at first touch",
     "fric_penalty": "friction that sticks has the penalty of the traction, so that its elastic slip is small",
     "ktmult": "the linearisation is always complete; it changes the iterations alone",

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
-
-from harness.preflight.contact_types import CONVERTIBLE, MIXTURE
+from harness.preflight.contact_types import CONVERTIBLE
 from harness.preflight.model import Model
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import place
@@ -17,7 +15,6 @@ def refusals(model: Model) -> Iterator[str]:
     for contact in model.contacts:
         if contact.kind.name in CONVERTIBLE:
             yield from _of_materials(Joint(model, contact))
-    yield from _of_neighbours(model)
     for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
         if contact.given("fric_coeff") is not None and "fric_coeff" not in contact.kind.parameters:
             yield f"{place(contact.tag)}: {contact.kind.name} has no parameter <fric_coeff>; FEBio stops"
@@ -41,17 +38,3 @@ def _of_materials(joint: Joint) -> Iterator[str]:
 
 def _unknown_to_solute(kind: str) -> bool:
     return kind not in ("biphasic", "biphasic-solute")
-
-
-def _of_neighbours(model: Model) -> Iterator[str]:
-    """Two kinds of contact that set the ambient values on the same nodes."""
-    stay = [c for c in model.contacts if c.kind.name not in (*CONVERTIBLE, MIXTURE) and c.kind.solvent]
-    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE and c.kind.solvent):
-        own = np.union1d(contact.pair.primary.corners, contact.pair.secondary.corners)
-        for other in stay:
-            nodes = np.union1d(other.pair.primary.corners, other.pair.secondary.corners)
-            if len(np.intersect1d(own, nodes)):
-                yield (
-                    f"{place(contact.tag)}: shares nodes with {place(other.tag)} of type {other.kind.name}, which "
-                    "cannot be converted; both would set the ambient values there"
-                )

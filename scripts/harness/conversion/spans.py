@@ -78,9 +78,9 @@ def locate(data: bytes, name: str) -> Span:
 
     def finish(_: str) -> None:
         done = path.pop()
-        at = parser.CurrentByteIndex
-        closed = data[at : at + 2] != b"</"
+        at = parser.CurrentByteIndex  # behind <tag/>, where the end of another element may stand
         opened = _end_of_tag(data, done.start)
+        closed = data[opened - 2 : opened] == b"/>"
         done.end = opened if closed else data.index(b">", at) + 1
         done.inner = (opened, opened) if closed else (opened, at)
         path[-1].children.append(done)

@@ -1,4 +1,4 @@
-"""What becomes of FEBio's tied contacts: `tied-mixture`, or a refusal where the physics would change."""
+"""What becomes of FEBio's tied contacts: `tied-mixture`."""
 
 from __future__ import annotations
 
@@ -9,10 +9,8 @@ import numpy as np
 from harness.conversion import spans
 from harness.conversion.fates import NO_DIFFERENCE, Action, Change, is_zero
 from harness.conversion.spans import Edit, Span
-from harness.preflight.model import Model
 from harness.preflight.sides import Joint
-from harness.preflight.tied_types import ANY_DISTANCE, CONVERTIBLE_TIES, keeps_gaps
-from harness.preflight.xml_file import place
+from harness.preflight.tied_types import ANY_DISTANCE, keeps_gaps
 
 TOUCHING = 1e-6
 """Gap over the width of the facets below which surfaces touch."""
@@ -24,7 +22,7 @@ DROPPED = {
     "search_tolerance": "nodes at the edge of the other surface are tied as far as it covers the facets around them",
     "special": "the search is along normals, which needs no special cases",
     "gap_offset": "an initial gap is always kept",
-    "offset_shells": "shells have the thickness that they have",
+    "offset_shells": "an initial gap, such as half the thickness of a shell, is always kept",
 }
 """Parameters without a meaning in `tied-mixture` that do not change the answer."""
 KEPT = {
@@ -41,25 +39,11 @@ _PENALTY = "FEBio's default, written out; without it the penalty is automatic, a
 _LIMITLESS = "written out: FEBio's type has no limit; without it nodes farther than a quarter of a facet are not tied"
 
 
-def refusals(model: Model) -> Iterator[str]:
-    """Reasons not to convert the ties of a model, one sentence each."""
-    for tie in (each for each in model.ties if each.kind.name in CONVERTIBLE_TIES):
-        joint = Joint(model, tie)
-        if tie.on("offset_shells"):
-            yield f"{place(tie.tag)}: <offset_shells> moves surfaces by half a thickness, tied-mixture does not"
-        if keeps_gaps(tie.kind, has_offset=tie.on("gap_offset")) or tie.on("node_reloc"):
-            continue
-        apart = _largest_gap(joint)
-        if apart > TOUCHING * float(np.sqrt(np.median(joint.primary.area))):
-            yield (
-                f"{place(tie.tag)}: {tie.kind.name} draws surfaces together, under stress, that are up to {apart:.3g} "
-                "apart or overlap; tied-mixture keeps the gap. Move the bodies together, or let <node_reloc> close it "
-                "without stress"
-            )
-
-
 def parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
     """Edits of the parameters of a tie, and what each does."""
+    if joint.contact.kind.name in ANY_DISTANCE:
+        joint = joint.facing()
+    yield from (([], change) for change in _kept_gap(contact, joint))
     for child in contact.children:
         change = _fate(child, spans.text(data, child))
         gone = change.action is not Action.KEPT
@@ -69,6 +53,22 @@ def parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[
     for number, (name, value, reason) in enumerate(written):
         change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
         yield spans.insertion(data, contact, lines) if number == 0 else [], change
+
+
+def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
+    """What becomes of a gap that FEBio's type would close under stress."""
+    kind, tie = joint.contact.kind, joint.contact
+    if keeps_gaps(kind, has_offset=tie.on("gap_offset")) or tie.on("node_reloc"):
+        return
+    apart = joint.largest_gap
+    if apart > TOUCHING * float(np.sqrt(np.median(joint.primary.area))):
+        yield Change(
+            Action.KEPT,
+            "gap",
+            contact.line,
+            f"{kind.name} draws surfaces together, under stress, that are up to {apart:.3g} apart or overlap; "
+            "tied-mixture keeps the gap. <node_reloc> 1 closes it without stress",
+        )
 
 
 def _fate(child: Span, value: str) -> Change:
@@ -91,12 +91,14 @@ def _written(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[str, st
             yield name, "1", _PENALTY
     if "search_radius" in kind.parameters and "search_radius" not in given:
         yield "search_radius", "1", "FEBio's default, written out"
+    for which in joint.turned:
+        yield f"flip_{which}", "1", "its facets face away from the other surface, which FEBio's type does not ask"
     if kind.name in ANY_DISTANCE:
         limit = given.get("max_distance", "0")
         if not is_zero(limit):
             yield "search_radius", limit, "was <max_distance>"
-        elif _largest_gap(joint) > 0:
-            yield "search_radius", f"{1.1 * _largest_gap(joint):.6g}", _LIMITLESS
+        elif joint.largest_gap > 0:
+            yield "search_radius", f"{1.1 * joint.largest_gap:.6g}", _LIMITLESS
     effects = _effects(joint)
     if effects:
         yield "effects", effects, f"written out: {kind.name} exchanges nothing else"
@@ -109,9 +111,3 @@ def _effects(joint: Joint) -> str:
         return "traction" if all(side.porous for side in joint.sides) else ""
     shares_solutes = bool(joint.primary.solutes & joint.secondary.solutes)
     return "traction,solvent" if not kind.solutes and shares_solutes else ""
-
-
-def _largest_gap(joint: Joint) -> float:
-    """The largest distance or overlap of the surfaces, of facets that see the other one."""
-    known = joint.gaps[np.isfinite(joint.gaps)]
-    return float(np.abs(known).max(initial=0.0))

@@ -66,11 +66,17 @@ def merged(bodies: Sequence[Body], tolerance: float = 1e-9) -> Body:
     nodes = np.concatenate([body.nodes for body in bodies])
     offsets = np.cumsum([0, *(len(body.nodes) for body in bodies[:-1])])
     elements = np.concatenate([body.elements + offset for body, offset in zip(bodies, offsets, strict=True)])
+    kept, number = joined(nodes, tolerance)
+    return Body(kept, number[elements])
+
+
+def joined(nodes: Nodes, tolerance: float) -> tuple[Nodes, Ids]:
+    """Nodes without those nearer than `tolerance` (mm) to an earlier one, and the place of each among these."""
     same = np.arange(len(nodes))
     for low, high in sorted(cKDTree(nodes).query_pairs(tolerance)):
         same[high] = same[low]
     kept, number = np.unique(same, return_inverse=True)
-    return Body(nodes[kept], np.asarray(number, dtype=np.int64)[elements])
+    return nodes[kept], np.asarray(number, dtype=np.int64)
 
 
 def straight(ends: Points) -> Points:

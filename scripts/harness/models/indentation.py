@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from enum import Enum
 
 from harness.models.document import Model
 from harness.models.header import header
-from harness.models.indentation_mesh import BALL, LEVELS, MATCHING, Grid, Primary, mesh
+from harness.models.indentation_mesh import Grid, Primary, mesh
 from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.parts import (
     GAS_CONSTANT,
@@ -139,36 +138,3 @@ class Indentation:
         if module != "multiphasic":
             return self.control
         return replace(self.control, solver=(Param("force_positive_concentrations", self.clamp), *self.control.solver))
-
-
-class Variant(str, Enum):
-    """The members of the family of this problem."""
-
-    PLAIN = "plain"
-    SLAB_PRIMARY = "slab-primary"
-    SIDE = "side"
-    COARSE = "coarse"
-    FINE = "fine"
-    MATCHING = "matching"
-    HEX20 = "hex20"
-    BALL = "ball"
-
-    @property
-    def problem(self) -> Indentation:
-        """The problem with its name; all else has its default."""
-        primary = Primary.SLAB if self is Variant.SLAB_PRIMARY else Primary.CYLINDER
-        name = "indentation" if self is Variant.PLAIN else f"indentation-{self.value}"
-        return Indentation(grid=self._grid, primary=primary, name=name)
-
-    @property
-    def _grid(self) -> Grid:
-        coarse, medium, fine = LEVELS
-        special = {
-            Variant.SIDE: replace(medium, side=True),
-            Variant.COARSE: coarse,
-            Variant.FINE: fine,
-            Variant.MATCHING: MATCHING,
-            Variant.HEX20: replace(coarse, nodes=20),
-            Variant.BALL: BALL,
-        }
-        return special.get(self, medium)

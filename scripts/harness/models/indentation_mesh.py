@@ -73,18 +73,6 @@ class Grid:
             )
 
 
-LEVELS = (
-    Grid(across=9, down=6, around=3),
-    Grid(),
-    Grid(across=36, down=24, around=12),
-)
-"""Three meshes, each with half the element size of the one before."""
-MATCHING = Grid(across=6, down=8, around=9)
-"""A mesh whose facets are about as long (0.25 mm) on the slab as on the cylinder; on `LEVELS` the ratio is 1 to 4.7."""
-BALL = Grid(across=6, down=6, around=3, solid=True)
-"""A coarse mesh of the three-dimensional problem."""
-
-
 def mesh(grid: Grid, primary: Primary = Primary.CYLINDER) -> Mesh:
     """Slab and round body, touching at x = 0 (and z = 0) at the height of the slab.
 
@@ -223,23 +211,3 @@ def disk(radius: float, around: int, heights: Sequence[float]) -> Body:
     steps = np.linspace(0.0, 1.0, around + 1)
     flat = [_inner(steps, 2), *(_outer(steps, 2, axis) for axis in range(2))]
     return blocks.merged([blocks.structured(_extruded(radius * unit, heights)) for unit in flat])
-
-
-def smallest_jacobian(body: Body) -> float:
-    """Smallest corner Jacobian of the elements of a body, relative to the largest of the same element."""
-    ratios = []
-    x = body.nodes[body.elements[:, :8]]
-    neighbours = {
-        0: (1, 3, 4),
-        1: (2, 0, 5),
-        2: (3, 1, 6),
-        3: (0, 2, 7),
-        4: (7, 5, 0),
-        5: (4, 6, 1),
-        6: (5, 7, 2),
-        7: (6, 4, 3),
-    }
-    for corner, others in neighbours.items():
-        ratios.append(np.linalg.det(np.stack([x[:, other] - x[:, corner] for other in others], axis=1)))
-    values = np.array(ratios)
-    return float(np.min(values.min(axis=0) / values.max(axis=0)))

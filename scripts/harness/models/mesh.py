@@ -205,26 +205,18 @@ def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Sectio
     ModelError
         For a layer without thickness or elements.
     """
-    section = section or Section()
-    x, y = (_line(0.0, section.width[k], section.elements[k], "section") for k in range(2))
-    heights = [_line(bottom, layers[0].thickness, layers[0].elements, layers[0].name)]
-    for layer in layers[1:]:
-        heights.append(_line(float(heights[-1][-1]), layer.thickness, layer.elements, layer.name))
-    block = _block(x, y, np.concatenate([heights[0], *[h[1:] for h in heights[1:]]]))
-    per_plane = (section.elements[0] + 1) * (section.elements[1] + 1)
-    per_row = section.elements[0] * section.elements[1]
-    parts: list[Part] = []
-    sets: dict[str, Ids] = {}
-    first = 0
-    for layer in layers:
-        last = first + layer.elements
-        parts.append(Part(layer.name, layer.material, block.elements[first * per_row : last * per_row]))
-        sets[f"{layer.name}-bottom"] = block.bottom + first * per_plane
-        sets[f"{layer.name}-top"] = block.bottom + last * per_plane
-        first = last
-    surfaces = {f"{layers[0].name}-bottom": block.bottom_facets, f"{layers[-1].name}-top": block.top_facets}
-    everything = {"all": np.arange(1, len(block.nodes) + 1, dtype=np.int64)}
-    return Mesh(block.nodes, tuple(parts), everything | _with_ends(sets, layers), _with_ends(surfaces, layers))
+    mesh = split_column([replace(layer, divided=None) for layer in layers], bottom=bottom, section=section)
+    same = np.arange(len(mesh.nodes))
+    for lower, upper in pairwise(layers):
+        same[mesh.node_sets[f"{upper.name}-bottom"] - 1] = mesh.node_sets[f"{lower.name}-top"] - 1
+    kept, places = np.unique(same, return_inverse=True)
+    number = np.asarray(1 + places, dtype=np.int64)
+    sets = {"all": np.arange(1, len(kept) + 1, dtype=np.int64)}
+    sets |= {name: number[ids - 1] for name, ids in mesh.node_sets.items() if name != "all"}
+    ends = ("bottom", "top", f"{layers[0].name}-bottom", f"{layers[-1].name}-top")
+    surfaces = {name: number[mesh.surfaces[name] - 1] for name in ends}
+    parts = tuple(replace(part, elements=number[part.elements - 1]) for part in mesh.parts)
+    return Mesh(mesh.nodes[kept], parts, sets, surfaces)
 
 
 def _with_ends(groups: dict[str, Ids], layers: Sequence[Layer]) -> dict[str, Ids]:

@@ -113,6 +113,8 @@ TYPES = {
 CONVERTIBLE = (
     "sliding-elastic",
     "sliding-biphasic",
+    "sliding-biphasic-mixed",
+    "sliding2",
     "sliding-biphasic-solute",
     "sliding-multiphasic",
     "sliding-facet-on-facet",

@@ -146,23 +146,31 @@ def at(history: Array, when: Array) -> Array:
     return np.asarray(np.interp(when, history[:, 0], history[:, 1])) if len(history) else np.full(len(when), math.nan)
 
 
+def osmotic(joint: Joint, concentrations: Sequence[Array], when: Array) -> Array:
+    """R T Phi sum c at times, of the histories of concentrations; NaN where one is a formula's."""
+    return np.asarray(osmotic_scale(joint) * np.sum([at(history, when) for history in concentrations], axis=0))
+
+
+def pressures_with_concentrations(model: Model) -> Iterator[tuple[Level, list[Array]]]:
+    """Prescribed effective pressures, each with the histories of the concentrations that its nodes have."""
+    known = [list(prescribed_concentrations(model, number)) for number in model.solute_numbers]
+    for pressure in prescribed_pressures(model):
+        there = [match for group in known if (match := covering(pressure, group)) is not None]
+        yield pressure, [level.history for level in there]
+
+
 def fluid_pressures(joint: Joint) -> Array:
     """Fluid pressures p = p~ + R T Phi sum c that the model prescribes, over time, ambient ones too."""
     model = joint.model
-    known = [list(prescribed_concentrations(model, number)) for number in model.solute_numbers]
-    values = []
-    for pressure in prescribed_pressures(model):
-        there = [match for group in known if (match := covering(pressure, group)) is not None]
-        values.append(_fluid_pressure(joint, pressure.history, [level.history for level in there]))
+    given = [(pressure.history, there) for pressure, there in pressures_with_concentrations(model)]
     ambient = joint.contact.given("ambient_pressure")
     if ambient is not None:
         tags = ambient_concentrations(model, joint.contact).values()
-        values.append(_fluid_pressure(joint, model.history(ambient), [model.history(tag) for tag in tags]))
-    every = np.concatenate([np.empty(0), *values])
+        given.append((model.history(ambient), [model.history(tag) for tag in tags]))
+    every = np.concatenate([np.empty(0), *(_fluid_pressure(joint, *each) for each in given)])
     return np.asarray(every[np.isfinite(every)])
 
 
 def _fluid_pressure(joint: Joint, pressure: Array, concentrations: Sequence[Array]) -> Array:
     when = times([pressure, *concentrations])
-    osmotic = osmotic_scale(joint) * np.sum([at(c, when) for c in concentrations], axis=0) if concentrations else 0.0
-    return np.asarray(at(pressure, when) + osmotic, dtype=np.float64)
+    return at(pressure, when) + (osmotic(joint, concentrations, when) if concentrations else 0.0)

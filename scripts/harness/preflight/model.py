@@ -229,11 +229,6 @@ class Model:
             raise ModelError(f"{place(tag)}: refers to load controller {shortened(curve)}; there is {known}")
         return points * (1.0, value)
 
-    def at(self, tag: Element, times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Values of a parameter at times; NaN where they are a formula's."""
-        points = self.history(tag)
-        return np.interp(times, points[:, 0], points[:, 1]) if len(points) else np.full(len(times), math.nan)
-
     def nodes(self, condition: Condition) -> NDArray[np.int64]:
         """Places of the nodes of a condition.
 

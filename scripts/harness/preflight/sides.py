@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,7 @@ NEAREST = 20
 """So many facets are looked at closely."""
 MOST_DEPTHS = 40
 """So many facets are looked at for the depth of the body behind them."""
+SIDES = ("primary", "secondary")
 DEFAULT_RADIUS = 1.0
 """`search_radius` of FEBio's interfaces where the model does not give it."""
 
@@ -51,6 +53,11 @@ class Side:
     def corners(self) -> Array:
         """Positions, shape (n_facets, 4, 3)."""
         return np.asarray(self.model.mesh.points[self.surface.corners])
+
+    @cached_property
+    def facing_corners(self) -> Array:
+        """The same in the order that the contact takes."""
+        return self.corners[:, ::-1] if self.turned else self.corners
 
     @cached_property
     def areas(self) -> Array:
@@ -236,10 +243,11 @@ def solute(number: int) -> Field:
 
 @dataclass(frozen=True)
 class Joint:
-    """A contact with its two sides."""
+    """A contact with its two sides; those in `turned` are looked at the other way round."""
 
     model: Model
     contact: Contact
+    turned: tuple[str, ...] = ()
 
     @cached_property
     def primary(self) -> Side:
@@ -253,7 +261,7 @@ class Joint:
 
     def _side(self, surface: Surface, which: str) -> Side:
         on = self.contact.on
-        return Side(self.model, surface, on(f"flip_{which}"), on(f"shell_bottom_{which}"))
+        return Side(self.model, surface, on(f"flip_{which}") != (which in self.turned), on(f"shell_bottom_{which}"))
 
     @property
     def sides(self) -> tuple[Side, Side]:
@@ -283,13 +291,25 @@ class Joint:
         """Gaps of facets of the primary surface along their normals, negative where they overlap; NaN where a facet
         sees nothing. At the centres of facets, and at the corners of the nearest ones.
         """
-        side, targets = self.primary, rays.triangles(self.secondary.corners)
+        side, targets = self.primary, rays.triangles(self.secondary.facing_corners)
         pick = sample(len(side.centres), len(targets))
         centres = side.look_at(targets, side.centres[pick], side.normals[pick]).distance
         near = pick[np.argsort(np.where(np.isnan(centres), np.inf, centres))[:NEAREST]]
         normals = side.normals[near].repeat(4, axis=0)
         corners = side.look_at(targets, side.corners[near].reshape(-1, 3), normals).distance
         return np.concatenate([centres, corners])
+
+    def facing(self) -> Joint:
+        """The contact with sides of shells turned round where the primary surface would see nothing else."""
+        shells = [name for name, side in zip(SIDES, self.sides, strict=True) if not side.found.any()]
+        ways = [self, *(replace(self, turned=chosen) for n in (1, 2) for chosen in combinations(shells, n))]
+        return next((way for way in ways if np.isfinite(way.gaps).any()), self)
+
+    @property
+    def largest_gap(self) -> float:
+        """The largest distance or overlap, of facets that see the other surface; 0 where none does."""
+        known = self.gaps[np.isfinite(self.gaps)]
+        return float(np.abs(known).max(initial=0.0))
 
     @cached_property
     def smallest_gap(self) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,17 +74,8 @@ def _contact(plot: PlotFile, place: int) -> Contact:
     surface = plot.surfaces[place]
     instants = [_instant(plot, state, place) for state in plot.states]
     time = np.array([state.time for state in plot.states])
-    return Contact(
-        surface,
-        place,
-        time,
-        force=np.array([each.force for each in instants]),
-        area=np.array([each.area for each in instants]),
-        peak=np.array([each.peak for each in instants]),
-        mean=np.array([each.mean for each in instants]),
-        fluid_share=np.array([each.fluid_share for each in instants]),
-        flows=_flows(plot, place, time),
-    )
+    arrays = {field.name: np.array([getattr(each, field.name) for each in instants]) for field in fields(_Instant)}
+    return Contact(surface, place, time, **arrays, flows=_flows(plot, place, time))
 
 
 def pressures(state: State, surface: Surface, place: int) -> Floats:

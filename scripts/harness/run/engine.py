@@ -122,15 +122,8 @@ def _plugin_beside(febio: Path) -> Path:
     )
 
 
-def run(
-    model: Path,
-    *,
-    plugin: Path | None = None,
-    options: Sequence[str] = (),
-    progress: Progress | None = None,
-    check: bool = True,
-) -> Run:
-    """Run febio4 on a model file, in the folder of that file.
+def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()) -> list[str]:
+    """The command line that runs a model file from its own folder.
 
     Parameters
     ----------
@@ -140,25 +133,12 @@ def run(
         Library to load with ``-import``.
     options : sequence of str
         Further arguments of febio4, such as ``-dump``.
-    progress : callable, optional
-        Called with each time reached, s.
-    check : bool
-        Whether a run that does not end normally is an error.
 
     Raises
     ------
     EngineNotFoundError
         No febio4.
-    EngineFailedError
-        No model file, or (with `check`) febio4 did not end normally; quotes FEBio's own words.
     """
-    if not model.is_file():
-        raise EngineFailedError(f"there is no model file {model}")
-    return execute(command(model, plugin, options), model.resolve().parent, progress=progress, check=check)
-
-
-def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()) -> list[str]:
-    """The command line that runs a model file from its own folder; the parameters are those of `run`."""
     load = [] if plugin is None else ["-import", str(plugin)]
     return [str(find_engine()), "-i", model.name, *options, *load]
 
@@ -179,31 +159,6 @@ def limited(command: Sequence[str], seconds: float | None) -> list[str]:
     return [program, f"--cpu={math.ceil(seconds)}", *command]
 
 
-def restart(archive: Path, *, plugin: Path | None = None, check: bool = True, timeout: float | None = None) -> Run:
-    """Continue from a dump file, in its folder; data and plot files are continued as well.
-
-    Parameters
-    ----------
-    archive : Path
-        What ``-dump`` left. FEBio can only continue a run that also wrote a plot file.
-    plugin : Path, optional
-        Library to load with ``-import``.
-    check : bool
-        Whether a run that does not end normally is an error.
-    timeout : float, optional
-        s after which the run is ended.
-
-    Raises
-    ------
-    EngineNotFoundError, EngineFailedError
-        As in `run`.
-    """
-    command = [str(find_engine()), "-r", archive.name]
-    if plugin is not None:
-        command += ["-import", str(plugin)]
-    return execute(command, archive.resolve().parent, check=check, timeout=timeout)
-
-
 def execute(
     command: Sequence[str],
     folder: Path,
@@ -212,9 +167,21 @@ def execute(
     check: bool = True,
     timeout: float | None = None,
 ) -> Run:
-    """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise; see `run`.
+    """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise.
 
-    A run that takes longer than `timeout` s is ended, and then did not end normally.
+    Parameters
+    ----------
+    progress : callable, optional
+        Called with each time reached, s.
+    check : bool
+        Whether a run that does not end normally is an error.
+    timeout : float, optional
+        s after which the run is ended, and then did not end normally.
+
+    Raises
+    ------
+    EngineFailedError
+        With `check`, where febio4 did not end normally; quotes FEBio's own words.
     """
     environment = {_THREADS: "1", **os.environ}
     start = time.perf_counter()

@@ -22,9 +22,10 @@ from harness.closed_forms import (
 )
 from harness.indentation import histories, measures
 from harness.models import composite, confined, convection, diffusion, layers
-from harness.models.indentation import Variant
+from harness.models.indentation import Indentation
 from harness.models.indentation_mesh import Primary
 from harness.models.interface import PAPER, ContactSettings, InterfaceType, augmented, automatic
+from harness.models.layered import Layered
 from harness.models.parts import Control
 from harness.post import compare
 from harness.post.compare import Measure
@@ -48,22 +49,22 @@ class Context:
         return self.interface if self.interface is InterfaceType.MIXTURE else InterfaceType.BIPHASIC
 
 
+def against_conforming(context: Context, problem: Layered) -> tuple[RunResult, RunResult]:
+    """A problem split, and its conforming reference in the same module."""
+    split = problem.model()
+    name, whole = f"{problem.name}-conforming", InterfaceType.CONFORMING
+    reference = replace(problem, interface=whole, settings=None, module=split.module, name=name)
+    return context.runner(split), context.runner(reference.model())
+
+
 def diffusion_pair(context: Context, settings: ContactSettings | None = None) -> tuple[RunResult, RunResult]:
     """Problem 3.1 split, and its conforming reference."""
-    split = diffusion.Diffusion(context.interface, settings).model()
-    reference = diffusion.Diffusion(InterfaceType.CONFORMING, module=split.module, name="diffusion-conforming").model()
-    return context.runner(split), context.runner(reference)
+    return against_conforming(context, diffusion.Diffusion(context.interface, settings))
 
 
-def convection_pair(
-    context: Context, peclet: int, settings: ContactSettings | None = None
-) -> tuple[RunResult, RunResult]:
+def convection_pair(context: Context, peclet: int) -> tuple[RunResult, RunResult]:
     """Problem 3.2 split, and its conforming reference."""
-    split = convection.Convection(context.interface, settings, peclet=peclet).model()
-    reference = convection.Convection(
-        InterfaceType.CONFORMING, module=split.module, name="convection-conforming", peclet=peclet
-    ).model()
-    return context.runner(split), context.runner(reference)
+    return against_conforming(context, convection.Convection(context.interface, peclet=peclet))
 
 
 def diffusion_against_reference(context: Context) -> list[Measure]:
@@ -126,8 +127,8 @@ def indentation_pair(context: Context) -> tuple[RunResult, RunResult]:
         if context.interface is InterfaceType.MIXTURE
         else (InterfaceType.MULTIPHASIC, automatic(1.0))
     )
-    problem = replace(Variant.PLAIN.problem, interface=interface, settings=settings, module="multiphasic", clamp=False)
-    other = replace(problem, primary=Primary.SLAB, name=Variant.SLAB_PRIMARY.problem.name)
+    problem = Indentation(interface, settings, module="multiphasic", clamp=False)
+    other = replace(problem, primary=Primary.SLAB, name="indentation-slab-primary")
     return context.runner(problem.model()), context.runner(other.model())
 
 
@@ -172,13 +173,9 @@ def augmentation(context: Context) -> list[Measure]:
 
 def composite_layers(context: Context) -> list[Measure]:
     """A composite slab, whose actual concentration jumps: against the conforming reference and the closed form."""
-    split = composite.Composite(context.interface).model()
-    reference = composite.Composite(
-        InterfaceType.CONFORMING, module=split.module, name="composite-slab-conforming"
-    ).model()
-    runs = context.runner(split), context.runner(reference)
+    runs = against_conforming(context, composite.Composite(context.interface))
     time = 2000.0
-    exact = composite_slab.concentration(split.mesh.nodes[:, 2], time, composite.FIRST, composite.SECOND)
+    exact = composite_slab.concentration(runs[0].model.mesh.nodes[:, 2], time, composite.FIRST, composite.SECOND)
     error = compare.error_at(runs[0], "c1", exact, time)
     return [
         Measure("Composite slab, split against conforming", compare.largest_difference(*runs, "c1"), SPLIT_BAR),
@@ -188,11 +185,7 @@ def composite_layers(context: Context) -> list[Measure]:
 
 def convection_layers(context: Context) -> list[Measure]:
     """Steady convection through two layers with a partition jump: against the reference and the closed form."""
-    split = layers.Layers(context.interface).model()
-    reference = layers.Layers(
-        InterfaceType.CONFORMING, module=split.module, name="two-layer-convection-conforming"
-    ).model()
-    runs = context.runner(split), context.runner(reference)
+    runs = against_conforming(context, layers.Layers(context.interface))
     error = compare.error_at(runs[0], "c1", exact_layers(runs[0]))
     return [
         Measure("Two-layer convection, split against conforming", compare.largest_difference(*runs, "c1"), SPLIT_BAR),
@@ -207,9 +200,7 @@ def exact_layers(run: RunResult) -> NDArray[np.float64]:
 
 def confined_creep(context: Context) -> list[Measure]:
     """Confined creep of a split layer: against the conforming reference and the closed form."""
-    split = confined.Confined(context.biphasic).model()
-    reference = confined.Confined(InterfaceType.CONFORMING, name="confined-creep-conforming").model()
-    runs = context.runner(split), context.runner(reference)
+    runs = against_conforming(context, confined.Confined(context.biphasic))
     scale = confined.LOAD / confined.MODULUS * confined.HEIGHT
     pressures = compare.largest_difference(*runs, "p") / confined.LOAD
     settlement = compare.largest_difference(*runs, "uz") / scale

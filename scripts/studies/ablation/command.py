@@ -9,12 +9,11 @@ import typer
 from rich.console import Console
 
 from harness.paths import RESULTS
-from harness.run import provenance
-from studies import files
+from studies import files, stamps
 from studies.ablation import ablated_runs
 from studies.ablation.ablated_runs import Ablated
 from studies.ablation.ablated_scenes import SCENES
-from studies.limit import LIMIT
+from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
 
@@ -39,7 +38,7 @@ def ablation(
         found = ablated_runs.ablate(name, SCENES[name], device or known, folder.resolve() / "runs", limit)
         rows += found
         console.print("\n".join(_line(row) for row in found), markup=False)
-        files.write_csv(rows, Ablated, folder / "ablation.csv", provenance.stamp(limit))
+        files.write_csv(rows, Ablated, folder / "ablation.csv", stamps.stamp(limit))
     console.print(_summary(rows, device or known), markup=False)
     console.print(f"Written: {folder / 'ablation.csv'}")
 

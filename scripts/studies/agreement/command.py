@@ -11,11 +11,11 @@ from rich.console import Console
 
 from harness.errors import HarnessError
 from harness.paths import DOCS, RESULTS
-from harness.run import provenance
+from studies import stamps
 from studies.agreement import comparisons, page
-from studies.limit import LIMIT
 from studies.pages import stamped_rows
 from studies.pages.evidence import DATA
+from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
 
@@ -37,7 +37,7 @@ def agreement(
     rows = [row for name in only or comparisons.MESHES for row in comparisons.compare(name, folder, limit, tell)]
     console.print(f"{page.headline(rows)}\n\n{page.details(rows)}\n\n{page.tables(rows)}", markup=False)
     if docs and not only:
-        stamped_rows.write(page.Results(provenance.stamp(limit), rows), DATA / page.SOURCE)
+        stamped_rows.write(page.Results(stamps.stamp(limit), rows), DATA / page.SOURCE)
         for name, made in ((page.PAGE, page.page), (page.ALL, page.all_meshes)):
             (DOCS / name).write_text(made(page.read()), encoding="utf-8")
         console.print(f"Written: {page.PAGE}, {page.ALL}, {page.SOURCE} below {DOCS}")

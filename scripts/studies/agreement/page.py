@@ -7,64 +7,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
 
-from harness.run.provenance import Stamp
 from studies import tables as markdown_tables
 from studies.agreement.comparisons import FEBIO, MESHES, OURS, Row
 from studies.agreement.quantities import FACETS_AREA
 from studies.pages import stamped_rows
 from studies.pages.evidence import DATA
+from studies.pages.texts import page_text
+from studies.stamps import Stamp
 
 SOURCE, PAGE, ALL = "agreement.json", "evidence/agreement.md", "reference/agreement.md"
 NUMBERS, FIELDS = "forces, approaches, areas and contents", "fields (L2)"
 
-HEAD = """\
-# Is it the old answer?
+HEAD = page_text("agreement")
 
-<!-- Written by `scripts/mixcontact pages`: change scripts/studies/agreement/page.py instead. -->
-
-**{headline}**
-
-{details}
-
-A converted model has the penalties of the old one. FEBio's interfaces act at Gauss points of facets,
-`sliding-mixture` on averages around nodes. Both see coarse facets of a curved face by different gaps. Finer meshes show
-which answer is the nearer one. Scenes of the [synthetic collection](synthetic-scenes.md), a block pressed into a slab,
-run with FEBio's interface and converted, on their mesh and on finer ones.
-
-The reference is the mean of both on the finest mesh. *Apart* is half of the difference of the two there. An error that
-is not much above it does not decide which answer is nearer. Errors of a number are relative to the reference's. Errors
-of a field are differences at the nodes of the coarsest mesh over the field's largest value, by the root of the mean
-square (L2), and in brackets the largest. The area of contact is (INT p dA)^2 / INT p^2 dA.
-
-{coarse}
-
-[Converted models on finer meshes](../reference/agreement.md) has all meshes. Made with {stamp}.
-
-- Forces, approaches and contents differ least, and the area of contact most.
-- The largest difference of a field is that of few nodes at the edge of contact. Such a node is in contact in one answer
-  and ambient in the other.
-- Compare the two answers of your own model on your mesh and on a finer one before you trust either.
-
-```console
-scripts/mixcontact agreement --docs
-scripts/mixcontact agreement --only biphasic
-```
-
-[agreement.json](../data/agreement.json) holds all values.
-"""
-
-ALL_HEAD = """\
-# Converted models on finer meshes
-
-<!-- Written by `scripts/mixcontact pages`: change scripts/studies/agreement/page.py instead. -->
-
-These are the scenes of [is it the old answer?](../evidence/agreement.md), which describes the columns. *Mesh* is the
-number of its elements along an edge, over that of the collection. The area of the facets with a pressure counts whole
-facets. The two interfaces do not go to one limit there, because a converted model's pressure is interpolated between
-nodes, and facets around the edge have a trace of it on any mesh. Made with {stamp}.
-
-{tables}
-"""
+ALL_HEAD = page_text("agreement-all")
 
 
 @dataclass(frozen=True)

@@ -15,15 +15,14 @@ from rich.console import Console
 from harness.errors import HarnessError
 from harness.models.interface import InterfaceType
 from harness.paths import DOCS, RESULTS
-from harness.run import provenance
 from harness.run.runner import Runner
-from studies import files, workflow
+from studies import files, stamps, workflow
 from studies.cost import interleaved, page, pareto, point_runs
 from studies.cost.interleaved import Timing
 from studies.cost.point_runs import Datum
 from studies.cost.points import INTERFACES, Parameter, Problem, points
-from studies.limit import LIMIT
 from studies.pages.evidence import DATA as RESULTS_OF_THE_PAGES
+from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
 DATA = RESULTS_OF_THE_PAGES / "cost.csv"
@@ -93,7 +92,7 @@ def _sweep(chosen: list[Problem], folder: Path, start: Start) -> None:
         }
     )
     found = [datum for path in paths for datum in files.read_json(path, Datum)]
-    files.write_csv(found, Datum, folder / "cost.csv", provenance.stamp(LIMIT))
+    files.write_csv(found, Datum, folder / "cost.csv", stamps.stamp(LIMIT))
     (folder / "cost.md").write_text(f"{pareto.comparison(found)}\n\n{pareto.table(found)}\n")
     written = [folder / "cost.csv", folder / "cost.md", pareto.draw(found, folder / "cost.svg")]
     console.print(pareto.comparison(found), markup=False)
@@ -117,7 +116,7 @@ def _interleaved(chosen: list[Problem], number: int, data: Path, folder: Path, s
     }
     paths = start(wanted)
     found = [timing for path in paths for timing in files.read_json(path, Timing)]
-    files.write_csv(found, Timing, folder / "cost-interleaved.csv", provenance.stamp(LIMIT))
+    files.write_csv(found, Timing, folder / "cost-interleaved.csv", stamps.stamp(LIMIT))
     text = interleaved.ratio_table(found)
     (folder / "cost-interleaved.md").write_text(text + "\n")
     console.print(text, markup=False)

@@ -12,8 +12,8 @@ from studies import files
 from studies.cost import pareto
 from studies.cost.point_runs import Datum
 from studies.cost.points import INTERFACES, Parameter, Problem
-from studies.limit import at_limit
 from studies.pages.evidence import DATA, EvidencePage
+from studies.stamps import at_limit
 
 SOURCE, PICTURE = "cost.csv", "images/cost.svg"
 OURS = InterfaceType.MIXTURE.value

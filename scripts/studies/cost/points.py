@@ -11,10 +11,11 @@ from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
 from harness.models.indentation import Indentation
-from harness.models.indentation_mesh import LEVELS, Grid
+from harness.models.indentation_mesh import Grid
 from harness.models.interface import ContactSettings, InterfaceType, automatic, default_settings
 from harness.models.mesh import Section
 from harness.models.parts import Control, Curve, Param
+from studies.models.indentation_variants import LEVELS
 
 INTERFACES = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 HALFWAY = Grid(across=13, down=9, around=4)

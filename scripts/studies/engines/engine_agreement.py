@@ -10,10 +10,10 @@ import numpy as np
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
-from harness.models.indentation import Variant
 from harness.models.parts import Param
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
+from studies.models.indentation_variants import Variant
 
 TOLERANCE = 1e-10
 """Newton's relative tolerances."""

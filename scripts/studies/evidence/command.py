@@ -9,8 +9,7 @@ from rich.console import Console
 
 from harness.errors import HarnessError
 from harness.paths import RESULTS
-from harness.run import provenance
-from studies import workflow
+from studies import stamps, workflow
 from studies.evidence.steps import STEPS, Step
 
 console = Console(highlight=False, soft_wrap=True)
@@ -55,10 +54,10 @@ def committed() -> str:
     HarnessError
         Where they were changed since.
     """
-    commit = provenance.plugin_commit()
+    commit = stamps.plugin_commit()
     if commit.endswith("+"):
         raise HarnessError(
-            f"{', '.join(provenance.SOURCES)} have changes that are not committed: commit them first, because results "
+            f"{', '.join(stamps.SOURCES)} have changes that are not committed: commit them first, because results "
             "name the commit that they were made with."
         )
     return commit

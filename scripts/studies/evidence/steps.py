@@ -8,8 +8,8 @@ from pathlib import Path
 from harness.errors import DataFileError
 from harness.paths import DOCS
 from studies.knees.page import LIMIT as KNEE_LIMIT
-from studies.limit import LIMIT
 from studies.pages import evidence
+from studies.stamps import LIMIT
 
 Command = tuple[str, ...]
 """Arguments of the harness."""

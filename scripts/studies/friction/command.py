@@ -9,9 +9,8 @@ import typer
 from rich.console import Console
 
 from harness.paths import RESULTS
-from harness.run import provenance
 from harness.run.runner import Runner
-from studies import files
+from studies import files, stamps
 from studies.friction import curves, curves_picture, curves_table, page, stick_picture, stick_points
 from studies.friction.curves import Row
 from studies.friction.stick_points import Datum
@@ -19,8 +18,8 @@ from studies.hard_cases import rubbing_record
 from studies.hard_cases.outcomes import Outcome
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness, Interface
-from studies.limit import LIMIT
 from studies.pages.evidence import DATA
+from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
 Limit = Annotated[float, typer.Option(help="s of processor time for each run.")]
@@ -48,7 +47,7 @@ def friction_cases(
         for name in only or CASES:
             records.append(rubbing_record.make(runner, name, each, others))
             console.print(records[-1].line, markup=False)
-    found, stamp = [outcome for record in records for outcome in record.outcomes], provenance.stamp(limit)
+    found, stamp = [outcome for record in records for outcome in record.outcomes], stamps.stamp(limit)
     files.write_csv(found, Outcome, folder / page.CASES_SOURCE, stamp)
     console.print(f"Written: {folder / page.CASES_SOURCE}")
     if docs:
@@ -76,7 +75,7 @@ def friction_benchmarks(
         console.print(f"{measure.name}: {measure.value:.2%} from what published ones span", markup=False)
     rows += curves.published_rows()
     (folder / "data").mkdir(parents=True, exist_ok=True)
-    files.write_csv(rows, Row, folder / "data" / curves_table.SOURCE, provenance.stamp(limit))
+    files.write_csv(rows, Row, folder / "data" / curves_table.SOURCE, stamps.stamp(limit))
     picture = curves_picture.draw(rows, folder / curves_picture.PICTURE)
     console.print(f"Written: {folder / 'data' / curves_table.SOURCE}, {picture}")
 
@@ -91,6 +90,6 @@ def friction_cost(
     data = stick_points.measure(stick_points.points(), runner)
     console.print(stick_points.least_time(data), markup=False)
     (folder / "data").mkdir(parents=True, exist_ok=True)
-    files.write_csv(data, Datum, folder / "data" / stick_points.SOURCE, provenance.stamp(limit))
+    files.write_csv(data, Datum, folder / "data" / stick_points.SOURCE, stamps.stamp(limit))
     picture = stick_picture.draw(data, folder / stick_picture.PICTURE)
     console.print(f"Written: {folder / 'data' / stick_points.SOURCE}, {picture}")

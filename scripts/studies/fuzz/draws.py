@@ -8,7 +8,6 @@ from enum import Enum
 
 import numpy as np
 
-from harness.models.assembly import box
 from harness.models.document import Model
 from harness.models.interface import ContactSettings
 from harness.models.parts import Mixture, Param, Solid, Solute
@@ -18,6 +17,7 @@ from studies.hard_cases.catalogue import on_corner, rotation, wedge
 from studies.hard_cases.press import Press
 from studies.hard_cases.pushed import Pushed, Shape, along, faces, slab, turned
 from studies.hard_cases.scene import Fineness, Interface
+from studies.models.assembly import box
 
 Random = np.random.Generator
 

@@ -8,7 +8,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models.assembly import box
 from harness.models.parts import Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
@@ -39,6 +38,7 @@ from studies.hard_cases.pushed import (
 from studies.hard_cases.scene import GEL, Case
 from studies.hard_cases.together import Dropped, Seesaw
 from studies.hard_cases.uniaxial import Uniaxial
+from studies.models.assembly import box
 
 OSCILLATION = 2.0
 """Where a layer at the outlet is thinner than an element the conforming reference oscillates about it, too."""

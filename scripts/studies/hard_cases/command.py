@@ -11,17 +11,15 @@ import typer
 from rich.console import Console
 
 from harness.paths import DOCS, RESULTS
-from harness.run import provenance
-from harness.run.provenance import Stamp
 from harness.run.runner import Runner
-from studies import files, workflow
+from studies import files, stamps, workflow
 from studies.hard_cases import heat_map, outcomes, page, record
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.outcomes import End, Outcome
 from studies.hard_cases.record import Record
 from studies.hard_cases.scene import Fineness, Interface
-from studies.limit import LIMIT
 from studies.pages.evidence import DATA
+from studies.stamps import LIMIT, Stamp
 
 console = Console(highlight=False, soft_wrap=True)
 
@@ -57,10 +55,10 @@ def hard_cases(
     }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=snakemake or ())
     found = [entry.outcome for path in paths for entry in record.read(path)]
-    _write(found, provenance.stamp(limit), folder)
+    _write(found, stamps.stamp(limit), folder)
     complete = len(paths) == len(wanted)
     if docs and complete:
-        _write_docs(found, provenance.stamp(limit))
+        _write_docs(found, stamps.stamp(limit))
     own = [outcome for outcome in found if outcome.interface == Interface.MIXTURE.value]
     if not complete or not all(outcome.end is End.PASSES for outcome in own):
         raise typer.Exit(1)

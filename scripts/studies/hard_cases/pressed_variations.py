@@ -101,8 +101,9 @@ class Restarted(Press):
             folder = shutil.copytree(dumped.folder, Path(scratch) / "continued")
             (folder / model.node_file).unlink()
             needs = any(contact.kind == Interface.MIXTURE.value for contact in model.contacts)
-            plugin = engine.required_plugin() if needs else None
-            engine.restart(folder / f"{model.name}.dmp", plugin=plugin, timeout=rerun.timeout)
+            load = ["-import", str(engine.required_plugin())] if needs else []
+            command = [str(engine.find_engine()), "-r", f"{model.name}.dmp", *load]
+            engine.execute(command, folder, timeout=rerun.timeout)
             part = logdata.read_history(folder / model.node_file, model.node_columns)
         gap = variants.difference(run, part.values[-1:], part.times[-1:])
         return [*super().check(run, rerun), Measure("restarted, relative difference", gap, INVARIANT)]

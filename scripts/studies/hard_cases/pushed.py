@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.models import blocks
-from harness.models.assembly import box
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.indentation_mesh import Grid, cylinder_body
@@ -19,6 +18,7 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import ambient_at
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
+from studies.models.assembly import box
 
 Array = NDArray[np.float64]
 Motion = Callable[[Array, float], Array]

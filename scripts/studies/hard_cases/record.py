@@ -17,7 +17,7 @@ from studies.hard_cases import invariants
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.outcomes import Attempt, Outcome
 from studies.hard_cases.scene import Fineness, Interface
-from studies.limit import at_limit
+from studies.stamps import at_limit
 
 
 @dataclass(frozen=True)

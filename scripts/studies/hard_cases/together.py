@@ -8,13 +8,12 @@ import numpy as np
 from scipy.optimize import brentq
 
 from harness.models.document import Model
-from harness.models.mesh import Box, Layer, Mesh, Part, assemble, conforming_column
+from harness.models.mesh import Box, Ids, Layer, Mesh, Part, assemble, conforming_column
 from harness.models.parts import Curve, Param, Solid, displace, fix, normal_load
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import HOLD, RAMP, ambient_at, stress, stretches
 from studies.hard_cases.scene import GEL, Fineness, Interface, finished, timed
-from studies.models.ambient import two_patches
 
 
 @dataclass(frozen=True)
@@ -155,3 +154,11 @@ class Dropped:
         loaded = np.unique(run.model.mesh.surfaces["loaded"]) - 1
         way = -run.nodes["uz"][-1, loaded]
         return [Measure("way of the block, relative error", float(np.max(np.abs(way / exact - 1.0))), 2e-3)]
+
+
+def two_patches(mesh: Mesh, primary: str, secondaries: tuple[str, str]) -> Mesh:
+    """Cut the two facets of `primary` into surfaces of their own, each facing one of `secondaries`."""
+    first, second = (mesh.surfaces[primary][k : k + 1] for k in range(2))
+    patches: dict[str, Ids] = {"patch-1": first, "patch-2": second}
+    pairs = {f"pair-{k + 1}": (f"patch-{k + 1}", secondaries[k]) for k in range(2)}
+    return replace(mesh, surfaces=mesh.surfaces | patches, pairs=pairs)

@@ -9,9 +9,8 @@ import typer
 from rich.console import Console
 
 from harness.paths import RESULTS
-from harness.run import provenance
 from harness.run.runner import Runner
-from studies import files
+from studies import files, stamps
 from studies.hertz import elastic_profiles, figures, growth_records
 
 console = Console(highlight=False, soft_wrap=True)
@@ -31,7 +30,7 @@ def biphasic_hertz(
         errors = growth_records.largest_errors(own, problem.load.points[1][0])
         console.print(f"{problem.name}: " + ", ".join(f"{name} {error:.2%}" for name, error in errors.items()))
     (folder / "data").mkdir(parents=True, exist_ok=True)
-    files.write_csv(rows, growth_records.Record, folder / DATA, provenance.stamp())
+    files.write_csv(rows, growth_records.Record, folder / DATA, stamps.stamp())
     console.print(f"Written: {folder / DATA}, {figures.draw(rows, folder / PICTURE)}")
 
 
@@ -41,5 +40,5 @@ def elastic_hertz(
     """Press a cylinder and a sphere on a block, on two meshes each, and compare with Hertz's closed forms."""
     rows = elastic_profiles.all_rows(Runner(RESULTS / "runs"))
     (folder / "data").mkdir(parents=True, exist_ok=True)
-    files.write_csv(rows, elastic_profiles.ProfileRow, folder / ELASTIC_DATA, provenance.stamp())
+    files.write_csv(rows, elastic_profiles.ProfileRow, folder / ELASTIC_DATA, stamps.stamp())
     console.print(f"Written: {folder / ELASTIC_DATA}, {figures.draw_elastic(rows, folder / ELASTIC_PICTURE)}")

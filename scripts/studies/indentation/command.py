@@ -12,13 +12,14 @@ from rich.console import Console
 
 from harness.indentation import figures, histories
 from harness.indentation.histories import Curves
-from harness.models.indentation import END, TIMES, Variant
+from harness.models.indentation import END, TIMES
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.paths import RESULTS
 from harness.run.runner import Runner, RunResult
 from studies.indentation import configurations, convergence, extremes
 from studies.indentation.configurations import Case, Configuration, Row
 from studies.indentation.convergence import Arrangement, Solved
+from studies.models.indentation_variants import Variant
 
 console = Console(highlight=False, soft_wrap=True)
 

@@ -11,9 +11,10 @@ import numpy as np
 
 from harness.indentation.histories import Curves, curves
 from harness.models.indentation import TIMES, Indentation
-from harness.models.indentation_mesh import LEVELS, Primary
+from harness.models.indentation_mesh import Primary
 from harness.models.interface import ContactSettings
 from harness.run.runner import Runner, RunResult
+from studies.models.indentation_variants import LEVELS
 
 QUANTITIES = {
     "force [N]": "force",

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from harness.models.document import Model
 from harness.models.indentation import CONTROL, GEL, Indentation
-from harness.models.indentation_mesh import LEVELS
 from harness.run.runner import Runner
+from studies.models.indentation_variants import LEVELS
 from studies.models.soaked import soaked
 
 Array = NDArray[np.float64]

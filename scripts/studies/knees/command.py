@@ -13,9 +13,8 @@ from harness.errors import HarnessError
 from harness.models.knee.bearing import Load
 from harness.models.knee.whole_mesh import Size
 from harness.paths import DOCS, RESULTS
-from harness.run import provenance
 from harness.run.runner import Runner
-from studies import files
+from studies import files, stamps
 from studies.knees import page
 from studies.knees.knee_run import KneeRun
 from studies.pages.evidence import DATA
@@ -51,6 +50,6 @@ def knee(
     console.print(page.table(found), markup=False)
     console.print(str(figures.draw(drawn, folder / page.PICTURE)))
     if docs:
-        files.write_csv(found, KneeRun, DATA / page.SOURCE, provenance.stamp(limit))
+        files.write_csv(found, KneeRun, DATA / page.SOURCE, stamps.stamp(limit))
         (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
         console.print(str(figures.draw(drawn, DOCS / "images" / page.PICTURE)))

@@ -16,7 +16,7 @@ from harness.report.history import Contact
 from harness.report.plot_file import State
 from harness.run.runner import Runner, RunResult
 from studies.knees.knee_run import KneeRun
-from studies.limit import at_limit
+from studies.stamps import at_limit
 
 FACTORS = (1.0, 10.0, 100.0)
 """Of FEBio's automatic penalties; 0 stands for the plugin's defaults."""

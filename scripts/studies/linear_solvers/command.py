@@ -10,7 +10,7 @@ import typer
 from rich.console import Console
 
 from harness.paths import RESULTS
-from harness.run import provenance
+from studies import stamps
 from studies.linear_solvers.trials import trials
 from studies.pages import linear_solver_results, stamped_rows
 from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS
@@ -33,7 +33,7 @@ def linear_solvers(
         if name not in known:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(sorted(known))}", param_hint="--only")
     chosen = tuple(solver for solver in SOLVERS if not only or solver.type in only)
-    stamp = provenance.stamp()
+    stamp = stamps.stamp()
     made = [
         replace(trial, febio=f"{trial.febio} {build}".strip())
         for scene in SCENES

@@ -15,7 +15,7 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Control
 from harness.run import engine, logdata, provenance
-from studies import feb
+from studies import feb, stamps
 from studies.pages.linear_solver_results import SOLVERS, Outcome, Solver, Trial
 
 TOLERANCE = 1e-3
@@ -70,7 +70,7 @@ def trials(
         run, found = _run(model, solver, folder / f"{solver.type}-{solver.preconditioner}")
         difference = _difference(found, expected)
         ended = outcome(run, solver, difference)
-        made = (provenance.engine_version(run.output), provenance.plugin_commit())
+        made = (provenance.engine_version(run.output), stamps.plugin_commit())
         kind = (scene, solver.type, solver.preconditioner, enforcement)
         yield Trial(*kind, ended.value, difference if run.report.normal else math.nan, *made), run
 

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.models import blocks
-from harness.models.assembly import NEAR, Chosen, assembled, everywhere, graded, plane
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
 from harness.models.header import header
@@ -20,6 +19,7 @@ from harness.models.mesh import Ids, Mesh, Part
 from harness.models.parts import Control, Curve, Mixture, Param, Rigid, Solid, TimeStepper, fix, hold_rigid, push_rigid
 from studies.closed_forms import biphasic_layers
 from studies.closed_forms.biphasic_layers import Shape
+from studies.models.assembly import NEAR, Chosen, assembled, everywhere, graded, plane
 
 THICKNESS = 1.0
 """Of each layer, mm."""

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from harness.models import spherical_shells
-from harness.models.assembly import assembled, box, everywhere, plane, sphere
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, default_settings, with_friction
 from harness.models.mesh import Mesh
 from harness.models.parts import Contact, Control, Curve, Elastic, Solid, TimeStepper, displace, fix, hold
+from studies.models import spherical_shells
+from studies.models.assembly import assembled, box, everywhere, plane, sphere
 
 INNER, MIDDLE, OUTER = 10.0, 12.0, 14.0
 """Radii of the inner shell's inner face, of the contact between the shells, and of the outer shell's outer face, mm."""

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import InterfaceType, contacts, default_settings
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix, hold
+from studies.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor
 
 RADIUS = 10.0
 """mm."""

@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 from harness.models import parts
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, column, contacts, with_friction
 from harness.models.mesh import Layer, Section
-from studies.models.pairs import Kind
+
+
+class Kind(str, Enum):
+    """A kind of body, under FEBio's name of it."""
+
+    ELASTIC = "elastic"
+    RIGID = "rigid"
+    BIPHASIC = "biphasic"
+    SOLUTE = "biphasic-solute"
+    TRIPHASIC = "triphasic"
+    MULTIPHASIC = "multiphasic"
+
 
 FRICTION = 2.0
 """So high that all of the contact sticks."""

@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models import spherical_shells
-from harness.models.assembly import assembled, box, plane, sphere
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings
 from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace, hold
+from studies.models import spherical_shells
+from studies.models.assembly import assembled, box, plane, sphere
 
 Array = NDArray[np.float64]
 OUTER, INNER, SIDE = 1.0, 2.0 / 3.0, 2.0

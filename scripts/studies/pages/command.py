@@ -9,10 +9,10 @@ import typer
 from rich.console import Console
 
 from harness.paths import DOCS, RESULTS
-from harness.run import provenance
 from harness.run.runner import Runner
 from harness.validate import figures
 from harness.validate.checks import CHECKS, Context
+from studies import stamps
 from studies.pages import verification
 
 console = Console(highlight=False, soft_wrap=True)
@@ -34,7 +34,7 @@ def verification_report(
         sections.append(section)
         missed = sum(not measure.passed for measure in section.measures)
         console.print(f"{section.name}: {len(section.measures)} figures, {missed} missed")
-    written = verification.write(folder, verification.Report(provenance.stamp(), sections))
+    written = verification.write(folder, verification.Report(stamps.stamp(), sections))
     if not only:
         written += _pictures(folder / "images")
     console.print("Written: " + ", ".join(str(path) for path in written))

@@ -4,49 +4,35 @@ from __future__ import annotations
 
 import importlib.machinery
 import importlib.util
-import inspect
-import typing
-from collections.abc import Callable, Sequence
-from enum import Enum
+import re
+from collections.abc import Container
 
-from typer.models import ArgumentInfo, OptionInfo
+import typer
+from typer.cli import get_docs_for_click
+from typer.core import TyperGroup
 
 from harness.paths import REPOSITORY
+from studies.pages.texts import page_text
 
 PAGE = "reference/commands.md"
-
-HEAD = """\
-# Commands
-
-<!-- Written by `scripts/mixcontact pages` from the commands. -->
-
-`scripts/mixcontact --help` says:
-
-```text
-{summary}
-```
-
-The sections below describe each command that runs or reads models. An installed `mixcontact` (`pip install .`) has the
-first ones, marked with a star. The exit code is 0 if the command is done and its checks hold, and 1 if a check does not
-hold. It is 2 if the input cannot be used, and 4 if the command has a fault.
-
-"""
+_USAGE = re.compile(r"\*\*Usage\*\*:\n\n```console\n.*?\n```\n\n", re.DOTALL)
+_HELP = re.compile(r"(?:\*\*Options\*\*:\n\n)?\* `--help`: Show this message and exit\.\n")
 
 
-def page(functions: Sequence[Callable[..., None]], installed: Sequence[Callable[..., None]]) -> str:
+def page(app: typer.Typer, installed: Container[str]) -> str:
     """The text of the page.
 
     Parameters
     ----------
-    functions : sequence of callable
-        All commands.
-    installed : sequence of callable
-        Commands that need no repository, in the order of the page, which has them first.
+    app : typer.Typer
+        All commands; those that need no repository come first.
+    installed : container of str
+        Names of commands that need no repository.
     """
-    others = [function for function in functions if function not in installed]
-    ordered = [*installed, *sorted(others, key=lambda function: function.__name__)]
-    sections = [_section(function, function in installed) for function in ordered]
-    return HEAD.format(summary=_summary()) + "\n\n".join(sections) + "\n"
+    group = typer.main.get_group(app)
+    names = sorted(group.commands, key=lambda name: (name not in installed, name if name not in installed else ""))
+    sections = [_section(group, name, name in installed) for name in names]
+    return page_text("commands").format(summary=_summary()) + "\n\n".join(sections) + "\n"
 
 
 def _summary() -> str:
@@ -60,47 +46,10 @@ def _summary() -> str:
     return (module.__doc__ or "").strip()
 
 
-def _section(function: Callable[..., None], star: bool) -> str:
-    about = inspect.cleandoc(function.__doc__ or "").replace("\n", " ").replace("  ", "\n\n")
-    hints = typing.get_type_hints(function, include_extras=True)
-    rows = [_row(parameter, hints[name]) for name, parameter in inspect.signature(function).parameters.items()]
-    table = ["| option | default | meaning |", "|---|---|---|", *rows] if rows else []
-    title = f"## `{function.__name__.replace('_', '-')}`{' *' if star else ''}"
-    return "\n\n".join(filter(None, [title, about, "\n".join(table)]))
-
-
-def _row(parameter: inspect.Parameter, hint: object) -> str:
-    kind, *notes = typing.get_args(hint) if typing.get_origin(hint) is typing.Annotated else (hint,)
-    told = next((note for note in notes if isinstance(note, OptionInfo | ArgumentInfo)), None)
-    text = [(told.help or "").replace("|", "/")] if told else []
-    choices = _choices(kind)
-    if choices:
-        text.append(f"One of {', '.join(f'`{choice}`' for choice in choices)}.")
-    name = parameter.name.replace("_", "-")
-    shown = name if told is None or isinstance(told, ArgumentInfo) else _option(told, name, kind)
-    return f"| `{shown}` | {_default(parameter.default)} | {' '.join(text)} |"
-
-
-def _option(told: OptionInfo, name: str, kind: object) -> str:
-    """An option as one types it, with what turns it off."""
-    named = told.default if isinstance(told.default, str) else f"--{name}"
-    return f"{named}`, `--no-{name}" if kind is bool and not isinstance(told.default, str) else named
-
-
-def _choices(kind: object) -> list[str]:
-    """The values of an enumeration, also of a list of its members."""
-    kinds = [kind, *typing.get_args(kind), *(each for one in typing.get_args(kind) for each in typing.get_args(one))]
-    found = [each for each in kinds if isinstance(each, type) and issubclass(each, Enum)]
-    return [str(choice.value) for choice in found[0]] if found else []
-
-
-def _default(value: object) -> str:
-    """The default as one would type it; paths below the repository without it, enumerations by their values."""
-    if value is inspect.Parameter.empty:
-        return "required"
-    if value in (None, False, ()):
-        return ""
-    if value is True:
-        return "on"
-    text = str(getattr(value, "value", value))
-    return f"`{text.removeprefix(f'{REPOSITORY}/')}`"
+def _section(group: TyperGroup, name: str, star: bool) -> str:
+    """What typer says of a command, with paths below the repository without it, and a star where all have it."""
+    said = get_docs_for_click(obj=group.commands[name], ctx=typer.Context(group), indent=1, name=name)
+    for needless in (_USAGE, _HELP):
+        said = needless.sub("", said)
+    title, rest = said.replace(f"{REPOSITORY}/", "").split("\n", 1)
+    return f"{title}{' *' if star else ''}\n{rest}".strip()

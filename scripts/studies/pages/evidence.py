@@ -14,7 +14,7 @@ from pathlib import Path
 
 from harness.errors import DataFileError
 from harness.paths import DOCS, REPOSITORY
-from harness.run.provenance import Stamp
+from studies.stamps import Stamp
 
 DATA = DOCS / "data"
 WRITTEN = "<!-- Written by `scripts/mixcontact pages`: change {} instead. -->"

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
-from harness.run.provenance import Stamp
 from studies import tables
 from studies.pages import stamped_rows
+from studies.pages.texts import page_text
+from studies.stamps import Stamp
 
 PAGE = "reference/linear-solvers.md"
 DATA = Path("data", "linear-solvers.json")
@@ -99,37 +100,7 @@ class Results:
     rows: list[Trial]
 
 
-HEAD = """\
-# Linear solvers
-
-<!-- Written by `scripts/mixcontact pages` from data/linear-solvers.json, which `linear-solvers` measures. -->
-
-The matrix of the contact is non-symmetric, and with `LAGMULT` it has zeros on its diagonal. `pardiso`, FEBio's default,
-and `mkl_dss` solve every model here. Both are part of MKL. An FEBio without MKL has `skyline` as its default, which
-cannot; give `superlu_mt` there, in the model or as the default in `febio.xml`. `pardiso` is given
-[smaller matrices](../how-to/devices.md) than the others with `PENALTY` and
-`AUGLAG`.
-
-Each cell is a run of a small model: diffusion between two cubes of 3 elements (3.1), and confined creep of a biphasic
-layer. `yes`: the run completes, with the values of `pardiso` to {largest} of the largest of each kind. {engines}
-
-{table}
-
-Multipliers put zeros on the diagonal, on which incomplete factorisations divide: use a direct solver with `LAGMULT`.
-Whether `ilu0` or `ilut` solves a model with multipliers depends on rounding, and differs between machines; the cells
-say what one machine found.
-The log and `scripts/mixcontact check` warn of a solver for symmetric matrices and of an iterative one with `LAGMULT`.
-FEBio's message is "Linear solver failed to find solution" if a solver fails. If it is for symmetric matrices or was not
-built in, the message is "The selected linear solver does not support the requested matrix format".
-`hypre_gmres` reports no failure: Newton's method does not converge then.
-
-```console
-scripts/mixcontact linear-solvers --only pardiso
-```
-
-measures the rows of one solver with the FEBio that is found; without `--only` all of them. Rows of a solver that this
-FEBio was built without stay as they were measured.
-"""
+HEAD = page_text("linear-solvers")
 
 
 def read(path: Path) -> Results:

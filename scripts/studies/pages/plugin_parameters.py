@@ -1,21 +1,59 @@
 """The page of the contact's parameters: docs/reference/parameters.md.
 
 Names, order, headings, kinds, choices and defaults are those of `harness.preflight.plugin_types`. What code does not
-say comes from `studies.pages.parameter_notes`.
+say comes from texts/parameter_notes.json.
 """
 
 from __future__ import annotations
 
+import json
 import subprocess
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from harness.errors import DataFileError
 from harness.preflight.contact_types import MIXTURE
 from harness.preflight.plugin_types import FILE, PLUGIN_TYPES, Parameter
 from harness.run import standalone
-from studies.pages.parameter_notes import ABOUT, AUTOMATIC, NOTES, OLD_MODELS, Note
+from studies.pages.texts import FOLDER, page_text
 
 PAGE = "reference/parameters.md"
+AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_radius"}
+"""Parameters that are chosen by the contact where the model does not give them."""
+OLD_MODELS = "Accepted for the sake of old models"
+"""The heading of parameters that FEBio Studio does not offer."""
+
+
+@dataclass(frozen=True)
+class Note:
+    """Of one parameter.
+
+    Attributes
+    ----------
+    effect : str
+        What it means and does.
+    cost : str
+        What it costs, in time or robustness.
+    febio : str
+        What it is in FEBio's own interfaces.
+    unit : str
+        Empty: 0 or 1 for truth values, else none.
+    default : str
+        Empty: that of the code.
+    """
+
+    effect: str
+    cost: str = "none"
+    febio: str = "same"
+    unit: str = ""
+    default: str = ""
+
+
+_SAID = json.loads((FOLDER / "parameter_notes.json").read_text(encoding="utf-8"))
+ABOUT: dict[str, str] = _SAID["groups"]
+"""A sentence on each group of parameters, by its heading."""
+NOTES = {name: Note(**note) for name, note in _SAID["notes"].items()}
+"""By the names of the parameters."""
 
 
 def printed() -> str:
@@ -42,7 +80,7 @@ def page(parameters: Sequence[Parameter] = PLUGIN_TYPES[MIXTURE]) -> str:
     odd = {parameter.name for parameter in parameters} ^ set(NOTES) | set(titles) ^ set(ABOUT)
     if odd:
         raise DataFileError(
-            f"studies/pages/parameter_notes.py and {FILE.name} do not agree on {', '.join(sorted(odd))}"
+            f"studies/pages/texts/parameter_notes.json and {FILE.name} do not agree on {', '.join(sorted(odd))}"
         )
     sections = [
         f"## {title}\n\n{ABOUT[title]}\n\n{_table([each for each in parameters if _title(each) == title])}"
@@ -51,18 +89,7 @@ def page(parameters: Sequence[Parameter] = PLUGIN_TYPES[MIXTURE]) -> str:
     return "\n\n".join([_INTRODUCTION, *sections]) + "\n"
 
 
-_INTRODUCTION = """\
-# Parameters
-
-<!-- Written by `scripts/mixcontact pages` from the code that registers them and studies/pages/parameter_notes.py. -->
-
-These are the parameters of `<contact type="sliding-mixture">`. Units are those of the models here: mm, N, s, nmol,
-hence MPa and mM; FEBio has none, and any consistent set works. A parameter that is not on this page is an error, and a
-value without meaning is as well; the message names the parameter. "Same" means the same name, meaning and default as
-in those of FEBio's interfaces (`sliding-elastic`, `sliding-biphasic`, `sliding-biphasic-solute`, `sliding-multiphasic`)
-that have it.
-
-The [how-to](../how-to/parameters.md#which-parameter-first) says which one to change first."""
+_INTRODUCTION = page_text("parameters").rstrip()
 
 
 def _title(parameter: Parameter) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 from studies import tables
 from studies.pages import scene_results
 from studies.pages.scene_results import MOST, Results, Row, Took
+from studies.pages.texts import page_text
 
 PAGE, ALL = "evidence/reported-scenes.md", "reference/reported-scenes.md"
 DATA = Path("data", "reported-scenes.json")
@@ -19,49 +20,8 @@ TITLES = {"converted": "Converted models", "defaults": "Without their penalties,
 IN = 0.9
 """Part of the scenes in which ours is to take at most FEBio's iterations."""
 
-HEAD = """\
-# Reported kinds
-
-<!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/reported_results.py instead. -->
-
-**{summary}**
-
-{details}
-
-This second collection of synthetic test scenes was written here after kinds of model that users report:
-
-- thin shells and strips on rigid bodies, rods in tubes, whole outsides as surfaces, leaning and turned sides;
-- sheets that fold onto themselves, crossed tubes, incongruent cylinders, hyperelastic blocks that slide;
-- soft bodies between rigid plates, rigid cams, punches and wheels, nearly incompressible bodies, impacts;
-- elements that erode, steps without drainage.
-
-They have one pass or two, augmentations on small penalties, friction and quasi-Newton methods, in tetrahedra,
-hexahedra, wedges and shells. Scenes are small, and many differ in one choice alone. They were chosen so that FEBio's
-interface completes them, before `sliding-mixture` was run.
-
-Each scene runs with FEBio's interface, through `scripts/mixcontact convert` with the same penalties, and with the
-penalties deleted. The limit is the same for all. This command runs the scenes of one name, or without `--only` all:
-
-```console
-scripts/mixcontact synthetic-scenes --collection reported --only crossed-tubes
-```
-
-[All scenes](../reference/reported-scenes.md) have a row each, with Newton iterations, and retries of time steps in
-brackets. These scenes are worse than with FEBio's interface: the run fails, has more retries, or takes more than {most}
-times the iterations. Made with {stamp}.
-
-{worse}
-"""
-ALL_HEAD = """\
-# Reported kinds: all scenes
-
-<!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/reported_results.py instead. -->
-
-The table gives Newton iterations for the [reported kinds](../evidence/reported-scenes.md), with retries in brackets.
-Made with {stamp}.
-
-{table}
-"""
+HEAD = page_text("reported-scenes")
+ALL_HEAD = page_text("reported-scenes-all")
 
 
 def page(results: Results) -> str:

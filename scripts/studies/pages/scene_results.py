@@ -8,53 +8,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from harness.run.provenance import Stamp
 from studies import tables
 from studies.pages import stamped_rows
+from studies.pages.texts import page_text
+from studies.stamps import Stamp
 
 PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
 DATA = Path("data", "synthetic-scenes.json")
 """Below docs/."""
 
-HEAD = """\
-# Synthetic test scenes
-
-<!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/scene_results.py instead. -->
-
-These scenes were written here, and no user sent them. They have the element types, materials, loads, rigid and porous
-bodies of users' models, each with the FEBio interface and the parameters that a user would take. Each runs with FEBio's
-interface, through `scripts/mixcontact convert` with the same penalties, with the penalties deleted, and so with
-`predictor` 1 as well. The limit is the same for all. This command runs one scene, or without `--only` all:
-
-```console
-scripts/mixcontact synthetic-scenes --only elements-hex8
-```
-
-{summary}
-
-*Differ by* is the largest difference of the last state between FEBio's interface and the converted model, at any node.
-It is relative to the largest displacement, or to the largest value of a field. Both models are equal to 1e-8 if contact
-is uniform and the penalty is given in numbers (`tests/synthetic_scenes/test_uniform_contact.py`). These scenes have a
-curved face on a flat one and coarse meshes. FEBio's interfaces act at Gauss points of facets, `sliding-mixture` on
-averages around nodes. {finer} Pressures differ most at the edge of contact.
-
-[All scenes](../reference/synthetic-scenes.md) have a row each, with Newton iterations, and retries in brackets. These
-are worse than with FEBio's interface, or not comparable:
-
-{table}
-
-Made with {stamp}.
-"""
-ALL_HEAD = """\
-# Synthetic test scenes: all scenes
-
-<!-- Written by `scripts/mixcontact pages`: change scripts/studies/pages/scene_results.py instead. -->
-
-The table has Newton iterations, with retries in brackets. The page of the
-[synthetic test scenes](../evidence/synthetic-scenes.md) describes the columns. Made with {stamp}.
-
-{table}
-"""
+HEAD = page_text("synthetic-scenes")
+ALL_HEAD = page_text("synthetic-scenes-all")
 
 
 FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit", "explicit-finer"))

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from harness.errors import DataFileError
-from harness.run.provenance import Stamp
+from studies.stamps import Stamp
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance

@@ -11,10 +11,11 @@ from harness.errors import DataFileError
 from harness.models.document import Model
 from harness.models.parts import text_of
 from harness.post.compare import Measure
-from harness.run.provenance import Stamp
 from harness.run.runner import Runner, RunResult
 from harness.validate.checks import Check, Context
 from harness.validate.results import measures_as_data, measures_from_data
+from studies.pages.texts import page_text
+from studies.stamps import Stamp
 
 PAGE, DATA = "reference/verification-report.md", "data/verification.json"
 
@@ -146,20 +147,7 @@ def page(report: Report) -> str:
     return "\n\n".join([introduction, *(_text(section) for section in report.sections)]) + "\n"
 
 
-_INTRODUCTION = """\
-# Verification report
-
-<!-- Written by `scripts/mixcontact verification-report`; change scripts/harness/validate/checks.py instead. -->
-
-This report has each figure with its tolerance, the runs behind it, and a command that repeats it. It was made with
-{stamp}, full Newton. This command makes all of it:
-
-```console
-scripts/mixcontact verification-report
-```
-
-"Whole" is the conforming reference: the same mesh as one body. The tolerances are those of FEBio's Newton iterations.
-[Verification](../evidence/verification.md) sums them up."""
+_INTRODUCTION = page_text("verification").rstrip()
 
 
 def _text(section: Section) -> str:

@@ -12,14 +12,13 @@ from rich.console import Console
 from rich.progress import track
 
 from harness.paths import DOCS, RESULTS
-from harness.run import provenance
 from harness.run.runner import Runner
-from studies import files
+from studies import files, stamps
 from studies.hard_cases.scene import Fineness
-from studies.limit import LIMIT
 from studies.pages.evidence import DATA
 from studies.predictor import page, paired_models, summary_table
 from studies.predictor.paired_models import Took
+from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
 
@@ -46,7 +45,7 @@ def predictor(
     console.print(text, markup=False)
     console.print(f"Written: {folder / 'predictor.md'}")
     if docs:
-        files.write_csv(paired_models.runs(found), Took, DATA / page.SOURCE, provenance.stamp(limit))
+        files.write_csv(paired_models.runs(found), Took, DATA / page.SOURCE, stamps.stamp(limit))
         (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
         console.print(f"Written: {DOCS / page.PAGE.name}")
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from harness.collection import kept_models as collection
 from harness.models.document import Model
 from harness.models.interface import PREDICTOR, InterfaceType
 from harness.models.parts import Contact, Rigid
 from harness.run.runner import Runner
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
-from studies.limit import at_limit
+from studies.models import kept_models as collection
+from studies.stamps import at_limit
 
 MOST = 1.02
 """Iterations with the predictor over those without it, at most, for it to become the default."""

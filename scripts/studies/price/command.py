@@ -13,13 +13,12 @@ from rich.console import Console
 
 from harness.errors import HarnessError
 from harness.paths import DOCS, RESULTS
-from harness.run import provenance
-from studies import files
-from studies.limit import LIMIT
+from studies import files, stamps
 from studies.pages.evidence import DATA
 from studies.price import bars, effect_costs, febio_matrices, joints, page, paired_runs, table
 from studies.price.effect_costs import EffectCost
 from studies.price.scenes import Kind, Scene, effects_added
+from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
 
@@ -55,7 +54,7 @@ def price(
         _show_effects(_of_logs(logs), folder)
         return
     chosen = only or list(Part)
-    stamp = provenance.stamp(LIMIT)
+    stamp = stamps.stamp(LIMIT)
     tell = partial(console.print, markup=False)
     if Part.JOINTS in chosen:
         found = joints.measure(joints.SCENES, repetitions, tell)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import partial
 
 from studies import timing
-from studies.limit import LIMIT
 from studies.price import table
 from studies.price.scenes import Scene
+from studies.stamps import LIMIT
 
 
 @dataclass(frozen=True)

@@ -6,13 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.document import Model
 from harness.run.febio_log import Report
 from studies import timing
-from studies.limit import LIMIT
+from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints, table
 from studies.price.joints import Joint, Scene
+from studies.stamps import LIMIT
 
 FORMATS = ("non-symmetric", "symmetric")
 """FEBio's names; the second is its default in the module `solid`, the first in modules with a fluid."""

@@ -11,14 +11,14 @@ from statistics import median
 from typing import NamedTuple
 
 from harness.errors import DataFileError
-from harness.models.ball_in_socket import BallInSocket
 from harness.models.interface import PREDICTOR
 from studies import timing
 from studies.hard_cases.scene import Interface
-from studies.limit import LIMIT, at_limit
+from studies.models.ball_in_socket import BallInSocket
 from studies.models.pressed_blocks import PressedBlocks
 from studies.price import table
 from studies.price.scenes import Kind, penalties
+from studies.stamps import LIMIT, at_limit
 
 FACTOR = 10.0
 """Of FEBio's automatic penalties: what its users set."""

@@ -12,9 +12,9 @@ from statistics import median
 from harness.models.interface import PREDICTOR, ContactSettings, InterfaceType
 from studies import timing
 from studies.hard_cases.scene import Interface
-from studies.limit import LIMIT, at_limit
 from studies.price import table
 from studies.price.scenes import Kind, Scene, penalties
+from studies.stamps import LIMIT, at_limit
 
 Announce = Callable[[str], None]
 """Told what is being run."""

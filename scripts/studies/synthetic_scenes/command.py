@@ -12,10 +12,10 @@ from rich.console import Console
 from rich.progress import track
 
 from harness.paths import DOCS, PLUGIN_VARIABLE, RESULTS
-from harness.run import provenance
-from studies.limit import LIMIT
+from studies import stamps
 from studies.pages import scene_results, stamped_rows
 from studies.pages.scene_results import Row
+from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison
 from studies.synthetic_scenes.collections_of_scenes import STUDIES, Collection, Study
 
@@ -50,7 +50,7 @@ def synthetic_scenes(
 
     with ThreadPoolExecutor(jobs) as pool:
         rows = list(track(pool.map(compare, chosen), "scenes", total=len(chosen), console=console))
-    _write(study, scene_results.Results(provenance.stamp(limit), rows), folder / f"{collection.value}.md", docs)
+    _write(study, scene_results.Results(stamps.stamp(limit), rows), folder / f"{collection.value}.md", docs)
     if any(row.febio.ended and not (row.converted.ended and row.defaults.ended) for row in rows):
         raise typer.Exit(1)
 

@@ -19,8 +19,8 @@ from harness.models.interface import InterfaceType
 from harness.run import engine, febio_log, logdata
 from studies import feb
 from studies.feb import Element
-from studies.limit import at_limit
 from studies.pages.scene_results import AT_LIMIT, Row, Took
+from studies.stamps import at_limit
 from studies.synthetic_scenes import kept_runs
 
 POSITIONS, DISPLACEMENTS = ("x", "y", "z"), ("ux", "uy", "uz")

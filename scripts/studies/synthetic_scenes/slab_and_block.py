@@ -7,11 +7,11 @@ from enum import Enum
 
 import numpy as np
 
-from harness.models.assembly import box
 from harness.models.blocks import FACES, TET_FACES, Body
 from harness.models.mesh import Ids, Mesh, Nodes, Part
-from harness.models.quadratic import quadratic
-from harness.models.tetrahedra import tetrahedra
+from studies.models.assembly import box
+from studies.models.quadratic import quadratic
+from studies.models.tetrahedra import tetrahedra
 
 SLAB, BLOCK = "slab", "block"
 BASE, LOADED = "slab-base", "block-loaded"
@@ -47,10 +47,11 @@ class Shape(Enum):
 
 
 _PENTA_FACES = ((0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2))
-_FACES_OF: dict[int, tuple[tuple[int, ...], ...]] = {4: TET_FACES, 6: _PENTA_FACES, 8: FACES}
+FACES_OF: dict[int, tuple[tuple[int, ...], ...]] = {4: TET_FACES, 6: _PENTA_FACES, 8: FACES}
+"""By the number of corners of an element: corners of its faces, counterclockwise seen from outside."""
 
 
-def _prisms(body: Body) -> Body:
+def prisms(body: Body) -> Body:
     """Two upright ones in each hexahedron."""
     halves = np.array([(0, 1, 3, 4, 5, 7), (1, 2, 3, 5, 6, 7)])
     return Body(body.nodes, np.asarray(body.elements[:, halves].reshape(-1, 6), dtype=np.int64))
@@ -59,12 +60,12 @@ def _prisms(body: Body) -> Body:
 def _of(kind: Elements, hexahedra: Body) -> Body:
     if kind in (Elements.TET4, Elements.TET10):
         return tetrahedra(hexahedra)
-    return _prisms(hexahedra) if kind is Elements.PENTA6 else hexahedra
+    return prisms(hexahedra) if kind is Elements.PENTA6 else hexahedra
 
 
 def _facets(body: Body, height: float) -> Ids:
     """Facets, numbered from 0, whose nodes all lie in the plane z = `height`."""
-    rows = [[int(ids[a]) for a in face] for ids in body.elements for face in _FACES_OF[body.elements.shape[1]]]
+    rows = [[int(ids[a]) for a in face] for ids in body.elements for face in FACES_OF[body.elements.shape[1]]]
     kept = [row for row in rows if np.allclose(body.nodes[row, 2], height)]
     return np.array([row for row in kept if len(row) == len(kept[0])], dtype=np.int64)
 

@@ -22,9 +22,7 @@ const Vector3d normal = Vector3d(1, -2, 2) / 3;
 const Vector3d tangent = Vector3d(2, 2, 1) / 3;
 
 /// An opening of this size in a mode B.
-Vector3d opening(double size, double mode) {
-  return size * (std::sqrt(1 - mode) * normal + std::sqrt(mode) * tangent);
-}
+Vector3d opening(double size, double mode) { return size * (std::sqrt(1 - mode) * normal + std::sqrt(mode) * tangent); }
 
 /// o and f, as section 13 of the design has them.
 std::pair<double, double> range(double mode) {

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from enum import Enum
 
 import numpy as np
-from numpy.typing import NDArray
 
 from harness.models.knee import structured_blocks
 from harness.models.knee.anatomy import COMPARTMENTS, Compartment
@@ -14,7 +13,6 @@ from harness.models.knee.structured_blocks import Block, Divisions
 from harness.models.mesh import Ids, Mesh, Part
 from harness.models.springs import Springs
 
-Array = NDArray[np.float64]
 _Named = tuple[str, Ids]
 """A surface with its name."""
 
@@ -106,17 +104,3 @@ def _horn(side: Compartment, meniscus: Block, tibia: Block, end: int) -> Springs
     ends = np.array([(node, under[place]) for node in face for place in nearest], dtype=np.int64)
     name = f"{'anterior' if middle[1] > 0 else 'posterior'}-horn-{side.name}"
     return Springs(name, HORN_STIFFNESS / len(ends), ends)
-
-
-def jacobians(mesh: Mesh) -> Array:
-    """Determinants at the corners of all elements, mm^3, shape (n_elements, 8)."""
-    neighbours = np.array([(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)])
-    corners = mesh.nodes[np.concatenate([part.elements for part in mesh.parts]) - 1]
-    edges = corners[:, neighbours] - corners[:, :, None]
-    return np.asarray(np.linalg.det(edges))
-
-
-def free_nodes(mesh: Mesh) -> int:
-    """Number of nodes that do not belong to bone."""
-    bone = np.concatenate([part.elements.ravel() for part in mesh.parts if part.material in (FEMUR, TIBIA)])
-    return len(mesh.nodes) - len(np.unique(bone))

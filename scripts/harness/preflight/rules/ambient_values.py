@@ -43,22 +43,18 @@ def ambient(joint: Joint) -> Iterator[Finding]:
     concentrations = levels.ambient_concentrations(model, contact)
     if not concentrations or not contact.kind.solutes:
         return
-    pressure = contact.given("ambient_pressure")
-    tags = [*concentrations.values(), *([] if pressure is None else [pressure])]
-    times = levels.times([model.history(tag) for tag in tags])
-    osmotic = levels.osmotic_scale(joint) * np.sum([model.at(tag, times) for tag in concentrations.values()], axis=0)
-    own = np.zeros(len(times)) if pressure is None else model.at(pressure, times)
+    pressure, histories = contact.given("ambient_pressure"), [model.history(tag) for tag in concentrations.values()]
+    own = histories[0] * (1.0, 0.0) if pressure is None else model.history(pressure)
     where = contact.tag if pressure is None else pressure
-    yield from _judge(where, own, osmotic, "<ambient_pressure>", bool(pressure is not None))
+    yield from _judge(where, *_over_time(joint, own, histories), "<ambient_pressure>", pressure is not None)
 
 
 def prescribed(joint: Joint) -> Iterator[Finding]:
     """Nodes with a prescribed effective pressure that does not go with their prescribed concentrations."""
-    model = joint.model
-    known = {k: list(levels.prescribed_concentrations(model, k)) for k in joint.model.solute_numbers}
-    for pressure in levels.prescribed_pressures(model):
-        there = [match for group in known.values() if (match := levels.covering(pressure, group)) is not None]
-        yield from _against(joint, pressure, there, "the prescribed effective pressure")
+    for pressure, there in levels.pressures_with_concentrations(joint.model):
+        if there:
+            both = _over_time(joint, pressure.history, there)
+            yield from _judge(pressure.tag, *both, "the prescribed effective pressure", True)
 
 
 def initial(joint: Joint) -> Iterator[Finding]:
@@ -89,12 +85,10 @@ def _number(joint: Joint, level: Level) -> int:
     return 0
 
 
-def _against(joint: Joint, pressure: Level, there: Sequence[Level], what: str) -> Iterator[Finding]:
-    if not there or not len(pressure.history):
-        return
-    times = levels.times([pressure.history, *(level.history for level in there)])
-    osmotic = levels.osmotic_scale(joint) * np.sum([levels.at(level.history, times) for level in there], axis=0)
-    yield from _judge(pressure.tag, levels.at(pressure.history, times), osmotic, what, True)
+def _over_time(joint: Joint, own: Array, concentrations: Sequence[Array]) -> tuple[Array, Array]:
+    """A pressure, and R T Phi sum c, at all times of their histories."""
+    when = levels.times([own, *concentrations])
+    return levels.at(own, when), levels.osmotic(joint, concentrations, when)
 
 
 def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> Iterator[Finding]:

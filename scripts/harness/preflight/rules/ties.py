@@ -39,6 +39,22 @@ def joined_facets(joint: Joint) -> Iterator[Finding]:
         )
 
 
+def turned_away(joint: Joint) -> Iterator[Finding]:
+    """Surfaces on shells that look away from each other: shells have two sides."""
+    if joint.contact.kind.name in ANY_DISTANCE:
+        return
+    turned = joint.facing().turned
+    if turned:
+        flips = " and ".join(f"<flip_{name}>1</flip_{name}>" for name in turned)
+        yield error(
+            "untied",
+            joint.contact.pair.tag,
+            f"no facet of surface '{joint.contact.pair.primary.name}' has surface "
+            f"'{joint.contact.pair.secondary.name}' in front of it: surfaces on shells look away, and nothing is tied",
+            f"Set {flips}.",
+        )
+
+
 def untied(joint: Joint) -> Iterator[Finding]:
     """Facets of the primary surface that see the other one from too far away."""
     gaps, limits = _gaps_and_limits(joint)
@@ -70,7 +86,7 @@ def untied(joint: Joint) -> Iterator[Finding]:
 
 def _gaps_and_limits(joint: Joint) -> tuple[Array, Array]:
     """Gaps at the centres of facets of the primary surface, and how large they may be; NaN where one sees nothing."""
-    side, targets = joint.primary, rays.triangles(joint.secondary.corners)
+    side, targets = joint.primary, rays.triangles(joint.secondary.facing_corners)
     pick = sample(len(side.centres), len(targets))
     gaps = side.look_at(targets, side.centres[pick], side.normals[pick]).distance
     ours = joint.contact.kind.name == TIED
@@ -161,6 +177,7 @@ ON_SURFACES = (
     surfaces.empty_surface,
     surfaces.facet_of_no_element,
     surfaces.shell_facets,
+    turned_away,
     surfaces.flat_facet,
     surfaces.inverted_facets,
     joined_facets,

@@ -9,8 +9,8 @@ import typer
 from rich.console import Console
 
 from harness.paths import RESULTS
-from harness.run import provenance
 from harness.run.runner import Runner
+from studies import stamps
 from studies.pages.gallery import entries, figures, friction, page
 
 COVER, COVER_PICTURE = "joint-release", "images/joint-readme.png"
@@ -32,7 +32,7 @@ def gallery(
     for name in only or []:
         if name not in chosen:
             raise typer.BadParameter(f"'{name}' is not one of {', '.join(chosen)}", param_hint="--only")
-    runner, stamp = Runner(RESULTS / "gallery" / "runs"), provenance.stamp()
+    runner, stamp = Runner(RESULTS / "gallery" / "runs"), stamps.stamp()
     records = page.made_alike(folder, stamp)
     for name in only or list(chosen):
         entry = chosen[name]

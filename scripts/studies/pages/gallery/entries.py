@@ -7,16 +7,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.collection import kept_models
-from harness.models import convection, diffusion, graft, indentation, joint, platens
+from harness.models import convection, diffusion, indentation
 from harness.models.document import Model
-from harness.models.indentation_mesh import LEVELS
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Mixture
 from harness.post import solute_balance
 from harness.post.section_figures import Section
 from harness.run.logdata import History
 from harness.run.runner import RunResult
+from studies.models import graft, joint, kept_models, platens
+from studies.models.indentation_variants import LEVELS
 
 Array = NDArray[np.float64]
 

@@ -9,12 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from harness.models import sliding_joint
-from harness.models.plate_on_layer import PlateOnLayer
-from harness.models.sliding_joint import DRAINED, END, SlidingJoint
 from harness.post.section_figures import Section, draw_bodies
 from harness.run.runner import Runner, RunResult
-from studies import friction_checks
+from studies.closed_forms import sliding_plate
+from studies.models import plate_on_layer, sliding_joint
+from studies.models.plate_on_layer import PlateOnLayer
+from studies.models.sliding_joint import DRAINED, END, SlidingJoint
 
 Array = NDArray[np.float64]
 FRACTIONS = (0.0, 0.1, 0.5)
@@ -40,12 +40,20 @@ def draw(runner: Runner, folder: Path) -> list[Path]:
     return [draw_plate(runs, plate), draw_joint(runner(SlidingJoint().model()), joint)]
 
 
+def plate_curve(run: RunResult, solid_fraction: float) -> tuple[Array, Array, Array]:
+    """Over time: H k t/h^2, mu_eff/mu_eq of a run of `plate_on_layer`, and that of the closed form."""
+    nodes, layer = run.nodes, run.model.mesh.node_sets["layer"] - 1
+    tau = nodes.times[1:] / plate_on_layer.DIFFUSION_TIME
+    found = np.abs(nodes["Rx"][1:, layer].sum(axis=1)) / (plate_on_layer.FRICTION * plate_on_layer.LOAD)
+    return tau, found, sliding_plate.relative_friction(tau, solid_fraction)
+
+
 def draw_plate(runs: dict[float, RunResult], path: Path) -> Path:
     """mu_eff/mu_eq over time for each phi, beside the closed form."""
     figure = Figure(figsize=(6.0, 3.6), layout="constrained")
     axes = figure.subplots()
     for (phi, run), colour, marker in zip(runs.items(), COLOURS, MARKERS, strict=True):
-        tau, found, exact = friction_checks.plate_curve(run, phi)
+        tau, found, exact = plate_curve(run, phi)
         axes.semilogx(tau, exact, "-", color=colour, linewidth=1.4)
         axes.semilogx(
             tau[::8],

@@ -10,10 +10,11 @@ from pathlib import Path
 
 from harness.errors import DataFileError
 from harness.models.document import Model
-from harness.run.provenance import Stamp
 from harness.run.runner import RunResult
 from studies.pages.gallery import entries, friction
 from studies.pages.gallery.entries import Entry
+from studies.pages.texts import page_text
+from studies.stamps import Stamp
 
 PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
 
@@ -100,20 +101,7 @@ def page(results: Results) -> str:
     return "\n\n".join([_INTRODUCTION, _table(entries, results), *sections]) + "\n"
 
 
-_INTRODUCTION = """\
-# Gallery
-
-<!-- Written by `scripts/mixcontact gallery --folder docs`: change scripts/studies/pages/gallery/entries.py instead. -->
-
-Start from one of these models: copy its file in `models/`, change it and run the copy. The head of each file describes
-conditions and units (mm, N, s, nmol, K). The pictures show the effective concentration over the deformed bodies.
-Builders of the meshes are in `scripts/harness/models`. These commands run all models, draw the pictures and write this
-page; the second has fewer elements and steps, and writes to `results/gallery`.
-
-```console
-scripts/mixcontact gallery --folder docs
-scripts/mixcontact gallery --small
-```"""
+_INTRODUCTION = page_text("gallery").rstrip()
 
 
 def _table(entries: list[Entry], results: Results) -> str:

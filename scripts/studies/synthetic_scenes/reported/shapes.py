@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.mesh import Nodes
-from harness.models.quadratic import ADDED
-from harness.models.tetrahedra import tetrahedra
+from studies.models.quadratic import ADDED
+from studies.models.tetrahedra import tetrahedra
+from studies.synthetic_scenes.slab_and_block import FACES_OF, prisms
 
 Place = Callable[[Nodes], Nodes]
 """Positions (n, 3) in mm of points (n, 3) of the unit cube."""
@@ -33,14 +33,6 @@ MIDDLES: Mapping[str, tuple[Group, ...]] = {
     "penta15": ADDED[15],
 }
 """By the type of element: the corners in whose middle each further node lies, in FEBio's order."""
-_FACES: Mapping[int, tuple[Group, ...]] = {
-    4: blocks.TET_FACES,
-    6: ((0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2)),
-    8: blocks.FACES,
-}
-"""By the number of corners of an element: corners of its faces, counterclockwise seen from outside."""
-_HALVES = np.array([(0, 1, 3, 4, 5, 7), (1, 2, 3, 5, 6, 7)])
-"""The two prisms of a hexahedron."""
 NEAR = 1e-9
 """Tolerance for positions, mm, and in the unit cube."""
 
@@ -94,7 +86,7 @@ def joined(bodies: Sequence[Body], places: Sequence[Place], element: str) -> Sha
         faces += [(side, tuple(first + n for n in facet)) for side, facet in _faces(unit, rows, element)]
         nodes.append(own)
         first += len(own)
-    kept, number = _merged(np.concatenate(nodes))
+    kept, number = blocks.joined(np.concatenate(nodes), NEAR)
     whole = [tuple(int(number[n]) for n in row) for row in elements]
     return Shape(element, kept, whole, _sides([(side, tuple(int(number[n]) for n in f)) for side, f in faces]))
 
@@ -102,9 +94,7 @@ def joined(bodies: Sequence[Body], places: Sequence[Place], element: str) -> Sha
 def _cut(body: Body, element: str) -> Body:
     if element.startswith("tet"):
         return tetrahedra(body)
-    if element.startswith("penta"):
-        return Body(body.nodes, np.asarray(body.elements[:, _HALVES].reshape(-1, 6), dtype=np.int64))
-    return body
+    return prisms(body) if element.startswith("penta") else body
 
 
 def _with_middles(body: Body, element: str) -> tuple[Nodes, Facets]:
@@ -134,7 +124,7 @@ def _faces(unit: Nodes, rows: Facets, element: str) -> list[tuple[str, tuple[int
     found = []
     for row in rows:
         middle = dict(zip((frozenset(group) for group in MIDDLES[element]), row[corners:], strict=True))
-        for face in _FACES[corners]:
+        for face in FACES_OF[corners]:
             ends = [middle.get(frozenset(edge)) for edge in pairwise([*face, face[0]])]
             centre = middle.get(frozenset(face)) if len(ends) == len(face) else None
             added = [n for n in (*ends, centre) if n is not None]
@@ -152,14 +142,6 @@ def _side(points: Nodes) -> str:
             if np.all(np.abs(points[:, axis] - end) < NEAR):
                 return f"{name}{end}"
     return ""
-
-
-def _merged(nodes: Nodes) -> tuple[Nodes, np.ndarray]:
-    same = np.arange(len(nodes))
-    for low, high in sorted(cKDTree(nodes).query_pairs(NEAR)):
-        same[high] = same[low]
-    kept, number = np.unique(same, return_inverse=True)
-    return nodes[kept], number
 
 
 def _sides(faces: list[tuple[str, tuple[int, ...]]]) -> dict[str, Facets]:

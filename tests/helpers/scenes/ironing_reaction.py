@@ -1,4 +1,4 @@
-"""Reaction of a run of `studies.models.ironing`, and how much it ripples from facet to facet."""
+"""Reaction of a run of `scenes.ironing`, and how much it ripples from facet to facet."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.run.runner import RunResult
-from studies.models.ironing import PRESSING, STEPS_A_FACET
+from scenes.ironing import PRESSING, STEPS_A_FACET
 
 Array = NDArray[np.float64]
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from scenes.tied_columns import steps
 from studies.models.small import Document, Parts, contact, curve, elastic, fixed, moved
-from studies.models.tied_columns import steps
 
 Array = NDArray[np.float64]
 
@@ -41,8 +41,9 @@ def moved_on_a_path(path: Sequence[Sequence[float]], params: str) -> Document:
     parts.box("low", (0, 0, 0), (1, 1, 1), (1, 1, 1), "low")
     parts.box("up", (0, 0, 1), (1, 1, 2), (1, 1, 1), "up")
     parts.box("free", (5, 0, 0), (6, 1, 1), (1, 1, 1), "free")
-    parts.node_sets |= {f"{name}-all": sorted({n for e in parts.parts[k].elements for n in e}) for k, name in
-                        enumerate(("low", "up"))}
+    parts.node_sets |= {
+        f"{name}-all": sorted({n for e in parts.parts[k].elements for n in e}) for k, name in enumerate(("low", "up"))
+    }
     axes = "xyz"
     points = np.vstack([np.zeros(3), np.asarray(path)])
     curves = [curve(k + 1, *((float(t), float(p[k])) for t, p in enumerate(points))) for k in range(3)]

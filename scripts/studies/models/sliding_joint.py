@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, tensor
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Mixture, Solid, TimeStepper, displace, fix
+from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, tensor
 
 RADIUS = 15.0
 """Radius of curvature of the upper cartilage, mm."""

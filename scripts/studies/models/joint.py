@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.models import blocks
-from harness.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
 from harness.models.header import header
@@ -32,6 +31,7 @@ from harness.models.parts import (
     initial_concentration,
     initial_pressure,
 )
+from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
 
 RADIUS = 15.0
 """Radius of curvature of the upper cartilage, mm."""

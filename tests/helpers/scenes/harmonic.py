@@ -19,7 +19,7 @@ from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Mesh, Part
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Param, fix
-from studies.models.nonmatching import STEADY
+from scenes.nonmatching import STEADY
 
 Array = NDArray[np.float64]
 

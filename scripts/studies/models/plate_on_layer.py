@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from harness.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
@@ -25,6 +24,7 @@ from harness.models.parts import (
     pressure,
     push_rigid,
 )
+from studies.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
 
 HEIGHT = 1.0
 """mm."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from harness.closed_forms.film import Faces, Film, Steady, layer, steady
 from harness.models.interface import ContactSettings
 from harness.models.layered import Layered, one_above_the_other
 from harness.models.mesh import Layer
@@ -22,6 +21,7 @@ from harness.models.parts import (
     fix,
     pressure,
 )
+from studies.closed_forms.film import Faces, Film, Steady, layer, steady
 
 THICKNESSES = (1.0, 0.5)
 """mm."""

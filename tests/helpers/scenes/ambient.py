@@ -8,8 +8,9 @@ from harness.models.diffusion import MATERIAL
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import InterfaceType, default_settings
-from harness.models.mesh import Box, Ids, Mesh, assemble
+from harness.models.mesh import Box, assemble
 from harness.models.parts import Condition, Contact, Control, Curve, Param, concentration, displace, fix, pressure
+from studies.hard_cases.together import two_patches
 
 PRESSURE = -1e-3
 """Ambient effective pressure at the end of its load curve, MPa."""
@@ -94,14 +95,6 @@ class HalfWet:
         text = header(self.name, about, self.interface)
         materials = {"gel": MATERIAL}
         return Model(self.name, text, self.interface.module, mesh, materials, conditions, self.control, joined, CURVES)
-
-
-def two_patches(mesh: Mesh, primary: str, secondaries: tuple[str, str]) -> Mesh:
-    """Cut the two facets of `primary` into surfaces of their own, each facing one of `secondaries`."""
-    first, second = (mesh.surfaces[primary][k : k + 1] for k in range(2))
-    patches: dict[str, Ids] = {"patch-1": first, "patch-2": second}
-    pairs = {f"pair-{k + 1}": (f"patch-{k + 1}", secondaries[k]) for k in range(2)}
-    return replace(mesh, surfaces=mesh.surfaces | patches, pairs=pairs)
 
 
 def _settings(interface: InterfaceType) -> tuple[Param, ...]:

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from studies.models.breaking_blocks import BONDS
+from scenes.breaking_blocks import BONDS
+from scenes.tied_columns import EXACTLY
 from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
-from studies.models.tied_columns import EXACTLY
 
 Array = NDArray[np.float64]
 ALL = "all-nodes"
@@ -29,7 +29,7 @@ class Strips:
     length, crack, thickness : float
         Of each strip, mm; the crack begins at x = 0.
     modulus, strength, energy : float
-        Young's modulus and strength of bonds, MPa, and the energy that breaks them, N/mm; the same in tension and shear.
+        Young's modulus and strength of bonds, MPa, and the energy that breaks them, N/mm; the same in both modes.
     opening : float
         Largest distance that the ends move apart, mm.
     steps : int
@@ -61,7 +61,8 @@ class Strips:
     @property
     def tie(self) -> str:
         """Parameters of the tie."""
-        return f"<max_traction>{self.strength!r}</max_traction><fracture_energy>{self.energy!r}</fracture_energy>{self.more}"
+        energy = f"<fracture_energy>{self.energy!r}</fracture_energy>"
+        return f"<max_traction>{self.strength!r}</max_traction>{energy}{self.more}"
 
 
 def two_strips(strips: Strips, *, lower: int | None = None) -> Parts:

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from harness.models import spherical_shells
-from harness.models.assembly import assembled, plane, sphere
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
@@ -28,8 +26,10 @@ from harness.models.parts import (
     hold,
     pressure,
 )
-from harness.models.quadratic import quadratic
-from harness.models.tetrahedra import tetrahedra
+from studies.models import spherical_shells
+from studies.models.assembly import assembled, plane, sphere
+from studies.models.quadratic import quadratic
+from studies.models.tetrahedra import tetrahedra
 
 RADIUS, THICKNESS, GAP = 10.0, 2.0, 0.05
 """Of the ball, of both layers, and of the gap between them, mm."""

@@ -10,7 +10,7 @@ from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, column, contacts
 from harness.models.mesh import Layer, Section
 from harness.models.parts import Control, concentration, displace, fix, pressure
-from studies.models.ambient import two_patches
+from studies.hard_cases.together import two_patches
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Ids, Mesh, Nodes
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Param
-from studies.models.nonmatching import Block, NonMatching
+from scenes.nonmatching import Block, NonMatching
 
 Array = NDArray[np.float64]
 

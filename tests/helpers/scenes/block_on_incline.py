@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from harness.models.assembly import assembled, box, plane
 from harness.models.document import Model
 from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Rigid, Solid, hold, hold_rigid, move_rigid, push_rigid
+from studies.models.assembly import assembled, box, plane
 
 FRICTION, SLOPE = 0.3, 0.1
 WEIGHT = 1e-3

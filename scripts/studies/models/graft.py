@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.models import blocks
-from harness.models.assembly import assembled, cylinder, everywhere, graded, plane
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.header import header
@@ -29,6 +28,7 @@ from harness.models.parts import (
     initial_pressure,
     pressure,
 )
+from studies.models.assembly import assembled, cylinder, everywhere, graded, plane
 
 DEFECT = 2.0
 """Radius of the defect, mm."""

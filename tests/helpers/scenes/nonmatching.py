@@ -16,7 +16,7 @@ from harness.models.header import header
 from harness.models.interface import ContactSettings, InterfaceType, contacts
 from harness.models.mesh import Box, Ids, Mesh, Nodes, Part, assemble
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Control, concentration, displace, fix, pressure
-from harness.models.quadratic import quadratic
+from studies.models.quadratic import quadratic
 
 CLOSING = 1e-3
 """mm by which the upper block's top is pressed down."""

@@ -7,15 +7,16 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models import plate_on_layer
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Param
-from harness.post import compare
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
-from studies.closed_forms import incline, sliding_plate
-from studies.models import block_on_incline, partial_slip, sheared_blocks
-from studies.models.pairs import Kind
+from scenes import block_on_incline
+from studies.closed_forms import incline
+from studies.friction.stick_points import displaced
+from studies.models import partial_slip, plate_on_layer, sheared_blocks
+from studies.models.sheared_blocks import Kind
+from studies.pages.gallery.friction import plate_curve
 from studies.post import slip_zones
 
 Array = NDArray[np.float64]
@@ -39,14 +40,6 @@ def block_pushed_up(runner: Runner, *, block_is_primary: bool = True) -> list[Me
     exact = incline.force_over_weight(block_on_incline.SLOPE, block_on_incline.FRICTION)
     worst = float(np.abs(along[slides] / weight[slides] - exact).max())
     return [Measure(f"Block on an incline, F/G less {exact:.6f}", worst, INCLINE_BAR)]
-
-
-def plate_curve(run: RunResult, solid_fraction: float) -> tuple[Array, Array, Array]:
-    """Over time: H k t/h^2, mu_eff/mu_eq of a run of `plate_on_layer`, and that of the closed form."""
-    nodes, layer = run.nodes, run.model.mesh.node_sets["layer"] - 1
-    tau = nodes.times[1:] / plate_on_layer.DIFFUSION_TIME
-    found = np.abs(nodes["Rx"][1:, layer].sum(axis=1)) / (plate_on_layer.FRICTION * plate_on_layer.LOAD)
-    return tau, found, sliding_plate.relative_friction(tau, solid_fraction)
 
 
 def plate_sliding(runner: Runner, solid_fraction: float, *, layer_is_primary: bool = True) -> list[Measure]:
@@ -94,11 +87,6 @@ def augmented_stick(runner: Runner, kind: Kind) -> list[Measure]:
     split, reference = sheared_pair(runner, kind, settings, newton=1e-11)
     note = f"{split.report.augmentations} augmentations"
     return [Measure(f"Stick, {kind.value}, AUGLAG", displaced(split, reference), AUGMENTED_BAR, note=note)]
-
-
-def displaced(split: RunResult, reference: RunResult) -> float:
-    """Largest difference of a displacement, relative to the shear."""
-    return max(compare.largest_difference(split, reference, axis) for axis in ("ux", "uy", "uz")) / sheared_blocks.SHEAR
 
 
 def partial_slips(runner: Runner) -> list[Measure]:

@@ -1,4 +1,4 @@
-"""Errors of a run of `studies.models.harmonic` against its closed form."""
+"""Errors of a run of `scenes.harmonic` against its closed form."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from harness.post.hexahedra import geometry
 from harness.run.runner import RunResult
-from studies.models.harmonic import AMPLITUDE, COMPRESSION, EXACT, WAVE
+from scenes.harmonic import AMPLITUDE, COMPRESSION, EXACT, WAVE
 
 Array = NDArray[np.float64]
 

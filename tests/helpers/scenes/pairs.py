@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from enum import Enum
 from typing import Literal
 
 import numpy as np
@@ -32,6 +31,7 @@ from harness.models.parts import (
     pressure,
     push_rigid,
 )
+from studies.models.sheared_blocks import Kind
 
 HEIGHT = 1.0
 """mm, of each block; their section is 1 mm x 1 mm."""
@@ -66,19 +66,6 @@ Two blocks of 1 mm x 1 mm x 1 mm: {lower} below, {upper} above.
 
 The upper block is moved down by 0.01 mm. Between the two ends there are differences of effective
 pressure (0.02 MPa) and of effective concentrations (2 mM and 1 mM), held until fluxes are steady."""
-
-
-class Kind(str, Enum):
-    """A kind of body, under FEBio's name of it."""
-
-    ELASTIC = "elastic"
-    RIGID = "rigid"
-    BIPHASIC = "biphasic"
-    SOLUTE = "biphasic-solute"
-    TRIPHASIC = "triphasic"
-    MULTIPHASIC = "multiphasic"
-
-
 SOLUTES_OF = {Kind.SOLUTE: (1,), Kind.TRIPHASIC: (2, 3), Kind.MULTIPHASIC: (3, 1, 2)}
 """Numbers of the solutes that a body of a kind has, in the order in which its material lists them."""
 

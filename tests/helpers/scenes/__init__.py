@@ -1,0 +1,1 @@
+"""Models that serve tests alone, and what is measured of their runs."""
