@@ -123,7 +123,9 @@ Matrix3Xd TieSetup::relocated(const Tie& tie) const {
   return without_gaps(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
 }
 
-Settings TieSetup::settings() const { return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_)); }
+Settings TieSetup::settings() const {
+  return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_), breaking_law(parameters_.breaking));
+}
 
 bool TieSetup::update(Tie& tie) const {
   const std::vector<std::string> wrong = tie_complaints(parameters_);

@@ -235,7 +235,7 @@ void FEMixtureTie::serialize_model(DumpStream& ar) {
   if (!is_built) return;
   archive_tie(ar, tie_, breaking_law(parameters_.breaking));
   // FEBio reads its steps and solvers later; PrepStep() follows those.
-  if (!ar.IsSaving()) tie_->set_laws(tie_settings(parameters_, SolverKind::newton, 0));
+  if (!ar.IsSaving()) tie_->set_laws(tie_settings(parameters_, SolverKind::newton, 0, tie_->breaking()));
 }
 
 void FEMixtureTie::Serialize(DumpStream& ar) {

@@ -13,10 +13,12 @@ bool is_parameter_of_ties(const ParameterTag& tag) {
   constexpr std::array<std::string_view, 9> of_surfaces{
       "integration",    "integration_order",    "search_radius",         "search_tol", "node_reloc", "flip_primary",
       "flip_secondary", "shell_bottom_primary", "shell_bottom_secondary"};
-  using Group = ParameterGroup;
-  constexpr std::array<Group, 4> whole{Group::effects, Group::enforcement, Group::ambient, Group::friction};
-  if (std::find(whole.begin(), whole.end(), tag.group) != whole.end()) return true;
+  if (tag.group == ParameterGroup::effects || tag.group == ParameterGroup::enforcement) return true;
   return std::find(of_surfaces.begin(), of_surfaces.end(), tag.name) != of_surfaces.end();
+}
+
+bool is_parameter_of_broken_nodes(const ParameterTag& tag) {
+  return tag.group == ParameterGroup::friction || tag.group == ParameterGroup::ambient;
 }
 
 mixture_contact::BreakingLaw breaking_law(const BreakingParameters& p) {
@@ -106,12 +108,13 @@ void follow_tie(ContactParameters& sliding, const TieParameters& tie) {
   sliding = std::move(next);
 }
 
-mixture_contact::Settings tie_settings(const TieParameters& p, SolverKind solver, double time_step) {
+mixture_contact::Settings tie_settings(const ContactParameters& p, SolverKind solver, double time_step,
+                                       const mixture_contact::BreakingLaw& breaking) {
   mixture_contact::Settings settings = core_settings(p, solver);
   const auto choose = [](const Varying& given, mixture_contact::PenaltyRule& rule, double factor) {
     if (!given.given) rule.value = factor;
   };
-  const bool is_cohesive = p.breaking.fracture_energy.given;
+  const bool is_cohesive = std::holds_alternative<mixture_contact::Cohesive>(breaking);
   if (solver == SolverKind::newton)
     choose(p.penalties.traction, settings.traction,
            is_cohesive ? mixture_contact::default_cohesive_factor : mixture_contact::default_tie_factor);

@@ -25,8 +25,10 @@ struct TieParameters : ContactParameters {
   bool has_ambient = false;  ///< whether the model gives any value of the ambient
 };
 
-/// Whether a tie has this parameter of sliding contact.
+/// Whether a tie has this parameter of sliding contact, however long it lasts.
 bool is_parameter_of_ties(const ParameterTag& tag);
+/// Whether a parameter of sliding contact is of nodes that have broken.
+bool is_parameter_of_broken_nodes(const ParameterTag& tag);
 
 template <class Take>
 void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
@@ -39,11 +41,20 @@ void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
   take_given({"mixing", "exponent of mixed modes", Group::breaking}, p.mixing);
 }
 
+/// Calls take(tag, value) for each parameter of a tie that lasts for ever.
+template <class Take>
+void for_each_lasting_tie_parameter(ContactParameters& parameters, const Take& take) {
+  for_each_parameter(parameters, [&](const ParameterTag& tag, auto& value) {
+    if (is_parameter_of_ties(tag)) take(tag, value);
+  });
+}
+
 /// Calls take(tag, value) for each parameter of a tie, but not for those of hosts_own.
 template <class Take>
 void for_each_tie_parameter(TieParameters& parameters, const Take& take) {
+  for_each_lasting_tie_parameter(parameters, take);
   for_each_parameter(parameters, [&](ParameterTag tag, auto& value) {
-    if (!is_parameter_of_ties(tag)) return;
+    if (!is_parameter_of_broken_nodes(tag)) return;
     if (tag.group == ParameterGroup::ambient) tag.given = &parameters.has_ambient;
     take(tag, value);
   });
@@ -60,7 +71,8 @@ std::vector<std::string> tie_complaints(const TieParameters& parameters);
 void follow_tie(ContactParameters& sliding, const TieParameters& tie);
 
 /// The core's settings of a tie. `time_step`: in which elements store solvent [s]; 0: they do not.
-mixture_contact::Settings tie_settings(const TieParameters& parameters, SolverKind solver, double time_step);
+mixture_contact::Settings tie_settings(const ContactParameters& parameters, SolverKind solver, double time_step,
+                                       const mixture_contact::BreakingLaw& breaking = mixture_contact::Unbreakable());
 
 /// What a tie exchanges of the fields of its surfaces (see decide_exchange()); a penalty of 0 leaves out its own effect
 /// alone.

@@ -37,6 +37,9 @@ class Steps {
 
   bool run() {
     for (const Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
+    for (const TiedContact& tie : problem_.ties()) {
+      for (const std::string& line : tie.lines()) log_.print("%s\n", line.c_str());
+    }
     output_.write(0, 0);
     newton_.begin();  // ambient values are there when the first step begins
     const double end = model_.control.end;

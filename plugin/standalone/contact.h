@@ -2,9 +2,8 @@
 /// tangent on.
 #pragma once
 
-#include "bodies.h"
-#include "host/facet_material.h"
 #include "host/penalty_reduction.h"
+#include "paired_surfaces.h"
 
 namespace standalone {
 
@@ -21,7 +20,7 @@ class Contact {
 
   const ContactDefinition& definition() const { return definition_; }
   mixture_contact::ContactInterface& core() const { return *core_; }
-  const std::vector<int>& nodes(Side side) const { return nodes_[side]; }
+  const std::vector<int>& nodes(Side side) const { return surfaces_.nodes(side); }
   /// A line that says which effects the contact exchanges, and why others are absent.
   const std::string& effects_line() const { return effects_line_; }
 
@@ -33,27 +32,23 @@ class Contact {
   /// Reads the materials behind the facets again: the convective part follows the current flow.
   void update_properties(const MatrixXd& values);
   /// Finds out which facets face each other.
-  void project(const MatrixXd& values) { core_->project(positions(values)); }
+  void project(const MatrixXd& values) { core_->project(surfaces_.positions(values)); }
   /// Positions and exchanged fields, as the core takes them.
-  PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const;
+  PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const {
+    return surfaces_.fields(values, core_->effects());
+  }
   /// Places of nodal values (see Model::place) that a local vector of the core's belongs to.
-  std::vector<int> places(const mixture_contact::ContactInterface::Location& where) const;
+  std::vector<int> places(const mixture_contact::ContactInterface::Location& where) const {
+    return surfaces_.places(where.patch, where.first, core_->effects());
+  }
 
  private:
   Motion motion() const;
-  bool can_move() const;
-  FacetMaterial material(const SurfaceFacet& facet, const MatrixXd& values) const;
-  FacetMaterials materials(const MatrixXd& values) const;
   mixture_contact::Effects decide_effects(const FacetMaterials& materials);
-  mixture_contact::SurfaceMesh surface_mesh(Side side) const;
-  PerSide<Matrix3Xd> positions(const MatrixXd& values) const;
-  int field_dof(int field) const;
 
   const Model& model_;
   const ContactDefinition& definition_;
-  const Bodies& bodies_;
-  PerSide<std::vector<SurfaceFacet>> facets_;  ///< with nodes of the mesh
-  PerSide<std::vector<int>> nodes_;            ///< mesh nodes of each surface, in the order of the core
+  PairedSurfaces surfaces_;
   std::string effects_line_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
 };

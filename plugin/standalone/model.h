@@ -140,7 +140,7 @@ struct Control {
   bool plot = true;
 };
 
-/// A contact interface.
+/// A contact interface or a tie.
 struct ContactDefinition {
   std::string name;
   mixture_contact::PerSide<std::string> surfaces;
@@ -170,6 +170,7 @@ struct Model {
   std::vector<Condition> initial;
   std::vector<SurfaceLoad> loads;
   std::vector<ContactDefinition> contacts;
+  std::vector<ContactDefinition> ties;
   std::vector<LoadCurve> curves;
   std::vector<DataFile> data;
   std::vector<std::string> notices;  ///< what a user should know of parameters without effect

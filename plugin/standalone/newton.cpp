@@ -144,16 +144,19 @@ bool Newton::augment() {
     begin();
     return false;
   }
-  if (contacts.empty()) return true;
+  const std::vector<TiedContact>& ties = problem_.ties();
+  if (contacts.empty() && ties.empty()) return true;
   log_.print("\n........................ augmentation # %d\n", augmentations_ + 1);
   bool done = true;
-  for (const Contact& contact : contacts) {
-    const Augmentation outcome = ::augment(contact.definition().name, contact.core(), contact.fields(problem_.values()),
-                                           augmentations_);
+  const auto take = [&](const Augmentation& outcome) {
     for (const std::string& line : outcome.lines) log_.print("%s\n", line.c_str());
     if (!outcome.warning.empty()) log_.box("WARNING", outcome.warning);
     done = done && outcome.done;
-  }
+  };
+  const MatrixXd& values = problem_.values();
+  for (const Contact& contact : contacts)
+    take(::augment(contact.definition().name, contact.core(), contact.fields(values), augmentations_));
+  for (const TiedContact& tie : ties) take(tie.augment(values, augmentations_));
   ++augmentations_;
   allowed_reformations_ = control_.max_reformations;
   if (!done) begin();

@@ -12,10 +12,11 @@ namespace {
 using Location = mixture_contact::ContactInterface::Location;
 using Status = Problem::Status;
 
-/// Adds parts of a contact's residuals to forces on all places. Keeps references.
-mixture_contact::ContactInterface::AddResidual adder(const Contact& contact, VectorXd& forces) {
-  return [&contact, &forces](const Location& at, const VectorXd& local) {
-    const std::vector<int> places = contact.places(at);
+/// Adds parts of the residuals of a contact or a tie to forces on all places. Keeps references.
+template <class Joint>
+auto adder(const Joint& joint, VectorXd& forces) {
+  return [&joint, &forces](const auto& at, const VectorXd& local) {
+    const std::vector<int> places = joint.places(at);
     for (Index i = 0; i < local.size(); ++i) forces[mixture_contact::at(places, i)] += local[i];
   };
 }
@@ -78,6 +79,7 @@ double ambient_value(const Model& model, const ContactDefinition& contact, int d
 
 Problem::Problem(const Model& model) : model_(model), bodies_(model) {
   for (const ContactDefinition& definition : model.contacts) contacts_.emplace_back(model, definition, bodies_);
+  for (const ContactDefinition& definition : model.ties) ties_.emplace_back(model, definition, bodies_);
   for (const SurfaceLoad& load : model.loads) unit_forces_.push_back(unit_forces(model, load));
   state_.status = initial_status(model, bodies_);
   state_.values = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
@@ -123,6 +125,7 @@ void Problem::start_step(double time, double dt) {
     if (reads_properties_again(contact.definition().parameters, contact.core().effects()))
       contact.update_properties(state_.values);
   }
+  for (TiedContact& tie : ties_) tie.start_step(state_.values, dt_);
 }
 
 void Problem::accept_step() {
@@ -185,6 +188,7 @@ VectorXd Problem::residual() {
   }
   for (const Contact& contact : contacts_)
     contact.core().residual(contact.fields(state_.values), dt_, adder(contact, forces_));
+  for (const TiedContact& tie : ties_) tie.core().residual(tie.fields(state_.values), dt_, adder(tie, forces_));
   for (std::size_t k = 0; k < unit_forces_.size(); ++k) {
     const SurfaceLoad& load = model_.loads[k];
     forces_ += load.value.at(time_, model_.curves) * (load.fluid ? dt_ : 1.0) * unit_forces_[k].reshaped();
@@ -212,11 +216,19 @@ void Problem::assemble(LinearSystem& system) const {
                              system.add(contact.places(rows), contact.places(columns), -tangent);
                            });
   }
+  for (const TiedContact& tie : ties_) {
+    const auto add = [&](const mixture_contact::Patch& patch, const MatrixXd& block) {
+      const std::vector<int> places = tie.places(patch);
+      system.add(places, places, -block);
+    };
+    tie.core().tangent(tie.fields(state_.values), dt_, mixture_contact::Softening::exact, add);
+  }
 }
 
 Problem::State Problem::save() {
   State state = state_;
   for (const Contact& contact : contacts_) state.contacts.push_back(contact.core().state());
+  for (const TiedContact& tie : ties_) state.ties.push_back(tie.core().state());
   return state;
 }
 
@@ -226,7 +238,9 @@ void Problem::restore(const State& state) {
     contacts_[k].core().restore(state.contacts[k]);
     contacts_[k].project(state_.values);
   }
+  for (std::size_t k = 0; k < ties_.size(); ++k) ties_[k].core().restore(state.ties[k]);
   state_.contacts.clear();
+  state_.ties.clear();
 }
 
 }  // namespace standalone

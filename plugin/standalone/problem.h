@@ -3,6 +3,7 @@
 
 #include "contact.h"
 #include "linear_system.h"
+#include "tied_contact.h"
 
 namespace standalone {
 
@@ -18,6 +19,7 @@ class Problem {
   const Model& model() const { return model_; }
   const Bodies& bodies() const { return bodies_; }
   std::vector<Contact>& contacts() { return contacts_; }
+  const std::vector<TiedContact>& ties() const { return ties_; }
   /// Current u [mm], p~ [MPa] and c~ [mM], shape (dofs, nodes).
   const MatrixXd& values() const { return state_.values; }
   /// Forces that the last residual() left on prescribed displacements, where a condition reports them; shape (3,
@@ -56,6 +58,7 @@ class Problem {
     MatrixXd values;
     std::vector<Status> status;
     std::vector<mixture_contact::ContactInterface::State> contacts;
+    std::vector<mixture_contact::TieState> ties;
   };
   State save();
   void restore(const State& state);
@@ -67,6 +70,7 @@ class Problem {
   const Model& model_;
   Bodies bodies_;
   std::vector<Contact> contacts_;
+  std::vector<TiedContact> ties_;
   std::vector<MatrixXd> unit_forces_;  ///< per load
   State state_;
   VectorXd pending_;

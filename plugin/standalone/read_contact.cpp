@@ -1,4 +1,5 @@
 #include "host/membrane.h"
+#include "host/tie_parameters.h"
 #include "reader.h"
 
 #include <algorithm>
@@ -20,8 +21,10 @@ void take(const Tag& tag, const ParameterTag& parameter, int& value) {
   value = name == names.end() ? tag.integer() : static_cast<int>(name - names.begin());
 }
 
-void read_parameters(const Tag& tag, ContactParameters& parameters) {
-  for_each_parameter(parameters, [&](const ParameterTag& parameter, auto& value) {
+/// Parameters that are no load curves. `for_each`: for_each_parameter(), or that of ties.
+template <class ForEach>
+void read_parameters(const Tag& tag, ContactParameters& parameters, const ForEach& for_each) {
+  for_each(parameters, [&](const ParameterTag& parameter, auto& value) {
     const std::optional<Tag> child = tag.find(parameter.name);
     if (child) take(*child, parameter, value);
     if (child && parameter.given != nullptr) *parameter.given = true;
@@ -67,13 +70,15 @@ void read_membrane(const Tag& tag, const Model& model, MembraneParameters& membr
   if (!wrong.empty()) tag.fail(wrong.front());
 }
 
-void check_type(const Tag& tag) {
+/// Whether a contact is a tie.
+bool is_tie(const Tag& tag) {
   const std::string type = tag.attribute("type");
-  if (type == "sliding-mixture") return;
-  tag.fail(
-      "the type \"" + type +
-      "\" is not supported; allowed: sliding-mixture. The command `mixcontact convert` makes it of FEBio's sliding "
-      "interfaces");
+  if (type != "sliding-mixture" && type != "tied-mixture")
+    tag.fail(
+        "the type \"" + type +
+        "\" is not supported; allowed: sliding-mixture, tied-mixture. The command `mixcontact convert` makes them of "
+        "FEBio's contacts");
+  return type == "tied-mixture";
 }
 
 void check_surfaces(const Tag& tag, const Model& model, const ContactDefinition& contact) {
@@ -86,23 +91,33 @@ void check_surfaces(const Tag& tag, const Model& model, const ContactDefinition&
   }
 }
 
+/// What sliding contacts have, and ties do not.
+void read_sliding(const Tag& tag, Model& model, ContactDefinition& contact) {
+  read_parameters(tag, contact.parameters, [](auto&&... given) { for_each_parameter(given...); });
+  read_membrane(tag, model, contact.parameters.membrane);
+  if (const auto pressure = tag.find("ambient_pressure")) contact.ambient_pressure = read_parameter(*pressure, model);
+  for (const Tag& ambient : tag.all("ambient_concentration")) read_ambient_concentration(ambient, model, contact);
+  if (contact.parameters.helpers.devices.given)
+    model.notices.push_back(contact.name + ": <solver_devices> has no effect: this engine has none of them.");
+}
+
 }  // namespace
 
 void read_contacts(const Tag& section, Model& model) {
   for (const Tag& tag : section.all("contact")) {
     ContactDefinition contact;
-    check_type(tag);
+    const bool ties = is_tie(tag);
     contact.surfaces = named(tag, "surface_pair", model.mesh.pairs);
     contact.name = tag.find_attribute("name").value_or(tag.attribute("surface_pair"));
-    read_parameters(tag, contact.parameters);
-    read_membrane(tag, model, contact.parameters.membrane);
-    if (const auto pressure = tag.find("ambient_pressure")) contact.ambient_pressure = read_parameter(*pressure, model);
-    for (const Tag& ambient : tag.all("ambient_concentration")) read_ambient_concentration(ambient, model, contact);
+    if (ties) {
+      if (tag.find("max_traction")) tag.fail("ties that break, with <max_traction>, are for febio4");
+      read_parameters(tag, contact.parameters, [](auto&&... given) { for_each_lasting_tie_parameter(given...); });
+    } else {
+      read_sliding(tag, model, contact);
+    }
     for (const std::string& notice : notices(contact.parameters)) model.notices.push_back(contact.name + ": " + notice);
-    if (contact.parameters.helpers.devices.given)
-      model.notices.push_back(contact.name + ": <solver_devices> has no effect: this engine has none of them.");
     check_surfaces(tag, model, contact);
-    model.contacts.push_back(std::move(contact));
+    (ties ? model.ties : model.contacts).push_back(std::move(contact));
   }
 }
 

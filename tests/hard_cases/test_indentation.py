@@ -14,8 +14,9 @@ from harness.indentation import measures
 from harness.indentation.histories import curves
 from harness.models.indentation import CONTROL, END, Indentation
 from harness.models.indentation_mesh import Primary
-from harness.models.interface import PREDICTOR, ContactSettings
+from harness.models.interface import ContactSettings
 from studies.models.indentation_variants import LEVELS
+from studies.models.pieces import PREDICTOR
 
 COARSE, MIDDLE = LEVELS[:2]
 MEASURED = {

@@ -21,6 +21,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.parts import Param, concentration, pressure
 from harness.paths import REPOSITORY
+from harness.preflight import byte_spans
 from harness.preflight.contact_types import CONVERTIBLE, TYPES, UNLIMITED_SEARCH
 from harness.preflight.model import read
 from studies.models.sheared_blocks import Kind
@@ -484,7 +485,7 @@ def test_the_migration_page_tells_the_same():
 
 @pytest.mark.parametrize("text", ["<a><b/></a>", "<a><b /></a>", "<a>\n<b/>\n</a>"])
 def test_an_element_that_is_closed_in_itself_ends_there(text):
-    child = spans.locate(text.encode(), "model.feb").children[0]
+    child = byte_spans.locate(text.encode()).children[0]
     assert child.closed_in_itself
     assert text[child.start : child.end] in ("<b/>", "<b />")
     assert spans.apply(text.encode(), spans.insertion(text.encode(), child, ["<c/>"])).count(b"</b>") == 1

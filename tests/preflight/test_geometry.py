@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from harness.preflight import rays
+from harness.preflight.finding import percent, short
 from harness.preflight.rules.motion import free_motions
-from harness.preflight.rules.tools import percent, short
 from harness.preflight.xml_file import integers, parse
 
 UP = np.array([[0.0, 0.0, 1.0]])

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scenes.tied_columns import column
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError
 from harness.models.composite import Composite
@@ -20,6 +21,7 @@ from harness.run.hosts import FEBIO4, STANDALONE
 from harness.run.runner import Runner, RunResult
 from studies.engines import engine_agreement
 from studies.engines.engine_agreement import differences, strict
+from studies.models import small
 
 BAR = engine_agreement.SMOOTH
 """Largest difference of a nodal variable, relative to its largest value."""
@@ -98,6 +100,27 @@ def test_the_log_is_read_like_febios(runs):
     assert abs(one.report.iterations - two.report.iterations) <= 2
 
 
+@pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG"])
+@pytest.mark.parametrize("module", ["biphasic", "solute", "multiphasic"])
+def test_ties_agree(tmp_path, module, laugon):
+    """Columns with a kept gap, drawn, sheared and twisted, with flow and diffusion along them."""
+    document, _ = column(module, f"<laugon>{laugon}</laugon>", cells=(2, 3), gap=0.02)
+    tables, iterations = [], []
+    for host in (FEBIO4, STANDALONE):
+        folder = tmp_path / host.name
+        folder.mkdir()
+        (folder / "tie.feb").write_text(document.text())
+        try:
+            finished = engine.execute(host.command(folder / "tie.feb", True), folder)
+        except (EngineNotFoundError, PluginNotFoundError) as error:
+            pytest.skip(str(error))
+        tables.append(small.table(folder / "nodes.txt")[-1])
+        iterations.append(finished.report.iterations)
+    assert iterations[0] == iterations[1]
+    size = np.maximum(np.abs(tables[0]).max(axis=0), np.finfo(float).tiny)
+    assert (np.abs(tables[0] - tables[1]).max(axis=0) / size).max() <= BAR
+
+
 @pytest.fixture
 def complaints(tmp_path: Path):
     """What the embedded engine says of a model's text that it refuses."""
@@ -118,6 +141,20 @@ def complaints(tmp_path: Path):
 def test_a_model_that_cannot_be_read_says_why_and_ends_with_1(complaints):
     text = Diffusion(control=Control(2, 50.0)).model().text()
     assert any("line" in said and "<E>" in said for said in complaints(text.replace("<E>10</E>", "<E>ten</E>")))
+
+
+@pytest.mark.parametrize(
+    ("tag", "said"),
+    [
+        ("<laugon>LAGMULT</laugon>", "allowed"),
+        ("<search_radius>1e-3</search_radius>", "nothing is tied"),
+        ("<fric_coeff>0.1</fric_coeff>", "<fric_coeff>"),
+        ("<effects>traction,salt</effects>", "<effects>"),
+    ],
+)
+def test_a_tie_that_cannot_be_says_why(complaints, tag, said):
+    document, _ = column("biphasic", tag, gap=0.02)
+    assert any(said in sentence for sentence in complaints(document.text()))
 
 
 @pytest.mark.parametrize(("tag", "value"), [("laugon", "LAGMULT"), ("node_reloc", True), ("predictor", True)])

@@ -11,12 +11,12 @@ import febio_runs
 import numpy as np
 import pytest
 
-from harness.models.interface import PREDICTOR
 from harness.models.parts import Param
 from harness.run import engine
 from harness.run.febio_log import Report
 from studies.linear_solvers.trials import write
 from studies.models.ball_in_socket import BallInSocket
+from studies.models.pieces import PREDICTOR
 from studies.pages.linear_solver_results import Solver
 from studies.synthetic_scenes import drawn_scenes
 

@@ -20,16 +20,17 @@ from harness.conversion.fates import (
 )
 from harness.conversion.refusals import refusals
 from harness.conversion.sources import Located, Sources
-from harness.conversion.spans import Edit, Span
+from harness.conversion.spans import Edit
 from harness.errors import ModelError
 from harness.preflight import model as models
 from harness.preflight import xml_file as documents
+from harness.preflight.byte_spans import Place, Span
 from harness.preflight.check import check
 from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TIED, TYPES
-from harness.preflight.finding import Place, Severity
-from harness.preflight.formats.contact_names import OLD_NAMES
+from harness.preflight.finding import Severity
+from harness.preflight.formats.rewriting import OLD_NAMES
+from harness.preflight.levels import prescribed_nodes
 from harness.preflight.model import Model
-from harness.preflight.prescribed_nodes import prescribed_nodes
 from harness.preflight.sides import Joint
 from harness.preflight.tied_types import CONVERTIBLE_TIES, NOT_STICKY, STICKY, TIED_TYPES
 
@@ -96,7 +97,7 @@ def convert(path: Path) -> Converted:
 def _place_before(files: Sources, edits: Mapping[Path, list[Edit]], place: Place) -> Place:
     """Where in the user's file a place of the new one comes from: nobody sees what is not written."""
     for file, made in edits.items():
-        if place.file in (file if file == files.model else None, sources.converted_name(file)):
+        if place.file in (file if file == files.document.path else None, sources.converted_name(file)):
             return replace(place, file=file, line=spans.line_before(files.data[file], dict.fromkeys(made), place.line))
     return place
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from harness.conversion import spans
-from harness.conversion.spans import Edit, Span
+from harness.conversion.spans import Edit
 from harness.errors import ModelError
-from harness.preflight import xml_file
-from harness.preflight.finding import Place
+from harness.preflight import byte_spans, xml_file
+from harness.preflight.byte_spans import Place, Span
+from harness.preflight.xml_file import Document, Element
 
 _ADDED = "-mixture"
 
@@ -25,37 +26,36 @@ class Located:
 
 @dataclass(frozen=True)
 class Reference:
-    """An ``<Include>``, or a section or part that is read ``from`` another file."""
+    """A tag that names another file, the name as it stands there, and that file."""
 
-    file: Path
-    span: Span
+    tag: Located
     name: str
     target: Path
 
 
-@dataclass
+@dataclass(frozen=True)
 class Sources:
     """All files of a model.
 
     Attributes
     ----------
-    model : Path
+    document : Document
+        What they say, in the format in which they are written.
     data : dict of Path to bytes
-    sections : list of Located
-    references : list of Reference
+    located : dict of Element to Located
+        All elements of the files.
+    references : tuple of Reference
         One before those in the file that it names.
     """
 
-    model: Path
-    data: dict[Path, bytes] = field(default_factory=dict)
-    sections: list[Located] = field(default_factory=list)
-    references: list[Reference] = field(default_factory=list)
+    document: Document
+    data: Mapping[Path, bytes]
+    located: Mapping[Element, Located]
+    references: tuple[Reference, ...]
 
     def all(self, *names: str) -> Iterator[Located]:
         """Elements on a path of tags below <febio_spec>."""
-        for section in self.sections:
-            if section.span.tag == names[0]:
-                yield from (Located(section.file, span) for span in section.span.all(*names[1:]))
+        return (self.located[element] for element in self.document.all(*names))
 
     @property
     def contacts(self) -> list[Located]:
@@ -71,37 +71,20 @@ def read(model: Path) -> Sources:
     ------
     ModelError
     """
-    found = Sources(model)
-    for section in _root(found, model).children:
-        _read(found, model, section)
-    return found
-
-
-def _root(found: Sources, file: Path) -> Span:
-    found.data[file] = xml_file.content(file)
-    return spans.locate(found.data[file], str(file))
-
-
-def _read(found: Sources, file: Path, section: Span) -> None:
-    name = spans.text(found.data[file], section) if section.tag == "Include" else section.attributes.get("from", "")
-    if not name:
-        found.sections.append(Located(file, section))
-        found.references += [_reference(found, file, part) for part in section.all("Part") if "from" in part.attributes]
-        return
-    reference = _reference(found, file, section, name)
-    found.references.append(reference)
-    target = reference.target
-    inner = _root(found, target).children
-    if section.tag == "Include":
-        for each in inner:
-            _read(found, target, each)
-    else:
-        found.sections += [Located(target, each) for each in inner if each.tag == section.tag][:1]
-
-
-def _reference(found: Sources, file: Path, tag: Span, name: str = "") -> Reference:
-    name = name or tag.attributes["from"]
-    return Reference(file, tag, name, xml_file.included(found.model, Place(file, tag.line, f"<{tag.tag}>"), name))
+    document = xml_file.read(model)
+    roots = [(model, document.root), *((reference.file, reference.root) for reference in document.references)]
+    data = {file: xml_file.content(file) for file, _ in roots}
+    located = {
+        element: Located(file, span)
+        for file, root in roots
+        for element, span in zip(root.iter("*"), byte_spans.locate(data[file]).walk(), strict=True)
+    }
+    found = [Reference(located[each.tag], each.name, each.file) for each in document.references]
+    parts = [part for section in document.sections for part in xml_file.children(section, "Part") if part.get("from")]
+    for part in parts:
+        name = str(part.get("from"))
+        found.append(Reference(located[part], name, xml_file.included(model, xml_file.place(part), name)))
+    return Sources(document, data, located, tuple(found))
 
 
 def converted_name(path: Path) -> Path:
@@ -119,11 +102,12 @@ def redirect(sources: Sources, edits: dict[Path, list[Edit]]) -> None:
     """
     for reference in reversed(sources.references):
         if reference.target in edits:
-            edits.setdefault(reference.file, []).append(_edit(sources.data[reference.file], reference))
+            file = reference.tag.file
+            edits.setdefault(file, []).append(_edit(sources.data[file], reference))
 
 
 def _edit(data: bytes, reference: Reference) -> Edit:
-    tag, name = reference.span, reference.name
+    tag, name = reference.tag.span, reference.name
     value = None if tag.tag == "Include" else spans.attribute(data, tag, "from", name)
     start, end = tag.inner if value is None else (value.start, value.end)
     for encoding in ("utf-8", "latin-1"):
@@ -131,5 +115,5 @@ def _edit(data: bytes, reference: Reference) -> Edit:
         if at >= 0:
             place = at + len(name.removesuffix(Path(name).suffix).encode(encoding))
             return Edit(place, place, _ADDED.encode())
-    where = Place(reference.file, tag.line, f"<{tag.tag}>")
+    where = Place(reference.tag.file, tag.line, f"<{tag.tag}>")
     raise ModelError(f"{where}: writes the name '{name}' with entities; give the file a name of letters and digits")

@@ -1,55 +1,14 @@
-"""Where the tags of an XML file stand, in bytes, and changes to it that leave all other bytes alone."""
+"""Changes to the bytes of an XML file that leave all others alone."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
-from xml.parsers import expat
+from collections.abc import Iterable
+from dataclasses import dataclass
 
-from harness.errors import ModelError
+from harness.preflight.byte_spans import Span, end_of_tag
 
 _VALUE = rb"""\s*=\s*(?P<quote>["'])(?P<value>.*?)(?P=quote)"""
-
-
-@dataclass
-class Span:
-    """An element in the bytes of a file.
-
-    Attributes
-    ----------
-    tag : str
-    attributes : dict of str to str
-    line : int
-        From 1.
-    start : int
-        Of its ``<``.
-    inner : tuple of int
-        What stands between its tags; empty, at the end of the tag, where it is ``<tag/>``.
-    end : int
-        Behind its last ``>``.
-    children : list of Span
-    """
-
-    tag: str
-    attributes: dict[str, str]
-    line: int
-    start: int
-    inner: tuple[int, int] = (0, 0)
-    end: int = 0
-    children: list[Span] = field(default_factory=list)
-
-    def all(self, *names: str) -> Iterator[Span]:
-        """Elements on a path of tags below this one."""
-        found = [self]
-        for name in names:
-            found = [child for parent in found for child in parent.children if child.tag == name]
-        return iter(found)
-
-    @property
-    def closed_in_itself(self) -> bool:
-        """Whether it is written ``<tag/>``."""
-        return self.inner[1] == self.end
 
 
 @dataclass(frozen=True)
@@ -59,45 +18,6 @@ class Edit:
     start: int
     end: int
     text: bytes
-
-
-def locate(data: bytes, name: str) -> Span:
-    """The root element.
-
-    Raises
-    ------
-    ModelError
-        The file is no XML.
-    """
-    parser = expat.ParserCreate()
-    root = Span("", {}, 0, 0)
-    path = [root]
-
-    def begin(tag: str, attributes: dict[str, str]) -> None:
-        path.append(Span(tag, attributes, parser.CurrentLineNumber, parser.CurrentByteIndex))
-
-    def finish(_: str) -> None:
-        done = path.pop()
-        at = parser.CurrentByteIndex  # behind <tag/>, where the end of another element may stand
-        opened = _end_of_tag(data, done.start)
-        closed = data[opened - 2 : opened] == b"/>"
-        done.end = opened if closed else data.index(b">", at) + 1
-        done.inner = (opened, opened) if closed else (opened, at)
-        path[-1].children.append(done)
-
-    parser.StartElementHandler, parser.EndElementHandler = begin, finish
-    try:
-        parser.Parse(data, True)
-    except expat.ExpatError as error:
-        raise ModelError(f"{name}: is not XML: {error}") from error
-    return root.children[0]
-
-
-def _end_of_tag(data: bytes, start: int) -> int:
-    """Behind the ``>`` of the tag at `start`; quotes may hold one."""
-    found = re.compile(rb"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""").match(data, start)
-    assert found is not None  # expat has read it
-    return found.end()
 
 
 def text(data: bytes, span: Span) -> str:
@@ -134,7 +54,7 @@ def line_before(data: bytes, edits: Iterable[Edit], line: int) -> int:
 def attribute(data: bytes, span: Span, name: str, value: str) -> Edit:
     """Gives an attribute another value; its quotes stay."""
     found = re.compile(rb"\s" + name.encode() + _VALUE, re.DOTALL).search(
-        data, span.start, _end_of_tag(data, span.start)
+        data, span.start, end_of_tag(data, span.start)
     )
     assert found is not None  # the attribute is there
     return Edit(*found.span("value"), value.encode())

@@ -8,7 +8,8 @@ import numpy as np
 
 from harness.conversion import spans
 from harness.conversion.fates import NO_DIFFERENCE, Action, Change, is_zero
-from harness.conversion.spans import Edit, Span
+from harness.conversion.spans import Edit
+from harness.preflight.byte_spans import Span
 from harness.preflight.sides import Joint
 from harness.preflight.tied_types import ANY_DISTANCE, keeps_gaps
 

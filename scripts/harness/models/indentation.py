@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model
-from harness.models.header import header
 from harness.models.indentation_mesh import Grid, Primary, mesh
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,

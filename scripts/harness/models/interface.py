@@ -98,10 +98,6 @@ class ContactSettings:
         return (*(Param(name, value) for name, value in named), *self.extra)
 
 
-PREDICTOR = Param("predictor", True)
-"""Turns the plugin's predictor on."""
-
-
 def automatic(scale: float) -> ContactSettings:
     """FEBio's automatic penalties times one common factor, by the penalty method."""
     return ContactSettings(
@@ -130,15 +126,6 @@ def default_settings(interface: InterfaceType) -> ContactSettings:
     return replace(settings, concentration_penalty=None) if interface is InterfaceType.BIPHASIC else settings
 
 
-def with_friction(
-    interface: InterfaceType, coefficient: float, *, solid_fraction: float | None = None
-) -> ContactSettings:
-    """The default settings with a friction coefficient mu_eq and, between porous bodies, the solid fraction phi."""
-    given = default_settings(interface)
-    fraction = () if solid_fraction is None else (Param("contact_frac", solid_fraction),)
-    return replace(given, extra=(*given.extra, Param("fric_coeff", coefficient), *fraction))
-
-
 def column(
     interface: InterfaceType,
     layers: Sequence[Layer],
@@ -159,3 +146,25 @@ def contacts(interface: InterfaceType, mesh: Mesh, settings: ContactSettings | N
         return ()
     chosen = settings if settings is not None else default_settings(interface)
     return tuple(Contact(interface.value, pair, chosen.params()) for pair in mesh.pairs)
+
+
+UNITS = """\
+Units: mm, N, s, nmol, K. Hence stress and pressure in MPa, concentration in mM = nmol/mm^3, permeability in
+mm^4/(N s), diffusivity in mm^2/s; R = 8.314e-6 mJ/(nmol K)."""
+
+
+def header(name: str, about: str, interface: InterfaceType) -> str:
+    """What the model shows, its units, and the command that runs it.
+
+    Parameters
+    ----------
+    name : str
+        Stem of the file.
+    about : str
+        What it shows, one or more paragraphs.
+    interface : InterfaceType
+        Decides whether the command loads the plugin.
+    """
+    load = " -import build/lib/libFEBioMixtureContact.so" if interface.needs_plugin else ""
+    run = f"Run it: scripts/mixcontact run models/{name}.feb\nor:     febio4 -i models/{name}.feb{load}"
+    return f"{about}\n\n{UNITS}\n\n{run}"

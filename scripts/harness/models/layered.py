@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Section
 from harness.models.parts import Condition, Control, Material, displace, fix
 

@@ -172,7 +172,7 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Rigid:
-    """Rigid body: neither solvent nor solutes pass. Held and moved by `hold_rigid` and `move_rigid`.
+    """Rigid body: neither solvent nor solutes pass. Held by `hold_rigid`.
 
     Attributes
     ----------
@@ -261,20 +261,9 @@ def displace(where: str, axis: str, value: float, curve: int | None = None) -> C
     return Condition("bc", "prescribed displacement", where, params)
 
 
-def hold(where: str, axes: str) -> tuple[Condition, ...]:
-    """As `fix`, but as prescribed displacements of zero: of these alone FEBio logs the reactions."""
-    return tuple(displace(where, axis, 0.0) for axis in axes)
-
-
 def hold_rigid(material: str, dofs: str) -> Condition:
     """Hold a rigid body: translations x, y, z and rotations u, v, w about these axes, by the letters in `dofs`."""
     return Condition("rigid_bc", "rigid_fixed", material, tuple(Param(f"R{d}_dof", d in dofs) for d in "xyzuvw"))
-
-
-def move_rigid(material: str, axis: str, value: float, curve: int | None = None) -> Condition:
-    """Prescribe the displacement (mm) of a rigid body along one axis."""
-    params = (Param("dof", axis), Param("value", value, curve), Param("relative", False))
-    return Condition("rigid_bc", "rigid_displacement", material, params)
 
 
 def turn_rigid(material: str, axis: str, angle: float, curve: int | None = None) -> Condition:
@@ -313,11 +302,6 @@ def normal_load(where: str, value: float, curve: int | None = None) -> Condition
     """Press on a surface with `value` MPa, acting on the whole mixture, in the reference configuration."""
     params = (Param("pressure", value, curve), Param("linear", True), Param("symmetric_stiffness", False))
     return Condition("surface_load", "pressure", where, params)
-
-
-def ambient(pressure: float, concentration: float, curve: int | None = None) -> tuple[Param, ...]:
-    """Ambient values of what is not in contact: effective pressure p~ (MPa) and effective concentration c~ (mM)."""
-    return (Param("ambient_pressure", pressure, curve), Param("ambient_concentration", concentration, curve))
 
 
 def fluid_flux(where: str, value: float, curve: int | None = None) -> Condition:
@@ -434,18 +418,6 @@ class Control:
         for param in self.solver:
             param.write(solver)
         child(child(solver, "qn_method", type="BFGS"), "max_ups", self.updates)
-
-
-@dataclass(frozen=True)
-class Solver:
-    """A module of FEBio for models with solutes, and further parameters of its solver."""
-
-    module: str
-    solver: tuple[Param, ...] = ()
-
-
-UNCLAMPED = Solver("multiphasic", (Param("force_positive_concentrations", False),))
-"""Concentrations may undershoot; FEBio's module 'solute' always sets negative ones to zero."""
 
 
 @dataclass(frozen=True)

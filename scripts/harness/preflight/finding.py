@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from pathlib import Path
+
+from harness.preflight.byte_spans import Place
+from harness.preflight.xml_file import Element, place
 
 
 class Severity(str, Enum):
@@ -16,27 +18,6 @@ class Severity(str, Enum):
     """The run may fail, or its answer is not what it seems."""
     NOTE = "note"
     """Worth knowing; nothing has to change."""
-
-
-@dataclass(frozen=True)
-class Place:
-    """A tag in a file.
-
-    Attributes
-    ----------
-    file : Path
-    line : int
-        From 1; where the tag begins.
-    tag : str
-        As in the file, with the attribute that tells it from its like: ``<contact name="joint">``.
-    """
-
-    file: Path
-    line: int
-    tag: str
-
-    def __str__(self) -> str:
-        return f"{self.file}, line {self.line}: {self.tag}"
 
 
 @dataclass(frozen=True)
@@ -72,3 +53,28 @@ class Finding:
             "message": self.message,
             "suggestion": self.suggestion,
         }
+
+
+def error(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    """The run will stop, or the contact will not do what the file says."""
+    return Finding(Severity.ERROR, rule, place(tag), message, suggestion)
+
+
+def warning(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    """The run may fail, or its answer is not what it seems."""
+    return Finding(Severity.WARNING, rule, place(tag), message, suggestion)
+
+
+def note(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    """Worth knowing."""
+    return Finding(Severity.NOTE, rule, place(tag), message, suggestion)
+
+
+def short(value: float) -> str:
+    """A number with two significant digits, with an exponent where it is very small or large."""
+    return f"{float(f'{value:.2g}'):.6g}"
+
+
+def percent(part: float) -> str:
+    """A part as a percentage: two significant digits above 1 %, one below."""
+    return f"{100.0 * part:.2g} %"

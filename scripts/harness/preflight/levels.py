@@ -1,4 +1,4 @@
-"""Pressures and concentrations that a model starts from and prescribes."""
+"""Pressures and concentrations that a model starts from and prescribes, and where it does so in a contact."""
 
 from __future__ import annotations
 
@@ -174,3 +174,59 @@ def fluid_pressures(joint: Joint) -> Array:
 def _fluid_pressure(joint: Joint, pressure: Array, concentrations: Sequence[Array]) -> Array:
     when = times([pressure, *concentrations])
     return at(pressure, when) + (osmotic(joint, concentrations, when) if concentrations else 0.0)
+
+
+# ---- nodes of a contact that a boundary condition holds ----
+
+
+@dataclass(frozen=True)
+class PrescribedNodes:
+    """Nodes of a contact that a boundary condition holds.
+
+    Attributes
+    ----------
+    tag : Element
+        Of the condition's value.
+    field : str
+        What it holds.
+    nodes : int
+        Number of nodes.
+    as_ambient : bool
+        Whether at the ambient value.
+    """
+
+    tag: Element
+    field: str
+    nodes: int
+    as_ambient: bool
+
+
+def prescribed_nodes(joint: Joint) -> Iterator[PrescribedNodes]:
+    """Every boundary condition that holds a pressure or a concentration at nodes of the contact.
+
+    FEBio's interfaces write the ambient values over them where they are not in contact; `sliding-mixture` leaves them.
+    """
+    model, contact = joint.model, joint.contact
+    if not contact.kind.solvent:
+        return
+    ambient = contact.given("ambient_pressure")
+    for level in prescribed_pressures(model):
+        yield from _prescribed(joint, level, "fluid pressure", ambient)
+    for number in model.solute_numbers if contact.kind.solutes else ():
+        ambient = ambient_concentrations(model, contact).get(number)
+        for level in prescribed_concentrations(model, number):
+            yield from _prescribed(joint, level, f"concentration of solute {number}", ambient)
+
+
+def _prescribed(joint: Joint, level: Level, field: str, ambient: Element | None) -> Iterator[PrescribedNodes]:
+    own = np.union1d(*(side.surface.corners.ravel() for side in joint.sides))
+    nodes = 0 if level.nodes is None else len(np.intersect1d(own, level.nodes))
+    if nodes:
+        history = np.zeros((1, 2)) if ambient is None else joint.model.history(ambient)
+        yield PrescribedNodes(level.tag, field, nodes, _equal(level.history, history))
+
+
+def _equal(one: Array, other: Array) -> bool:
+    """Whether two histories are the same at all times; a formula's is the same as none."""
+    when = times([one, other])
+    return bool(np.allclose(at(one, when), at(other, when), rtol=1e-9, atol=0.0))

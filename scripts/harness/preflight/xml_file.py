@@ -11,14 +11,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import TypeAlias, cast
-from xml.parsers import expat
 
 import numpy as np
 from lxml import etree
 from numpy.typing import NDArray
 
 from harness.errors import ModelError
-from harness.preflight.finding import Place
+from harness.preflight import byte_spans
+from harness.preflight.byte_spans import Place
 
 Element = etree._Element
 Contents: TypeAlias = Mapping[Path, bytes]
@@ -80,17 +80,9 @@ def _mark_empty_contacts(root: Element, data: bytes) -> None:
     contacts = list(root.iter("contact"))
     if all(any(True for _ in children(contact)) for contact in contacts):
         return
-    closed: list[bool] = []
-    parser = expat.ParserCreate()
-
-    def finish(tag: str) -> None:
-        if tag == "contact":
-            closed.append(data.startswith(b"</", parser.CurrentByteIndex))
-
-    parser.EndElementHandler = finish
-    parser.Parse(data, True)
-    for contact, by_a_tag in zip(contacts, closed, strict=True):
-        if by_a_tag and not any(True for _ in children(contact)):
+    written = (span for span in byte_spans.locate(data).walk() if span.tag == "contact")
+    for contact, span in zip(contacts, written, strict=True):
+        if not span.closed_in_itself and not any(True for _ in children(contact)):
             contact.set(WITHOUT_CONTENT, "1")
 
 
@@ -139,12 +131,38 @@ def children(element: Element, tag: str | None = None) -> Iterator[Element]:
 
 
 @dataclass(frozen=True)
+class Reference:
+    """An ``<Include>``, or a section that is read ``from`` another file: its tag, and that file."""
+
+    tag: Element
+    name: str
+    file: Path
+    root: Element
+
+
+@dataclass(frozen=True)
 class Document:
-    """The sections of a model, from all of its files, in the order in which FEBio reads them."""
+    """The sections of a model, from all of its files, in the order in which FEBio reads them.
+
+    Attributes
+    ----------
+    path : Path
+    root : Element
+        Of the model file itself.
+    sections : tuple of Element
+    references : tuple of Reference
+        One before those in the file that it names.
+    """
 
     path: Path
-    version: str
+    root: Element
     sections: tuple[Element, ...]
+    references: tuple[Reference, ...] = ()
+
+    @property
+    def version(self) -> str:
+        """Format of the files."""
+        return str(self.root.get("version"))
 
     def all(self, *names: str) -> Iterator[Element]:
         """Elements on a path of tags below <febio_spec>, such as ("Contact", "contact")."""
@@ -177,33 +195,40 @@ def read(path: Path, instead: Contents = AS_THEY_ARE) -> Document:
         As `parse`; an included file that is missing, includes itself, or is of another format.
     """
     root = parse(path, instead)
-    return Document(path, str(root.get("version")), tuple(_sections(path, root, 0, instead)))
+    references: list[Reference] = []
+    return Document(path, root, tuple(_sections(path, root, references, instead)), tuple(references))
 
 
-def _sections(model: Path, root: Element, depth: int, instead: Contents) -> Iterator[Element]:
+def _sections(
+    model: Path, root: Element, references: list[Reference], instead: Contents, depth: int = 0
+) -> Iterator[Element]:
+    """The sections of a file and of those that it names; what it names is added to `references`."""
     if depth > DEEPEST_INCLUDE:
         file = place(root).file
         raise ModelError(f"{file}: is included more than {DEEPEST_INCLUDE} files deep; does a file include itself?")
     for section in children(root):
-        if section.tag == "Include":
-            inner = parse(included(model, place(section), text(section), instead), instead)
-            if inner.get("version") != root.get("version"):
-                raise ModelError(
-                    f"{place(inner)}: has version '{inner.get('version')}'; {place(section)} includes it, and "
-                    f"that file has '{root.get('version')}': files of one model have one version"
-                )
-            yield from _sections(model, inner, depth + 1, instead)
-        elif section.get("from"):
-            yield _section_from(model, section, instead)
-        else:
+        name = text(section) if section.tag == "Include" else section.get("from")
+        if name is None or (not name and section.tag != "Include"):
             yield section
+            continue
+        file = included(model, place(section), str(name), instead)
+        inner = parse(file, instead)
+        references.append(Reference(section, str(name), file, inner))
+        if section.tag != "Include":
+            yield _section_from(section, file, inner)
+            continue
+        if inner.get("version") != root.get("version"):
+            raise ModelError(
+                f"{place(inner)}: has version '{inner.get('version')}'; {place(section)} includes it, and "
+                f"that file has '{root.get('version')}': files of one model have one version"
+            )
+        yield from _sections(model, inner, references, instead, depth + 1)
 
 
-def _section_from(model: Path, section: Element, instead: Contents) -> Element:
-    source = included(model, place(section), str(section.get("from")), instead)
-    found = next(children(parse(source, instead), str(section.tag)), None)
+def _section_from(section: Element, file: Path, root: Element) -> Element:
+    found = next(children(root, str(section.tag)), None)
     if found is None:
-        raise ModelError(f"{place(section)}: is to be read from {source}, which has no <{section.tag}>")
+        raise ModelError(f"{place(section)}: is to be read from {file}, which has no <{section.tag}>")
     return found
 
 

@@ -9,7 +9,7 @@ import typer
 from rich.console import Console
 
 from harness.paths import RESULTS
-from studies import files, stamps
+from studies import files, stamps, tables
 from studies.ablation import ablated_runs
 from studies.ablation.ablated_runs import Ablated
 from studies.ablation.ablated_scenes import SCENES
@@ -52,11 +52,11 @@ def _line(row: Ablated) -> str:
 
 
 def _summary(rows: list[Ablated], names: list[str]) -> str:
-    lines = ["| kind | device | scenes | iterations | entries |", "|---|---|---|---|---|"]
+    effects = []
     for kind in dict.fromkeys(row.kind for row in rows):
         for name in names:
             iterations, count = ablated_runs.effect(rows, kind, name, lambda row: row.iterations)
             entries, _ = ablated_runs.effect(rows, kind, name, lambda row: row.entries)
             if count:
-                lines.append(f"| {kind} | {name} | {count} | {iterations:.3f} | {entries:.3f} |")
-    return "\n".join(lines)
+                effects.append((kind, name, count, f"{iterations:.3f}", f"{entries:.3f}"))
+    return tables.markdown(("kind", "device", "scenes", "iterations", "entries"), effects)

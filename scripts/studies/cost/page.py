@@ -9,6 +9,7 @@ from typing import NamedTuple
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
 from studies import files
+from studies import tables as markdown_tables
 from studies.cost import pareto
 from studies.cost.point_runs import Datum
 from studies.cost.points import INTERFACES, Parameter, Problem
@@ -137,15 +138,13 @@ def _recommended(data: Sequence[Datum], problems: Sequence[Problem], advice: Adv
 
 def _discretisation(data: Sequence[Datum]) -> str:
     """The whole error with other meshes and steps, as a table."""
-    lines = [
-        "| problem | changed | to | whole error | error of the contact | iterations |",
-        "|---|---|---|---|---|---|",
-    ]
+    rows = []
     for d in data:
         if d.interface == OURS and d.ended and d.parameter in (Parameter.MESH.value, Parameter.STEP.value):
             contact = "" if d.problem == Problem.INDENTATION.value else f"{d.contact_error:.0e}"
-            lines.append(f"| {d.problem} | {d.parameter} | {d.value:g} | {d.error:.1e} | {contact} | {d.iterations} |")
-    return "\n".join(lines) if len(lines) > 2 else ""
+            rows.append((d.problem, d.parameter, f"{d.value:g}", f"{d.error:.1e}", contact, d.iterations))
+    heads = ("problem", "changed", "to", "whole error", "error of the contact", "iterations")
+    return markdown_tables.markdown(heads, rows) if rows else ""
 
 
 def _failed(data: Sequence[Datum]) -> str:

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
 
+from studies import tables
 from studies.cost.point_runs import Datum
 from studies.cost.points import Parameter, Problem
 
@@ -134,10 +135,8 @@ def comparison(data: Sequence[Datum]) -> str:
     The predictor, which is off by default, has a column of its own.
     """
     names = list(LOOKS)
-    lines = [
-        "| problem | error | " + " | ".join(f"`{name}`" for name in names) + " | ratio of times | with `predictor` 1 |",
-        "|---|---|" + "---|" * (len(names) + 2),
-    ]
+    heads = ("problem", "error", *(f"`{name}`" for name in names), "ratio of times", "with `predictor` 1")
+    rows = []
     for problem in Problem:
         own = comparable(data, problem)
         plain = [d for d in own if d.parameter != Parameter.PREDICTOR.value]
@@ -148,9 +147,8 @@ def comparison(data: Sequence[Datum]) -> str:
                 continue
             others = [cost_of(d) for d in best[1:] if d]
             ratio = f"{cost_of(best[0]) / min(others):.2f}" if best[0] and others else "-"
-            cells = (problem.value, f"{error:.0e}", *map(_paid, best), ratio, _paid(fastest(predicted, error)))
-            lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+            rows.append((problem.value, f"{error:.0e}", *map(_paid, best), ratio, _paid(fastest(predicted, error))))
+    return tables.markdown(heads, rows)
 
 
 def fastest(data: Sequence[Datum], error: float) -> Datum | None:
@@ -167,15 +165,11 @@ def _paid(datum: Datum | None) -> str:
 
 def table(data: Sequence[Datum]) -> str:
     """All data as a Markdown table."""
-    lines = [
-        "| problem | interface | parameter | value | contact error | error | steps | iterations | residuals | retries "
-        "| time |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
-    ]
+    heads = ("problem", "interface", "parameter", "value", "contact error", "error")
+    counts = ("steps", "iterations", "residuals", "retries", "time")
+    rows = []
     for d in data:
-        errors = f"{d.contact_error:.1e} | {d.error:.1e}" if d.ended else "fails | fails"
-        lines.append(
-            f"| {d.problem} | `{d.interface}` | {d.parameter} | {d.value:g} | {errors} | {d.steps} | {d.iterations} | "
-            f"{d.residuals} | {d.retries} | {cost_of(d):.3g} |"
-        )
-    return "\n".join(lines)
+        errors = (f"{d.contact_error:.1e}", f"{d.error:.1e}") if d.ended else ("fails", "fails")
+        took = (d.steps, d.iterations, d.residuals, d.retries, f"{cost_of(d):.3g}")
+        rows.append((d.problem, f"`{d.interface}`", d.parameter, f"{d.value:g}", *errors, *took))
+    return tables.markdown((*heads, *counts), rows)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from studies import files
+from studies import files, tables
 from studies.friction import published
 from studies.friction.curves import SMOOTH_SPHERES, SPHERES, Row, outside, values_at
 from studies.friction.published import Curves
@@ -58,11 +58,11 @@ def _table(rows: Sequence[Row], problem: str, place: str, places: Sequence[float
     found = {series: values_at(rows, problem, series, places).tolist() for series in runs}
     far = [outside(v, s) for v, s in zip(found["fine mesh"], published.spread(curves), strict=True)]
     heads = [place, *curves, *runs, "fine mesh outside of published"]
-    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
+    lines = []
     for at, *values, out in zip(places, *curves.values(), *found.values(), far, strict=True):
         cells = ["fails before" if np.isnan(v) else f"{v:.2f}" for v in values]
-        lines.append(f"| {at:g} | " + " | ".join(cells) + f" | {100.0 * out:.1f} % |")
-    return "\n".join(lines)
+        lines.append((f"{at:g}", *cells, f"{100.0 * out:.1f} %"))
+    return tables.markdown(heads, lines)
 
 
 PAGE = EvidencePage("evidence/friction-curves.md", (SOURCE,), Path(__file__).with_name("curves.md"), figures)

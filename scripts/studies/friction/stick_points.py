@@ -12,7 +12,7 @@ from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.parts import Param
 from harness.post import compare
 from harness.run.runner import Runner, RunResult
-from studies import timing
+from studies import tables, timing
 from studies.cost.points import AUGLAG_START
 from studies.models.partial_slip import FRICTION as PARTIAL
 from studies.models.partial_slip import PartialSlip
@@ -196,15 +196,13 @@ def least_time(data: Sequence[Datum]) -> str:
     The last column names the interface that pays least.
     """
     names = list(dict.fromkeys(d.interface for d in data))
-    lines = ["| " + " | ".join(("error", *(f"`{name}`" for name in names), "less time")) + " |"]
-    lines.append("|---" * (len(names) + 2) + "|")
+    rows = []
     for error in LEVELS:
         good = [d for d in data if d.problem == Problem.STICK.value and d.ended and d.error <= error]
         best = [min((d for d in good if d.interface == name), key=lambda d: d.time, default=None) for name in names]
         least = min(filter(None, best), key=lambda d: d.time, default=None)
-        cells = (f"{error:.0e}", *(_paid(each) for each in best), f"`{least.interface}`" if least else "")
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+        rows.append((f"{error:.0e}", *map(_paid, best), f"`{least.interface}`" if least else ""))
+    return tables.markdown(("error", *(f"`{name}`" for name in names), "less time"), rows)
 
 
 def _paid(datum: Datum | None) -> str:

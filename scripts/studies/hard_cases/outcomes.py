@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
+from studies import tables
+
 HEADINGS = {
     "sliding-mixture": "`sliding-mixture`",
     "sliding-mixture-predictor": "with `predictor` 1",
@@ -104,13 +106,12 @@ def arranged(outcomes: Sequence[Outcome]) -> Table:
 def summary(outcomes: Sequence[Outcome]) -> str:
     """A Markdown table: how many runs end in which way, and the steps tried again, for each interface."""
     columns = ("interface", "runs", *(end.value for end in End), "repeated steps")
-    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
+    rows = []
     for interface, heading in HEADINGS.items():
         own = [outcome for outcome in outcomes if outcome.interface == interface]
         ends = [sum(outcome.end is end for outcome in own) for end in End]
-        cells = (len(own), *ends, sum(outcome.retries for outcome in own))
-        lines.append(f"| {heading} | " + " | ".join(map(str, cells)) + " |")
-    return "\n".join(lines)
+        rows.append((heading, len(own), *ends, sum(outcome.retries for outcome in own)))
+    return tables.markdown(columns, rows)
 
 
 def better(row: dict[str, Outcome]) -> list[Outcome]:
@@ -129,12 +130,12 @@ def better(row: dict[str, Outcome]) -> list[Outcome]:
 def table(outcomes: Sequence[Outcome], about: dict[str, str]) -> str:
     """A Markdown table: a row for each case and mesh, and where FEBio's interface is better."""
     heads = ["case", "mesh", *HEADINGS.values(), "better in FEBio's"]
-    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
+    rows = []
     for (case, mesh), row in arranged(outcomes).items():
         cells = [_cell(row[name]) if name in row else "not run" for name in HEADINGS]
         best = ", ".join(f"{run.short} with {HEADINGS[run.interface].split(', ')[1]}" for run in better(row))
-        lines.append(f"| {about[case]} | {mesh} | {' | '.join(cells)} | {best} |")
-    return "\n".join(lines)
+        rows.append((about[case], mesh, *cells, best))
+    return tables.markdown(heads, rows)
 
 
 _MARKS = {End.PASSES: "", End.MISSES: "misses: ", End.FAILS: "fails: ", End.LIMIT: "limit: "}

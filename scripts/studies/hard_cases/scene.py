@@ -8,11 +8,12 @@ from enum import Enum
 from typing import Protocol
 
 from harness.models.document import Model
-from harness.models.interface import PREDICTOR, ContactSettings, InterfaceType, automatic
+from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
+from studies.models.pieces import PREDICTOR
 
 GEL = Mixture(Solid(1.0), permeability=1e-3, solutes=(Solute(1, 5e-4, 5e-4),))
 """E = 1 MPa, nu = 0, k = 1e-3 mm^4/(N s), d = d0 = 5e-4 mm^2/s, phi_w = 0.8.

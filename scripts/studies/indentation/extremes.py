@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from harness.models.document import Model
 from harness.models.indentation import CONTROL, GEL, Indentation
 from harness.run.runner import Runner
+from studies import tables
 from studies.models.indentation_variants import LEVELS
 from studies.models.soaked import soaked
 
@@ -66,15 +67,11 @@ def run(runner: Runner, names: list[str] | None = None) -> list[Extremes]:
 
 def table(runs: list[Extremes]) -> str:
     """Smallest and largest concentration at `TIMES`, as a Markdown table."""
-    lines = [
-        "| c [mM], smallest / largest | " + " | ".join(f"{time:g} s" for time in TIMES) + " |",
-        "|---|" + "---|" * len(TIMES),
-    ]
+    rows = []
     for entry in runs:
         at = [int(np.searchsorted(entry.times, time * (1.0 + 1e-9))) - 1 for time in TIMES]
-        cells = [f"{entry.lowest[i]:.3f} / {entry.highest[i]:.3f}" for i in at]
-        lines.append(f"| {entry.name} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+        rows.append((entry.name, *(f"{entry.lowest[i]:.3f} / {entry.highest[i]:.3f}" for i in at)))
+    return tables.markdown(("c [mM], smallest / largest", *(f"{time:g} s" for time in TIMES)), rows)
 
 
 def draw(runs: list[Extremes], path: Path) -> Path:

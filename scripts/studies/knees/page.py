@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from harness.models.interface import InterfaceType
-from studies import files
+from studies import files, tables
 from studies.knees.knee_run import KneeRun
 from studies.pages.evidence import DATA, EvidencePage
 
@@ -58,20 +58,18 @@ def _times(mine: KneeRun, other: KneeRun) -> str:
     )
 
 
-def _name(run: KneeRun) -> str:
-    contact = f"`{run.contact}`" + (f" × {run.factor:g}" if run.factor else "")
-    return f"{run.load}, {run.size} | {contact}"
+def _name(run: KneeRun) -> tuple[str, str]:
+    return f"{run.load}, {run.size}", f"`{run.contact}`" + (f" × {run.factor:g}" if run.factor else "")
 
 
 def table(runs: Sequence[KneeRun]) -> str:
     """How the runs went."""
-    head = "| load, size | contact | completes | until [s] | steps | iterations | retries | time [s] | memory [MB] |"
-    rows = [
-        f"| {_name(run)} | {_outcome(run)} | {run.reached:.3g} | {run.steps} | {run.iterations} | {run.retries} "
-        f"| {run.seconds:.0f} | {run.memory:.0f} |"
-        for run in runs
-    ]
-    return "\n".join([head, "|---|---|---|---|---|---|---|---|---|", *rows])
+    heads = ("completes", "until [s]", "steps", "iterations", "retries", "time [s]", "memory [MB]")
+    rows = []
+    for run in runs:
+        counts = (run.steps, run.iterations, run.retries, f"{run.seconds:.0f}", f"{run.memory:.0f}")
+        rows.append((*_name(run), _outcome(run), f"{run.reached:.3g}", *counts))
+    return tables.markdown(("load, size", "contact", *heads), rows)
 
 
 def _outcome(run: KneeRun) -> str:
@@ -80,16 +78,15 @@ def _outcome(run: KneeRun) -> str:
 
 def compartments(runs: Sequence[KneeRun]) -> str:
     """Force, area and largest pressure."""
-    head = "| load, size | contact | force [N] | area [mm²] | largest pressure [MPa] | largest overlap [mm] |"
-    rows = [f"| {_name(run)} | {_passing(run)} | {run.overlap:.4f} |" for run in runs]
-    return "\n".join([head, "|---|---|---|---|---|---|", *rows])
+    heads = ("load, size", "contact", "force [N]", "area [mm²]", "largest pressure [MPa]", "largest overlap [mm]")
+    return tables.markdown(heads, ((*_name(run), *_passing(run), f"{run.overlap:.4f}") for run in runs))
 
 
-def _passing(run: KneeRun) -> str:
+def _passing(run: KneeRun) -> list[str]:
     """Force, area and largest pressure, medial and lateral."""
     force, area = (run.force_medial, run.force_lateral), (run.area_medial, run.area_lateral)
     numbers = ((force, ".0f"), (area, ".0f"), ((run.peak_medial, run.peak_lateral), ".2f"))
-    return " | ".join(", ".join(f"{value:{form}}" for value in values) for values, form in numbers)
+    return [", ".join(f"{value:{form}}" for value in values) for values, form in numbers]
 
 
 PAGE = EvidencePage("evidence/knee.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

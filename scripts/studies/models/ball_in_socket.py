@@ -8,8 +8,7 @@ import numpy as np
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import InterfaceType
+from harness.models.interface import InterfaceType, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     Condition,
@@ -23,11 +22,11 @@ from harness.models.parts import (
     Solid,
     TimeStepper,
     displace,
-    hold,
     pressure,
 )
 from studies.models import spherical_shells
 from studies.models.assembly import assembled, plane, sphere
+from studies.models.pieces import hold
 from studies.models.quadratic import quadratic
 from studies.models.tetrahedra import tetrahedra
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, default_settings, with_friction
+from harness.models.interface import ContactSettings, InterfaceType, default_settings, header
 from harness.models.mesh import Mesh
-from harness.models.parts import Contact, Control, Curve, Elastic, Solid, TimeStepper, displace, fix, hold
+from harness.models.parts import Contact, Control, Curve, Elastic, Solid, TimeStepper, displace, fix
 from studies.models import spherical_shells
 from studies.models.assembly import assembled, box, everywhere, plane, sphere
+from studies.models.pieces import hold, with_friction
 
 INNER, MIDDLE, OUTER = 10.0, 12.0, 14.0
 """Radii of the inner shell's inner face, of the contact between the shells, and of the outer shell's outer face, mm."""

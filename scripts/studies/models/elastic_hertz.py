@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import InterfaceType, contacts, default_settings
+from harness.models.interface import InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
-from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix, hold
+from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor
+from studies.models.pieces import hold
 
 RADIUS = 10.0
 """mm."""

@@ -9,19 +9,16 @@ import numpy as np
 from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
 from harness.models.indentation_mesh import disk
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
-    UNCLAMPED,
     Control,
     Mixture,
     Solid,
     Solute,
-    ambient,
     concentration,
     fix,
     initial_concentration,
@@ -29,6 +26,7 @@ from harness.models.parts import (
     pressure,
 )
 from studies.models.assembly import assembled, cylinder, everywhere, graded, plane
+from studies.models.pieces import UNCLAMPED, ambient
 
 DEFECT = 2.0
 """Radius of the defect, mm."""

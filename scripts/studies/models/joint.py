@@ -11,13 +11,11 @@ from numpy.typing import NDArray
 from harness.models import blocks
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
-    UNCLAMPED,
     Condition,
     Control,
     Curve,
@@ -25,13 +23,13 @@ from harness.models.parts import (
     Param,
     Solid,
     Solute,
-    ambient,
     displace,
     fix,
     initial_concentration,
     initial_pressure,
 )
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
+from studies.models.pieces import UNCLAMPED, ambient
 
 RADIUS = 15.0
 """Radius of curvature of the upper cartilage, mm."""

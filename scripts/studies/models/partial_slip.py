@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix, hold
+from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, refined, tensor
+from studies.models.pieces import hold, with_friction
 
 Height = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """Height of a surface (mm) at positions along x (mm)."""

@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     Control,
@@ -18,13 +17,12 @@ from harness.models.parts import (
     Solid,
     TimeStepper,
     fix,
-    hold,
     hold_rigid,
-    move_rigid,
     pressure,
     push_rigid,
 )
 from studies.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
+from studies.models.pieces import hold, move_rigid, with_friction
 
 HEIGHT = 1.0
 """mm."""

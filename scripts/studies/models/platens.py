@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Section
 from harness.models.parts import (
     GAS_CONSTANT,

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import InterfaceType
+from harness.models.interface import InterfaceType, header
 from harness.models.mesh import Box, Mesh, assemble
 from harness.models.parts import Contact, Control, Curve, Elastic, Param, Solid, TimeStepper, displace, fix
 

@@ -7,9 +7,9 @@ from enum import Enum
 
 from harness.models import parts
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, column, contacts, with_friction
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Section
+from studies.models.pieces import with_friction
 
 
 class Kind(str, Enum):

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Mixture, Solid, TimeStepper, displace, fix
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, tensor
+from studies.models.pieces import with_friction
 
 RADIUS = 15.0
 """Radius of curvature of the upper cartilage, mm."""

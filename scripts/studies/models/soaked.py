@@ -7,9 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.header import header
 from harness.models.indentation import CONCENTRATION, Indentation
-from harness.models.interface import InterfaceType
+from harness.models.interface import InterfaceType, header
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, concentration, fix, initial_concentration, initial_pressure
 from harness.models.parts import pressure as prescribed_pressure
 

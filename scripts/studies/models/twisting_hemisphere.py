@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings
+from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
-from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace, hold
+from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace
 from studies.models import spherical_shells
 from studies.models.assembly import assembled, box, plane, sphere
+from studies.models.pieces import hold
 
 Array = NDArray[np.float64]
 OUTER, INNER, SIDE = 1.0, 2.0 / 3.0, 2.0

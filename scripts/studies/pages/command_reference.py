@@ -17,6 +17,7 @@ from studies.pages.texts import page_text
 PAGE = "reference/commands.md"
 _USAGE = re.compile(r"\*\*Usage\*\*:\n\n```console\n.*?\n```\n\n", re.DOTALL)
 _HELP = re.compile(r"(?:\*\*Options\*\*:\n\n)?\* `--help`: Show this message and exit\.\n")
+_DEFAULT = re.compile(r"\[default: ([^;\]]+)")
 
 
 def page(app: typer.Typer, installed: Container[str]) -> str:
@@ -47,9 +48,10 @@ def _summary() -> str:
 
 
 def _section(group: TyperGroup, name: str, star: bool) -> str:
-    """What typer says of a command, with paths below the repository without it, and a star where all have it."""
+    """What typer says of a command, defaults as code and paths without the repository; a star where all have it."""
     said = get_docs_for_click(obj=group.commands[name], ctx=typer.Context(group), indent=1, name=name)
     for needless in (_USAGE, _HELP):
         said = needless.sub("", said)
+    said = _DEFAULT.sub(r"[default: `\1`", said)
     title, rest = said.replace(f"{REPOSITORY}/", "").split("\n", 1)
     return f"{title}{' *' if star else ''}\n{rest}".strip()

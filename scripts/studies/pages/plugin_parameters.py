@@ -15,6 +15,7 @@ from harness.errors import DataFileError
 from harness.preflight.contact_types import MIXTURE
 from harness.preflight.plugin_types import FILE, PLUGIN_TYPES, Parameter
 from harness.run import standalone
+from studies import tables
 from studies.pages.texts import FOLDER, page_text
 
 PAGE = "reference/parameters.md"
@@ -97,17 +98,14 @@ def _title(parameter: Parameter) -> str:
 
 
 def _table(parameters: Sequence[Parameter]) -> str:
-    lines = [
-        "| parameter | unit | default | meaning and effect | cost | in FEBio's interfaces |",
-        "|---|---|---|---|---|---|",
-    ]
-    return "\n".join([*lines, *(_row(parameter, NOTES[parameter.name]) for parameter in parameters)])
+    heads = ("parameter", "unit", "default", "meaning and effect", "cost", "in FEBio's interfaces")
+    return tables.markdown(heads, (_row(parameter, NOTES[parameter.name]) for parameter in parameters))
 
 
-def _row(parameter: Parameter, note: Note) -> str:
+def _row(parameter: Parameter, note: Note) -> tuple[str, ...]:
     unit = note.unit or ("0, 1" if parameter.kind == "switch" else "-")
     default = "automatic" if parameter.name in AUTOMATIC else note.default or _default(parameter)
-    return f"| `{parameter.name}` | {unit} | {default} | {note.effect} | {note.cost} | {note.febio} |"
+    return f"`{parameter.name}`", unit, default, note.effect, note.cost, note.febio
 
 
 def _default(parameter: Parameter) -> str:

@@ -14,6 +14,7 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from harness.validate.checks import Check, Context
 from harness.validate.results import measures_as_data, measures_from_data
+from studies import tables
 from studies.pages.texts import page_text
 from studies.stamps import Stamp
 
@@ -161,19 +162,13 @@ def _command(section: Section) -> str:
 
 
 def _measures(measures: list[Measure]) -> str:
-    lines = ["| figure | measured | tolerance | |", "|---|---|---|---|"]
+    rows = []
     for m in measures:
         tolerance = f"<= {m.tolerance:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.tolerance:.4g}"
-        lines.append(f"| {_cell(m.name)} | {m.value:.4g} | {tolerance} | {'met' if m.passed else '**missed**'} |")
-    return "\n".join(lines)
+        rows.append((m.name, f"{m.value:.4g}", tolerance, "met" if m.passed else "**missed**"))
+    return tables.markdown(("figure", "measured", "tolerance", "outcome"), rows)
 
 
 def _runs(runs: list[Run]) -> str:
-    lines = ["| model | mesh | steps | contact | tolerances | iterations |", "|---|---|---|---|---|---|"]
-    rows = [(r.model, r.mesh, r.steps, r.contact, r.tolerances, str(r.iterations)) for r in runs]
-    return "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows)])
-
-
-def _cell(text: str) -> str:
-    """Text in a table: a tolerance would end the cell."""
-    return text.replace("|", "\\|")
+    heads = ("model", "mesh", "steps", "contact", "tolerances", "iterations")
+    return tables.markdown(heads, ((r.model, r.mesh, r.steps, r.contact, r.tolerances, r.iterations) for r in runs))

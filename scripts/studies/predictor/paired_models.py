@@ -6,12 +6,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model
-from harness.models.interface import PREDICTOR, InterfaceType
+from harness.models.interface import InterfaceType
 from harness.models.parts import Contact, Rigid
 from harness.run.runner import Runner
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
 from studies.models import kept_models as collection
+from studies.models.pieces import PREDICTOR
 from studies.stamps import at_limit
 
 MOST = 1.02

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from studies import tables
 from studies.predictor.paired_models import MOST, Pair, Took
 
 
 def table(pairs: Sequence[Pair]) -> str:
     """A Markdown table, a row for each model: iterations, and steps tried again in brackets where there are any."""
-    head = ["| model | without | with `predictor` 1 | ratio | worse in |", "|---|---|---|---|---|"]
-    return "\n".join([*head, *map(_row, pairs)])
+    return tables.markdown(("model", "without", "with `predictor` 1", "ratio", "worse in"), map(_row, pairs))
 
 
-def _row(pair: Pair) -> str:
-    cells = (pair.name, _cell(pair.without), _cell(pair.predicted), f"{pair.ratio:.2f}", pair.harms)
-    return "| " + " | ".join(cells) + " |"
+def _row(pair: Pair) -> tuple[str, ...]:
+    return pair.name, _cell(pair.without), _cell(pair.predicted), f"{pair.ratio:.2f}", pair.harms
 
 
 def _cell(took: Took) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
+from studies import tables
 from studies.price.table import TASKS, Times
 
 COLOURS = {"shared": "#9a9a9a", "traction": "#4c72b0", "solvent": "#55a868"}
@@ -55,13 +56,11 @@ def _by_task(times: Times) -> dict[str, float]:
 def scenes_table(scenes: Mapping[str, Times]) -> str:
     """Milliseconds per scene and effect, as Markdown."""
     effects = list(_effect_colours(scenes))
-    lines = [
-        f"| scene | {' | '.join(effects)} | all | of it in FEBio's assembly | share of the run | bytes per point |",
-        "|---" * (len(effects) + 5) + "|",
-    ]
+    rows = []
     for name, times in scenes.items():
         own = times.effects
         cells = [f"{1e3 * own[effect]:.1f}" if effect in own else "" for effect in effects]
-        sums = f"{1e3 * times.total:.1f} | {1e3 * times.host:.1f} | {100 * times.share:.1f}% | {times.memory}"
-        lines.append(f"| {name} | {' | '.join(cells)} | {sums} |")
-    return "\n".join(lines)
+        sums = (f"{1e3 * times.total:.1f}", f"{1e3 * times.host:.1f}", f"{100 * times.share:.1f}%", times.memory)
+        rows.append((name, *cells, *sums))
+    heads = ("all", "of it in FEBio's assembly", "share of the run", "bytes per point")
+    return tables.markdown(("scene", *effects, *heads), rows)

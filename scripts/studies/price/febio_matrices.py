@@ -8,7 +8,7 @@ from functools import partial
 
 from harness.models.document import Model
 from harness.run.febio_log import Report
-from studies import timing
+from studies import tables, timing
 from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints, table
 from studies.price.joints import Joint, Scene
@@ -97,10 +97,8 @@ def matrices_table(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
     """A row for each scene, as Markdown."""
     ours = {joint.ours.scene: joint.ours for joint in measured}
     rows = {(row.scene, row.form): row for row in found}
-    lines = [
-        "| scene | iterations | with symmetric matrix | its time over the other's | our time over its |",
-        "|---|---|---|---|---|",
-    ]
+    heads = ("scene", "iterations", "with symmetric matrix", "its time over the other's", "our time over its")
+    lines = []
     for scene in dict.fromkeys(row.scene for row in found):
         plain, default = (rows[scene, form] for form in FORMATS)
         cells = (
@@ -110,5 +108,5 @@ def matrices_table(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
             f"{default.ratio:.2f}" if default.ended else "",
             f"{ours[scene].ratio / default.ratio:.2f}" if default.ended else "",
         )
-        lines.append(f"| {' | '.join(map(str, cells))} |")
-    return "\n".join(lines)
+        lines.append(cells)
+    return tables.markdown(heads, lines)

@@ -11,10 +11,10 @@ from statistics import median
 from typing import NamedTuple
 
 from harness.errors import DataFileError
-from harness.models.interface import PREDICTOR
-from studies import timing
+from studies import tables, timing
 from studies.hard_cases.scene import Interface
 from studies.models.ball_in_socket import BallInSocket
+from studies.models.pieces import PREDICTOR
 from studies.models.pressed_blocks import PressedBlocks
 from studies.price import table
 from studies.price.scenes import Kind, penalties
@@ -187,19 +187,16 @@ def joints_table(joints: Sequence[Joint]) -> str:
     """The contacts of each scene in one row, as Markdown: ours, then FEBio's."""
     heads = ("scene", "iterations", "retries", "matrices", "time over FEBio's", "contact, part of the run")
     more = ("points on a primary facet", "matrix entries over FEBio's", "less time")
-    columns = (*heads, *more)
-    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
-    return "\n".join([*lines, *map(_row, joints)])
+    return tables.markdown((*heads, *more), map(_row, joints))
 
 
-def _row(joint: Joint) -> str:
+def _row(joint: Joint) -> tuple[str, ...]:
     ours, _, theirs = joint
     both = [f"{a}, {b}" for a, b in zip(_counts(ours), _counts(theirs), strict=True)]
     less = theirs if theirs.ended and (not ours.ended or ours.ratio > 1.0) else ours
     points = f"{ours.points / ours.facets:.1f}"
     entries = f"{ours.entries / theirs.entries:.2f}"
-    cells = (ours.scene, *both, _ratio(ours, theirs), f"{100 * ours.share:.0f} %", points, entries, f"`{less.type}`")
-    return "| " + " | ".join(cells) + " |"
+    return (ours.scene, *both, _ratio(ours, theirs), f"{100 * ours.share:.0f} %", points, entries, f"`{less.type}`")
 
 
 def _ratio(price: JointPrice, theirs: JointPrice) -> str:

@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 from statistics import median
 
-from harness.models.interface import PREDICTOR, ContactSettings, InterfaceType
+from harness.models.interface import ContactSettings, InterfaceType
 from studies import timing
 from studies.hard_cases.scene import Interface
+from studies.models.pieces import PREDICTOR
 from studies.price import table
 from studies.price.scenes import Kind, Scene, penalties
 from studies.stamps import LIMIT, at_limit

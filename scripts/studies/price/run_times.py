@@ -5,27 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from studies import files
+from studies import files, tables
 from studies.pages.evidence import DATA, EvidencePage
 from studies.price.joints import OURS, JointPrice
 
 JOINTS = "price-joints.csv"
-HEAD = """\
-| scene | unknowns | iterations | matrices | time [s] | of an iteration [s] | FEBio's [s] |
-|---|---|---|---|---|---|---|"""
+HEADS = ("scene", "unknowns", "iterations", "matrices", "time [s]", "of an iteration [s]", "FEBio's [s]")
 
 
 def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     rows = files.read_csv(DATA / JOINTS, JointPrice)
     ours = sorted((row for row in rows if row.type == OURS and row.ended), key=lambda row: row.unknowns)
-    return {"times": "\n".join([HEAD, *map(_line, ours)]), "growth": _growth(ours), "share": _share(ours)}
+    return {"times": tables.markdown(HEADS, map(_cells, ours)), "growth": _growth(ours), "share": _share(ours)}
 
 
-def _line(row: JointPrice) -> str:
+def _cells(row: JointPrice) -> tuple[object, ...]:
     each, theirs = row.seconds / row.iterations, row.seconds / row.ratio
-    counts = f"{row.unknowns} | {row.iterations} | {row.matrices}"
-    return f"| {row.scene} | {counts} | {row.seconds:.3g} | {each:.2g} | {theirs:.3g} |"
+    times = (f"{row.seconds:.3g}", f"{each:.2g}", f"{theirs:.3g}")
+    return (row.scene, row.unknowns, row.iterations, row.matrices, *times)
 
 
 def _growth(rows: Sequence[JointPrice]) -> str:

@@ -6,8 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, automatic
+from harness.models.interface import ContactSettings, InterfaceType, automatic, header
 from harness.models.mesh import Layer, Mesh, Section, conforming_column, split_column
 from harness.models.parts import (
     Condition,

@@ -28,11 +28,11 @@ from harness.models.parts import (
     fix,
     hold_rigid,
     initial_concentration,
-    move_rigid,
     normal_load,
     pressure,
     push_rigid,
 )
+from studies.models.pieces import move_rigid
 from studies.synthetic_scenes.slab_and_block import BASE, BLOCK, LOADED, LOWER, PAIR, SLAB, Cells, Elements, Shape, mesh
 
 DEPTH = 0.15

@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 
 from harness.models.diffusion import MATERIAL
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import InterfaceType, default_settings
+from harness.models.interface import InterfaceType, default_settings, header
 from harness.models.mesh import Box, assemble
 from harness.models.parts import Condition, Contact, Control, Curve, Param, concentration, displace, fix, pressure
 from studies.hard_cases.together import two_patches

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts, with_friction
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import Control, Curve, Elastic, Rigid, Solid, hold, hold_rigid, move_rigid, push_rigid
+from harness.models.parts import Control, Curve, Elastic, Rigid, Solid, hold_rigid, push_rigid
 from studies.models.assembly import assembled, box, plane
+from studies.models.pieces import hold, move_rigid, with_friction
 
 FRICTION, SLOPE = 0.3, 0.1
 WEIGHT = 1e-3

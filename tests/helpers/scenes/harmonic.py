@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from harness.models import blocks
 from harness.models.diffusion import MATERIAL
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh, Part
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Param, fix
 from scenes.nonmatching import STEADY

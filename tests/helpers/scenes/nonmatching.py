@@ -12,8 +12,7 @@ import numpy as np
 
 from harness.models.diffusion import DIFFUSIVITY, MATERIAL
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, contacts
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Box, Ids, Mesh, Nodes, Part, assemble
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Control, concentration, displace, fix, pressure
 from studies.models.quadratic import quadratic

@@ -8,8 +8,7 @@ from typing import Literal
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Mesh
 from harness.models.parts import (
     Condition,
@@ -27,10 +26,10 @@ from harness.models.parts import (
     fix,
     hold_rigid,
     initial_concentration,
-    move_rigid,
     pressure,
     push_rigid,
 )
+from studies.models.pieces import move_rigid
 from studies.models.sheared_blocks import Kind
 
 HEIGHT = 1.0

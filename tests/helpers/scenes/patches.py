@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 
 from harness.models.diffusion import CLOSING, MATERIAL
 from harness.models.document import Model
-from harness.models.header import header
-from harness.models.interface import ContactSettings, InterfaceType, column, contacts
+from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Section
 from harness.models.parts import Control, concentration, displace, fix, pressure
 from studies.hard_cases.together import two_patches

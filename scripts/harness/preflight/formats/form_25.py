@@ -7,10 +7,8 @@ from dataclasses import replace
 
 from harness.errors import ModelError
 from harness.preflight.formats import conditions
-from harness.preflight.formats.contact_names import rename_contacts
-from harness.preflight.formats.geometry import mesh_of_geometry
-from harness.preflight.formats.node_lists import list_members
-from harness.preflight.formats.rewriting import add, enclose, material_names, rename, upper_case
+from harness.preflight.formats.geometry import list_members, mesh_of_geometry
+from harness.preflight.formats.rewriting import add, enclose, material_names, rename, rename_contacts, upper_case
 from harness.preflight.xml_file import Document, Element, attribute, children, place, shortened
 
 _OF_STEP = ("analysis", "time_steps", "step_size", "time_stepper")

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from harness.preflight.formats import conditions
-from harness.preflight.formats.contact_names import rename_contacts
-from harness.preflight.formats.geometry import mesh_of_geometry
-from harness.preflight.formats.node_lists import list_members
-from harness.preflight.formats.rewriting import add, material_names, rename, upper_case
+from harness.preflight.formats.geometry import list_members, mesh_of_geometry
+from harness.preflight.formats.rewriting import add, material_names, rename, rename_contacts, upper_case
 from harness.preflight.xml_file import Document, Element, children, text
 
 

@@ -8,10 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.preflight import levels
-from harness.preflight.finding import Finding
-from harness.preflight.levels import Level
-from harness.preflight.prescribed_nodes import prescribed_nodes
-from harness.preflight.rules.tools import note, short, warning
+from harness.preflight.finding import Finding, note, short, warning
+from harness.preflight.levels import Level, prescribed_nodes
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element
 

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from harness.preflight.finding import Finding
-from harness.preflight.rules.tools import error, note, short, warning
+from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.sides import Joint
 
 DEEP = 0.25

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from harness.preflight.finding import Finding
-from harness.preflight.rules.tools import error, warning
+from harness.preflight.finding import Finding, error, warning
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element, children, text
 

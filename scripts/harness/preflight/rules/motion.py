@@ -7,9 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.preflight.finding import Finding
+from harness.preflight.finding import Finding, short, warning
 from harness.preflight.model import Condition, Model
-from harness.preflight.rules.tools import short, warning
 from harness.preflight.sides import Joint, Side
 from harness.preflight.xml_file import Element, children, chosen, flag, text
 

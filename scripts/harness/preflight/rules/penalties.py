@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from harness.preflight.finding import Finding
+from harness.preflight.finding import Finding, error, note, percent, short, warning
 from harness.preflight.penalty import Penalty, leak, penalty, penalty_for
-from harness.preflight.rules.tools import error, note, percent, short, warning
 from harness.preflight.sides import TRACTION, Field, Joint
 
 LARGEST_LEAK = 0.01

@@ -7,10 +7,9 @@ import math
 from collections.abc import Iterator
 
 from harness.preflight.contact_types import MIXTURE, MODULES
-from harness.preflight.finding import Finding
+from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.model import METHODS
 from harness.preflight.plugin_types import PLUGIN_TYPES
-from harness.preflight.rules.tools import error, note, short, warning
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import WITHOUT_CONTENT, Element, children, chosen, place, text
 

@@ -10,8 +10,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from harness.preflight import rays
-from harness.preflight.finding import Finding
-from harness.preflight.rules.tools import error, note, warning
+from harness.preflight.finding import Finding, error, note, warning
 from harness.preflight.sides import Joint, Side, sample
 
 SHARP = np.cos(np.radians(60.0))

@@ -10,11 +10,10 @@ from numpy.typing import NDArray
 
 from harness.preflight import rays
 from harness.preflight.contact_types import TIED
-from harness.preflight.finding import Finding
+from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.model import METHODS
 from harness.preflight.rules import settings, surfaces
 from harness.preflight.rules.motion import held_axes
-from harness.preflight.rules.tools import error, note, short, warning
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
 from harness.preflight.tied_types import ANY_DISTANCE
 from harness.preflight.xml_file import children

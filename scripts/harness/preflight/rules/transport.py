@@ -8,8 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.preflight import levels
-from harness.preflight.finding import Finding
-from harness.preflight.rules.tools import note, short, warning
+from harness.preflight.finding import Finding, note, short, warning
 from harness.preflight.sides import SOLVENT, Joint, Side
 from harness.preflight.xml_file import Element, children, optional_number, text
 

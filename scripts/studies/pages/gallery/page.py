@@ -11,6 +11,7 @@ from pathlib import Path
 from harness.errors import DataFileError
 from harness.models.document import Model
 from harness.run.runner import RunResult
+from studies import tables
 from studies.pages.gallery import entries, friction
 from studies.pages.gallery.entries import Entry
 from studies.pages.texts import page_text
@@ -105,17 +106,13 @@ _INTRODUCTION = page_text("gallery").rstrip()
 
 
 def _table(entries: list[Entry], results: Results) -> str:
-    lines = [
-        "| model | nodes | elements | steps | iterations | retries | processor time [s] |",
-        "|---|---|---|---|---|---|---|",
-    ]
+    heads = ("model", "nodes", "elements", "steps", "iterations", "retries", "processor time [s]")
+    rows = []
     for entry in entries:
         r = results.records[entry.model.name]
-        lines.append(
-            f"| [{entry.title}](#{_anchor(entry.title)}) | {r.nodes} | {r.elements} | {r.steps} | {r.iterations} | "
-            f"{r.retries} | {r.cpu:g} |"
-        )
-    return "\n".join([*lines, "", f"Made with {results.stamp}, default penalties."])
+        counts = (r.nodes, r.elements, r.steps, r.iterations, r.retries, f"{r.cpu:g}")
+        rows.append((f"[{entry.title}](#{_anchor(entry.title)})", *counts))
+    return f"{tables.markdown(heads, rows)}\n\nMade with {results.stamp}, default penalties."
 
 
 def _anchor(title: str) -> str:
