@@ -29,13 +29,13 @@ BEGIN_FECORE_CLASS(FEMixtureContact, FEContactInterface)
       ->setUnits(unit_of(hosts_own::ambient_pressure.unit))
       ->setLongName(hosts_own::ambient_pressure.long_name);
   END_PARAM_GROUP();
-  ADD_PROPERTY(ambient_concentrations_, hosts_own::ambient_concentration.name, FEProperty::Optional)
+  ADD_PROPERTY(properties_.ambient, hosts_own::ambient_concentration.name, FEProperty::Optional)
       ->SetDefaultType("mixture_ambient_concentration")
       .SetLongName(hosts_own::ambient_concentration.long_name);
-  ADD_PROPERTY(membrane_.permeances, hosts_own::solute_permeance.name, FEProperty::Optional)
+  ADD_PROPERTY(properties_.membrane.permeances, hosts_own::solute_permeance.name, FEProperty::Optional)
       ->SetDefaultType("mixture_solute_permeance")
       .SetLongName(hosts_own::solute_permeance.long_name);
-  ADD_PROPERTY(membrane_.reflections, hosts_own::reflection.name, FEProperty::Optional)
+  ADD_PROPERTY(properties_.membrane.reflections, hosts_own::reflection.name, FEProperty::Optional)
       ->SetDefaultType("mixture_reflection")
       .SetLongName(hosts_own::reflection.long_name);
 END_FECORE_CLASS()
@@ -47,7 +47,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       surfaces_(*fem, *this),
       dofs_(*fem, surfaces_),
       bound_(surfaces_, dofs_, parameters_, log_),
-      setup_(*fem, surfaces_, dofs_, parameters_, ambient_concentrations_, log_),
+      setup_(*fem, surfaces_, dofs_, parameters_, properties_.ambient, log_),
       assembly_(bound_, surfaces_, dofs_, loads_),
       output_(bound_, surfaces_, log_) {
   // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
@@ -64,9 +64,9 @@ bool FEMixtureContact::Init() {
   dofs_.init();
   std::vector<std::string> wrong = find_load_curves(
       *this, [this](const auto& take) { for_each_parameter(parameters_, take); });
-  find_self_contact();
   parameters_.membrane.thermal_energy = GetFEModel()->GetGlobalConstant("R") * GetFEModel()->GetGlobalConstant("T");
-  read_membrane(membrane_, parameters_.membrane);
+  read_properties();
+  find_self_contact();
   for (const std::string& complaint : model_->complaints(*this)) wrong.push_back(complaint);
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
@@ -82,6 +82,11 @@ bool FEMixtureContact::Init() {
                      setup_.check_mesh_adaptors() && setup_.build(bound_) && setup_.check_ambient();
   surfaces_.take_change();
   return sound;
+}
+
+void FEMixtureContact::read_properties() {
+  if (owner_ != nullptr) owner_->give_parameters(parameters_, properties_.ambient);
+  read_membrane(properties_.membrane, parameters_.membrane);
 }
 
 void FEMixtureContact::find_self_contact() {
@@ -104,9 +109,10 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
   // FEBio tries a step again with the unknowns that it began with, though elements may have eroded in it; and a matrix
   // with linear constraints takes whole blocks alone.
   const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
-  const bool any = model_->devices().is_on(newton::Device::loads_as_unknowns) && core().pass(0).has_load_blocks() &&
-                   takes_mixed_form(*GetFEModel()) && !has_other_unknowns && model_->steps().allow_further_unknowns() &&
-                   dofs_.has_free_node(Side::primary) && dofs_.has_free_node(Side::secondary);
+  const bool any = owner_ == nullptr && model_->devices().is_on(newton::Device::loads_as_unknowns) &&
+                   core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
+                   model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
+                   dofs_.has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
 }
 
@@ -122,7 +128,7 @@ void FEMixtureContact::follow_surfaces() {
 
 void FEMixtureContact::Activate() {
   FEContactInterface::Activate();
-  read_membrane(membrane_, parameters_.membrane);
+  read_properties();
   const bool has_changed = surfaces_.take_change();
   if (const FEMixtureSurface* const gone = surfaces_.without_facets()) {
     log_.say("surface \"" + gone->GetName() + "\" has no facets left: the contact ends.");
@@ -150,14 +156,14 @@ void FEMixtureContact::Deactivate() {
 // ------------------------------------------------------------ steps and iterations
 
 void FEMixtureContact::PrepStep() {
-  read_membrane(membrane_, parameters_.membrane);
+  read_properties();
   if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   if (reads_properties_again(parameters_, core().effects())) setup_.update_properties(bound_);
   model_->prepare_step(*this);
 }
 
 void FEMixtureContact::Update() {
-  read_membrane(membrane_, parameters_.membrane);
+  read_properties();
   // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
   if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   model_->steps().evaluate(&bound_);
@@ -182,13 +188,16 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   if (outcome.stiffens) model_->penalties_have_grown();
   for (const std::string& line : outcome.lines) log_.line(line);
   if (!outcome.warning.empty()) log_.warning(outcome.warning);
-  return outcome.done;
+  if (!outcome.done || owner_ == nullptr || owner_->accepts_solution()) return outcome.done;
+  model_->penalties_have_grown();
+  return false;
 }
 
 void FEMixtureContact::on_callback(unsigned int when) {
   if (when == CB_TIMESTEP_SOLVED) {
     output_.store();
     core().accept_step(bound_.fields());
+    if (owner_ != nullptr) owner_->step_solved();
   }
   if (when == CB_TIMESTEP_FAILED) bound_.fail_step();
   if (when == CB_SOLVED) output_.log_timings();
@@ -214,7 +223,7 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 
 double FEMixtureContact::ambient_value(int dof) const {
   if (dof == dofs_.pressure(false) || dof == dofs_.pressure(true)) return parameters_.ambient.pressure;
-  for (const FEMixtureAmbientConcentration* ambient : ambient_concentrations_) {
+  for (const FEMixtureAmbientConcentration* ambient : properties_.ambient) {
     const int solute = ambient->solute > 0 ? ambient->solute - 1 : 0;
     if (dof == dofs_.concentration(false, solute) || dof == dofs_.concentration(true, solute)) return ambient->value;
   }
@@ -234,7 +243,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
       }
     });
     ar & parameters_.self_contact & parameters_.membrane.thermal_energy;
-    read_membrane(membrane_, parameters_.membrane);
+    read_properties();
   }
   bound_.serialize(ar);
   model_->serialize(*this, ar);

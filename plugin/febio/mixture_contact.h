@@ -14,6 +14,30 @@
 #include <string>
 #include <vector>
 
+/// What the model gives for each solute.
+struct ContactProperties {
+  AmbientConcentrations ambient;
+  MembraneProperties membrane;
+};
+
+/// The interface that a contact acts for, which has the tag in the model.
+class ContactOwner {
+ public:
+  ContactOwner() = default;
+  ContactOwner(const ContactOwner&) = delete;
+  ContactOwner& operator=(const ContactOwner&) = delete;
+  ContactOwner(ContactOwner&&) = delete;
+  ContactOwner& operator=(ContactOwner&&) = delete;
+  virtual ~ContactOwner() = default;
+
+  /// Sets the parameters of its contact as they are at this time.
+  virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
+  /// Whether a solution that the contact accepts is one to its owner.
+  virtual bool accepts_solution() = 0;
+  /// A time step has been solved, and the contact has taken it over.
+  virtual void step_solved() = 0;
+};
+
 /// Passes FEBio's calls on: those of the contact itself to its parts, those that concern all contacts to the model's.
 class FEMixtureContact : public FEContactInterface, public ContactInModel {
  public:
@@ -43,6 +67,9 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   FESurface* GetSecondarySurface() override { return &surfaces_[mixture_contact::Side::secondary]; }
   bool UseNodalIntegration() override { return false; }
 
+  /// Acts for another interface. Keeps a reference.
+  void act_for(ContactOwner& owner) { owner_ = &owner; }
+
   bool is_active() const override { return IsActive(); }
   BoundContact& bound() override { return bound_; }
   double ambient_value(int dof) const override;
@@ -52,6 +79,8 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
  private:
   mixture_contact::ContactInterface& core() const { return bound_.core(); }
+  /// Reads what the model has as properties, or an owner gives.
+  void read_properties();
   void find_self_contact();
   /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.
   void follow_surfaces();
@@ -60,8 +89,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;
-  AmbientConcentrations ambient_concentrations_;
-  MembraneProperties membrane_;
+  ContactProperties properties_;
   ContactLog log_;
   ContactSurfaces surfaces_;
   DofMap dofs_;
@@ -70,6 +98,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   ContactSetup setup_;
   Assembly assembly_;
   ContactOutput output_;
+  ContactOwner* owner_ = nullptr;  ///< null: the contact has a tag of its own
   bool relocated_ = false;
   bool may_run_ = true;  ///< the effects asked for exist in the present step
 

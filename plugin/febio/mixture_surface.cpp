@@ -29,6 +29,23 @@ bool is_triangular(const FESurfaceElement& element) {
          element.Shape() == ET_TRI10;
 }
 
+/// A facet of FEBio's: its type and its nodes in the mesh.
+using FacetInMesh = std::pair<int, std::vector<int>>;
+
+/// Makes the facets of a surface anew.
+void create(FESurface& surface, const std::vector<FacetInMesh>& facets) {
+  const int count = mixture_contact::number_of(facets);
+  surface.Create(count);
+  for (int face = 0; face < count; ++face) {
+    const auto& [type, nodes] = at(facets, face);
+    FESurfaceElement& element = surface.Element(face);
+    element.SetType(type);
+    element.m_node = nodes;
+    element.setActive();
+  }
+  surface.CreateMaterialPointData();
+}
+
 }  // namespace
 
 std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& element) {
@@ -42,22 +59,20 @@ bool FEMixtureSurface::Init() {
 }
 
 void FEMixtureSurface::drop_inactive_facets() {
-  std::vector<std::pair<int, std::vector<int>>> kept;  // type and nodes
+  std::vector<FacetInMesh> kept;
   for (int face = 0; face < Elements(); ++face) {
     const FESurfaceElement& element = Element(face);
     if (element.isActive()) kept.emplace_back(element.Type(), element.m_node);
   }
-  const int count = mixture_contact::number_of(kept);
-  if (count == Elements()) return;
-  Create(count);
-  for (int face = 0; face < count; ++face) {
-    const auto& [type, nodes] = at(kept, face);
-    FESurfaceElement& element = Element(face);
-    element.SetType(type);
-    element.m_node = nodes;
-    element.setActive();
-  }
-  CreateMaterialPointData();
+  if (mixture_contact::number_of(kept) != Elements()) create(*this, kept);
+}
+
+void FEMixtureSurface::take_facets_of(const FEMixtureSurface& other) {
+  std::vector<FacetInMesh> facets;
+  for (int face = 0; face < other.Elements(); ++face)
+    facets.emplace_back(other.Element(face).Type(), other.Element(face).m_node);
+  create(*this, facets);
+  InitSurface();
 }
 
 int FEMixtureSurface::exchanged_field(int solute) const {
@@ -287,6 +302,13 @@ void FEMixtureSurface::Serialize(DumpStream& ar) {
   archive(ar, nodal_.friction.bound);
   archive(ar, nodal_.friction.fluid);
   archive(ar, nodal_.friction.status);
+  archive(ar, nodal_.breaking.damage);
+  archive(ar, nodal_.breaking.opening);
+  archive(ar, nodal_.breaking.energy);
+  archive(ar, nodal_.breaking.broken_at);
+  archive(ar, total_.bonds.dissipated);
+  archive(ar, total_.bonds.stored);
+  archive(ar, total_.bonds.broken_area);
   archive(ar, exchanged_);
   ar & has_shell_bottoms_;
 }

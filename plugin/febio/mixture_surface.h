@@ -20,6 +20,8 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Begins with the facets that are active: FEBio's erosion calls this, too, where it has made some inactive or has
   /// made others.
   bool Init() override;
+  /// Takes the facets of another surface, which this one is beside.
+  void take_facets_of(const FEMixtureSurface& other);
   /// Whether facets may have changed since the last call.
   bool take_change() { return std::exchange(has_changed_, false); }
 

@@ -177,6 +177,13 @@ double slip_status(const FEMixtureSurface& surface, int node) {
   return static_cast<double>(status_of(surface.nodal_output().friction, node));
 }
 
+/// What a bond has come to: one of the values of BreakingOutput; 0 where it cannot break.
+template <mixture_contact::VectorXd mixture_contact::BreakingOutput::* values>
+double of_bonds(const FEMixtureSurface& surface, int node) {
+  const mixture_contact::VectorXd& all = surface.nodal_output().breaking.*values;
+  return node < all.size() ? all[node] : 0.0;
+}
+
 /// Power that friction dissipates in a step.
 double friction_power(FEMixtureSurface& surface, FEModel& fem) {
   const double dt = fem.GetTime().timeIncrement;
@@ -244,6 +251,15 @@ class FELogFrictionForce : public FELogMixtureSurface {
 class FELogFrictionPower : public FELogMixtureSurface {
   using FELogMixtureSurface::FELogMixtureSurface;
   double value_of(FEMixtureSurface& surface) const override { return friction_power(surface, *GetFEModel()); }
+};
+
+/// An energy of bonds, or the area of those that have broken.
+template <double mixture_contact::BondEnergy::* part>
+class FELogBonds : public FELogMixtureSurface {
+  using FELogMixtureSurface::FELogMixtureSurface;
+  double value_of(FEMixtureSurface& surface) const override {
+    return sum_over_contacts(surface, [](const FEMixtureSurface& each) { return each.total().bonds.*part; });
+  }
 };
 
 /// solute = -1: the solvent.
@@ -345,6 +361,17 @@ void register_output_variables() {
   offer<FEPlotAtNodes<fluid_load_support>>("contact fluid load support");
   offer<FEPlotFrictionForce>("contact friction force");
   offer<FEPlotFrictionPower>("contact friction power");
+  using mixture_contact::BreakingOutput;
+  offer<FEPlotAtNodes<of_bonds<&BreakingOutput::damage>>>("contact damage");
+  offer<FEPlotAtNodes<of_bonds<&BreakingOutput::opening>>>("contact opening");
+  offer<FEPlotAtNodes<of_bonds<&BreakingOutput::energy>>>("contact fracture energy");
+  offer<FEPlotAtNodes<of_bonds<&BreakingOutput::broken_at>>>("contact break time");
+  offer<FELogMeanOfNodes<of_bonds<&BreakingOutput::damage>>>("contact damage");
+  offer<FELogMeanOfNodes<of_bonds<&BreakingOutput::opening>>>("contact opening");
+  offer<FELogMeanOfNodes<of_bonds<&BreakingOutput::energy>>>("contact fracture energy");
+  offer<FELogBonds<&mixture_contact::BondEnergy::dissipated>>("fracture energy");
+  offer<FELogBonds<&mixture_contact::BondEnergy::stored>>("bond energy");
+  offer<FELogBonds<&mixture_contact::BondEnergy::broken_area>>("broken area");
   offer<FELogFrictionForce<0>>("friction_force.x");
   offer<FELogFrictionForce<1>>("friction_force.y");
   offer<FELogFrictionForce<2>>("friction_force.z");

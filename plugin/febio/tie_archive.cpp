@@ -16,13 +16,17 @@ void archive_entry(DumpStream& ar, TiedAverage& average) {
   archive(ar, average.weights);
 }
 
+void archive_entry(DumpStream& ar, PlaceOnFacet& place) {
+  VectorXd numbers(place.places.count());
+  for (Index n = 0; n < numbers.size(); ++n) numbers[n] = static_cast<double>(place.places[n]);
+  archive(ar, numbers);
+  place.places.assign(indexing::entries(numbers.size()), 0);
+  for (Index n = 0; n < numbers.size(); ++n) place.places[n] = static_cast<Index>(numbers[n]);
+  archive(ar, place.gradient);
+}
+
 void archive_entry(DumpStream& ar, KeptGap& gap) {
-  VectorXd places(gap.places.count());
-  for (Index n = 0; n < places.size(); ++n) places[n] = static_cast<double>(gap.places[n]);
-  archive(ar, places);
-  gap.places.assign(indexing::entries(places.size()), 0);
-  for (Index n = 0; n < places.size(); ++n) gap.places[n] = static_cast<Index>(places[n]);
-  archive(ar, gap.gradient);
+  archive_entry(ar, gap.at);
   ar & gap.size;
 }
 
@@ -49,7 +53,7 @@ void archive_list(DumpStream& ar, IndexedVector<Entry>& entries) {
 
 }  // namespace
 
-void archive_tie(DumpStream& ar, std::unique_ptr<Tie>& tie) {
+void archive_tie(DumpStream& ar, std::unique_ptr<Tie>& tie, const BreakingLaw& breaking) {
   PerSide<SurfaceMesh> mesh;
   Effects effects;
   IndexedVector<TiedNode> nodes;
@@ -61,7 +65,7 @@ void archive_tie(DumpStream& ar, std::unique_ptr<Tie>& tie) {
   for (SurfaceMesh& of_side : mesh) archive_mesh(ar, of_side);
   archive_effects(ar, effects);
   archive_list(ar, nodes);
-  if (!ar.IsSaving()) tie = std::make_unique<Tie>(std::move(mesh), std::move(effects), std::move(nodes));
+  if (!ar.IsSaving()) tie = std::make_unique<Tie>(std::move(mesh), std::move(effects), std::move(nodes), breaking);
 }
 
 void archive_state(DumpStream& ar, TieState& state) {
@@ -69,4 +73,7 @@ void archive_state(DumpStream& ar, TieState& state) {
   archive(ar, state.flux);
   archive(ar, state.flux_penalty_scale);
   ar & state.traction_penalty_scale;
+  archive(ar, state.damage.damage);
+  archive(ar, state.damage.energy);
+  archive(ar, state.damage.broken_at);
 }

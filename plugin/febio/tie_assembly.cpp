@@ -129,13 +129,14 @@ void TieAssembly::residual(const Tie& tie, FEGlobalVector& residual, double dt) 
   });
 }
 
-void TieAssembly::tangent(const Tie& tie, FELinearSystem& system, FEGlobalMatrix& matrix, double dt) const {
+void TieAssembly::tangent(const Tie& tie, FELinearSystem& system, FEGlobalMatrix& matrix, double dt,
+                          Softening softening) const {
   const NodeEquations equations = equations_of(tie);
   const PerSide<SurfaceFields> fields = fields_of(surfaces_, dofs_, tie.effects());
   const RigidShellBottoms arms(surfaces_);
   Batch batch(matrix);
   const bool takes_blocks = batch && !has_linear_constraints(*surfaces_[Side::primary].GetFEModel());
-  tie.tangent(fields, dt, [&](const Patch& patch, const MatrixXd& values) {
+  tie.tangent(fields, dt, softening, [&](const Patch& patch, const MatrixXd& values) {
     const std::vector<int> ids = equations.equations(at_primary(patch));
     if (takes_blocks && !are_prescribed(ids) && !equations.are_rigid(at_primary(patch))) {
       batch.add(ids, values);

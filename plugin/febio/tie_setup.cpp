@@ -1,6 +1,7 @@
 #include "tie_setup.h"
 
 #include "contact_setup.h"
+#include "host/cohesive_zone.h"
 #include "material_properties.h"
 #include "surface_materials.h"
 
@@ -31,7 +32,7 @@ std::vector<std::string> obstacles(FEModel& fem, const ContactSurfaces& surfaces
 }  // namespace
 
 bool TieSetup::check() const {
-  std::vector<std::string> wrong = complaints(parameters_);
+  std::vector<std::string> wrong = tie_complaints(parameters_);
   for (std::string& obstacle : obstacles(fem_, surfaces_)) wrong.push_back(std::move(obstacle));
   log_.errors(wrong);
   for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
@@ -82,7 +83,7 @@ std::unique_ptr<Tie> TieSetup::build() const {
                "<flip_primary> or <flip_secondary> where normals point into a body.");
     return nullptr;
   }
-  auto tie = std::make_unique<Tie>(std::move(mesh), *exchanged, std::move(nodes));
+  auto tie = std::make_unique<Tie>(std::move(mesh), *exchanged, std::move(nodes), breaking_law(parameters_.breaking));
   tie->set_laws(chosen);
   if (!tie->penalties().traction.allFinite()) {
     log_.error(
@@ -90,8 +91,27 @@ std::unique_ptr<Tie> TieSetup::build() const {
         "<penalty> to a value [force/length^3] and <auto_penalty> to 0, or <E> of a rigid material.");
     return nullptr;
   }
+  if (!can_break(*tie)) return nullptr;
   if (tie->unknown_count() > 0 && !can_solve_for_multipliers(fem_, dofs_, log_)) return nullptr;
   return tie;
+}
+
+bool TieSetup::can_break(const Tie& tie) const {
+  if (!may_break(tie.breaking())) return true;
+  std::string wrong;
+  if (!tie.effects().traction) wrong = "<max_traction> is set, and <effects> leaves out traction: nothing can break.";
+  if (solver_kind_of(fem_) != SolverKind::newton)
+    wrong = "<max_traction> is set, and the solver is none of Newton's kind: a tie cannot break with it.";
+  if (wrong.empty()) wrong = penalty_complaint(tie);
+  if (!wrong.empty()) log_.error(wrong);
+  return wrong.empty();
+}
+
+void TieSetup::judge_cohesive_zone(const Tie& tie) const {
+  const auto found = std::holds_alternative<Cohesive>(tie.breaking()) ? materials() : std::nullopt;
+  if (!found) return;
+  const std::string line = cohesive_zone_line(tie, *found, surfaces_.positions());
+  if (!line.empty()) log_.warning(line);
 }
 
 void TieSetup::say_what_is_tied(const Tie& tie) const {
@@ -103,15 +123,17 @@ Matrix3Xd TieSetup::relocated(const Tie& tie) const {
   return without_gaps(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
 }
 
-Settings TieSetup::settings() const { return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_)); }
+Settings TieSetup::settings() const {
+  return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_), breaking_law(parameters_.breaking));
+}
 
 bool TieSetup::update(Tie& tie) const {
-  const std::vector<std::string> wrong = complaints(parameters_);
+  const std::vector<std::string> wrong = tie_complaints(parameters_);
   log_.errors(wrong);
   if (!wrong.empty()) return false;
   if (reads_properties_again(parameters_, tie.effects())) {
     if (const auto found = materials()) tie.set_meshes(meshes(*found, tie.effects()));
   }
   tie.set_laws(settings());
-  return true;
+  return can_break(tie);
 }

@@ -12,7 +12,7 @@
 
 class TieSetup {
  public:
-  TieSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters,
+  TieSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const TieParameters& parameters,
            const ContactLog& log)
       : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
 
@@ -21,6 +21,8 @@ class TieSetup {
   /// Finds what is tied where the surfaces are now. Null where nothing can be; the log says why.
   std::unique_ptr<mixture_contact::Tie> build() const;
   void say_what_is_tied(const mixture_contact::Tie& tie) const;
+  /// Says where a cohesive zone is too short for the facets.
+  void judge_cohesive_zone(const mixture_contact::Tie& tie) const;
   /// The primary nodes once their gaps are closed.
   mixture_contact::Matrix3Xd relocated(const mixture_contact::Tie& tie) const;
   /// Takes penalties and tolerances as they are at this time, and materials where penalties follow them. Returns
@@ -30,6 +32,8 @@ class TieSetup {
 
  private:
   std::optional<FacetMaterials> materials() const;
+  /// Whether bonds soften with their penalties, and nothing else stands in the way of breaking.
+  bool can_break(const mixture_contact::Tie& tie) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials) const;
   mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes(const FacetMaterials& materials,
                                                                 const mixture_contact::Effects& effects) const;
@@ -37,6 +41,6 @@ class TieSetup {
   FEModel& fem_;
   ContactSurfaces& surfaces_;
   DofMap& dofs_;
-  const ContactParameters& parameters_;
+  const TieParameters& parameters_;
   const ContactLog& log_;
 };

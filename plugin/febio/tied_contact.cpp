@@ -2,6 +2,8 @@
 
 #include "archive.h"
 #include "bound_contact.h"
+#include "contact/tie/damage.h"
+#include "contact/tie/joint_output.h"
 #include "contact/tie/tie_output.h"
 #include "contact_setup.h"
 #include "host/augmentation.h"
@@ -19,6 +21,15 @@ using namespace mixture_contact;
 BEGIN_FECORE_CLASS(FEMixtureTie, FEContactInterface)
   for_each_tie_parameter(parameters_,
                          [this](const ParameterTag& tag, auto& value) { offer_parameter(*this, tag, value); });
+  BEGIN_PARAM_GROUP(heading(ParameterGroup::ambient));
+  ADD_PARAMETER(parameters_.ambient.pressure, hosts_own::ambient_pressure.name)
+      ->setUnits(unit_of(hosts_own::ambient_pressure.unit))
+      ->setLongName(hosts_own::ambient_pressure.long_name)
+      ->SetWatchVariable(&parameters_.has_ambient);
+  END_PARAM_GROUP();
+  ADD_PROPERTY(ambient_concentrations_, hosts_own::ambient_concentration.name, FEProperty::Optional)
+      ->SetDefaultType("mixture_ambient_concentration")
+      .SetLongName(hosts_own::ambient_concentration.long_name);
 END_FECORE_CLASS()
 
 FEMixtureTie::FEMixtureTie(FEModel* fem)
@@ -37,11 +48,38 @@ FEMixtureTie::FEMixtureTie(FEModel* fem)
 
 bool FEMixtureTie::Init() {
   dofs_.init();
+  if (!ambient_concentrations_.empty()) parameters_.has_ambient = true;
   const std::vector<std::string> wrong = find_load_curves(
       *this, [this](const auto& take) { for_each_tie_parameter(parameters_, take); });
   log_.errors(wrong);
   if (!wrong.empty() || !prepare_surfaces() || !setup_.check()) return false;
-  return !parameters_.gap.node_reloc || close_gaps();
+  if (parameters_.gap.node_reloc && !close_gaps()) return false;
+  if (may_break()) add_sliding_contact();
+  return true;
+}
+
+void FEMixtureTie::add_sliding_contact() {
+  FEModel& fem = *GetFEModel();
+  sliding_ = fecore_new<FESurfacePairConstraint>("sliding-mixture", &fem);
+  sliding().act_for(*this);
+  sliding().SetName(GetName() + " (broken)");
+  for (const Side side : both_sides) {
+    FESurface* const its = side == Side::primary ? sliding_->GetPrimarySurface() : sliding_->GetSecondarySurface();
+    dynamic_cast<FEMixtureSurface&>(*its).take_facets_of(surfaces_[side]);
+    its->SetName(surfaces_[side].GetName() + " (broken)");
+  }
+  if (!IsActive()) sliding().Deactivate();
+  fem.AddSurfacePairConstraint(sliding_);  // FEBio initialises it after this one
+}
+
+void FEMixtureTie::give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) {
+  follow_tie(parameters, parameters_);
+  while (ambient.size() < ambient_concentrations_.size())
+    ambient.push_back(fecore_new<FEMixtureAmbientConcentration>("mixture_ambient_concentration", GetFEModel()));
+  for (std::size_t n = 0; n < ambient.size(); ++n) {
+    ambient[n]->solute = ambient_concentrations_[n]->solute;
+    ambient[n]->value = ambient_concentrations_[n]->value;
+  }
 }
 
 bool FEMixtureTie::prepare_surfaces() {
@@ -67,7 +105,17 @@ void FEMixtureTie::Activate() {
   FEContactInterface::Activate();
   // A tie of a later step begins without stress where bodies are by then. FEBio counts equations after this.
   if (tie_ == nullptr) tie_ = setup_.build();
-  if (tie_ != nullptr) setup_.say_what_is_tied(*tie_);
+  if (tie_ == nullptr) return;
+  setup_.say_what_is_tied(*tie_);
+  if (sliding_ == nullptr) return;
+  setup_.judge_cohesive_zone(*tie_);
+  join(sliding().bound().core(), joined_nodes(*tie_));
+  if (!sliding_->IsActive()) sliding_->Activate();
+}
+
+void FEMixtureTie::Deactivate() {
+  FEContactInterface::Deactivate();
+  if (sliding_ != nullptr) sliding_->Deactivate();
 }
 
 PerSide<SurfaceFields> FEMixtureTie::fields() { return fields_of(surfaces_, dofs_, tie_->effects()); }
@@ -82,13 +130,14 @@ void FEMixtureTie::update_laws() {
 void FEMixtureTie::PrepStep() {
   update_laws();
   step_start_ = tie_->unknowns();
+  iterations_ = {};
 }
 
 void FEMixtureTie::Update() {
   // FEBio prepares no steps for contacts, and asks for no augmentation, where its solver is none of Newton's kind.
   if (solver_kind_of(*GetFEModel()) == SolverKind::newton) return;
   update_laws();
-  store_output();
+  store_output(tie_->state().damage);
 }
 
 void FEMixtureTie::Update(const std::vector<double>& total, const std::vector<double>& increment) {
@@ -109,22 +158,48 @@ void FEMixtureTie::UpdateIncrements(std::vector<double>& total, const std::vecto
 }
 
 bool FEMixtureTie::Augment(int augmentation, const FETimeInfo& /*time*/) {
-  store_output();
+  store_output(tie_->state().damage);
+  is_augmented_ = true;
   if (tie_->settings().enforcement == Enforcement::penalty) return true;
   const PerSide<SurfaceFields> now = fields();
   const Augmentation outcome = augment(log_.title(), tie_->gaps(now), tie_->settings(), tie_->effects(), augmentation,
                                        [&] { return tie_->augment(now); });
   for (const std::string& line : outcome.lines) log_.line(line);
   if (!outcome.warning.empty()) log_.warning(outcome.warning);
+  is_augmented_ = outcome.done;
   return outcome.done;
 }
 
-void FEMixtureTie::store_output() {
-  const InterfaceOutput out = output(*tie_, fields());
+bool FEMixtureTie::accepts_solution() {
+  if (!is_augmented_ || !std::holds_alternative<Brittle>(tie_->breaking())) return true;
+  const Index before = broken_nodes(*tie_);
+  take_damage(damage_after(*tie_, fields(), CurrentTime()));
+  const Index broken = broken_nodes(*tie_) - before;
+  if (broken > 0)
+    log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and the step is solved again.");
+  return broken == 0;
+}
+
+void FEMixtureTie::step_solved() {
+  DamageState damage = damage_after(*tie_, fields(), CurrentTime());
+  store_output(damage);
+  take_damage(std::move(damage));
+}
+
+void FEMixtureTie::take_damage(DamageState damage) {
+  const Index before = broken_nodes(*tie_);
+  mixture_contact::take_damage(*tie_, std::move(damage));
+  if (broken_nodes(*tie_) != before) join(sliding().bound().core(), joined_nodes(*tie_));
+}
+
+void FEMixtureTie::store_output(const DamageState& damage) {
+  InterfaceOutput out = output(*tie_, fields(), damage);
+  if (sliding_ != nullptr) out = together(std::move(out), output(sliding().bound().core(), sliding().bound().fields()));
   const std::vector<int> exchanged = exchanged_solutes(tie_->effects());
   Balance total = out.balance;
   surfaces_[Side::primary].store_output(out.nodes[Side::primary], total, exchanged);
   total.force = -total.force;
+  total.friction = -total.friction;
   total.flow = -total.flow;
   surfaces_[Side::secondary].store_output(out.nodes[Side::secondary], total, exchanged);
 }
@@ -138,8 +213,9 @@ void FEMixtureTie::LoadVector(FEGlobalVector& residual, const FETimeInfo& time) 
 }
 
 void FEMixtureTie::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& time) {
+  iterations_.begin(*tie_, fields());
   auto* const solver = dynamic_cast<FENewtonSolver*>(GetFEModel()->GetCurrentStep()->GetFESolver());
-  assembly_.tangent(*tie_, system, *solver->GetStiffnessMatrix(), time.timeIncrement);
+  assembly_.tangent(*tie_, system, *solver->GetStiffnessMatrix(), time.timeIncrement, iterations_.softening());
 }
 
 void FEMixtureTie::serialize_model(DumpStream& ar) {
@@ -151,12 +227,15 @@ void FEMixtureTie::serialize_model(DumpStream& ar) {
     }
   });
   archive(ar, step_start_);
+  bool has_sliding_contact = sliding_ != nullptr;
+  ar & has_sliding_contact;
+  if (has_sliding_contact) ar & sliding_;
   bool is_built = tie_ != nullptr;
   ar & is_built;
   if (!is_built) return;
-  archive_tie(ar, tie_);
+  archive_tie(ar, tie_, breaking_law(parameters_.breaking));
   // FEBio reads its steps and solvers later; PrepStep() follows those.
-  if (!ar.IsSaving()) tie_->set_laws(tie_settings(parameters_, SolverKind::newton, 0));
+  if (!ar.IsSaving()) tie_->set_laws(tie_settings(parameters_, SolverKind::newton, 0, tie_->breaking()));
 }
 
 void FEMixtureTie::Serialize(DumpStream& ar) {
@@ -165,5 +244,9 @@ void FEMixtureTie::Serialize(DumpStream& ar) {
   if (tie_ == nullptr) return;
   TieState state = tie_->state();
   archive_state(ar, state);
-  if (!ar.IsSaving()) tie_->restore(std::move(state));
+  if (ar.IsSaving()) return;
+  tie_->restore(std::move(state));
+  if (sliding_ == nullptr) return;
+  sliding().act_for(*this);
+  join(sliding().bound().core(), joined_nodes(*tie_));
 }

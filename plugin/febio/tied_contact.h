@@ -1,6 +1,8 @@
 /// The contact interface <contact type="tied-mixture">: FEBio's side of ties.
 #pragma once
 
+#include "contact/tie/bond_iterations.h"
+#include "mixture_contact.h"
 #include "tie_assembly.h"
 #include "tie_setup.h"
 
@@ -10,13 +12,16 @@
 #include <string>
 #include <vector>
 
-class FEMixtureTie : public FEContactInterface {
+/// A tie that may break has a sliding contact of the same surfaces, which acts for it where its nodes are broken: an
+/// interface of the model that no tag stands for.
+class FEMixtureTie : public FEContactInterface, public ContactOwner {
  public:
   explicit FEMixtureTie(FEModel* fem);
 
   bool Init() override;
   int InitEquations(int first) override;
   void Activate() override;
+  void Deactivate() override;
   void PrepStep() override;
   using FEContactInterface::Update;
   void Update() override;
@@ -32,22 +37,36 @@ class FEMixtureTie : public FEContactInterface {
   FESurface* GetSecondarySurface() override { return &surfaces_[mixture_contact::Side::secondary]; }
   bool UseNodalIntegration() override { return false; }
 
+  void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
+  bool accepts_solution() override;
+  void step_solved() override;
+
  private:
+  bool may_break() const { return parameters_.breaking.max_traction.given; }
   bool prepare_surfaces();
+  void add_sliding_contact();
+  FEMixtureContact& sliding() const { return static_cast<FEMixtureContact&>(*sliding_); }
+  /// Takes damage over, and has the sliding contact take the nodes that have broken.
+  void take_damage(mixture_contact::DamageState damage);
   bool close_gaps();
   void update_laws();
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields();
-  void store_output();
+  /// `damage`: what the present state has come to.
+  void store_output(const mixture_contact::DamageState& damage);
   void serialize_model(DumpStream& ar);
 
-  ContactParameters parameters_;
+  TieParameters parameters_;
+  AmbientConcentrations ambient_concentrations_;
   ContactLog log_;
   ContactSurfaces surfaces_;
   DofMap dofs_;
   TieSetup setup_;
   TieAssembly assembly_;
   std::unique_ptr<mixture_contact::Tie> tie_;
-  mixture_contact::VectorXd step_start_;  ///< unknown multipliers at the start of the step
+  FESurfacePairConstraint* sliding_ = nullptr;  ///< of broken nodes, the model's own; null where none can break
+  bool is_augmented_ = true;                    ///< at the last solution
+  mixture_contact::BondIterations iterations_;  ///< of the step
+  mixture_contact::VectorXd step_start_;        ///< unknown multipliers at the start of the step
 
   DECLARE_FECORE_CLASS()
 };

@@ -145,7 +145,17 @@ inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concen
 enum class Unit { none, length, pressure, concentration };
 
 /// What a parameter belongs to, in the order in which a user finds it.
-enum class ParameterGroup { effects, enforcement, ambient, surfaces, solution, friction, membrane, old_models };
+enum class ParameterGroup {
+  effects,
+  enforcement,
+  ambient,
+  surfaces,
+  solution,
+  friction,
+  membrane,
+  breaking,
+  old_models
+};
 
 /// The heading of a group in FEBio Studio, which is that of the documentation; null for what FEBio Studio does not
 /// offer.
@@ -165,6 +175,8 @@ constexpr const char* heading(ParameterGroup group) {
       return "Friction";
     case ParameterGroup::membrane:
       return "Membrane";
+    case ParameterGroup::breaking:
+      return "Breaking";
     case ParameterGroup::old_models:
       return nullptr;
   }

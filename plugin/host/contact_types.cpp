@@ -82,11 +82,13 @@ std::string sliding_parameters() {
 }
 
 std::string tie_parameters() {
-  ContactParameters defaults;
+  TieParameters defaults;
   List list;
   for_each_tie_parameter(defaults, [&](const ParameterTag& tag, const auto& value) {
     list.add(parameter_json(tag, described(value), tag.varies != nullptr));
   });
+  list.add(parameter_json(hosts_own::ambient_pressure, described(defaults.ambient.pressure), true));
+  list.add(parameter_json(hosts_own::ambient_concentration, {"values per solute", "0"}, true));
   return list.json();
 }
 

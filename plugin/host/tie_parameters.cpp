@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 bool is_parameter_of_ties(const ParameterTag& tag) {
   constexpr std::array<std::string_view, 9> of_surfaces{
@@ -15,13 +17,107 @@ bool is_parameter_of_ties(const ParameterTag& tag) {
   return std::find(of_surfaces.begin(), of_surfaces.end(), tag.name) != of_surfaces.end();
 }
 
-mixture_contact::Settings tie_settings(const ContactParameters& p, SolverKind solver, double time_step) {
+bool is_parameter_of_broken_nodes(const ParameterTag& tag) {
+  return tag.group == ParameterGroup::friction || tag.group == ParameterGroup::ambient;
+}
+
+mixture_contact::BreakingLaw breaking_law(const BreakingParameters& p) {
+  using namespace mixture_contact;
+  if (!p.max_traction.given) return Unbreakable();
+  const auto by_mode = [](const Given<double>& normal, const Given<double>& shear) {
+    return ByMode{normal.value, shear.given ? shear.value : normal.value};
+  };
+  const Strength strength{by_mode(p.max_traction, p.max_shear), p.mixing.value};
+  if (!p.fracture_energy.given) return Brittle{strength};
+  return Cohesive{strength, by_mode(p.fracture_energy, p.fracture_energy_shear)};
+}
+
+namespace {
+
+void complain_of_values(std::vector<std::string>& list, const BreakingParameters& p) {
+  const auto require = [&](const char* name, const Given<double>& value, double least, const char* allowed) {
+    const bool is_sound = std::isfinite(value.value) && (least > 0 ? value.value >= least : value.value > 0);
+    if (value.given && !is_sound)
+      list.push_back("<" + std::string(name) + "> is " + std::to_string(value.value) + "; it must be " + allowed + ".");
+  };
+  require("max_traction", p.max_traction, 0, "a positive number");
+  require("max_shear", p.max_shear, 0, "a positive number");
+  require("fracture_energy", p.fracture_energy, 0, "a positive number");
+  require("fracture_energy_shear", p.fracture_energy_shear, 0, "a positive number");
+  require("mixing", p.mixing, 1, "a number of at least 1");
+}
+
+void complain_of_lacking(std::vector<std::string>& list, const BreakingParameters& p) {
+  const auto require = [&](bool given, const char* name, bool has, const char* other) {
+    if (given && !has) list.push_back("<" + std::string(name) + "> is set without <" + other + ">, which it needs.");
+  };
+  const bool may_break = p.max_traction.given;
+  require(p.max_shear.given, "max_shear", may_break, "max_traction");
+  require(p.fracture_energy.given, "fracture_energy", may_break, "max_traction");
+  require(p.fracture_energy_shear.given, "fracture_energy_shear", p.fracture_energy.given, "fracture_energy");
+  require(p.mixing.given, "mixing", may_break, "max_traction");
+}
+
+/// Values of the sliding contact of broken nodes where none can break.
+void complain_of_sliding(std::vector<std::string>& list, const TieParameters& p) {
+  if (p.breaking.max_traction.given) return;
+  const auto refuse = [&](bool given, const std::string& name) {
+    if (given)
+      list.push_back(name +
+                     " is set, and the tie cannot break: this is of the contact of nodes that have broken. Set "
+                     "<max_traction>, or leave it out.");
+  };
+  refuse(p.friction.fric_coeff.given, "<fric_coeff>");
+  refuse(p.friction.contact_frac.given, "<contact_frac>");
+  refuse(p.friction.tangential_penalty.given, "<tangential_penalty>");
+  refuse(p.has_ambient, "A value of the ambient");
+}
+
+}  // namespace
+
+std::vector<std::string> tie_complaints(const TieParameters& p) {
+  std::vector<std::string> list = complaints(p);
+  complain_of_values(list, p.breaking);
+  complain_of_lacking(list, p.breaking);
+  complain_of_sliding(list, p);
+  const bool is_penalty = core_settings(p).enforcement == mixture_contact::Enforcement::penalty;
+  if (p.breaking.fracture_energy.given && !is_penalty)
+    list.emplace_back(
+        "<fracture_energy> is set with AUGLAG or LAGMULT: a bond that softens needs <laugon>PENALTY</laugon>, whose "
+        "penalty is its first stiffness. Ties without <fracture_energy> may have any <laugon>.");
+  if (p.breaking.max_traction.given && left_out(p).contact)
+    list.emplace_back("<penalty> is 0 with <max_traction>: without a traction nothing can break.");
+  return list;
+}
+
+void follow_tie(ContactParameters& sliding, const TieParameters& tie) {
+  ContactParameters next;
+  next.effects = tie.effects;
+  next.enforcement.laugon = tie.enforcement.laugon;
+  next.enforcement.minaug = tie.enforcement.minaug;
+  next.enforcement.maxaug = tie.enforcement.maxaug;
+  next.tolerances = tie.tolerances;
+  next.penalties = tie.penalties;
+  next.integration = tie.integration;
+  next.search.tolerance = tie.search.tolerance;
+  for (const mixture_contact::Side side : mixture_contact::both_sides)
+    next.surfaces[side].shell_bottom = tie.surfaces[side].shell_bottom;
+  next.ambient = tie.ambient;
+  next.friction = tie.friction;
+  next.membrane = sliding.membrane;
+  sliding = std::move(next);
+}
+
+mixture_contact::Settings tie_settings(const ContactParameters& p, SolverKind solver, double time_step,
+                                       const mixture_contact::BreakingLaw& breaking) {
   mixture_contact::Settings settings = core_settings(p, solver);
   const auto choose = [](const Varying& given, mixture_contact::PenaltyRule& rule, double factor) {
     if (!given.given) rule.value = factor;
   };
+  const bool is_cohesive = std::holds_alternative<mixture_contact::Cohesive>(breaking);
   if (solver == SolverKind::newton)
-    choose(p.penalties.traction, settings.traction, mixture_contact::default_tie_factor);
+    choose(p.penalties.traction, settings.traction,
+           is_cohesive ? mixture_contact::default_cohesive_factor : mixture_contact::default_tie_factor);
   choose(p.penalties.solvent, settings.solvent, mixture_contact::default_tie_flux_factor);
   choose(p.penalties.solute, settings.solute, mixture_contact::default_tie_flux_factor);
   settings.solvent.time_step = time_step;

@@ -2,23 +2,77 @@
 /// names and with the same meaning.
 #pragma once
 
+#include "contact/tie/breaking.h"
 #include "contact/tie/tied_node.h"
 #include "contact_parameters.h"
 #include "exchange.h"
 
-/// Whether a tie has this parameter of sliding contact.
-bool is_parameter_of_ties(const ParameterTag& tag);
+#include <string>
+#include <vector>
 
-/// Calls take(tag, value) for each parameter of a tie.
+/// What a tie breaks at. Without a strength it lasts for ever.
+struct BreakingParameters {
+  Given<double> max_traction;           ///< sigma_c [MPa]
+  Given<double> max_shear;              ///< tau_c [MPa]; by default sigma_c
+  Given<double> fracture_energy;        ///< G_n [N/mm]
+  Given<double> fracture_energy_shear;  ///< G_s [N/mm]; by default G_n
+  Given<double> mixing{2};              ///< eta [-]
+};
+
+/// The parameters of a tie. Those of friction and of the ambient are of the sliding contact of nodes that have broken.
+struct TieParameters : ContactParameters {
+  BreakingParameters breaking;
+  bool has_ambient = false;  ///< whether the model gives any value of the ambient
+};
+
+/// Whether a tie has this parameter of sliding contact, however long it lasts.
+bool is_parameter_of_ties(const ParameterTag& tag);
+/// Whether a parameter of sliding contact is of nodes that have broken.
+bool is_parameter_of_broken_nodes(const ParameterTag& tag);
+
 template <class Take>
-void for_each_tie_parameter(ContactParameters& parameters, const Take& take) {
+void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
+  using Group = ParameterGroup;
+  const TakeGiven<Take> take_given{take};
+  take_given({"max_traction", "strength in tension", Group::breaking, Unit::pressure}, p.max_traction);
+  take_given({"max_shear", "strength in shear", Group::breaking, Unit::pressure}, p.max_shear);
+  take_given({"fracture_energy", "fracture energy in tension", Group::breaking}, p.fracture_energy);
+  take_given({"fracture_energy_shear", "fracture energy in shear", Group::breaking}, p.fracture_energy_shear);
+  take_given({"mixing", "exponent of mixed modes", Group::breaking}, p.mixing);
+}
+
+/// Calls take(tag, value) for each parameter of a tie that lasts for ever.
+template <class Take>
+void for_each_lasting_tie_parameter(ContactParameters& parameters, const Take& take) {
   for_each_parameter(parameters, [&](const ParameterTag& tag, auto& value) {
     if (is_parameter_of_ties(tag)) take(tag, value);
   });
 }
 
+/// Calls take(tag, value) for each parameter of a tie, but not for those of hosts_own.
+template <class Take>
+void for_each_tie_parameter(TieParameters& parameters, const Take& take) {
+  for_each_lasting_tie_parameter(parameters, take);
+  for_each_parameter(parameters, [&](ParameterTag tag, auto& value) {
+    if (!is_parameter_of_broken_nodes(tag)) return;
+    if (tag.group == ParameterGroup::ambient) tag.given = &parameters.has_ambient;
+    take(tag, value);
+  });
+  for_each_breaking_parameter(parameters.breaking, take);
+}
+
+/// How the tie breaks.
+mixture_contact::BreakingLaw breaking_law(const BreakingParameters& parameters);
+
+/// What is wrong with the parameters, those of breaking among them: a sentence each.
+std::vector<std::string> tie_complaints(const TieParameters& parameters);
+
+/// Takes over what the sliding contact of broken nodes has of the tie's parameters; what a host has found stays.
+void follow_tie(ContactParameters& sliding, const TieParameters& tie);
+
 /// The core's settings of a tie. `time_step`: in which elements store solvent [s]; 0: they do not.
-mixture_contact::Settings tie_settings(const ContactParameters& parameters, SolverKind solver, double time_step);
+mixture_contact::Settings tie_settings(const ContactParameters& parameters, SolverKind solver, double time_step,
+                                       const mixture_contact::BreakingLaw& breaking = mixture_contact::Unbreakable());
 
 /// What a tie exchanges of the fields of its surfaces (see decide_exchange()); a penalty of 0 leaves out its own effect
 /// alone.

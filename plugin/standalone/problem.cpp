@@ -217,10 +217,11 @@ void Problem::assemble(LinearSystem& system) const {
                            });
   }
   for (const TiedContact& tie : ties_) {
-    tie.core().tangent(tie.fields(state_.values), dt_, [&](const mixture_contact::Patch& patch, const MatrixXd& block) {
+    const auto add = [&](const mixture_contact::Patch& patch, const MatrixXd& block) {
       const std::vector<int> places = tie.places(patch);
       system.add(places, places, -block);
-    });
+    };
+    tie.core().tangent(tie.fields(state_.values), dt_, mixture_contact::Softening::exact, add);
   }
 }
 

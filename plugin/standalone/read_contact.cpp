@@ -110,7 +110,8 @@ void read_contacts(const Tag& section, Model& model) {
     contact.surfaces = named(tag, "surface_pair", model.mesh.pairs);
     contact.name = tag.find_attribute("name").value_or(tag.attribute("surface_pair"));
     if (ties) {
-      read_parameters(tag, contact.parameters, [](auto&&... given) { for_each_tie_parameter(given...); });
+      if (tag.find("max_traction")) tag.fail("ties that break, with <max_traction>, are for febio4");
+      read_parameters(tag, contact.parameters, [](auto&&... given) { for_each_lasting_tie_parameter(given...); });
     } else {
       read_sliding(tag, model, contact);
     }

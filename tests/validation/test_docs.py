@@ -81,7 +81,7 @@ def links() -> list[tuple[Path, str]]:
     ("classes", "title", "part"),
     [
         ("FEPlot", "Plot file", slice(0, None)),
-        ("FELog(?:ContactForce|Flow|FrictionForce|FrictionPower)", "Log file", slice(0, 1)),
+        ("FELog(?:Bonds|ContactForce|Flow|FrictionForce|FrictionPower)", "Log file", slice(0, 1)),
         ("FELog(?:Facet|MeanOfNodes)", "Log file", slice(1, 2)),
     ],
     ids=["plot", "surface_data", "face_data"],

@@ -73,6 +73,12 @@ Memory memory_of(const std::vector<SidedPass>& passes) {
   return now;
 }
 
+/// Some nodes of a surface, and those at which the bodies are one.
+NodeFlags with_joined(NodeFlags nodes, const SurfaceMesh& mesh) {
+  for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] || mesh.is_joined(node);
+  return nodes;
+}
+
 bool fits(const LoadCarriers& carriers, const IndexedVector<Facet>& facets) {
   if (carriers.empty()) return true;
   if (carriers.count() != facets.count()) return false;
@@ -286,10 +292,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
     }
   }
   PerSide<NodeFlags> nodes = nodes_in_contact();
-  for (const Side side : both_sides) {
-    for (Index node = 0; node < nodes[side].count(); ++node)
-      nodes[side][node] = nodes[side][node] || mesh_[side].is_joined(node);
-  }
+  for (const Side side : both_sides) nodes[side] = with_joined(std::move(nodes[side]), mesh_[side]);
   return nodes;
 }
 
@@ -300,7 +303,8 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
   const NodeFlags in_contact = passes_.front().integral->flux_coupled();
   const IndexedVector<FacingNode> nodes = facing_nodes(passes_.front(), mesh_, position_, in_contact, settings_);
-  const VectorXd shares = overlap_shares(nodes, in_contact, facets, position_[Side::primary]);
+  const VectorXd shares = overlap_shares(nodes, with_joined(in_contact, mesh_[Side::primary]), facets,
+                                         position_[Side::primary]);
   const bool joins = passes_.size() == 1;
   check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : passes_.back().integral->flux_coupled());
   const UndetectedPenetration found = overlap_among(nodes, shares, check_.nodes);
@@ -421,6 +425,17 @@ bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& f
     any = reconsiders_facing(pass, facing) || any;
   }
   return any;
+}
+
+void join(ContactInterface& contact, PerSide<NodeFlags> nodes) {
+  for (const Side side : both_sides) contact.mesh_[side].joined = std::move(nodes[side]);
+  for (SidedPass& pass : contact.passes_) {
+    pass.faced.reset();
+    pass.integral->restrict_active_set(NodeFlags(contact.mesh_[pass.side].nodes, true));
+  }
+  if (any(contact.check_.nodes)) contact.restrict_second_pass();
+  contact.end_iterations();
+  for (Matrix3Xd& position : contact.position_) position.resize(3, 0);
 }
 
 }  // namespace mixture_contact

@@ -56,6 +56,7 @@ class ContactInterface {
   /// Whether the nodes that face contact are still those that the iteration began with.
   friend bool faces_as_held(const ContactInterface& contact);
   friend bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+  friend void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
@@ -150,5 +151,9 @@ bool faces_as_held(const ContactInterface& contact);
 /// Whether a solution has nodes at the edge of contact that have to be tried once more (ActiveSet::reconsiders_edge(),
 /// reconsiders_facing()): it is none then.
 bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+
+/// Has something else join nodes of the surfaces, or leave them: joined nodes do not close, and no ambient reaches
+/// them. Iterations end with it. With the next project() the others find what they face.
+void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 }  // namespace mixture_contact

@@ -5,6 +5,13 @@
 
 namespace mixture_contact {
 
+/// Energies of a tie, of both sides together.
+struct BondEnergy {
+  double dissipated = 0;   ///< by damage, since the tie began [mJ]
+  double stored = 0;       ///< in bonds [mJ]
+  double broken_area = 0;  ///< [mm^2]
+};
+
 /// What crosses the interface, as it acts on the primary surface; the secondary surface gets the exact opposite.
 struct Balance {
   Vector3d force{0, 0, 0};     ///< contact force on the primary surface [N]
@@ -12,6 +19,7 @@ struct Balance {
   VectorXd flow;               ///< flow out of the primary body per exchanged field [mm^3/s] or [nmol/s]
   Vector3d friction{0, 0, 0};  ///< the part of the force that is friction [N]
   double dissipation = 0;  ///< energy that friction has dissipated since the step began [mJ]; of both sides together
+  BondEnergy bonds;
 };
 
 /// Status of a node with regard to friction.
@@ -30,6 +38,14 @@ inline Sliding status_of(const FrictionOutput& friction, Index node) {
   return node < friction.status.size() ? static_cast<Sliding>(static_cast<int>(friction.status[node])) : Sliding::open;
 }
 
+/// What has come of the bonds at the nodes of a surface; empty where they cannot break.
+struct BreakingOutput {
+  VectorXd damage;     ///< [-]
+  VectorXd opening;    ///< distance of what was tied [mm]
+  VectorXd energy;     ///< dissipated by damage [mJ/mm^2]
+  VectorXd broken_at;  ///< time at which the last bond of the node broke [s]; negative before
+};
+
 /// Values at the nodes of a surface for output, from the points in contact around each.
 struct NodalOutput {
   VectorXd gap;             ///< [mm]
@@ -38,6 +54,7 @@ struct NodalOutput {
   MatrixXd jump;            ///< (fields, nodes), this side minus the other
   VectorXd tributary_area;  ///< area in contact that belongs to the node [mm^2]
   FrictionOutput friction;
+  BreakingOutput breaking;
 
   /// T_max/|t_n| and (p~ - p*)/|t_n| at a node; 0 where there is no load.
   double effective_friction(Index node) const { return over_pressure(friction.bound, node); }

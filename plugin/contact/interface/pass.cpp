@@ -44,8 +44,9 @@ void ContactPass::project_on_same_facets(const FacingPositions& x) {
 }
 
 void ContactPass::restrict_active_set(const NodeFlags& nodes) {
-  active_set_.restrict_to(apart(space_.facing().primary(), nodes));
-  space_.change_facing().restrict_to(nodes);
+  const NodeFlags free = apart(space_.facing().primary(), nodes);
+  active_set_.restrict_to(free);
+  space_.change_facing().restrict_to(free);
 }
 
 void ContactPass::augment(const FacingFields& fields) {

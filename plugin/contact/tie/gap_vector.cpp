@@ -2,51 +2,85 @@
 
 #include "geometry/skew.h"
 
+#include <Eigen/Geometry>
+#include <array>
+
 namespace mixture_contact {
 namespace {
 
 using Eigen::Matrix3d;
 
-/// The normal at a point of a primary facet, n = a/|a| with the area vector a = x,1 x x,2.
+/// The normal of places on primary facets together, n = a/|a| with the area vector a = sum x,1 x x,2 of all.
 struct NormalAt {
   Vector3d normal;
   double length = 0;               ///< |a|
-  IndexedVector<Matrix3d> d_area;  ///< da/dx per node of the facet
+  IndexedVector<Index> nodes;      ///< of the tied node, facet by facet
+  IndexedVector<Matrix3d> d_area;  ///< da/dx per entry of `nodes`
 
-  /// I - n n: what of da turns the normal, times |a|.
-  Matrix3d across() const { return Matrix3d::Identity() - normal * normal.transpose(); }
+  /// dn/da.
+  Matrix3d by_area() const { return (Matrix3d::Identity() - normal * normal.transpose()) / length; }
 };
 
-NormalAt normal_at(const TiedNode& tied, const KeptGap& gap, const Matrix3Xd& x1) {
-  Vector3d first = Vector3d::Zero();
-  Vector3d second = Vector3d::Zero();
-  for (Index b = 0; b < gap.places.count(); ++b) {
-    const Vector3d x = x1.col(tied.primary[gap.places[b]]);
-    first += gap.gradient(b, 0) * x;
-    second += gap.gradient(b, 1) * x;
+/// The tangents x,1 and x,2 of a facet, shape (3, 2).
+Eigen::Matrix<double, 3, 2> tangents_at(const TiedNode& tied, const PlaceOnFacet& place, const Matrix3Xd& x1) {
+  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+  for (Index b = 0; b < place.places.count(); ++b)
+    tangents += x1.col(tied.primary[place.places[b]]) * place.gradient.row(b);
+  return tangents;
+}
+
+/// `places`: a range of PlaceOnFacet.
+template <class Places>
+NormalAt normal_at(const TiedNode& tied, const Places& places, const Matrix3Xd& x1) {
+  NormalAt found;
+  Vector3d area = Vector3d::Zero();
+  for (const PlaceOnFacet& place : places) {
+    const Eigen::Matrix<double, 3, 2> tangents = tangents_at(tied, place, x1);
+    const Vector3d first = tangents.col(0);
+    const Vector3d second = tangents.col(1);
+    area += first.cross(second);
+    for (Index b = 0; b < place.places.count(); ++b) {
+      found.nodes.push_back(place.places[b]);
+      found.d_area.push_back(place.gradient(b, 1) * skew(first) - place.gradient(b, 0) * skew(second));
+    }
   }
-  const Vector3d area = first.cross(second);
-  NormalAt found{area.normalized(), area.norm(), {}};
-  for (Index b = 0; b < gap.places.count(); ++b)
-    found.d_area.push_back(gap.gradient(b, 1) * skew(first) - gap.gradient(b, 0) * skew(second));
+  found.normal = area.normalized();
+  found.length = area.norm();
   return found;
+}
+
+NormalAt normal_at(const TiedNode& tied, const KeptGap& gap, const Matrix3Xd& x1) {
+  return normal_at(tied, std::array<PlaceOnFacet, 1>{gap.at}, x1);
+}
+
+void add_variation(const NormalAt& at, double factor, Matrix3Xd& variation) {
+  const Matrix3d by_area = factor * at.by_area();
+  for (Index b = 0; b < at.nodes.count(); ++b) variation.middleCols<3>(3 * at.nodes[b]) += by_area * at.d_area[b];
 }
 
 /// The second derivative of load.n with the area vector.
 Matrix3d hessian_by_area(const NormalAt& at, const Vector3d& load) {
-  const Vector3d across = at.across() * load;
-  const Matrix3d mixed = at.normal * across.transpose();
-  return -(at.normal.dot(load) * at.across() + mixed + mixed.transpose()) / (at.length * at.length);
+  const Matrix3d across = Matrix3d::Identity() - at.normal * at.normal.transpose();
+  const Vector3d part = across * load;
+  const Matrix3d mixed = at.normal * part.transpose();
+  return -(at.normal.dot(load) * across + mixed + mixed.transpose()) / (at.length * at.length);
 }
 
-void subtract_hessian(const KeptGap& gap, const NormalAt& at, const Vector3d& load, MatrixXd& hessian) {
+/// Adds the second derivative of load.n with the positions.
+template <class Places>
+void add_hessian(const Places& places, const NormalAt& at, const Vector3d& load, MatrixXd& hessian) {
   const Matrix3d by_area = hessian_by_area(at, load);
-  const Matrix3d turning = skew(at.across() * load / at.length);
-  for (Index b = 0; b < gap.places.count(); ++b) {
-    for (Index c = 0; c < gap.places.count(); ++c) {
-      const double minor = gap.gradient(b, 0) * gap.gradient(c, 1) - gap.gradient(b, 1) * gap.gradient(c, 0);
-      const Matrix3d of_nodes = at.d_area[b].transpose() * by_area * at.d_area[c] - minor * turning;
-      hessian.block<3, 3>(3 * gap.places[b], 3 * gap.places[c]) -= gap.size * of_nodes;
+  for (Index b = 0; b < at.nodes.count(); ++b) {
+    for (Index c = 0; c < at.nodes.count(); ++c)
+      hessian.block<3, 3>(3 * at.nodes[b], 3 * at.nodes[c]) += at.d_area[b].transpose() * by_area * at.d_area[c];
+  }
+  const Matrix3d turning = skew(at.by_area() * load);
+  for (const PlaceOnFacet& place : places) {
+    for (Index b = 0; b < place.places.count(); ++b) {
+      for (Index c = 0; c < place.places.count(); ++c) {
+        const double minor = place.gradient(b, 0) * place.gradient(c, 1) - place.gradient(b, 1) * place.gradient(c, 0);
+        hessian.block<3, 3>(3 * place.places[b], 3 * place.places[c]) -= minor * turning;
+      }
     }
   }
 }
@@ -67,18 +101,30 @@ Matrix3Xd gap_variation(const TiedNode& tied, const FacingPositions& x) {
   Matrix3Xd variation = Matrix3Xd::Zero(3, 3 * tied.count());
   for (Index n = 0; n < tied.count(); ++n)
     variation.middleCols<3>(3 * n) = tied.traction.weights[n] * Matrix3d::Identity();
-  for (const KeptGap& kept : tied.gaps) {
-    const NormalAt at = normal_at(tied, kept, x.primary);
-    const Matrix3d d_normal = at.across() / at.length;
-    for (Index b = 0; b < kept.places.count(); ++b)
-      variation.middleCols<3>(3 * kept.places[b]) -= kept.size * d_normal * at.d_area[b];
-  }
+  for (const KeptGap& kept : tied.gaps) add_variation(normal_at(tied, kept, x.primary), -kept.size, variation);
   return variation;
 }
 
 MatrixXd gap_hessian(const TiedNode& tied, const FacingPositions& x, const Vector3d& load) {
   MatrixXd hessian = MatrixXd::Zero(3 * tied.count(), 3 * tied.count());
-  for (const KeptGap& kept : tied.gaps) subtract_hessian(kept, normal_at(tied, kept, x.primary), load, hessian);
+  for (const KeptGap& kept : tied.gaps)
+    add_hessian(std::array<PlaceOnFacet, 1>{kept.at}, normal_at(tied, kept, x.primary), -kept.size * load, hessian);
+  return hessian;
+}
+
+Vector3d normal_of(const TiedNode& tied, const FacingPositions& x) {
+  return normal_at(tied, tied.corners, x.primary).normal;
+}
+
+Matrix3Xd normal_variation(const TiedNode& tied, const FacingPositions& x) {
+  Matrix3Xd variation = Matrix3Xd::Zero(3, 3 * tied.count());
+  add_variation(normal_at(tied, tied.corners, x.primary), 1, variation);
+  return variation;
+}
+
+MatrixXd normal_hessian(const TiedNode& tied, const FacingPositions& x, const Vector3d& load) {
+  MatrixXd hessian = MatrixXd::Zero(3 * tied.count(), 3 * tied.count());
+  add_hessian(tied.corners, normal_at(tied, tied.corners, x.primary), load, hessian);
   return hessian;
 }
 

@@ -17,4 +17,10 @@ Matrix3Xd gap_variation(const TiedNode& tied, const FacingPositions& x);
 /// The second derivative of load.D_a with the positions, shape (3 nodes, 3 nodes); symmetric, zero without kept gaps.
 MatrixXd gap_hessian(const TiedNode& tied, const FacingPositions& x, const Vector3d& load);
 
+/// The unit normal of a tied node out of the primary body, as its facets lie now; find_normals() gives it these. Then
+/// dn/dx, shape (3, 3 nodes), and the second derivative of load.n, shape (3 nodes, 3 nodes).
+Vector3d normal_of(const TiedNode& tied, const FacingPositions& x);
+Matrix3Xd normal_variation(const TiedNode& tied, const FacingPositions& x);
+MatrixXd normal_hessian(const TiedNode& tied, const FacingPositions& x, const Vector3d& load);
+
 }  // namespace mixture_contact

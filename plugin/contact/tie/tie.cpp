@@ -43,17 +43,73 @@ FacingPositions positions_of(const PerSide<SurfaceFields>& fields) {
   return {fields[Side::primary].position, fields[Side::secondary].position};
 }
 
+BondLoad bond(const Tie& tie, Index n, const Vector3d& gap, const FacingPositions& x) {
+  return bond_load(std::get<Cohesive>(tie.breaking()), tie.traction_penalty(n), tie.state().damage.damage[n], gap,
+                   normal_of(tie.nodes()[n], x));
+}
+
+/// The derivative of the loads of a bond with its gap vector and its normal.
+BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads,
+                         Softening softening) {
+  const Vector3d gap = loads.gap.col(n);
+  const double damage = loads.damage[n];
+  const bool grows = damage > tie.state().damage.damage[n] && damage < 1;
+  if (!grows || softening == Softening::exact) return bond(tie, n, gap, x).derivative;
+  return yielding_derivative(tie.traction_penalty(n), damage, gap, normal_of(tie.nodes()[n], x));
+}
+
+VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads) {
+  const TiedNode& tied = tie.nodes()[n];
+  const LocalLayout layout = tie.patch(n).layout();
+  const double area = tied.traction.area;
+  VectorXd residual(layout.size());
+  residual.head(3 * layout.nodes()) = -area * gap_variation(tied, x).transpose() * loads.traction.col(n);
+  if (loads.turning.cols() > 0)
+    residual.head(3 * layout.nodes()) -= area * normal_variation(tied, x).transpose() * loads.turning.col(n);
+  if (!layout.has_multipliers()) return residual;
+  if (tie.state().damage.is_broken(n)) {
+    residual.tail<3>() = area * tie.state().traction.col(n);
+  } else {
+    residual.tail<3>() = -area * traction_unit(tie.penalties(), tied.node) * loads.gap.col(n);
+  }
+  return residual;
+}
+
+/// The second derivative of a node's energy per area with the positions.
+MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) {
+  const TiedNode& tied = tie.nodes()[n];
+  const Matrix3Xd variation = gap_variation(tied, x);
+  MatrixXd stiffness;
+  if (loads.turning.cols() > 0) {
+    MatrixXd both(6, variation.cols());
+    both << variation, normal_variation(tied, x);
+    stiffness.noalias() = both.transpose() * bond_tangent(tie, n, x, loads, softening) * both;
+    stiffness += normal_hessian(tied, x, loads.turning.col(n));
+  } else {
+    stiffness.noalias() = tie.traction_penalty(n) * variation.transpose() * variation;
+  }
+  if (!tied.gaps.empty()) stiffness += gap_hessian(tied, x, loads.traction.col(n));
+  return stiffness;
+}
+
 }  // namespace
 
-Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes)
-    : mesh_(std::move(mesh)), effects_(std::move(effects)), nodes_(std::move(nodes)), first_(1, 0) {
+Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking)
+    : mesh_(std::move(mesh)),
+      effects_(std::move(effects)),
+      nodes_(std::move(nodes)),
+      breaking_(std::move(breaking)),
+      first_(1, 0) {
   for (const TiedNode& tied : nodes_) {
     const auto exchanged = std::count_if(tied.fields.begin(), tied.fields.end(),
                                          [](const TiedAverage& average) { return average.exists(); });
     first_.push_back(first_.back() + (effects_.traction ? 3 : 0) + exchanged);
   }
   const int fields = effects_.scalar_fields();
-  state_ = {Matrix3Xd::Zero(3, nodes_.count()), MatrixXd::Zero(fields, nodes_.count()), 1, VectorXd::Ones(fields)};
+  state_ = {Matrix3Xd::Zero(3, nodes_.count()), MatrixXd::Zero(fields, nodes_.count()), 1, VectorXd::Ones(fields), {}};
+  if (!may_break(breaking_)) return;
+  find_normals(nodes_, mesh_[Side::primary]);
+  state_.damage = DamageState(nodes_.count());
 }
 
 void Tie::set_laws(const Settings& settings) {
@@ -82,12 +138,23 @@ double Tie::flux_penalty(Index n, int field) const {
 TieLoads Tie::loads(const PerSide<SurfaceFields>& fields) const {
   const Index count = nodes_.count();
   const Index scalars = effects_.scalar_fields();
-  TieLoads loads{Matrix3Xd::Zero(3, count), Matrix3Xd::Zero(3, count), MatrixXd::Zero(scalars, count),
-                 MatrixXd::Zero(scalars, count)};
+  const bool is_cohesive = std::holds_alternative<Cohesive>(breaking_);
+  TieLoads loads{Matrix3Xd::Zero(3, count),
+                 Matrix3Xd::Zero(3, count),
+                 MatrixXd::Zero(scalars, count),
+                 MatrixXd::Zero(scalars, count),
+                 Matrix3Xd::Zero(3, is_cohesive ? count : 0),
+                 state_.damage.damage};
   const FacingPositions x = positions_of(fields);
   in_parallel(count, [&](Index n) {
     loads.gap.col(n) = gap_vector(nodes_[n], x);
-    if (effects_.traction) {
+    if (state_.damage.is_broken(n)) return;
+    if (effects_.traction && is_cohesive) {
+      const BondLoad load = bond(*this, n, loads.gap.col(n), x);
+      loads.traction.col(n) = load.value.head<3>();
+      loads.turning.col(n) = load.value.tail<3>();
+      loads.damage[n] = load.damage;
+    } else if (effects_.traction) {
       const double penalty = traction_penalty(n);
       loads.traction.col(n) = bonded_traction(state_.traction.col(n), penalty, loads.gap.col(n)).value;
     }
@@ -132,38 +199,32 @@ void Tie::for_each_patch(const std::function<void(const Patch&)>& use) const {
                           [&](const Patch& patch, const VectorXd& /*none*/) { use(patch); });
 }
 
-VectorXd Tie::traction_residual(Index n, const FacingPositions& x, const TieLoads& loads) const {
-  const LocalLayout layout = patch(n).layout();
-  const double area = nodes_[n].traction.area;
-  VectorXd residual(layout.size());
-  residual.head(3 * layout.nodes()) = -area * gap_variation(nodes_[n], x).transpose() * loads.traction.col(n);
-  if (layout.has_multipliers())
-    residual.tail<3>() = -area * traction_unit(penalties_, nodes_[n].node) * loads.gap.col(n);
-  return residual;
-}
-
 VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   const LocalLayout layout = patch(n, field).layout();
   const TiedAverage& average = nodes_[n].fields[field];
   VectorXd residual(layout.size());
   residual.head(layout.nodes()) = -average.area * loads.flux(field, n) * average.weights;
-  if (layout.has_multipliers())
-    residual[layout.flux_multiplier(0)] = average.area * flux_unit(penalties_, field, nodes_[n].node) *
-                                          loads.jump(field, n);
+  if (!layout.has_multipliers()) return residual;
+  residual[layout.flux_multiplier(0)] = average.area *
+                                        (state_.damage.is_broken(n)
+                                             ? -state_.flux(field, n)
+                                             : flux_unit(penalties_, field, nodes_[n].node) * loads.jump(field, n));
   return residual;
 }
 
-MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const {
+MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) const {
   const LocalLayout layout = patch(n).layout();
   const Index own = 3 * layout.nodes();
   const double area = nodes_[n].traction.area;
-  const Matrix3Xd variation = gap_variation(nodes_[n], x);
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
-  auto of_nodes = tangent.topLeftCorner(own, own);
-  of_nodes.noalias() = (-area * traction_penalty(n)) * variation.transpose() * variation;
-  if (!nodes_[n].gaps.empty()) of_nodes -= area * gap_hessian(nodes_[n], x, loads.traction.col(n));
+  if (!state_.damage.is_broken(n)) tangent.topLeftCorner(own, own) = -area * stiffness(*this, n, x, loads, softening);
   if (!layout.has_multipliers()) return tangent;
   const double unit = traction_unit(penalties_, nodes_[n].node);
+  if (state_.damage.is_broken(n)) {
+    tangent.bottomRightCorner<3, 3>() = area * unit * Eigen::Matrix3d::Identity();
+    return tangent;
+  }
+  const Matrix3Xd variation = gap_variation(nodes_[n], x);
   tangent.bottomLeftCorner(3, own) = -area * unit * variation;
   tangent.topRightCorner(own, 3) = -area * unit * variation.transpose();
   tangent.bottomRightCorner<3, 3>() = (area * unit / unknown_factor) * Eigen::Matrix3d::Identity();
@@ -175,10 +236,14 @@ MatrixXd Tie::flux_tangent(Index n, int field) const {
   const Index own = layout.nodes();
   const TiedAverage& average = nodes_[n].fields[field];
   MatrixXd tangent = MatrixXd::Zero(layout.size(), layout.size());
+  const double unit = flux_unit(penalties_, field, nodes_[n].node);
+  if (state_.damage.is_broken(n)) {
+    if (layout.has_multipliers()) tangent(own, own) = -average.area * unit;
+    return tangent;
+  }
   tangent.topLeftCorner(own, own).noalias() = (average.area * flux_penalty(n, field)) * average.weights *
                                               average.weights.transpose();
   if (!layout.has_multipliers()) return tangent;
-  const double unit = flux_unit(penalties_, field, nodes_[n].node);
   tangent.col(own).head(own) = -average.area * unit * average.weights;
   tangent.row(own).head(own) = -average.area * unit * average.weights.transpose();
   tangent(own, own) = -average.area * unit / unknown_factor;
@@ -190,17 +255,17 @@ void Tie::residual(const PerSide<SurfaceFields>& fields, double dt, const AddRes
   const FacingPositions x = positions_of(fields);
   for_each_part<VectorXd>(
       [&](Index n, int field) -> VectorXd {
-        return field < 0 ? traction_residual(n, x, now) : dt * flux_residual(n, field, now);
+        return field < 0 ? traction_residual(*this, n, x, now) : dt * flux_residual(n, field, now);
       },
       add);
 }
 
-void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const {
+void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, Softening softening, const AddTangent& add) const {
   const TieLoads now = loads(fields);
   const FacingPositions x = positions_of(fields);
   for_each_part<MatrixXd>(
       [&](Index n, int field) -> MatrixXd {
-        return field < 0 ? traction_tangent(n, x, now) : dt * flux_tangent(n, field);
+        return field < 0 ? traction_tangent(n, x, now, softening) : dt * flux_tangent(n, field);
       },
       add);
 }
@@ -212,6 +277,7 @@ GapReport Tie::gaps(const PerSide<SurfaceFields>& fields) const {
   GapSums traction;
   IndexedVector<GapSums> flux(effects_.scalar_fields());
   for (Index n = 0; n < nodes_.count(); ++n) {
+    if (state_.damage.is_broken(n)) continue;
     const TiedNode& tied = nodes_[n];
     const double area = tied.traction.area;
     if (effects_.traction)

@@ -3,6 +3,7 @@
 
 #include "conditions/penalty.h"
 #include "enforcement/gap_measures.h"
+#include "tie/breaking.h"
 #include "tie/tied_node.h"
 
 #include <functional>
@@ -16,6 +17,7 @@ struct TieState {
   MatrixXd flux;       ///< lambda per (field, tied node)
   double traction_penalty_scale = 1;
   VectorXd flux_penalty_scale;  ///< per field
+  DamageState damage;
 };
 
 /// What tied nodes see and bear at a state; one column per tied node.
@@ -24,22 +26,31 @@ struct TieLoads {
   Matrix3Xd traction;  ///< t_a on the primary surface [MPa]
   MatrixXd jump;       ///< (fields, nodes): primary less secondary side
   MatrixXd flux;       ///< (fields, nodes): out of the primary body
+  Matrix3Xd turning;   ///< d psi/dn of the cohesive law [N/mm]; empty without it
+  VectorXd damage;     ///< d at this state [-]; empty where a tie cannot break
 };
 
 /// Default multiples of the stiffness and the conductance of the adjoining elements. No kink of a tie asks for smaller
 /// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
+/// The default of a tie that softens: a stiffer bond is no more exact where it opens by the energy that breaks it, and
+/// an iteration that unloads it goes wrong the farther.
+inline constexpr double default_cohesive_factor = 1e3;
 /// What augmentations may make of them: conditions that others nearly repeat close slowly at less.
 inline constexpr double largest_tie_factor = 1e8;
+
+/// What an iteration takes for the derivative of a bond whose damage grows: the derivative, or that of one that yields
+/// (yielding_derivative()).
+enum class Softening { exact, yielding };
 
 class Tie {
  public:
   using AddResidual = std::function<void(const Patch&, const VectorXd&)>;
-  /// Takes a square block of the tangent dR/du; it is symmetric.
+  /// Takes a square block of the tangent dR/du; it is symmetric unless damage grows.
   using AddTangent = std::function<void(const Patch&, const MatrixXd&)>;
 
-  Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes);
+  Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking = Unbreakable());
 
   /// Takes penalties and tolerances; multipliers stay.
   void set_laws(const Settings& settings);
@@ -51,6 +62,9 @@ class Tie {
   const Settings& settings() const { return settings_; }
   const IndexedVector<TiedNode>& nodes() const { return nodes_; }
   const Penalties& penalties() const { return penalties_; }
+  const BreakingLaw& breaking() const { return breaking_; }
+  /// The penalty of a node's traction [N/mm^3]; 0 where multipliers are unknown.
+  double traction_penalty(Index n) const;
   bool has_unknown_multipliers() const { return settings_.enforcement == Enforcement::lagrange_multipliers; }
 
   /// The unknowns of a node's traction, or of the flux of a field. Its multiplier_node counts tied nodes.
@@ -62,7 +76,7 @@ class Tie {
   TieLoads loads(const PerSide<SurfaceFields>& fields) const;
   /// Hands out R of each node: forces -A_a W_aj t_a, flows times dt, and -A_a k D_a of unknown multipliers.
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add) const;
+  void tangent(const PerSide<SurfaceFields>& fields, double dt, Softening softening, const AddTangent& add) const;
 
   /// How well a solution meets its conditions (see GapSums).
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
@@ -83,11 +97,9 @@ class Tie {
   Index unknown(Index n, std::optional<int> field = std::nullopt) const;
 
  private:
-  double traction_penalty(Index n) const;
   double flux_penalty(Index n, int field) const;
-  VectorXd traction_residual(Index n, const FacingPositions& x, const TieLoads& loads) const;
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
-  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads) const;
+  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) const;
   MatrixXd flux_tangent(Index n, int field) const;
   /// Calls use(patch, make(node, field)) for the traction, field -1, and the fluxes of all nodes in order; makes them
   /// on several threads.
@@ -98,6 +110,7 @@ class Tie {
   Effects effects_;
   Settings settings_;
   IndexedVector<TiedNode> nodes_;
+  BreakingLaw breaking_;
   IndexedVector<Index> first_;  ///< per node the first of its unknown multipliers; behind them all, how many there are
   Penalties penalties_;         ///< per node of the primary surface
   TieState state_;

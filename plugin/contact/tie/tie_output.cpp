@@ -2,6 +2,8 @@
 
 #include "interface/facing_nodes.h"
 
+#include <algorithm>
+
 namespace mixture_contact {
 namespace {
 
@@ -57,9 +59,67 @@ NodalOutput means_of(const NodeSums& sums, double sense, const Matrix3Xd& normal
   return output;
 }
 
+/// Bonds around the nodes of a surface, whole and broken.
+struct BondSums {
+  VectorXd area;
+  BreakingOutput sums;
+
+  explicit BondSums(Index nodes)
+      : area(VectorXd::Zero(nodes)),
+        sums{VectorXd::Zero(nodes), VectorXd::Zero(nodes), VectorXd::Zero(nodes), VectorXd::Zero(nodes)} {}
+
+  void add(int node, double share, const DamageState& state, const TieLoads& loads, Index n) {
+    const bool is_first = area[node] == 0;
+    area[node] += share;
+    sums.damage[node] += share * state.damage[n];
+    sums.opening[node] += share * loads.gap.col(n).norm();
+    sums.energy[node] += share * state.energy[n];
+    double& last = sums.broken_at[node];
+    const bool is_whole = state.broken_at[n] < 0 || (!is_first && last < 0);
+    last = is_whole ? -1 : std::max(last, state.broken_at[n]);
+  }
+
+  BreakingOutput means() const {
+    BreakingOutput means = sums;
+    const VectorXd factor = area.unaryExpr([](double sum) { return sum > 0 ? 1 / sum : 0.0; });
+    for (VectorXd* const values : {&means.damage, &means.opening, &means.energy}) values->array() *= factor.array();
+    for (Index node = 0; node < area.size(); ++node) {
+      if (!(area[node] > 0)) means.broken_at[node] = -1;
+    }
+    return means;
+  }
+};
+
+BondEnergy energy_of(const Tie& tie, const TieLoads& loads, const DamageState& state) {
+  BondEnergy all;
+  for (Index n = 0; n < tie.nodes().count(); ++n) {
+    const double area = tie.nodes()[n].traction.area;
+    all.dissipated += area * state.energy[n];
+    all.stored += 0.5 * area * loads.traction.col(n).dot(loads.gap.col(n));
+    if (state.is_broken(n)) all.broken_area += area;
+  }
+  return all;
+}
+
+void add_breaking(const Tie& tie, const TieLoads& loads, const DamageState& state, InterfaceOutput& all) {
+  if (!may_break(tie.breaking())) return;
+  PerSide<BondSums> sums{{BondSums(tie.mesh()[Side::primary].nodes), BondSums(tie.mesh()[Side::secondary].nodes)}};
+  for (Index n = 0; n < tie.nodes().count(); ++n) {
+    const TiedNode& tied = tie.nodes()[n];
+    const double area = tied.traction.area;
+    sums[Side::primary].add(tied.node, area, state, loads, n);
+    for (Index b = 0; b < tied.secondary.count(); ++b) {
+      const double share = area * tied.secondary_shares[b];
+      if (share != 0) sums[Side::secondary].add(tied.secondary[b], share, state, loads, n);
+    }
+  }
+  for (const Side side : both_sides) all.nodes[side].breaking = sums[side].means();
+  all.balance.bonds = energy_of(tie, loads, state);
+}
+
 }  // namespace
 
-InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields) {
+InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields, const DamageState& damage) {
   const TieLoads loads = tie.loads(fields);
   const Index scalars = tie.effects().scalar_fields();
   PerSide<NodeSums> sums{
@@ -67,6 +127,7 @@ InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields) {
   InterfaceOutput all;
   all.balance.flow.setZero(scalars);
   for (Index n = 0; n < tie.nodes().count(); ++n) {
+    if (tie.state().damage.is_broken(n)) continue;
     const TiedNode& tied = tie.nodes()[n];
     const double area = tied.traction.area;
     all.balance.force += area * loads.traction.col(n);
@@ -79,6 +140,7 @@ InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields) {
   for (const Side side : both_sides)
     all.nodes[side] = means_of(sums[side], side == Side::primary ? 1 : -1,
                                nodal_normals(tie.mesh()[side], fields[side].position));
+  add_breaking(tie, loads, damage, all);
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include "interface/facing_nodes.h"
 #include "mortar/mortar_space.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -121,6 +122,12 @@ TiedAverage average_of(const Sums& sums, const TiedNode& tied) {
   return average;
 }
 
+PlaceOnFacet place_on(const Facet& facet, const FacetGradient& gradient, const IndexedVector<int>& nodes) {
+  PlaceOnFacet place{{}, gradient};
+  for (const int node : facet) place.places.push_back(position_in(nodes, node));
+  return place;
+}
+
 TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary) {
   TiedNode tied;
   tied.node = node;
@@ -132,9 +139,7 @@ TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary)
   for (Index n = 0; n < tied.secondary.count(); ++n)
     tied.secondary_shares[n] = weight_in(sums.secondary_areas, tied.secondary[n]) / sums.all.area;
   for (const GapOfPoint& gap : sums.gaps) {
-    KeptGap kept{{}, gap.gradient, gap.sum / sums.all.area};
-    for (const int of_facet : primary.facets[gap.facet]) kept.places.push_back(position_in(tied.primary, of_facet));
-    tied.gaps.push_back(std::move(kept));
+    tied.gaps.push_back({place_on(primary.facets[gap.facet], gap.gradient, tied.primary), gap.sum / sums.all.area});
   }
   return tied;
 }
@@ -165,6 +170,25 @@ IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const 
     if (sums[node].all.area > 0) tied.push_back(tied_node(node, sums[node], mesh[Side::primary]));
   }
   return tied;
+}
+
+void find_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& primary) {
+  std::map<int, TiedNode*> by_node;
+  for (TiedNode& tied : nodes) {
+    tied.corners.clear();
+    by_node[tied.node] = &tied;
+  }
+  for (const Facet& facet : primary.facets) {
+    for (int a = 0; a < facet.count(); ++a) {
+      const auto found = by_node.find(facet.node(a));
+      if (found == by_node.end()) continue;
+      TiedNode& tied = *found->second;
+      const bool is_own = std::all_of(facet.begin(), facet.end(), [&](int node) {
+        return std::binary_search(tied.primary.begin(), tied.primary.end(), node);
+      });
+      if (is_own) tied.corners.push_back(place_on(facet, gradient_at_node(facet.type, a), tied.primary));
+    }
+  }
 }
 
 UntiedNodes untied_nodes(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh,

@@ -15,11 +15,16 @@ struct TiedAverage {
   bool exists() const { return area > 0; }
 };
 
+/// A place on a primary facet, at which it has a normal.
+struct PlaceOnFacet {
+  IndexedVector<Index> places;  ///< of the facet's nodes among those of the tied node
+  FacetGradient gradient;       ///< of their shape functions at the place
+};
+
 /// An initial gap that is kept along the present normal of a primary facet.
 struct KeptGap {
-  IndexedVector<Index> places;  ///< of the facet's nodes among those of the tied node
-  FacetGradient gradient;       ///< of their shape functions at the point
-  double size = 0;              ///< INT psi_a g0 dA over the area, of the point [mm]
+  PlaceOnFacet at;
+  double size = 0;  ///< INT psi_a g0 dA over the area, of the point [mm]
 };
 
 /// A primary node with what its averages are taken over.
@@ -31,6 +36,7 @@ struct TiedNode {
   IndexedVector<TiedAverage> fields;  ///< per exchanged scalar field
   VectorXd secondary_shares;          ///< the parts of the area that belong to the secondary nodes; they add up to one
   IndexedVector<KeptGap> gaps;        ///< empty where the surfaces touch
+  IndexedVector<PlaceOnFacet> corners;  ///< the node on its facets, for its normal; empty where nothing asks for it
 
   Index count() const { return primary.count() + secondary.count(); }
   bool exchanges(int field) const { return fields[field].exists(); }
@@ -49,6 +55,9 @@ struct UntiedNodes {
 /// these positions. Gaps that are rounding of the positions count as none.
 IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
                                         const Settings& settings, const PerSide<Matrix3Xd>& reference);
+
+/// Has tied nodes know the facets around them, which their normals follow.
+void find_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& primary);
 
 /// The other nodes of the primary surface.
 UntiedNodes untied_nodes(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh,

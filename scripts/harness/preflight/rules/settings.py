@@ -35,6 +35,7 @@ ALLOWED = {
     "tangential_penalty": POSITIVE,
     **dict.fromkeys(("ambient_concentration", "hydraulic_conductance", "solute_permeance"), NOT_NEGATIVE),
     "reflection": FRACTION,
+    **dict.fromkeys(("max_traction", "max_shear", "fracture_energy", "fracture_energy_shear"), POSITIVE),
 }
 """What each parameter may be, in words; the others may be anything."""
 UNLIMITED = ("gaptol", "ptol", "ctol")

@@ -1,0 +1,84 @@
+#include "tie/damage.h"
+
+#include "tie/gap_vector.h"
+
+#include <utility>
+
+namespace mixture_contact {
+namespace {
+
+/// What a node dissipates as it goes on from the accepted damage, and the damage that it comes to.
+struct Advance {
+  double damage;
+  double energy;  ///< [mJ/mm^2]
+};
+
+Advance advance(const Unbreakable& /*law*/, const Tie& /*tie*/, Index /*n*/, const TieLoads& /*loads*/,
+                const Vector3d& /*normal*/) {
+  return {0, 0};
+}
+
+Advance advance(const Brittle& law, const Tie& /*tie*/, Index n, const TieLoads& loads, const Vector3d& normal) {
+  const Vector3d traction = loads.traction.col(n);
+  if (!exceeds(law, traction, normal)) return {0, 0};
+  return {1, 0.5 * traction.dot(loads.gap.col(n))};
+}
+
+Advance advance(const Cohesive& law, const Tie& tie, Index n, const TieLoads& loads, const Vector3d& normal) {
+  const double before = tie.state().damage.damage[n];
+  const double after = loads.damage[n];
+  if (!(after > before)) return {before, 0};
+  return {after, dissipated(law, tie.traction_penalty(n), before, after, loads.gap.col(n), normal)};
+}
+
+}  // namespace
+
+DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time) {
+  DamageState next = tie.state().damage;
+  const TieLoads loads = tie.loads(fields);
+  const FacingPositions x{fields[Side::primary].position, fields[Side::secondary].position};
+  for (Index n = 0; n < next.damage.size(); ++n) {
+    if (next.is_broken(n)) continue;
+    const Vector3d normal = normal_of(tie.nodes()[n], x);
+    const Advance step = std::visit([&](const auto& law) { return advance(law, tie, n, loads, normal); },
+                                    tie.breaking());
+    next.damage[n] = step.damage;
+    next.energy[n] += step.energy;
+    if (next.is_broken(n)) next.broken_at[n] = time;
+  }
+  return next;
+}
+
+void take_damage(Tie& tie, DamageState damage) {
+  TieState state = tie.state();
+  state.damage = std::move(damage);
+  for (Index n = 0; n < tie.nodes().count() && !tie.has_unknown_multipliers(); ++n) {
+    if (!state.damage.is_broken(n)) continue;
+    state.traction.col(n).setZero();
+    state.flux.col(n).setZero();
+  }
+  tie.restore(std::move(state));
+}
+
+Index broken_nodes(const Tie& tie) {
+  Index count = 0;
+  for (Index n = 0; n < tie.nodes().count(); ++n) count += tie.state().damage.is_broken(n) ? 1 : 0;
+  return count;
+}
+
+PerSide<NodeFlags> joined_nodes(const Tie& tie) {
+  PerSide<NodeFlags> joined;
+  for (const Side side : both_sides) joined[side] = NodeFlags(tie.mesh()[side].nodes, true);
+  for (Index n = 0; n < tie.nodes().count(); ++n) {
+    if (!tie.state().damage.is_broken(n)) continue;
+    joined[Side::primary][tie.nodes()[n].node] = false;
+    for (const int node : tie.nodes()[n].secondary) joined[Side::secondary][node] = false;
+  }
+  for (Index n = 0; n < tie.nodes().count(); ++n) {
+    if (tie.state().damage.is_broken(n)) continue;
+    for (const int node : tie.nodes()[n].secondary) joined[Side::secondary][node] = true;
+  }
+  return joined;
+}
+
+}  // namespace mixture_contact

@@ -1,0 +1,23 @@
+/// Damage of a tie at a solution, and which nodes it leaves joined.
+#pragma once
+
+#include "tie/tie.h"
+
+namespace mixture_contact {
+
+/// The damage that a solution leaves, at a time [s]. Brittle bonds break where their load exceeds the strength;
+/// cohesive ones have softened. What a bond had stored that breaks at once counts as dissipated.
+DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time);
+
+/// Has a tie take damage over. Nodes that have broken lose their multipliers; the equation of an unknown one takes it
+/// to zero.
+void take_damage(Tie& tie, DamageState damage);
+
+/// How many nodes have broken.
+Index broken_nodes(const Tie& tie);
+
+/// Nodes of both surfaces that are not free to part: all but the primary nodes that have broken, and the secondary ones
+/// that these alone were tied to.
+PerSide<NodeFlags> joined_nodes(const Tie& tie);
+
+}  // namespace mixture_contact

@@ -1,0 +1,61 @@
+#include "cohesive_zone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace mixture_contact;
+
+namespace {
+
+/// Of the softest element behind the facets; infinite where all are rigid [MPa].
+double least_modulus(const FacetMaterials& materials) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<FacetMaterial>& of_side : materials) {
+    for (const FacetMaterial& each : of_side) {
+      if (each.stiffness > 0 && std::isfinite(each.stiffness)) least = std::min(least, each.stiffness * each.thickness);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+std::string penalty_complaint(const Tie& tie) {
+  const auto* const law = std::get_if<Cohesive>(&tie.breaking());
+  if (law == nullptr) return "";
+  double least = std::numeric_limits<double>::infinity();
+  for (Index n = 0; n < tie.nodes().count(); ++n) least = std::min(least, tie.traction_penalty(n));
+  const double needed = least_penalty(*law);
+  if (least > needed) return "";
+  std::ostringstream text;
+  text << "the penalty of the tie is " << least
+       << " at some node, and a bond of this strength and <fracture_energy> needs "
+       << "more than " << needed << " (strength^2/(2 energy)) to soften. Set <penalty> to several times that and "
+       << "<auto_penalty> to 0.";
+  return text.str();
+}
+
+double cohesive_zone(const Cohesive& law, double modulus) {
+  const ByMode& limit = law.strength.traction;
+  return modulus *
+         std::min(law.energy.normal / (limit.normal * limit.normal), law.energy.shear / (limit.shear * limit.shear));
+}
+
+std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, const PerSide<Matrix3Xd>& position) {
+  const auto* const law = std::get_if<Cohesive>(&tie.breaking());
+  if (law == nullptr) return "";
+  double longest = 0;
+  for (const Facet& facet : tie.mesh()[Side::primary].facets)
+    longest = std::max(longest, longest_edge(facet, position[Side::primary]));
+  const double zone = cohesive_zone(*law, least_modulus(materials));
+  if (zone >= facets_in_cohesive_zone * longest) return "";
+  std::ostringstream text;
+  text
+      << "bonds soften over a length of about " << zone << " (modulus energy/strength^2), and facets are up to "
+      << longest
+      << " long. Fewer than three facets in this zone make the load wave, and steps fail. Refine the surface, or choose a "
+      << "smaller <max_traction>, which hardly changes how a crack grows.";
+  return text.str();
+}

@@ -1,0 +1,21 @@
+/// What a cohesive law asks of penalties and of the mesh.
+#pragma once
+
+#include "contact/tie/tie.h"
+#include "facet_material.h"
+
+#include <string>
+
+/// What is wrong with the penalties of a cohesive tie, and what they have to exceed; empty where nothing is.
+std::string penalty_complaint(const mixture_contact::Tie& tie);
+
+/// Facets that the zone in which a bond softens should span.
+inline constexpr double facets_in_cohesive_zone = 3;
+
+/// The length E G/sigma_c^2 of the zone in which a cohesive tie softens, the shorter of tension and shear [mm].
+/// `modulus`: of the softer body [MPa].
+double cohesive_zone(const mixture_contact::Cohesive& law, double modulus);
+
+/// Says that facets are too long for the cohesive zone; empty where they are not. `position`: of the surfaces' nodes.
+std::string cohesive_zone_line(const mixture_contact::Tie& tie, const FacetMaterials& materials,
+                               const mixture_contact::PerSide<mixture_contact::Matrix3Xd>& position);

@@ -1,0 +1,134 @@
+#include "contact/conditions/cohesive.h"
+
+#include "random_contact.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace test;
+
+namespace {
+
+constexpr double penalty = 50;
+const Cohesive law{{{1, 1.5}, 2.3}, {0.1, 0.3}};
+
+/// Gap vector and normal in one vector.
+VectorXd packed(const Vector3d& gap, const Vector3d& normal) { return (VectorXd(6) << gap, normal).finished(); }
+
+BondLoad load_at(const VectorXd& q, double damage, const Cohesive& of = law) {
+  return bond_load(of, penalty, damage, q.head<3>(), q.tail<3>());
+}
+
+const Vector3d normal = Vector3d(1, -2, 2) / 3;
+const Vector3d tangent = Vector3d(2, 2, 1) / 3;
+
+/// An opening of this size in a mode B.
+Vector3d opening(double size, double mode) { return size * (std::sqrt(1 - mode) * normal + std::sqrt(mode) * tangent); }
+
+/// o and f, as section 13 of the design has them.
+std::pair<double, double> range(double mode) {
+  const double power = std::pow(mode, law.strength.mixing);
+  const double strength = std::sqrt(1 + (1.5 * 1.5 - 1) * power);
+  return {strength / penalty, 2 * (0.1 + 0.2 * power) / strength};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_traction_is_that_of_a_line_down_to_zero_and_takes_the_energy_of_the_mode) {
+  for (const double mode : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+    const auto [begin, end] = range(mode);
+    const auto size_at = [&](double size) {
+      const BondGradient value = load_at(packed(opening(size, mode), normal), 0).value;
+      BOOST_TEST((value.head<3>().cross(opening(1, mode))).norm() < rounding);
+      return value.head<3>().dot(opening(1, mode));
+    };
+    BOOST_TEST(std::abs(size_at(0.5 * begin) - 0.5 * penalty * begin) < rounding);
+    for (const double part : {0.1, 0.5, 0.9}) {
+      const double size = begin + part * (end - begin);
+      BOOST_TEST(std::abs(size_at(size) - (1 - part) * penalty * begin) < rounding);
+    }
+    BOOST_TEST(size_at(end) == 0.0);
+    const double energy = 0.1 + 0.2 * std::pow(mode, law.strength.mixing);
+    BOOST_TEST(std::abs(0.5 * penalty * begin * end - energy) < rounding);
+    BOOST_TEST(std::abs(dissipated(law, penalty, 0, 1, opening(end, mode), normal) - energy) < rounding);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(it_unloads_to_the_origin_and_damage_never_heals) {
+  const auto [begin, end] = range(0.4);
+  const double largest = 0.5 * (begin + end);
+  const double damage = load_at(packed(opening(largest, 0.4), normal), 0).damage;
+  BOOST_TEST(damage > 0.5);
+  for (const double part : {0.0, 0.3, 1.0}) {
+    const VectorXd q = packed(opening(part * largest, 0.4), normal);
+    const BondLoad load = load_at(q, damage);
+    BOOST_TEST(load.damage == damage);
+    BOOST_TEST((load.value.head<3>() - penalty * (1 - damage) * q.head<3>()).norm() < rounding);
+  }
+  BOOST_TEST(load_at(packed(opening(largest, 1.0), normal), damage).damage >= damage);
+}
+
+BOOST_AUTO_TEST_CASE(compression_is_borne_undamaged_and_damages_nothing) {
+  for (const double damage : {0.0, 0.7, 1.0}) {
+    const BondLoad load = load_at(packed(-0.3 * normal, normal), damage);
+    BOOST_TEST((load.value.head<3>() + 0.3 * penalty * normal).norm() < 10 * rounding);
+    BOOST_TEST(load.damage == damage);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(energy_that_is_dissipated_adds_up_over_steps) {
+  const Vector3d gap = opening(0.1, 0.3);
+  const double whole = dissipated(law, penalty, 0, 0.9, gap, normal);
+  const double parts = dissipated(law, penalty, 0, 0.4, gap, normal) + dissipated(law, penalty, 0.4, 0.9, gap, normal);
+  BOOST_TEST(std::abs(whole - parts) < rounding);
+}
+
+// Lengths of the law, o = 0.02 and more, are well below 1: differences without the error of second order, of a step
+// that much smaller.
+BOOST_AUTO_TEST_CASE(derivatives_match_differences_as_damage_grows_and_as_it_stays) {
+  std::mt19937 random(11);
+  const double scale = 0.02;
+  for (const double along : {1.5, 0.3, -0.4}) {
+    for (const double damage : {0.0, 0.999}) {
+      for (int n = 0; n < 5; ++n) {
+        const Vector3d gap = 3 * scale * (along * normal + tangent + random_vector(0.3, random));
+        const auto value = [&](const VectorXd& z) {
+          return VectorXd(load_at((VectorXd(6) << scale * z.head<3>(), z.tail<3>()).finished(), damage).value);
+        };
+        const VectorXd z = packed(gap / scale, normal + random_vector(0.1, random));
+        const BondLoad load = load_at(packed(gap, z.tail<3>()), damage);
+        BOOST_TEST((load.damage > damage) == (damage == 0));
+        MatrixXd derivative = load.derivative;
+        derivative.leftCols<3>() *= scale;
+        BOOST_TEST(relative_error(derivative, fine_differences(value, z)) < difference_tolerance);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_derivative_is_symmetric_where_damage_stays) {
+  for (const double along : {0.02, -0.02}) {
+    const BondHessian derivative = load_at(packed(along * normal + 0.03 * tangent, normal), 0.99).derivative;
+    BOOST_TEST((derivative - derivative.transpose()).norm() <= rounding * derivative.norm());
+    BOOST_TEST(derivative.bottomRightCorner(3, 3).norm() * along <= 0.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(softer_penalties_than_the_least_one_have_no_softening) {
+  const double least = least_penalty(law);
+  BOOST_TEST(std::abs(least - 0.5 * std::max(1 / 0.1, 1.5 * 1.5 / 0.3)) < rounding);
+}
+
+BOOST_AUTO_TEST_CASE(a_brittle_bond_breaks_beyond_its_strength_in_each_mode_and_not_by_compression) {
+  const Brittle bond{{{2, 3}, 2}};
+  BOOST_TEST(!exceeds(bond, 1.999 * normal, normal));
+  BOOST_TEST(exceeds(bond, 2.001 * normal, normal));
+  BOOST_TEST(!exceeds(bond, 2.999 * tangent, normal));
+  BOOST_TEST(exceeds(bond, 3.001 * tangent, normal));
+  BOOST_TEST(!exceeds(bond, -50 * normal, normal));
+  BOOST_TEST(exceeds(bond, -50 * normal + 3.001 * tangent, normal));
+  const double mixed = std::sqrt(4 + 5 * 0.25);  // B = 1/2
+  const Vector3d direction = (normal + tangent) / std::sqrt(2.0);
+  BOOST_TEST(!exceeds(bond, 0.999 * mixed * direction, normal));
+  BOOST_TEST(exceeds(bond, 1.001 * mixed * direction, normal));
+  BOOST_TEST(!exceeds(bond, Vector3d::Zero(), normal));
+}
