@@ -9,6 +9,8 @@
 #include "core_archive.h"
 #include "host/warnings.h"
 
+#include <FEBioMech/FESolidAnalysis.h>
+#include <FEBioMech/FESolidSolver2.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -20,6 +22,13 @@
 using namespace mixture_contact;
 
 namespace {
+
+/// Whether the solver of the present step gives bodies their mass; those of mixtures do not.
+bool has_inertia(FEModel& fem) {
+  FEAnalysis& step = *fem.GetCurrentStep();
+  return step.m_nanalysis == FESolidAnalysis::DYNAMIC &&
+         dynamic_cast<const FESolidSolver2*>(step.GetFESolver()) != nullptr;
+}
 
 /// Whether no primary node is in contact.
 bool is_open(const ContactInterface& contact) {
@@ -84,8 +93,12 @@ void BoundContact::prepare_step() {
 bool BoundContact::begin_iteration() {
   const TaskClock timed = core_->measurements().clock(Task::stiffness);
   const bool is_any_free = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass)
+  const bool holds = !has_inertia(*surfaces_[Side::primary].GetFEModel()) &&
+                     (dofs_.has_free_rigid_body(Side::primary) || dofs_.has_free_rigid_body(Side::secondary));
+  for (std::size_t pass = 0; pass < core_->passes(); ++pass) {
     core_->pass(pass).laws().between_rigid_bodies = !is_any_free;
+    core_->pass(pass).laws().holds_rigid_body = holds;
+  }
   const bool has_changed = core_->begin_iteration(fields());
   if (!begins_open_) begins_open_ = is_open(*core_);
   return has_changed;

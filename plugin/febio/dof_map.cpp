@@ -4,10 +4,13 @@
 #include "host/facet_material.h"
 #include "linear_constraints.h"
 
+#include <FEBioMech/FEMechModel.h>
+#include <FEBioMech/FERigidBody.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 
 #include <algorithm>
+#include <iterator>
 
 using mixture_contact::both_sides;
 using mixture_contact::Side;
@@ -73,6 +76,18 @@ bool DofMap::has_free_node(Side side) const {
   for (int i = 0; i < surface.Nodes(); ++i) {
     const std::vector<int>& own = surface.Node(i).m_ID;
     if (surface.Node(i).m_rid < 0 && std::any_of(own.begin(), own.end(), [](int equation) { return equation >= 0; }))
+      return true;
+  }
+  return false;
+}
+
+bool DofMap::has_free_rigid_body(Side side) const {
+  auto* const mechanics = dynamic_cast<FEMechModel*>(&fem_);
+  FEMixtureSurface& surface = surfaces_[side];
+  for (int i = 0; mechanics != nullptr && i < surface.Nodes(); ++i) {
+    if (surface.Node(i).m_rid < 0) continue;
+    const auto& equations = mechanics->GetRigidBody(surface.Node(i).m_rid)->m_LM;
+    if (std::any_of(std::begin(equations), std::end(equations), [](int equation) { return equation >= 0; }))
       return true;
   }
   return false;

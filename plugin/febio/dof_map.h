@@ -34,6 +34,8 @@ class DofMap {
   int deformable_node() const;
   /// Whether a surface has a node with an equation of its own.
   bool has_free_node(Side side) const;
+  /// Whether a surface has a node of a rigid body that is free to move in some way.
+  bool has_free_rigid_body(Side side) const;
 
   /// The degrees of freedom that forces on a node act on.
   const std::array<int, 3>& displacements(Side side, const FENode& node) const;

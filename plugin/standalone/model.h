@@ -149,6 +149,11 @@ struct ContactDefinition {
   std::map<int, Parameter> ambient_concentration;  ///< solute -> c* [mM]
 };
 
+struct ContactDefinitions {
+  std::vector<ContactDefinition> sliding;
+  std::vector<ContactDefinition> tied;
+};
+
 /// A file of node or element data.
 struct DataFile {
   bool elements = false;
@@ -169,8 +174,7 @@ struct Model {
   std::vector<Condition> prescribed;
   std::vector<Condition> initial;
   std::vector<SurfaceLoad> loads;
-  std::vector<ContactDefinition> contacts;
-  std::vector<ContactDefinition> ties;
+  ContactDefinitions contacts;
   std::vector<LoadCurve> curves;
   std::vector<DataFile> data;
   std::vector<std::string> notices;  ///< what a user should know of parameters without effect

@@ -78,8 +78,8 @@ double ambient_value(const Model& model, const ContactDefinition& contact, int d
 }  // namespace
 
 Problem::Problem(const Model& model) : model_(model), bodies_(model) {
-  for (const ContactDefinition& definition : model.contacts) contacts_.emplace_back(model, definition, bodies_);
-  for (const ContactDefinition& definition : model.ties) ties_.emplace_back(model, definition, bodies_);
+  for (const ContactDefinition& definition : model.contacts.sliding) contacts_.emplace_back(model, definition, bodies_);
+  for (const ContactDefinition& definition : model.contacts.tied) ties_.emplace_back(model, definition, bodies_);
   for (const SurfaceLoad& load : model.loads) unit_forces_.push_back(unit_forces(model, load));
   state_.status = initial_status(model, bodies_);
   state_.values = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());

@@ -117,7 +117,7 @@ void read_contacts(const Tag& section, Model& model) {
     }
     for (const std::string& notice : notices(contact.parameters)) model.notices.push_back(contact.name + ": " + notice);
     check_surfaces(tag, model, contact);
-    (ties ? model.ties : model.contacts).push_back(std::move(contact));
+    (ties ? model.contacts.tied : model.contacts.sliding).push_back(std::move(contact));
   }
 }
 

@@ -34,7 +34,7 @@ Model pressed_cubes(double depth) {
   ContactDefinition contact;
   contact.name = "cubes";
   contact.surfaces = {{"up", "low"}};
-  model.contacts.push_back(contact);
+  model.contacts.sliding.push_back(contact);
   LoadCurve ramp;
   ramp.points = {{0, 0}, {1, 1}};
   model.curves.push_back(ramp);
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(an_automatic_penalty_is_reduced_after_a_failed_attempt) {
 
 BOOST_AUTO_TEST_CASE(a_penalty_that_is_given_is_not_reduced) {
   Model model = pressed_cubes(2.2);
-  model.contacts[0].parameters.penalties.traction = {{1000, true}};
+  model.contacts.sliding[0].parameters.penalties.traction = {{1000, true}};
   const std::string log = log_of(model);
   BOOST_TEST(has(log, "Retrying time step"));
   BOOST_TEST(!has(log, "automatic penalties"));

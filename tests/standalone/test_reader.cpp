@@ -175,8 +175,8 @@ BOOST_AUTO_TEST_CASE(the_model_is_read_as_it_stands) {
   BOOST_TEST(model.control.stepper->must_points == 1);
   BOOST_TEST(model.prescribed.size() == 6U);
   BOOST_TEST(model.curves[0].at(2.5) == 0.25);
-  BOOST_TEST(model.contacts[0].parameters.penalties.traction.value == 100);
-  BOOST_TEST(model.contacts[0].ambient_concentration.at(0).at(5, model.curves) == 0.05,
+  BOOST_TEST(model.contacts.sliding[0].parameters.penalties.traction.value == 100);
+  BOOST_TEST(model.contacts.sliding[0].ambient_concentration.at(0).at(5, model.curves) == 0.05,
              boost::test_tools::tolerance(1e-15));
   BOOST_TEST(model.data.size() == 2U);
 }

@@ -21,7 +21,7 @@ ELEMENTS = {"hex8", "hex20", "hex27", "tet4", "tet10", "tet15", "penta6", "penta
 
 def test_there_are_scenes_of_every_kind():
     assert len(SCENES) >= 100
-    assert {scene.module for scene in SCENES.values()} == {"solid", "biphasic", "solute"}
+    assert {scene.module for scene in SCENES.values()} == {"solid", "biphasic", "solute", "multiphasic"}
     drawn = {name: scene.draw() for name, scene in SCENES.items()}
     assert {shape.element for sketch in drawn.values() for shape in sketch.bodies.values()} == ELEMENTS
     assert all(sketch.module == SCENES[name].module for name, sketch in drawn.items())

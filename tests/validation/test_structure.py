@@ -20,8 +20,8 @@ from harness.user_commands import FOR_EVERYBODY
 SCRIPTS = REPOSITORY / "scripts"
 ROOMS = {
     "harness": (
-        *("errors", "paths", "closed_forms", "models", "preflight", "conversion", "run", "post", "report", "ecosystem"),
-        *("indentation", "validate", "collection", "user_commands"),
+        *("errors", "paths", "choice", "closed_forms", "models", "preflight", "conversion", "run", "post", "report"),
+        *("ecosystem", "indentation", "validate", "collection", "user_commands"),
     ),
     "studies": (
         *("stamps", "feb", "files", "tables", "timing", "diagnosis", "workflow"),

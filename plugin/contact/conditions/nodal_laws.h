@@ -126,12 +126,15 @@ class NodalLaws {
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;
-  /// Whether a step begins in contact around all points that overlap: in an attempt after one that has failed for want
-  /// of contact, or before contact has borne anything. Too few nodes may leave a body free to turn. A node that closes
-  /// so opens again where it is pulled.
+  /// Whether an attempt at a step begins in contact around all points that overlap: one after an attempt that has
+  /// failed for want of contact, or before contact has borne anything. Too few nodes may leave a body free to turn. A
+  /// node that closes so opens again where it is pulled.
   bool close_overlapped = false;
   /// Whether no node of either surface moves by itself.
   bool between_rigid_bodies = false;
+  /// Whether a rigid body of either surface is free to move and has no inertia: it may have the stiffness of this
+  /// contact alone, and a step that begins without a node in contact would move it too far.
+  bool holds_rigid_body = false;
 
  private:
   /// Sets the trials, and bound and status where they have not been decided.

@@ -35,6 +35,13 @@ void add_tractions(const GeometricParts& units, const AddBlock& add) {
   }
 }
 
+/// Whether a step begins in contact around all points that overlap, given whether any node is in contact by its
+/// average. Two surfaces with conditions hold each other where either is in contact.
+bool closes_overlapped(const NodalLaws& laws, bool any_in_contact) {
+  if (laws.close_overlapped) return !(laws.has_twin() && any_in_contact);
+  return laws.holds_rigid_body && !laws.has_twin() && !any_in_contact;
+}
+
 /// Has the patches of nodes used: those of the facet pairs of all points that the loads of a node act at.
 void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact,
                          const std::function<void(Index node, const Patch&)>& use) {
@@ -112,9 +119,8 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
   for (Index node = 0; augmented_ && node < status.count(); ++node) {
     status[node] = status[node] || (gaps.faces(node) && laws_.multipliers.traction[node] < 0);
   }
-  const bool closes = !point_ && !augmented_ && laws_.close_overlapped && !active_set_.is_restricted();
-  // Two surfaces with conditions hold each other where either is in contact.
-  if (!closes || (laws_.has_twin() && any(status))) return status;
+  const bool begins = !point_ && !augmented_ && !active_set_.is_restricted();
+  if (!begins || !closes_overlapped(laws_, any(status))) return status;
   const NodeFlags overlapped = overlapped_nodes(space_);
   std::transform(status.begin(), status.end(), overlapped.begin(), status.begin(), std::logical_or<>());
   return status;

@@ -56,9 +56,15 @@ void FacingPairs::project_on_same_facets(const FacingPositions& x) {
 }
 
 bool FacingPairs::begin_iteration(const FacingPositions& x) {
+  const auto search_anew = [&] {
+    searched_at_ = {};  // other pairs are found at the same place
+    search(x, reach_);
+  };
+  const bool finds_less = std::exchange(has_kept_, false);
+  if (finds_less) search_anew();
   const bool finds_more = finder_->begin_iteration();
-  if (finds_more) search(x, reach_);
-  return finds_more;
+  if (finds_more) search_anew();
+  return finds_less || finds_more;
 }
 
 void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {

@@ -27,9 +27,10 @@ class FacingPairs {
   void search(const FacingPositions& x, const Reach& reach);
   /// Finds the points at new positions without a search: they keep to the facets that the last search() found for them.
   void project_on_same_facets(const FacingPositions& x);
-  /// Begins and ends the iterations of the points (see PointFinder); where a search would now find more, makes one.
+  /// Begins and ends the iterations of the points (see PointFinder). Where a search would now find others, an iteration
+  /// that begins makes one, and returns so.
   bool begin_iteration(const FacingPositions& x);
-  void end_iterations() { finder_->end_iterations(); }
+  void end_iterations() { has_kept_ = finder_->end_iterations() || has_kept_; }
   /// Lets only facets with one of these nodes take part, from the next search on.
   void restrict_to(NodeFlags nodes) {
     restriction_ = std::move(nodes);
@@ -105,6 +106,7 @@ class FacingPairs {
     Matrix3Xd secondary;
   };
   Positions searched_at_;  ///< where the pairs were found; empty where another search is due
+  bool has_kept_ = false;  ///< whether pairs may be among these that iterations have kept, which have ended
   double surface_size_ = 0;
 };
 

@@ -130,8 +130,11 @@ bool GaussPoints::begin_iteration() {
   return finds_more;
 }
 
-void GaussPoints::end_iterations() {
+bool GaussPoints::end_iterations() {
+  const bool kept_any = std::any_of(histories_.begin(), histories_.end(),
+                                    [](const ProjectionHistory& history) { return history.is_kept(); });
   for (ProjectionHistory& history : histories_) history = {history.facet};
+  return kept_any;
 }
 
 Ray GaussPoints::ray_from(const Point& point, const Matrix3Xd& x1, const Reach& reach) const {

@@ -97,8 +97,9 @@ class PointFinder {
   /// since points at the edge of the other surface are kept on it from now on.
   virtual bool begin_iteration() { return false; }
 
-  /// Ends the iterations of a step, or those before an augmentation: no point is kept any more.
-  virtual void end_iterations() {}
+  /// Ends the iterations of a step, or those before an augmentation: no point is kept any more. Returns whether any
+  /// was.
+  virtual bool end_iterations() { return false; }
 
   /// Whether points or their weights move as the surfaces move; if not, their motions are none.
   virtual bool moves_points() const = 0;
@@ -133,7 +134,7 @@ class GaussPoints : public PointFinder {
   /// A point that leaves its facet comes back with it.
   FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
   bool begin_iteration() override;
-  void end_iterations() override;
+  bool end_iterations() override;
   bool moves_points() const override { return has_shares_; }
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;

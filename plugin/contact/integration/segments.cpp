@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace mixture_contact {
@@ -476,6 +477,29 @@ bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const Matr
   });
 }
 
+bool Segments::is_kept(const FacetPair& pair) const {
+  const auto found = losses_.find({pair.primary, pair.secondary});
+  return found != losses_.end() && found->second >= most_losses;
+}
+
+bool Segments::begin_iteration() {
+  std::vector<Facing> lost;
+  std::set_difference(at_iteration_.begin(), at_iteration_.end(), paired_.begin(), paired_.end(),
+                      std::back_inserter(lost));
+  bool finds_more = false;
+  for (const Facing& pair : lost) finds_more = ++losses_[pair] == most_losses || finds_more;
+  at_iteration_ = paired_;
+  return finds_more;
+}
+
+bool Segments::end_iterations() {
+  const bool kept_any = std::any_of(losses_.begin(), losses_.end(),
+                                    [](const auto& pair) { return pair.second >= most_losses; });
+  at_iteration_.clear();
+  losses_.clear();
+  return kept_any;
+}
+
 FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) {
   FacetPairs found;
   paired_.clear();
@@ -489,7 +513,7 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reac
     if (!add_points_between(primary_[facet], one, secondary_[other], circles[other], order({facet, other}), x1, x2,
                             near))
       return near.remove_last_pair();
-    if (!sees(pair, heaviest(near.points(pair)), x1, x2, reach)) near.remove_last_pair();
+    if (!is_kept(pair) && !sees(pair, heaviest(near.points(pair)), x1, x2, reach)) near.remove_last_pair();
   };
   const auto set_visible = [&](Index index, FacetPairs& near, FacetPairs& visible) {
     near.clear();
@@ -500,7 +524,9 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reac
     const SampledFacet one = sampled(primary_[facet], x1, memory.resource());
     for (const int other : others) add_near(facet, other, one, near);
     // All are judged, whichever are hidden: what is hidden hides others, too.
-    const auto is_hidden = [&](const FacetPair& pair) { return occluded(pair, near, x1, x2, circles); };
+    const auto is_hidden = [&](const FacetPair& pair) {
+      return !is_kept(pair) && occluded(pair, near, x1, x2, circles);
+    };
     if (std::any_of(near.pairs().begin(), near.pairs().end(), is_hidden)) {
       visible.clear();
       for (const FacetPair& pair : near.pairs()) {

@@ -12,6 +12,8 @@
 #include "integration/edge_neighbours.h"
 #include "integration/points.h"
 
+#include <map>
+
 namespace mixture_contact {
 
 struct Circle;
@@ -25,6 +27,10 @@ int default_segment_order(FacetType primary, FacetType secondary);
 ///
 /// A secondary facet counts only where no other one, which is not its neighbour, lies nearer within its overlap with
 /// the primary facet. The weights of its points are multiplied by the share of both facets (facing_share.h).
+///
+/// What facets see of each other ends with a jump: farther ahead than they look, or where a body comes between. Two
+/// facets that lose each other for the second time between iterations are at such an edge: until the iterations end
+/// they see each other.
 class Segments : public PointFinder {
  public:
   /// order: of the quadrature rule on the pieces; 0: default_segment_order. neighbours: of secondary facets.
@@ -33,6 +39,8 @@ class Segments : public PointFinder {
 
   FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
   FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
+  bool begin_iteration() override;
+  bool end_iterations() override;
   bool moves_points() const override { return true; }
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;
@@ -44,9 +52,15 @@ class Segments : public PointFinder {
   struct Facing {
     int primary = 0;
     int secondary = 0;
+    bool operator<(const Facing& other) const {
+      return primary != other.primary ? primary < other.primary : secondary < other.secondary;
+    }
   };
+  static constexpr int most_losses = 2;
   /// The secondary facets that may face a primary one.
   std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const;
+  /// Whether two facets are at the edge of what they see of each other.
+  bool is_kept(const FacetPair& pair) const;
   /// Whether the facets of a pair see each other at one of its points.
   bool sees(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
             const Reach& reach) const;
@@ -63,7 +77,9 @@ class Segments : public PointFinder {
   SelfContact self_;
   EdgeNeighbours neighbours_;
   Visibility visibility_;
-  std::vector<Facing> paired_;  ///< what the last search() found
+  std::vector<Facing> paired_;        ///< what the last search() found, ascending
+  std::vector<Facing> at_iteration_;  ///< the same as the iteration began
+  std::map<Facing, int> losses_;      ///< how often pairs were lost since the iteration before
 };
 
 }  // namespace mixture_contact

@@ -15,6 +15,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
+from harness import choice
 from harness.models.interface import InterfaceType
 from harness.paths import RESULTS
 from harness.post.compare import Measure
@@ -26,14 +27,6 @@ from harness.validate.checks import CHECKS, Check, Context
 MISSED, LEFT_OUT = 1, 3
 """Exit codes: a tolerance was missed; none was missed, but checks were left out."""
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
-
-
-def _selected(names: list[str] | None) -> list[Check]:
-    known = {check.name: check for check in CHECKS}
-    for name in names or []:
-        if name not in known:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}")
-    return [known[name] for name in names] if names else list(CHECKS)
 
 
 def validate(
@@ -52,7 +45,8 @@ def validate(
     """
     if interface is InterfaceType.CONFORMING:
         raise typer.BadParameter("'conforming' is what the others are compared with", param_hint="--interface")
-    checks = _selected(only)
+    known = {check.name: check for check in CHECKS}
+    checks = [known[name] for name in choice.chosen(only, known)]
     engines = hosts.engines(chosen, interface)
     if chosen is None and engines == (hosts.STANDALONE,):
         console.print(f"[yellow]The embedded engine runs the models:[/] {escape(hosts.why_not_febio(interface))}")

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import RESULTS
 from studies import files, stamps, tables
 from studies.ablation import ablated_runs
@@ -28,18 +29,15 @@ def ablation(
 
     Iterations, retries, matrices and entries go to ablation.csv.
     """
-    known = ablated_runs.devices()
-    for name in device or []:
-        if name not in known:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}")
-    chosen = [name for name in SCENES if not only or any(part in name for part in only)]
+    devices = chosen(device, ablated_runs.devices(), "--device")
+    scenes = [name for name in SCENES if not only or any(part in name for part in only)]
     rows: list[Ablated] = []
-    for name in chosen:
-        found = ablated_runs.ablate(name, SCENES[name], device or known, folder.resolve() / "runs", limit)
+    for name in scenes:
+        found = ablated_runs.ablate(name, SCENES[name], devices, folder.resolve() / "runs", limit)
         rows += found
         console.print("\n".join(_line(row) for row in found), markup=False)
         files.write_csv(rows, Ablated, folder / "ablation.csv", stamps.stamp(limit))
-    console.print(_summary(rows, device or known), markup=False)
+    console.print(_summary(rows, devices), markup=False)
     console.print(f"Written: {folder / 'ablation.csv'}")
 
 

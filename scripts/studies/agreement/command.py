@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness.errors import HarnessError
+from harness.choice import chosen
 from harness.paths import DOCS, RESULTS
 from studies import stamps
 from studies.agreement import comparisons, page
@@ -30,11 +30,8 @@ def agreement(
 
     Forces, areas of contact, contents, and fields. Runs that are in the folder already are kept.
     """
-    unknown = [name for name in only or [] if name not in comparisons.MESHES]
-    if unknown:
-        raise HarnessError(f"no scene {', '.join(unknown)}; there is {', '.join(comparisons.MESHES)}")
     tell = partial(console.print, markup=False)
-    rows = [row for name in only or comparisons.MESHES for row in comparisons.compare(name, folder, limit, tell)]
+    rows = [row for name in chosen(only, comparisons.MESHES) for row in comparisons.compare(name, folder, limit, tell)]
     console.print(f"{page.headline(rows)}\n\n{page.details(rows)}\n\n{page.tables(rows)}", markup=False)
     if docs and not only:
         stamped_rows.write(page.Results(stamps.stamp(limit), rows), DATA / page.SOURCE)

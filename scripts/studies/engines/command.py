@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.post.compare import missed
 from harness.run.hosts import FEBIO4, STANDALONE
@@ -25,12 +26,10 @@ def engines(
 ) -> None:
     """Run problems 3.1 to 3.3 with febio4 and with the embedded engine, both to rounding, and compare all nodes."""
     known = {comparison.name: comparison for comparison in COMPARISONS}
-    for name in only or []:
-        if name not in known:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}", param_hint="--only")
+    names = chosen(only, known)
     runners = [Runner(folder / "engines" / host.name, host=host) for host in (FEBIO4, STANDALONE)]
     failures = 0
-    for name in only or known:
+    for name in names:
         measures = compare(known[name], runners)
         failures += len(missed(measures))
         for m in measures:

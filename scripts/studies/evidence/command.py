@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.errors import HarnessError
 from harness.paths import RESULTS
 from studies import stamps, workflow
@@ -40,10 +41,7 @@ def evidence(
 
 def _chosen(only: list[str] | None) -> list[Step]:
     known = {step.name: step for step in STEPS}
-    for name in only or []:
-        if name not in known:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(known)}", param_hint="--only")
-    return [known[name] for name in only or known]
+    return [known[name] for name in chosen(only, known)]
 
 
 def committed() -> str:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps
@@ -37,14 +38,12 @@ def friction_cases(
 
     `pages` writes the page of the documentation from the data. Exit code 0: all end, and all checks are met.
     """
-    for name in only or []:
-        if name not in CASES:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(CASES)}")
+    cases = chosen(only, CASES)
     runner = Runner(folder / "runs", processor_limit=limit)
     others = (Interface.FEBIO_1, Interface.FEBIO_1000) if febio else ()
     records = []
     for each in mesh or Fineness:
-        for name in only or CASES:
+        for name in cases:
             records.append(rubbing_record.make(runner, name, each, others))
             console.print(records[-1].line, markup=False)
     found, stamp = [outcome for record in records for outcome in record.outcomes], stamps.stamp(limit)

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import DOCS, RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps, workflow
@@ -38,9 +39,6 @@ def hard_cases(
 
     A run that is done is kept. Exit code 0: sliding-mixture ends and passes everywhere.
     """
-    for name in only or []:
-        if name not in CASES:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(CASES)}")
     wanted = {
         f"{case}-{made.value}-{each.value}": (
             "hard-case",
@@ -51,7 +49,7 @@ def hard_cases(
             "--limit",
             str(limit),
         )
-        for made, case, each in product(mesh or Fineness, only or CASES, interface or Interface)
+        for made, case, each in product(mesh or Fineness, chosen(only, CASES), interface or Interface)
     }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=snakemake or ())
     found = [entry.outcome for path in paths for entry in record.read(path)]

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import RESULTS
 from studies import stamps
 from studies.linear_solvers.trials import trials
@@ -28,17 +29,14 @@ def linear_solvers(
 
     `--data docs/data/linear-solvers.json` measures for the documentation; `pages` then writes its page.
     """
-    known = {solver.type for solver in SOLVERS}
-    for name in only or []:
-        if name not in known:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(sorted(known))}", param_hint="--only")
-    chosen = tuple(solver for solver in SOLVERS if not only or solver.type in only)
+    types = chosen(only, sorted({solver.type for solver in SOLVERS}))
+    solvers = tuple(solver for solver in SOLVERS if solver.type in types)
     stamp = stamps.stamp()
     made = [
         replace(trial, febio=f"{trial.febio} {build}".strip())
         for scene in SCENES
         for enforcement in ENFORCEMENTS
-        for trial, _ in trials(scene, enforcement, RESULTS / "linear-solvers" / scene / enforcement, chosen)
+        for trial, _ in trials(scene, enforcement, RESULTS / "linear-solvers" / scene / enforcement, solvers)
     ]
     known_rows = linear_solver_results.read(data).rows if data.is_file() else []
     results = linear_solver_results.Results(stamp, linear_solver_results.renewed(known_rows, made))

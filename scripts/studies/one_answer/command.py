@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run import engine
 from studies import feb as xml
@@ -33,9 +34,7 @@ def one_answer(
 
     Small scenes are solved first. Exit code 0: all end, and those of one enforcement are the same.
     """
-    names = only or list(SCENES)
-    if missing := set(names) - set(SCENES):
-        raise typer.BadParameter(f"no scene {', '.join(sorted(missing))}; there is {', '.join(SCENES)}")
+    names = chosen(only, SCENES)
     way = Way(Plugin(engine.required_plugin()), timeout)
     scenes = sorted((SCENES[name].feb(name) for name in names), key=_size)
 

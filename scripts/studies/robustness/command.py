@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import MODELS, RESULTS
 from studies import feb
 from studies.feb import Feb
@@ -36,7 +37,8 @@ def robustness(
     Exit code 0: no crash, no report of a sanitizer, no leak that grows, and no difference beyond rounding.
     """
     known = [solvers.elastic(), *(feb.read(path) for path in [*sorted(MODELS.glob("*.feb")), *(files or [])])]
-    models = _chosen(known, only or (list(QUICK_MODELS) if quick else [model.name for model in known]))
+    names = chosen(only or (QUICK_MODELS if quick else None), [model.name for model in known])
+    models = [model for model in known if model.name in names]
     way = Way(sanitized.build(), timeout)
     made = steps if steps is not None else QUICK_STEPS if quick else STEPS
     findings = _all(models, way, folder.resolve() / "runs", made, jobs)
@@ -44,13 +46,6 @@ def robustness(
     console.print(f"Written: {', '.join(map(str, report.write(findings, folder)))}")
     if not all(found.passed for found in findings):
         raise typer.Exit(1)
-
-
-def _chosen(known: list[Feb], names: list[str]) -> list[Feb]:
-    missing = set(names) - {model.name for model in known}
-    if missing:
-        raise typer.BadParameter(f"no model {', '.join(sorted(missing))}; there is {', '.join(m.name for m in known)}")
-    return [model for model in known if model.name in names]
 
 
 def _all(models: list[Feb], way: Way, folder: Path, steps: int, jobs: int) -> list[Finding]:

@@ -15,9 +15,9 @@ struct Approach {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
 
-  /// `radius`: of the search; 0: facets look by themselves.
-  explicit Approach(double overlap, const Effects& effects = effects_of(true, 1), double radius = 0)
-      : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap), effects,
+  /// `radius`: of the search; 0: facets look by themselves. `cells`: per side of the other square.
+  explicit Approach(double overlap, const Effects& effects = effects_of(true, 1), double radius = 0, int cells = 2)
+      : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap, 2, cells), effects,
               looking_as_far_as(radius, explicit_settings(4, 2, 8))),
         contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
@@ -202,4 +202,26 @@ BOOST_AUTO_TEST_CASE(an_attempt_after_a_failed_one_begins_with_all_overlapping_p
   BOOST_TEST(approach.closed_where_a_step_begins() == overlapped);
   approach.contact->accept_step(approach.scene.fields);
   BOOST_TEST(!laws.close_overlapped);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_begins_with_all_overlapping_points_where_a_free_rigid_body_has_no_node_in_contact) {
+  Approach approach(-0.1, elastic, 0, 3);
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  std::ptrdiff_t overlapped = 0;
+  const auto lower_one_node = [&](double by) {
+    approach.scene.fields[Side::secondary].position(2, 5) -= by;
+    approach.contact->project(approach.scene.position());
+    const NodeFlags around = overlapped_nodes(approach.contact->pass(0).space());
+    overlapped = std::count(around.begin(), around.end(), true);
+  };
+  while (overlapped == 0) lower_one_node(0.01);
+  BOOST_TEST(approach.closed_where_a_step_begins() == 0);
+  laws.holds_rigid_body = true;
+  BOOST_TEST(approach.closed_where_a_step_begins() == overlapped);
+  laws.holds_rigid_body = false;
+  std::ptrdiff_t closed = 0;
+  for (; closed == 0; closed = approach.closed_where_a_step_begins()) lower_one_node(0.01);
+  BOOST_TEST_REQUIRE(closed < overlapped);
+  laws.holds_rigid_body = true;
+  BOOST_TEST(approach.closed_where_a_step_begins() == closed);
 }

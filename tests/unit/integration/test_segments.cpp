@@ -1,5 +1,6 @@
 #include "contact/integration/segments.h"
 
+#include "contact/integration/facing_share.h"
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -370,6 +371,30 @@ BOOST_AUTO_TEST_CASE(facets_that_face_away_or_lie_behind_others_are_left_out) {
 BOOST_AUTO_TEST_CASE(facets_out_of_reach_are_not_seen) {
   const Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3, -1.5);
   BOOST_TEST(pairs_of(scene).pairs().empty());
+}
+
+BOOST_AUTO_TEST_CASE(facets_that_lose_each_other_twice_in_a_step_see_each_other_until_its_iterations_end) {
+  const Scene scene = squares(FacetType::quad4, FacetType::quad4, 1, 1, 0.0);
+  const Matrix3Xd& x1 = scene.fields[Side::primary].position;
+  const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
+  Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
+  const auto sees_at = [&](double gap) {
+    const Matrix3Xd away = x2.colwise() + gap * middle_normal(FacetType::quad4, x1);
+    return !segments.search(x1, away, Reach(1, 0)).pairs().empty();
+  };
+  const double within = 0.9 * parallel_reach;
+  const double beyond = 1.1 * parallel_reach;
+  for (const bool finds_more : {false, true}) {
+    BOOST_TEST(sees_at(within));
+    BOOST_TEST(!segments.begin_iteration());
+    BOOST_TEST(!sees_at(beyond));
+    BOOST_TEST(segments.begin_iteration() == finds_more);
+  }
+  BOOST_TEST(sees_at(beyond));
+  BOOST_TEST(!segments.begin_iteration());
+  BOOST_TEST(segments.end_iterations());
+  BOOST_TEST(!sees_at(beyond));
+  BOOST_TEST(!segments.end_iterations());
 }
 
 BOOST_AUTO_TEST_CASE(points_on_the_same_facets_are_those_of_the_search) {

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import stamps
@@ -28,14 +29,12 @@ def gallery(
 
     The other models stay on the page with --only, if they were made with the same plugin and FEBio.
     """
-    chosen = {entry.model.name: entry for entry in entries.entries()}
-    for name in only or []:
-        if name not in chosen:
-            raise typer.BadParameter(f"'{name}' is not one of {', '.join(chosen)}", param_hint="--only")
+    known = {entry.model.name: entry for entry in entries.entries()}
+    names = chosen(only, known)
     runner, stamp = Runner(RESULTS / "gallery" / "runs"), stamps.stamp()
     records = page.made_alike(folder, stamp)
-    for name in only or list(chosen):
-        entry = chosen[name]
+    for name in names:
+        entry = known[name]
         result = runner(entry.small if small else entry.model)
         figures.draw(entry, result, entries.curves(entry, result), folder / page.IMAGES)
         if name == COVER and not small:

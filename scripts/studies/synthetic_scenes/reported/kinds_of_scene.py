@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from studies.synthetic_scenes.reported import dynamics, outsides, porous, rigid, slides, straps, tubes
+from studies.synthetic_scenes.reported import (
+    assembled,
+    charged,
+    dynamics,
+    outsides,
+    porous,
+    pressed,
+    rigid,
+    slides,
+    straps,
+    tubes,
+)
 from studies.synthetic_scenes.reported.sketch import Reported
 
 SCENES: Mapping[str, Reported] = {
@@ -15,4 +26,7 @@ SCENES: Mapping[str, Reported] = {
     **rigid.SCENES,
     **dynamics.SCENES,
     **porous.SCENES,
+    **pressed.SCENES,
+    **charged.SCENES,
+    **assembled.SCENES,
 }

@@ -1,0 +1,399 @@
+"""Bodies that joints, springs, weights and shells hold, contact that begins in a later step, and rolling bodies."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from studies.models.small import fixed, moved, step
+from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
+from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.words import (
+    TWO_PASS,
+    Material,
+    auglag,
+    auto,
+    biphasic,
+    drained,
+    fluid,
+    friction,
+    given,
+    hold,
+    mooney,
+    neo,
+    ogden,
+    push,
+    radius,
+    rigid,
+    shift,
+    spin,
+    thrown,
+)
+
+NEAR = radius(0.5)
+TENSION = "<tension>1</tension>"
+FIXED_SIDES = ("x", "y", "z")
+_CONTROL = re.compile(r"<Control>.*?</Control>", re.DOTALL)
+_CONTACT = re.compile(r"<Contact>.*?</Contact>", re.DOTALL)
+
+
+def cylinder(radius_: float, length: float, centre: tuple[float, float, float]) -> Place:
+    """A tube along y, of a wall of 0.6 of its radius."""
+    return shifted(turned(arc(0.4 * radius_, radius_, length), "x", 90.0), centre)
+
+
+def weight(density: float) -> str:
+    """Gravity, downwards, mm/s^2; `density` scales it."""
+    return f'<body_load type="body force"><force lc="1">0,0,{-9810.0 * density:g}</force></body_load>'
+
+
+class InTwoSteps(Sketch):
+    """A model whose contacts begin in the second of two steps of the analysis."""
+
+    def text(self) -> str:
+        """The model as FEBio 4 XML."""
+        whole = super().text()
+        control = _CONTROL.search(whole)
+        contacts = _CONTACT.search(whole)
+        assert control is not None
+        assert contacts is not None
+        steps = f"<Step>{step(1, control[0])}{step(2, control[0] + contacts[0])}</Step>"
+        return _CONTACT.sub("", _CONTROL.sub("", whole)).replace("<LoadData>", f"{steps}<LoadData>")
+
+
+def later(params: str, kind: str = "sliding-elastic") -> Sketch:
+    """A block is bent in one step; in the next one, contact with a cylinder below it begins, and it is pressed down."""
+    return InTwoSteps(
+        {
+            "block": mapped((12, 3, 3), box((-1.5, -0.4, 0.02), (1.5, 0.4, 0.5))),
+            "roller": mapped((1, 24, 2), cylinder(0.5, 1.0, (0, 0, -0.5))),
+        },
+        {"block": neo(2.0), "roller": rigid((0, 0, -0.5))},
+        (Touch("block-z0", "roller-x1", kind, params),),
+        {
+            "Boundary": (
+                fixed("block-x0", "x", "y"),
+                fixed("block-x1", "y"),
+                moved("block-x0", "z", -0.25, 2),
+                moved("block-x1", "z", -0.25, 2),
+            ),
+            "Rigid": (hold("roller"),),
+        },
+    )
+
+
+def hinged(params: str, force: float = 0.1, joint: str = "rigid revolute joint", mu: float = 0.0) -> Sketch:
+    """A rigid lever, which a joint holds at one end, is pressed onto a soft block by a force at its middle."""
+    inner = (
+        "<tolerance>0</tolerance><gaptol>1e-4</gaptol><angtol>1e-4</angtol><force_penalty>1e3</force_penalty>"
+        "<moment_penalty>1e3</moment_penalty><body_a>post</body_a><body_b>lever</body_b>"
+        "<joint_origin>-1.6,0,0.3</joint_origin><rotation_axis>0,1,0</rotation_axis>"
+        "<transverse_axis>1,0,0</transverse_axis><laugon>AUGLAG</laugon><minaug>0</minaug><maxaug>10</maxaug>"
+    )
+    low = shifted(turned(arc(0.3, 0.6, 0.8), "x", 90.0), (0.6, 0.0, 0.61))
+    return Sketch(
+        {
+            "block": mapped((6, 4, 3), box((0, -0.6, -0.8), (1.2, 0.6, 0.0))),
+            "lever": mapped((1, 24, 2), low),
+            "post": mapped((1, 1, 1), box((-1.8, -0.2, 0.1), (-1.4, 0.2, 0.5))),
+        },
+        {"block": neo(), "lever": rigid((0, 0, 0.5)), "post": rigid((-1.6, 0, 0.3))},
+        (Touch("block-z1", "lever-x1", params=params + (friction(mu) if mu else "")),),
+        {
+            "Boundary": (fixed("block-z0", *FIXED_SIDES),),
+            "Rigid": (
+                hold("post"),
+                push("lever", "z", -force),
+                f'<rigid_connector type="{joint}" name="hinge">{inner}</rigid_connector>',
+            ),
+        },
+    )
+
+
+def sprung(params: str, stiffness: float = 0.5, first: str = "ball") -> Sketch:
+    """A rigid ball on springs of a rigid body is brought down onto a soft slab: springs alone hold it sideways."""
+    spring = (
+        '<rigid_connector type="rigid spring" name="spring{n}"><body_a>hand</body_a><body_b>ball</body_b>'
+        "<insertion_a>{x},{y},1.6</insertion_a><insertion_b>{x},{y},0.9</insertion_b><free_length>0.7</free_length>"
+        "<k>{k}</k></rigid_connector>"
+    )
+    places = ((-0.3, -0.3), (0.3, -0.3), (0.3, 0.3), (-0.3, 0.3))
+    springs = [spring.format(n=n, x=x, y=y, k=stiffness) for n, (x, y) in enumerate(places)]
+    sides = ("ball-outside", "slab-z1") if first == "ball" else ("slab-z1", "ball-outside")
+    return Sketch(
+        {
+            "slab": mapped((8, 8, 3), box((-1.5, -1.5, -1.0), (1.5, 1.5, 0.0))),
+            "ball": mapped((5, 5, 5), shifted(ball(0.8, 1.0), (0, 0, 0.79))),
+            "hand": mapped((1, 1, 1), box((-0.4, -0.4, 1.6), (0.4, 0.4, 1.8))),
+        },
+        {"slab": neo(), "ball": rigid((0, 0, 0.8)), "hand": rigid((0, 0, 1.7))},
+        (Touch(*sides, params=params),),
+        {
+            "Boundary": (fixed("slab-z0", *FIXED_SIDES),),
+            "Rigid": (hold("hand", "xyuvw"), hold("ball", "xyuvw"), shift("hand", "z", -0.4), *springs),
+        },
+    )
+
+
+def rolls(params: str, force: float = 0.05, turn: float = 1.5) -> Sketch:
+    """A rigid cylinder under a force is drawn over a slab by a force of friction: it rolls."""
+    return Sketch(
+        {
+            "slab": mapped((20, 3, 3), box((-1, -0.5, -0.6), (2.6, 0.5, 0.0))),
+            "roller": mapped((1, 36, 2), cylinder(0.8, 0.6, (0, 0, 0.79))),
+        },
+        {"slab": neo(2.0), "roller": rigid((0, 0, 0.79))},
+        (Touch("slab-z1", "roller-x1", params=params),),
+        {
+            "Boundary": (fixed("slab-z0", *FIXED_SIDES),),
+            "Rigid": (hold("roller", "yuw"), push("roller", "z", -force, 4), spin("roller", "Rv", turn, 2)),
+        },
+        Scheme(40, 0.05),
+    )
+
+
+@dataclass(frozen=True)
+class Hertz:
+    """Half a ball is moved onto a block, both of the same element."""
+
+    element: str
+    params: str
+    material: Material = ("", "")
+    scheme: Scheme = USUAL
+    depth: float = 0.12
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        fine = self.element in ("hex8", "tet4", "penta6")
+        material = self.material if self.material[0] else neo()
+
+        def half(u: np.ndarray) -> np.ndarray:
+            points = box((-0.7, -0.7, 0.0), (0.7, 0.7, 0.7))(u)
+            sag = 1.2 - np.sqrt(1.44 - np.minimum(points[:, 0] ** 2 + points[:, 1] ** 2, 1.3))
+            return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), sag * (1.0 - u[:, 2]) + 0.005]))
+
+        return Sketch(
+            {
+                "block": mapped((8, 8, 4) if fine else (4, 4, 2), box((-1, -1, -0.8), (1, 1, 0)), self.element),
+                "ball": mapped((6, 6, 4) if fine else (3, 3, 2), half, self.element),
+            },
+            {"block": neo(), "ball": material},
+            (Touch("ball-z0", "block-z1", params=self.params),),
+            {
+                "Boundary": (
+                    fixed("block-z0", *FIXED_SIDES),
+                    fixed("ball-z1", "x", "y"),
+                    moved("ball-z1", "z", -self.depth),
+                ),
+            },
+            self.scheme,
+        )
+
+
+def skin_on_foam(params: str, element: str = "quad4", load: float = 0.04) -> Sketch:
+    """A stiff shell lies on a soft block, and a rigid ball presses both: two contacts, the shell between them."""
+    cells = (8, 8)
+    lies = box((-1, -1, 0.0), (1, 1, 0.0))
+    return Sketch(
+        {
+            "foam": mapped((8, 8, 4), box((-1.1, -1.1, -1), (1.1, 1.1, -0.005))),
+            "skin": shell(cells, lies, 0.05, element),
+            "ball": mapped((4, 4, 4), shifted(ball(0.6), (0, 0, 0.6))),
+        },
+        {"foam": neo(0.5), "skin": neo(20.0), "ball": rigid((0, 0, 0.6))},
+        (
+            Touch("skin-back", "foam-z1", params=params),
+            Touch("skin-face", "ball-outside", params=params),
+        ),
+        {
+            "Boundary": (fixed("foam-z0", *FIXED_SIDES), fixed("skin-x0", "y"), fixed("skin-y0", "x")),
+            "Rigid": (hold("ball", "xyuvw"), push("ball", "z", -load)),
+        },
+    )
+
+
+def peeled(params: str, kind: str = "sliding-elastic") -> Sketch:
+    """A strip that tension holds on a block is pulled up at one end."""
+    return Sketch(
+        {
+            "block": mapped((10, 3, 2), box((-1.2, -0.5, -0.6), (1.2, 0.5, 0))),
+            "strip": mapped((14, 2, 1), box((-1.0, -0.3, 0), (1.0, 0.3, 0.2))),
+        },
+        {"block": neo(2.0), "strip": neo(1.0)},
+        (Touch("strip-z0", "block-z1", kind, params),),
+        {
+            "Boundary": (
+                fixed("block-z0", *FIXED_SIDES),
+                fixed("strip-x0", "x", "y"),
+                fixed("strip-x1", "y"),
+                moved("strip-x1", "z", 0.15),
+            ),
+        },
+    )
+
+
+def dropped(params: str, friction_: float = 0.0) -> Sketch:
+    """A soft ball falls by its weight, askew, onto a slab; implicit dynamics."""
+    heavy = neo(0.5, 0.4, 1e-6)
+    return Sketch(
+        {
+            "slab": mapped((8, 8, 2), box((-1.5, -1.5, -0.6), (1.5, 1.5, 0))),
+            "ball": mapped((5, 5, 5), shifted(ball(0.7), (0, 0, 0.75))),
+        },
+        {"slab": neo(2.0, 0.3, 1e-6), "ball": heavy},
+        (Touch("ball-outside", "slab-z1", params=params + (friction(friction_) if friction_ else "")),),
+        {
+            "Boundary": (fixed("slab-z0", *FIXED_SIDES),),
+            "Initial": (thrown("ball", (100.0 if friction_ else 0.0, 0.0, -150.0)),),
+        },
+        Scheme(40, 1e-4, "DYNAMIC"),
+    )
+
+
+def capped(params: str, force: float = 0.02) -> Sketch:
+    """A rigid ball dents a shallow cap of shells until it snaps through."""
+
+    def cap(u: np.ndarray) -> np.ndarray:
+        points = box((-1, -1, 0), (1, 1, 0))(u)
+        r2 = points[:, 0] ** 2 + points[:, 1] ** 2
+        return np.asarray(np.column_stack([points[:, :2], 0.25 * (1.0 - 0.5 * r2)]))
+
+    edges = [fixed(f"cap-{side}", *FIXED_SIDES) for side in ("x0", "x1", "y0", "y1")]
+    return Sketch(
+        {
+            "cap": shell((12, 12), cap, 0.04),
+            "ball": mapped((5, 5, 5), shifted(ball(0.5), (0, 0, 0.77))),
+        },
+        {"cap": neo(10.0), "ball": rigid((0, 0, 0.77))},
+        (Touch("cap-face", "ball-outside", params=params),),
+        {
+            "Boundary": edges,
+            "Rigid": (hold("ball", "xyuvw"), shift("ball", "z", -0.5) if not force else push("ball", "z", -force)),
+        },
+        Scheme(20, 0.05),
+    )
+
+
+def flat_pair(params: str, kind: str, module: str = "solid", scheme: Scheme = USUAL, way: float = 0.4) -> Sketch:
+    """A small soft block is pressed onto a larger stiff one and drawn along it."""
+    porous = module == "biphasic"
+    low, high = (biphasic(5.0), biphasic(1.0)) if porous else (neo(50.0), neo(1.0))
+    ends = [drained("low-z0"), drained("high-z1")] if porous else []
+    return Sketch(
+        {
+            "low": mapped((10, 4, 2), box((-1.2, -0.6, -0.6), (1.4, 0.6, 0.0))),
+            "high": mapped((5, 3, 3), box((-0.7, -0.4, 0.01), (0.5, 0.4, 0.6))),
+        },
+        {"low": low, "high": high},
+        (Touch("high-z0", "low-z1", kind, params),),
+        {
+            "Boundary": (
+                fixed("low-z0", *FIXED_SIDES),
+                fixed("high-z1", "y"),
+                moved("high-z1", "z", -0.1),
+                moved("high-z1", "x", way, 2),
+                *ends,
+            ),
+        },
+        scheme,
+        module=module,
+    )
+
+
+def meniscus(params: str, force: float = 0.3) -> Sketch:
+    """A porous ring that friction alone would hold, soft springs aside, between a rigid ball and a porous layer."""
+    ring = shifted(arc(0.35, 0.75, 0.12), (0, 0, 0.065))
+    return Sketch(
+        {
+            "layer": mapped((10, 10, 2), box((-1.2, -1.2, -0.4), (1.2, 1.2, 0))),
+            "ring": mapped((3, 20, 1), ring),
+            "ball": mapped((6, 6, 6), shifted(ball(1.5, 1.0), (0, 0, 1.48))),
+        },
+        {"layer": biphasic(1.0, 0.1, 1e-3), "ring": biphasic(5.0, 0.1, 1e-3), "ball": rigid((0, 0, 1.5))},
+        (
+            Touch("ring-z1", "ball-z0", "sliding-biphasic", params),
+            Touch("ring-z0", "layer-z1", "sliding-biphasic", params),
+            Touch("layer-z1", "ball-z0", "sliding-biphasic", params),
+        ),
+        {
+            "Boundary": (fixed("layer-z0", *FIXED_SIDES), fixed("ring-y0", "x", "y"), fixed("ring-x1", "x", "y")),
+            "Rigid": (hold("ball", "xyuvw"), push("ball", "z", -force)),
+        },
+        module="biphasic",
+    )
+
+
+_FLUID = auto(1.0, NEAR + fluid(1.0))
+SCENES: Mapping[str, Reported] = {
+    "contact-begins-later": Reported(
+        "contact begins in the second step of an analysis", partial(later, auto(1.0, NEAR))
+    ),
+    "contact-begins-later-facets": Reported(
+        "contact begins in the second step of an analysis, sliding-facet-on-facet",
+        partial(later, auto(1.0, NEAR), "sliding-facet-on-facet"),
+    ),
+    "lever-on-hinge": Reported("a rigid lever on a revolute joint presses a block", partial(hinged, auto(1.0, NEAR))),
+    "lever-on-ball-joint-friction": Reported(
+        "a rigid lever on a revolute joint presses a block, friction 0.3, augmented",
+        partial(hinged, auglag(0.5, 0.1, NEAR), mu=0.3),
+    ),
+    "ball-on-springs": Reported("a rigid ball on springs is brought onto a slab", partial(sprung, auto(1.0, NEAR))),
+    "ball-on-springs-slab-first": Reported(
+        "a rigid ball on springs is brought onto a slab, which is the primary surface",
+        partial(sprung, auto(1.0, NEAR), first="slab"),
+    ),
+    "roller-rolls": Reported(
+        "a rigid roller under a force turns and rolls, friction 0.5", partial(rolls, auto(1.0, NEAR + friction(0.5)))
+    ),
+    "hertz-hex27-gap": Reported(
+        "half a ball of hex27, augmented to a gap", Hertz("hex27", auglag(1.0, 0.0, NEAR + "<gaptol>1e-3</gaptol>"))
+    ),
+    "hertz-tet15": Reported("half a ball of tet15", Hertz("tet15", auto(1.0, NEAR))),
+    "hertz-penta15-two-pass": Reported(
+        "half a ball of penta15, two passes", Hertz("penta15", auto(1.0, NEAR + TWO_PASS))
+    ),
+    "hertz-hard": Reported("half a ball 1000 times as stiff as the block", Hertz("hex8", auto(1.0, NEAR), neo(1000.0))),
+    "hertz-symmetric-default-solver": Reported(
+        "half a ball, FEBio's default solver", Hertz("hex8", auto(1.0, NEAR), scheme=Scheme(updates=10, symmetric=None))
+    ),
+    "hertz-one-step": Reported(
+        "half a ball of Mooney-Rivlin, all of it in two steps", Hertz("hex8", auto(1.0, NEAR), mooney(), Scheme(2, 0.5))
+    ),
+    "skin-on-foam": Reported("a shell on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR))),
+    "skin-on-foam-tri3": Reported(
+        "a shell of triangles on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR), "tri3")
+    ),
+    "peeled-tension": Reported("a strip that tension holds is pulled up", partial(peeled, auto(1.0, NEAR + TENSION))),
+    "dropped": Reported("a soft ball falls onto a slab", partial(dropped, auto(1.0, NEAR))),
+    "dropped-friction": Reported(
+        "a soft ball falls aslant onto a slab, friction 0.3", partial(dropped, auto(1.0, NEAR), 0.3)
+    ),
+    "cap-snaps-by-force": Reported("a force snaps a cap of shells through", partial(capped, auto(1.0, NEAR))),
+    "cap-snaps": Reported("a rigid ball dents a cap of shells", partial(capped, auto(1.0, NEAR), 0.0)),
+    "node-on-facet-slides": Reported(
+        "a soft block on a stiff one, sliding-node-on-facet", partial(flat_pair, given(50.0), "sliding-node-on-facet")
+    ),
+    "facet-on-facet-slides": Reported(
+        "a soft block on a stiff one, sliding-facet-on-facet, augmented",
+        partial(flat_pair, auglag(1.0), "sliding-facet-on-facet"),
+    ),
+    "biphasic-slides-stiff": Reported(
+        "a soft porous block on a stiffer one", partial(flat_pair, _FLUID, "sliding-biphasic", "biphasic"), "biphasic"
+    ),
+    "biphasic-slides-ten-times-soft": Reported(
+        "a soft porous block on a stiffer one, augmented on a small penalty",
+        partial(flat_pair, auglag(0.1, 0.1, NEAR + fluid(0.1)), "sliding-biphasic", "biphasic"),
+        "biphasic",
+    ),
+    "meniscus": Reported(
+        "a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID), "biphasic"
+    ),
+    "ogden-hertz-deep": Reported(
+        "half a ball of Ogden, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)
+    ),
+}
+"""By name."""

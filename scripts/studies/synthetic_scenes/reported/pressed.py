@@ -1,0 +1,345 @@
+"""Bodies of any stiffness, unit and element that are pressed, stacked, turned, bent or blown onto each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from itertools import pairwise
+
+import numpy as np
+
+from studies.models.small import fixed, moved
+from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
+from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.words import (
+    TWO_PASS,
+    Material,
+    auglag,
+    auto,
+    friction,
+    given,
+    hold,
+    mooney,
+    neo,
+    ogden,
+    press,
+    push,
+    radius,
+    rigid,
+    shift,
+    spin,
+)
+
+NEAR = radius(0.5)
+FIBRES = (
+    "solid mixture",
+    '<solid type="neo-Hookean"><density>1e-9</density><E>0.5</E><v>0.2</v></solid>'
+    '<solid type="fiber-exp-pow"><alpha>20</alpha><beta>2</beta><ksi>1</ksi>'
+    '<fiber type="vector"><vector>1,0,0</vector></fiber></solid>',
+)
+VISCOUS = (
+    "viscoelastic",
+    '<t1>0.3</t1><g0>1</g0><g1>2</g1><elastic type="neo-Hookean"><density>1e-9</density><E>1</E><v>0.4</v></elastic>',
+)
+
+
+def dome(size: float = 0.6, height: float = 0.8, gap: float = 0.01, bulge: float = 0.3) -> Place:
+    """A block whose lower face bulges downwards."""
+    flat = box((-size, -size, gap), (size, size, gap + height))
+
+    def place(u: np.ndarray) -> np.ndarray:
+        points = flat(u)
+        up = bulge * (points[:, 0] ** 2 + points[:, 1] ** 2) * (1.0 - u[:, 2])
+        return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), up]))
+
+    return place
+
+
+def scaled(place: Place, unit: float) -> Place:
+    """The same in a longer unit of length, mm."""
+    return lambda u: np.asarray(place(u) * unit)
+
+
+@dataclass(frozen=True)
+class Dome:
+    """A block with a round lower face is pressed into a slab, moved down or by a pressure on its top."""
+
+    low: Material = field(default_factory=neo)
+    high: Material = field(default_factory=neo)
+    params: str = auto(1.0, NEAR)
+    elements: tuple[str, str] = ("hex8", "hex8")
+    depth: float = 0.15
+    load: float = 0.0
+    unit: float = 1.0
+    gap: float = 0.01
+    scheme: Scheme = USUAL
+    first: str = "dome"
+    held: bool = False
+
+    def __call__(self) -> Sketch:
+        """The model."""
+        quadratic = [element in ("hex20", "hex27", "tet10", "tet15", "penta15") for element in self.elements]
+        cells = {"slab": (4, 4, 2) if quadratic[0] else (8, 8, 4), "dome": (3, 3, 2) if quadratic[1] else (6, 6, 4)}
+        places = {"slab": box((-1, -1, -0.8), (1, 1, 0)), "dome": dome(gap=self.gap)}
+        sides = ("dome-z0", "slab-z1") if self.first == "dome" else ("slab-z1", "dome-z0")
+        across = [fixed("dome-z1", "x", "y")]
+        drive = [] if self.load else [moved("dome-z1", "z", -self.depth * self.unit, 4 if self.held else 1)]
+        return Sketch(
+            {
+                body: mapped(cells[body], scaled(places[body], self.unit), element)
+                for body, element in zip(places, self.elements, strict=True)
+            },
+            {"slab": self.low, "dome": self.high},
+            (Touch(*sides, params=self.params),),
+            {
+                "Boundary": (fixed("slab-z0", "x", "y", "z"), *across, *drive),
+                "Loads": (press("dome-z1", self.load, 4 if self.held else 1),) if self.load else (),
+            },
+            self.scheme,
+        )
+
+
+def stack(params: str, materials: Sequence[Material], side: str, element: str = "hex8") -> Sketch:
+    """Four blocks on each other, the whole outside of each a surface, pressed by a pressure at the top."""
+    names = ["one", "two", "three", "four"]
+    sizes = (1.0, 0.8, 0.9, 0.7)
+    places = [box((-s, -0.5 * s, 0.5 * k), (s, 0.5 * s, 0.5 * k + 0.5)) for k, s in enumerate(sizes)]
+    cells = [(4, 3, 2), (5, 3, 2), (4, 2, 2), (5, 3, 2)]
+    pairs = [
+        Touch(f"{above}-{side or 'z0'}", f"{below}-{side or 'z1'}", params=params) for below, above in pairwise(names)
+    ]
+    return Sketch(
+        {name: mapped(c, place, element) for name, c, place in zip(names, cells, places, strict=True)},
+        dict(zip(names, materials, strict=True)),
+        tuple(pairs),
+        {
+            "Boundary": (
+                fixed("one-z0", "x", "y", "z"),
+                fixed("four-z1", "x", "y"),
+                *(fixed(f"{name}-x0", "x", "y") for name in names[1:3]),
+                *(moved("four-z1", "z", -0.15),),
+            ),
+        },
+    )
+
+
+def two_on_one(params: str, way: float = 0.2) -> Sketch:
+    """Two rigid spheres are pressed into one slab next to each other; one slides to the other."""
+    places = {name: shifted(ball(0.5), (x, 0, 0.48)) for name, x in (("left", -0.6), ("right", 0.6))}
+    return Sketch(
+        {
+            "slab": mapped((12, 6, 3), box((-1.5, -0.8, -0.8), (1.5, 0.8, 0))),
+            **{name: mapped((4, 4, 4), place) for name, place in places.items()},
+        },
+        {"slab": neo(), "left": rigid((-0.6, 0, 0.5)), "right": rigid((0.6, 0, 0.5))},
+        tuple(Touch("slab-z1", f"{name}-outside", params=params) for name in ("left", "right")),
+        {
+            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
+            "Rigid": (
+                hold("left", "yuvw"),
+                hold("right", "xyuvw"),
+                shift("left", "z", -0.15),
+                shift("right", "z", -0.15),
+                shift("left", "x", way, 2),
+            ),
+        },
+        Scheme(20),
+    )
+
+
+def beam(params: str, rest: str, element: str = "hex8", load: float = 0.02) -> Sketch:
+    """A cantilever bends by a pressure, until it rests on a body below it: a force alone closes the gap."""
+    cells = (10, 1, 1) if element in ("hex20", "tet10", "hex27") else (20, 3, 3)
+    low = shifted(turned(arc(0.2, 0.5, 1.0), "x", 90.0), (2.5, 0, -0.7))
+    bodies = {"beam": mapped(cells, box((0, -0.4, 0), (3, 0.4, 0.3)), element)}
+    is_rigid = rest == "rigid"
+    bodies["rest"] = mapped((1, 24, 2), low)
+    held = {"Rigid": (hold("rest"),)} if is_rigid else {}
+    fixes = [fixed("beam-x0", "x", "y", "z")] + ([] if is_rigid else [fixed("rest-x0", "x", "y", "z")])
+    return Sketch(
+        bodies,
+        {"beam": neo(10.0), "rest": rigid((2.5, 0, -0.7)) if is_rigid else neo(1.0)},
+        (Touch("beam-z0", "rest-x1", params=params),),
+        {"Boundary": tuple(fixes), "Loads": (press("beam-z1", load),), **held},
+    )
+
+
+def blown(params: str, rest: Material, thickness: float = 0.05, load: float = 0.1) -> Sketch:
+    """A membrane of shells is blown by a pressure onto a block above it."""
+    flat = box((-1, -1, 0), (1, 1, 0))
+    sheet = shell((10, 10), flat, thickness)
+    above = mapped((6, 6, 2), box((-1.2, -1.2, 0.15), (1.2, 1.2, 0.75)))
+    is_rigid = rest[0] == "rigid body"
+    edges = [fixed(f"skin-{side}", "x", "y", "z") for side in ("x0", "x1", "y0", "y1")]
+    return Sketch(
+        {"skin": sheet, "rest": above},
+        {"skin": neo(5.0), "rest": rest},
+        (Touch("skin-face", "rest-z0", params=params),),
+        {
+            "Boundary": (*edges, *(() if is_rigid else (fixed("rest-z1", "x", "y", "z"),))),
+            "Loads": (press("skin-back", load),),
+            **({"Rigid": (hold("rest"),)} if is_rigid else {}),
+        },
+    )
+
+
+def twist(params: str, material: Material, angle: float, element: str = "hex8") -> Sketch:
+    """A rigid disc is pressed onto a block and turned about its axis."""
+    disc = shifted(arc(0.1, 0.7, 0.3), (0, 0, 0.16))
+    cells = (3, 3, 2) if element in ("hex20", "tet10", "hex27") else (6, 6, 3)
+    return Sketch(
+        {"block": mapped(cells, box((-1, -1, -0.8), (1, 1, 0)), element), "disc": mapped((3, 16, 1), disc)},
+        {"block": material, "disc": rigid((0, 0, 0.16))},
+        (Touch("disc-z0", "block-z1", params=params),),
+        {
+            "Boundary": (fixed("block-z0", "x", "y", "z"),),
+            "Rigid": (hold("disc", "xyuv"), shift("disc", "z", -0.1), spin("disc", "Rw", angle, 2)),
+        },
+        Scheme(20),
+    )
+
+
+def plug(params: str, force: float = 0.0, material: Material | None = None) -> Sketch:
+    """A rigid conical plug is moved or pulled by a force into a soft ring."""
+    cone = arc(0.2, 0.55 if not force else 0.57, 1.0, flare=0.3)
+    return Sketch(
+        {"ring": mapped((2, 20, 4), arc(0.8, 1.3, 0.6)), "plug": mapped((1, 24, 5), cone)},
+        {"ring": material or mooney(0.3, 0.0, 20.0), "plug": rigid()},
+        (Touch("ring-x0", "plug-x1", params=params),),
+        {
+            "Boundary": (fixed("ring-x1", "x", "y", "z"),),
+            "Rigid": (hold("plug", "xyuvw"), push("plug", "z", -force) if force else shift("plug", "z", -0.25)),
+        },
+    )
+
+
+def arch(params: str, depth: float = 0.6) -> Sketch:
+    """A rigid ball presses a shallow arch until it has snapped through."""
+    bow = turned(arc(2.9, 3.0, 0.6, (60.0, 120.0)), "x", 90.0)
+    return Sketch(
+        {
+            "arch": mapped((2, 24, 2), shifted(bow, (0, 0, -2.6))),
+            "ball": mapped((5, 5, 5), shifted(ball(0.4), (0, 0, 0.805))),
+        },
+        {"arch": neo(10.0), "ball": rigid((0, 0, 0.8))},
+        (Touch("arch-x1", "ball-outside", params=params),),
+        {
+            "Boundary": (fixed("arch-y0", "x", "y", "z"), fixed("arch-y1", "x", "y", "z")),
+            "Rigid": (hold("ball", "xyuvw"), shift("ball", "z", -depth)),
+        },
+        Scheme(20, 0.05),
+    )
+
+
+def crushed(params: str, element: str = "hex8", depth: float = 0.3) -> Sketch:
+    """Half a soft tube that stands on its symmetry plane is crushed by a rigid roller."""
+    half = turned(arc(0.8, 1.0, 2.0, (0.0, 180.0)), "x", 90.0)
+    cells = (1, 8, 2) if element in ("hex20", "tet10", "hex27") else (2, 16, 3)
+    roll = shifted(turned(arc(0.2, 0.5, 2.4), "x", 90.0), (0, 0, 1.505))
+    return Sketch(
+        {"tube": mapped(cells, half, element), "roll": mapped((1, 20, 2), roll)},
+        {"tube": mooney(1.0, 0.0, 100.0), "roll": rigid((0, 0, 1.505))},
+        (Touch("tube-x1", "roll-x1", params=params),),
+        {
+            "Boundary": (fixed("tube-y0", "x", "z"), fixed("tube-y1", "z"), fixed("tube-z0", "y")),
+            "Rigid": (hold("roll", "xyuvw"), shift("roll", "z", -depth)),
+        },
+    )
+
+
+SCENES: Mapping[str, Reported] = {
+    "dome-pa-m": Reported("a dome on a slab in Pa and m", Dome(neo(1e6), neo(2e6), auto(1.0, radius(5e-4)), unit=1e-3)),
+    "dome-pa-m-load": Reported(
+        "a dome on a slab in Pa and m, under a pressure",
+        Dome(neo(1e6), neo(2e6), auto(1.0, radius(5e-4)), unit=1e-3, load=3e4, gap=-0.03),
+    ),
+    "dome-micrometres": Reported(
+        "a dome on a slab in micrometres and kPa, BFGS",
+        Dome(neo(1.0), neo(2.0), auto(1.0), unit=50.0, scheme=Scheme(updates=10)),
+    ),
+    "dome-stiff-on-soft": Reported("a dome 1e3 times as stiff as the slab", Dome(neo(0.1), neo(100.0))),
+    "dome-soft-on-stiff": Reported("a dome 1e4 times as soft as the slab", Dome(neo(1e3), neo(0.1))),
+    "dome-soft-on-stiff-slab-first": Reported(
+        "a soft dome on a stiff slab, the slab as primary surface", Dome(neo(1e3), neo(0.1), first="slab")
+    ),
+    "dome-overlap": Reported(
+        "a dome that overlaps a slab by a third of an element at the start", Dome(gap=-0.06, depth=0.1)
+    ),
+    "dome-overlap-tet10": Reported(
+        "a dome of tet10 that overlaps a slab of tet10 at the start",
+        Dome(gap=-0.06, depth=0.1, elements=("tet10", "tet10")),
+    ),
+    "dome-deep": Reported(
+        "Ogden, pressed deep in five steps", Dome(ogden(), ogden(), depth=0.4, scheme=Scheme(5, 0.2))
+    ),
+    "dome-deep-two-pass": Reported(
+        "Mooney-Rivlin, pressed deep in two passes", Dome(mooney(), mooney(), auto(1.0, NEAR + TWO_PASS), depth=0.4)
+    ),
+    "dome-hex20-on-tet10": Reported("hex20 on tet10", Dome(elements=("tet10", "hex20"))),
+    "dome-hex27-on-penta15": Reported("hex27 on penta15", Dome(elements=("penta15", "hex27"))),
+    "dome-tet4-on-hex20": Reported(
+        "tet4 on hex20, two passes", Dome(params=auto(1.0, NEAR + TWO_PASS), elements=("hex20", "tet4"))
+    ),
+    "dome-penta6-friction": Reported(
+        "wedges on tetrahedra, friction 0.5", Dome(params=auto(1.0, NEAR + friction(0.5)), elements=("tet4", "penta6"))
+    ),
+    "dome-load-held": Reported(
+        "a pressure that is held for a long time", Dome(load=0.05, gap=-0.03, held=True, scheme=Scheme(20, 0.1))
+    ),
+    "dome-held": Reported("a displacement that is held for a long time", Dome(held=True, scheme=Scheme(20, 0.1))),
+    "dome-fibres": Reported("fibres that bear tension alone", Dome(FIBRES, FIBRES)),
+    "dome-viscoelastic": Reported("viscoelastic bodies, BFGS", Dome(VISCOUS, VISCOUS, scheme=Scheme(updates=10))),
+    "dome-symmetric": Reported("a dome, FEBio's default solver", Dome(scheme=Scheme(updates=10, symmetric=None))),
+    "dome-augmented-fine": Reported(
+        "a dome, augmented to a gap of 1e-4 mm", Dome(params=auglag(1.0, 0.0, NEAR + "<gaptol>1e-4</gaptol>"))
+    ),
+    "dome-given-soft": Reported("a penalty in numbers that is softer than the bodies", Dome(params=given(0.5, NEAR))),
+    "dome-load": Reported("a dome under a large pressure", Dome(neo(1.0, 0.45), neo(1.0, 0.45), load=0.3, gap=-0.03)),
+    "stack": Reported(
+        "four blocks on each other", partial(stack, auto(1.0, NEAR), [neo(), neo(2.0), neo(0.5), neo()], "")
+    ),
+    "stack-unlike": Reported(
+        "four blocks on each other, of stiffnesses of 1 to 100",
+        partial(stack, auto(1.0, NEAR), [neo(), neo(100.0), neo(), neo(100.0)], ""),
+    ),
+    "stack-tet4": Reported(
+        "four blocks of tet4 on each other",
+        partial(stack, auto(1.0, NEAR), [neo(), neo(2.0), neo(0.5), neo()], "", "tet4"),
+    ),
+    "two-on-one": Reported(
+        "two rigid spheres in one slab, one slides to the other", partial(two_on_one, auto(1.0, NEAR))
+    ),
+    "two-on-one-friction": Reported(
+        "two rigid spheres in one slab, friction 0.3", partial(two_on_one, auto(1.0, NEAR + friction(0.3)))
+    ),
+    "beam-on-rigid": Reported("a cantilever bends onto a rigid cylinder", partial(beam, auto(1.0, NEAR), "rigid")),
+    "beam-on-soft": Reported("a cantilever bends onto a soft cylinder", partial(beam, auto(1.0, NEAR), "soft")),
+    "beam-on-soft-hex20-bfgs": Reported(
+        "a cantilever of hex20 bends onto a soft cylinder", partial(beam, auto(1.0, NEAR), "soft", "hex20")
+    ),
+    "blown-on-rigid": Reported("a membrane is blown onto a rigid block", partial(blown, auto(1.0, NEAR), rigid())),
+    "blown-on-soft": Reported("a membrane is blown onto a soft block", partial(blown, auto(1.0, NEAR), neo(0.5))),
+    "twist": Reported(
+        "a rigid disc is pressed and turned, friction 0.3", partial(twist, auto(1.0, NEAR + friction(0.3)), neo(), 0.5)
+    ),
+    "twist-hex20-augmented": Reported(
+        "a rigid disc turns on hex20, augmented, friction 0.2",
+        partial(twist, auglag(0.2, 0.1, NEAR + friction(0.2)), mooney(), 0.4, "hex20"),
+    ),
+    "twist-frictionless": Reported(
+        "a rigid disc is pressed and turned by 90 degrees", partial(twist, auto(1.0, NEAR), neo(), 1.57)
+    ),
+    "plug": Reported("a rigid cone is moved into a ring", partial(plug, auto(1.0, NEAR))),
+    "plug-friction": Reported(
+        "a rigid cone is pulled into a ring by a force, friction 0.2, augmented",
+        partial(plug, auglag(0.2, 0.1, NEAR + friction(0.2)), 0.3),
+    ),
+    "plug-incompressible": Reported(
+        "a rigid cone in a nearly incompressible ring", partial(plug, auto(1.0, NEAR), 0.0, mooney(0.3, 0.0, 1000.0))
+    ),
+    "arch-snaps": Reported("a rigid ball snaps an arch through", partial(arch, auto(1.0, NEAR))),
+    "crushed": Reported("half a tube under a rigid roller", partial(crushed, auto(1.0, NEAR))),
+    "crushed-hex20": Reported("half a tube of hex20 under a rigid roller", partial(crushed, auto(1.0, NEAR), "hex20")),
+}
+"""By name."""
