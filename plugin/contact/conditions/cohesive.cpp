@@ -8,7 +8,7 @@ namespace {
 
 /// A quantity with its derivative.
 struct Derived {
-  double value;
+  double value = 0;
   BondGradient derivative;
 };
 
@@ -16,10 +16,10 @@ BondGradient stacked(const Vector3d& gap, const Vector3d& normal) { return (Bond
 
 /// A bond's opening, D_n, lambda and B.
 struct Opening {
-  double compression;        ///< min(0, D_n) [mm]
+  double compression = 0;    ///< min(0, D_n) [mm]
   BondGradient d_normal;     ///< dD_n
   BondGradient half_square;  ///< d(lambda^2/2)
-  double size;               ///< lambda [mm]
+  double size = 0;           ///< lambda [mm]
   Derived mode;              ///< B [-]
 };
 

@@ -31,7 +31,7 @@ using BondHessian = Eigen::Matrix<double, 6, 6>;
 struct BondLoad {
   BondGradient value;      ///< d psi/dD, the traction on the primary surface [MPa], and d psi/dn [N/mm]
   BondHessian derivative;  ///< of these loads; symmetric unless damage grows in a mode that changes
-  double damage;           ///< d, at least that of the accepted state
+  double damage = 0;       ///< d, at least that of the accepted state
 };
 
 /// The load of a bond. `damage`: d of the accepted state; `normal`: of unit length.

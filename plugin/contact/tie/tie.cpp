@@ -98,7 +98,7 @@ Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nod
     : mesh_(std::move(mesh)),
       effects_(std::move(effects)),
       nodes_(std::move(nodes)),
-      breaking_(std::move(breaking)),
+      breaking_(breaking),
       first_(1, 0) {
   for (const TiedNode& tied : nodes_) {
     const auto exchanged = std::count_if(tied.fields.begin(), tied.fields.end(),
