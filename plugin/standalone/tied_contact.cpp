@@ -8,7 +8,6 @@
 namespace standalone {
 
 using mixture_contact::Settings;
-using mixture_contact::Side;
 using mixture_contact::Tie;
 
 TiedContact::TiedContact(const Model& model, const ContactDefinition& definition, const Bodies& bodies)

@@ -1,4 +1,5 @@
-/// The cohesive law: a bond that softens as it opens (Turon, Camanho, Costa and Davila 2006, Mech Mater 38:1072-1089).
+/// The cohesive law: a bond that softens as it opens (Turon, Camanho, Costa and Davila 2006,
+/// Mechanics of Materials 38:1072-1089).
 ///
 /// The energy per area of a bond with the gap vector D, the normal n, the penalty K and the damage d is
 ///

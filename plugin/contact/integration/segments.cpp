@@ -414,6 +414,17 @@ const IntegrationPoint& heaviest(const PointsOfPair& points) {
                            [](const auto& one, const auto& two) { return one.weight < two.weight; });
 }
 
+/// Takes out the pairs that `leaves` says; all are judged before any goes. `rest` is room for those that stay.
+template <class Leaves>
+void remove_pairs(FacetPairs& pairs, FacetPairs& rest, const Leaves& leaves) {
+  if (std::none_of(pairs.pairs().begin(), pairs.pairs().end(), leaves)) return;
+  rest.clear();
+  for (const FacetPair& pair : pairs.pairs()) {
+    if (!leaves(pair)) rest.add(pairs, pair);
+  }
+  std::swap(pairs, rest);
+}
+
 }  // namespace
 
 int default_segment_order(FacetType primary, FacetType secondary) {
@@ -527,13 +538,7 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reac
     const auto is_hidden = [&](const FacetPair& pair) {
       return !is_kept(pair) && occluded(pair, near, x1, x2, circles);
     };
-    if (std::any_of(near.pairs().begin(), near.pairs().end(), is_hidden)) {
-      visible.clear();
-      for (const FacetPair& pair : near.pairs()) {
-        if (!is_hidden(pair)) visible.add(near, pair);
-      }
-      std::swap(near, visible);
-    }
+    remove_pairs(near, visible, is_hidden);
     const auto exact = [&](const FacetPair& pair) {
       return is_exact(pair) && share_of(one.placed, placed(secondary_[pair.secondary], x2)) == 1;
     };
