@@ -185,11 +185,11 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   const TaskClock timed = core().measurements().clock(Task::augmentation);
   if (!model_->steps().accepts(&bound_)) return false;
   const Augmentation outcome = augment(GetName(), core(), bound_.fields(), augmentation);
-  if (outcome.stiffens) model_->penalties_have_grown();
+  if (outcome.stiffens) model_->force_new_matrix();
   for (const std::string& line : outcome.lines) log_.line(line);
   if (!outcome.warning.empty()) log_.warning(outcome.warning);
   if (!outcome.done || owner_ == nullptr || owner_->accepts_solution()) return outcome.done;
-  model_->penalties_have_grown();
+  model_->force_new_matrix();
   return false;
 }
 

@@ -34,8 +34,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// What the model keeps between steps is stored once, with the first contact that is.
   void serialize(ContactInModel& contact, DumpStream& ar);
-  /// Penalties of a contact have grown with an augmentation: its iterations begin with a matrix of these.
-  void penalties_have_grown() { matrix_.force_next(); }
+  /// What a contact has of a solution is not what its matrix was made of: penalties have grown, or bonds have broken.
+  void force_new_matrix() { matrix_.force_next(); }
   /// The part of a contact has come into the matrix. After that of the last one loads follow from the rows of nodes.
   void added_tangent(const ContactInModel& contact);
 

@@ -55,7 +55,7 @@ std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, 
   text
       << "bonds soften over a length of about " << zone << " (modulus energy/strength^2), and facets are up to "
       << longest
-      << " long. Fewer than three facets in this zone make the load wave, and steps fail. Refine the surface, or choose a "
-      << "smaller <max_traction>, which hardly changes how a crack grows.";
+      << " long. Three facets are the least that this zone should span; the load waves with fewer, and steps fail. Refine "
+      << "the surface, or choose a smaller <max_traction>, which hardly changes how a crack grows.";
   return text.str();
 }

@@ -12,12 +12,8 @@ Contact::Contact(const Model& model, const ContactDefinition& definition, const 
   PerSide<mixture_contact::SurfaceMesh> meshes = surfaces_.meshes(at_rest, effects);
   mixture_contact::find_joined_nodes(meshes, surfaces_.nodes());
   core_ = std::make_unique<mixture_contact::ContactInterface>(meshes, effects, core_settings(definition.parameters));
-  if (!core_->pass(0).penalty().traction.allFinite()) {
-    throw InputError(
-        model.file + ": contact \"" + definition.name +
-        "\": both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave "
-        "<auto_penalty> at 0");
-  }
+  if (!core_->pass(0).penalty().traction.allFinite())
+    throw InputError(model.file + ": contact \"" + definition.name + "\": " + no_stiffness);
 }
 
 Motion Contact::motion() const {

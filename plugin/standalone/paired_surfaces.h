@@ -6,6 +6,11 @@
 
 namespace standalone {
 
+/// What is wrong where no element of either surface has a stiffness.
+inline constexpr const char* no_stiffness =
+    "both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave <auto_penalty> "
+    "at 0";
+
 class PairedSurfaces {
  public:
   using Side = mixture_contact::Side;

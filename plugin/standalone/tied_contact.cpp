@@ -27,10 +27,7 @@ TiedContact::TiedContact(const Model& model, const ContactDefinition& definition
                    tied_nodes_line(nodes.count(), mixture_contact::untied_nodes(nodes, meshes, settings, reference)));
   core_ = std::make_unique<Tie>(std::move(meshes), effects, std::move(nodes));
   core_->set_laws(settings);
-  if (!core_->penalties().traction.allFinite())
-    fail(
-        "both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave "
-        "<auto_penalty> at 0");
+  if (!core_->penalties().traction.allFinite()) fail(no_stiffness);
 }
 
 void TiedContact::fail(const std::string& what) const { throw InputError(model_.file + ": " + title() + ": " + what); }

@@ -26,6 +26,7 @@ from studies.synthetic_scenes.reported.words import (
     mooney,
     neo,
     ogden,
+    press,
     push,
     radius,
     rigid,
@@ -81,6 +82,7 @@ def later(params: str, kind: str = "sliding-elastic") -> Sketch:
                 moved("block-x0", "z", -0.25, 2),
                 moved("block-x1", "z", -0.25, 2),
             ),
+            "Loads": (press("block-z1", 0.005),),
             "Rigid": (hold("roller"),),
         },
     )
@@ -94,7 +96,7 @@ def hinged(params: str, force: float = 0.1, joint: str = "rigid revolute joint",
         "<joint_origin>-1.6,0,0.3</joint_origin><rotation_axis>0,1,0</rotation_axis>"
         "<transverse_axis>1,0,0</transverse_axis><laugon>AUGLAG</laugon><minaug>0</minaug><maxaug>10</maxaug>"
     )
-    low = shifted(turned(arc(0.3, 0.6, 0.8), "x", 90.0), (0.6, 0.0, 0.61))
+    low = shifted(turned(arc(0.3, 0.6, 0.8), "x", 90.0), (0.6, 0.0, 0.59))
     return Sketch(
         {
             "block": mapped((6, 4, 3), box((0, -0.6, -0.8), (1.2, 0.6, 0.0))),
@@ -320,7 +322,7 @@ def meniscus(params: str, force: float = 0.3) -> Sketch:
             Touch("layer-z1", "ball-z0", "sliding-biphasic", params),
         ),
         {
-            "Boundary": (fixed("layer-z0", *FIXED_SIDES), fixed("ring-y0", "x", "y"), fixed("ring-x1", "x", "y")),
+            "Boundary": (fixed("layer-z0", *FIXED_SIDES), fixed("ring-x1", "x", "y")),
             "Rigid": (hold("ball", "xyuvw"), push("ball", "z", -force)),
         },
         module="biphasic",
