@@ -12,6 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+from harness.models.parts import FARADAY
+
 HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 SIDES = ("bottom", "top", "front", "right", "back", "left")
 """Names of a box's sides, in the order of `HEX_FACES`: -z, +z, -y, +x, +y, -x."""
@@ -261,7 +263,7 @@ class Document:
             "LoadData": self.curves,
             **self.further,
         }
-        constants = "<Constants><T>298</T><R>8.314e-06</R><Fc>0</Fc></Constants>"
+        constants = f"<Constants><T>298</T><R>8.314e-06</R><Fc>{FARADAY}</Fc></Constants>"
         output = [f'<node_data data="{self.node_data}" file="nodes.txt" delim=" "/>']
         for name, data in self.surface_data.items():
             output.append(f'<surface_data surface="{name}" data="{data}" file="surface-{name}.txt" delim=" "/>')
