@@ -16,6 +16,10 @@ BONDS = "contact_force.x;contact_force.y;contact_force.z;fracture energy;bond en
 """What the surfaces of a tie that breaks report."""
 
 
+PRESSED = 0.02
+"""mm by which a block is pressed into the one below it."""
+
+
 def cohesive(
     strength: tuple[float, float], energy: tuple[float, float], mixing: float, penalty: float, more: str = ""
 ) -> str:
@@ -67,7 +71,7 @@ def pressed_and_slid(params: str, *, cells: tuple[int, int] = (2, 3), number: in
     parts = Parts()
     parts.box("low", (0, 0, 0), (3, 1, 0.5), (3 * cells[0], cells[0], 2), "low")
     parts.box("up", (0, 0, 0.5), (1, 1, 1), (cells[1], cells[1], 2), "up")
-    down = ((0, 0), (1, 0.1), (2, -0.02), (5, -0.02))
+    down = ((0, 0), (1, 0.1), (2, -PRESSED), (5, -PRESSED))
     across = ((0, 0), (2, 0), (3, 0.7), (4, 0.1), (5, 0.5))
     return Document(
         parts.mesh({"pair": ("up-bottom", "low-top")}),
