@@ -34,9 +34,10 @@ struct TieLoads {
 /// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
-/// The default of a tie that softens: a stiffer bond is no more exact where it opens by the energy that breaks it, and
-/// an iteration that unloads it goes wrong the farther.
-inline constexpr double default_cohesive_factor = 1e3;
+/// The default of a tie that softens, after Turon, Davila, Camanho and Costa (2007), Eng Fract Mech 74:1665-1682. A
+/// stiffer bond is no more exact where it opens by the energy that breaks it, and an iteration that unloads it goes
+/// wrong the farther.
+inline constexpr double default_cohesive_factor = 50;
 /// What augmentations may make of them: conditions that others nearly repeat close slowly at less.
 inline constexpr double largest_tie_factor = 1e8;
 
@@ -54,6 +55,8 @@ class Tie {
 
   /// Takes penalties and tolerances; multipliers stay.
   void set_laws(const Settings& settings);
+  /// Takes how bonds break in a step: what depends on its length changes from step to step, and the type stays.
+  void set_breaking(const BreakingLaw& breaking) { breaking_ = breaking; }
   /// Takes the materials behind the facets, in the meshes, for automatic penalties.
   void set_meshes(PerSide<SurfaceMesh> mesh);
 
