@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("lemminflect", reason="`scripts/mixcontact docs` installs it")
 
 from prose import check, count
-from prose.rules import house
+from prose.rules import house, of_comments
 from prose.text import Sentence, sentences
 
 RULES = house()
@@ -82,3 +82,38 @@ def test_the_documentation_without_its_reference_is_short():
 
 def test_words_have_letters():
     assert count.words("| a word | 12 | `x = 1` |") == 3
+
+
+HEADER = """
+/// Which facets face each other: unbroken pairs() alone. Of a pair, the points.
+/// What a pair keeps.
+struct Pair {
+  int points;  ///< what the search told, "told"
+  bool open;   // and no other
+};
+
+/// Points of a pair by `told`.
+int stands_beside();
+"""
+
+
+def test_comments_of_a_header_are_sentences():
+    found = [(sentence.line, sentence.text) for sentence in check.comments_of_cpp(HEADER)]
+    assert found == [
+        (2, "Which facets face each other: unbroken Code alone."),
+        (2, "Of a pair, the points."),
+        (2, "What a pair keeps."),
+        (5, "what the search told, Code"),
+        (6, "and no other"),
+        (9, "Points of a pair by Code."),
+    ]
+
+
+def test_comments_of_a_header_follow_the_rules_on_subjects_and_words():
+    found = list(check.objections(check.comments_of_cpp(HEADER), of_comments()))
+    assert [text.split(":")[0] for _, text in found] == [
+        "'unbroken' is no word of the field",
+        "a sentence begins with its subject, not with 'Of'",
+        "a noun in place of 'What'",
+        "'told' is no word of the field",
+    ]
