@@ -19,7 +19,7 @@ class LineSearchGuard : public Helper {
   bool begin_step() override;
   void try_increment(const std::vector<double>& increment) override;
   /// Whether a solution that the solver is about to accept took a small part of its last increment for all of it; if so
-  /// the next one is not searched. Not where the residual that is left is rounding. Once in a step: where increments
+  /// the next one is not searched. It does not count if the rest is rounding. Once in a step: where increments
   /// are rounding, so is the result of the search.
   bool rejects() override;
   void let_go() override { allow_search(); }

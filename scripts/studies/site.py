@@ -72,7 +72,7 @@ PAGES: dict[str, Callable[[], str]] = {
 
 
 def pages(
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a file is not up to date.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail if a file is not up to date.")] = False,
 ) -> None:
     """Write the generated pages of the documentation, from code and results in docs/data, and the models of models/.
 

@@ -86,8 +86,8 @@ class ActiveSet {
 
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;
-  /// Whether solutions with the matrix may predict the status of nodes. Not with fields, whose exchange may push a node
-  /// open that would close, or the other way round: either may be an equilibrium. Not where a surface may meet itself:
+  /// Whether solutions with the matrix may predict the status of nodes. Fields rule it out: exchange may push a node
+  /// open that would close, or the other way round, and either may be an equilibrium. Self-contact rules it out:
   /// a fold has other facets to face at the end of an iteration. And nodes that may pull do not open.
   bool may_predict() const;
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
@@ -95,7 +95,7 @@ class ActiveSet {
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
   /// Nodes that began an iteration in contact and open within it, given what their tractions come to should they stay
   /// [MPa]; NaN where that is unknown, and for nodes out of contact: these do not. `opened`: those that were taken to
-  /// be open in finding them. Not those whose status keeps changing: they are at the edge of contact, where the next
+  /// be open in finding them. Nodes whose status keeps changing stay out: they are at the edge of contact, and the next
   /// iteration decides.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
@@ -110,7 +110,7 @@ class ActiveSet {
 
   /// Whether a solution has nodes at the edge of contact that have to be tried once more: they were put there for how
   /// often they had changed, while others changed as well. All changes are forgotten, so that the next iteration has
-  /// them flux-coupled. Not those that were at the edge in the last accepted step, too, and once at most from where
+  /// them flux-coupled. Nodes that were at the edge in the last accepted step, too, stay out. Once at most from where
   /// iterations begin.
   bool reconsiders_edge(const NodalLoads& solution);
 

@@ -57,7 +57,7 @@ class HeldLinearisation {
   void add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const;
 
   // Decisions on the nodes that an iteration begins in contact with, by solutions with the host's matrix
-  /// Whether the matrix may change their status. Not where iterations begin with nodes that are foreseen: more change
+  /// Whether the matrix may change their status. It may not if an iteration begins with foreseen nodes: more change
   /// in the next one all the same, and each that changes costs a back substitution.
   bool may_decide() const;
   /// Linearises nodes out of contact that overlap once the surfaces have moved by these displacements (see
