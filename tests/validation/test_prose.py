@@ -21,6 +21,9 @@ BAD = {
     "What is not exchanged has no entry.": "a noun in place of 'What'",
     "With one pass the integral runs over the primary surface.": "the subject first",
     "In the middle of the page stands the table.": "the subject first",
+    "Reported are the two slips.": "not with 'Reported are'",
+    "Not in these data: one mesh.": "not with 'Not'",
+    "* `--folder`: Where results go.": "not with 'Where'",
     "A residual of the solid in the log.": "without a verb",
     "Off by default.": "without a verb",
     "The node " + "closes and " * 20 + "opens.": "words in one sentence",
@@ -32,6 +35,7 @@ GOOD = (
     "Set `gaptol`, or leave it out.",
     "The contact transmits traction.",
     "**In your model.** Refine the mesh.",
+    "* `--folder`, `--out`: Write results to this folder.",
 )
 
 
