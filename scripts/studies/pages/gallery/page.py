@@ -122,7 +122,6 @@ def _anchor(title: str) -> str:
 
 def _section(entry: Entry) -> str:
     name = entry.model.name
-    first_paragraph = _about(entry.model).split("\n\n")[0]
     pictures = {f"{name}-section.png": "Effective concentration over the deformed bodies"}
     if name == cycle.MODEL:
         pictures[cycle.PICTURE] = cycle.TITLE
@@ -130,8 +129,6 @@ def _section(entry: Entry) -> str:
     shown = "\n\n".join(f"![{alt}]({IMAGES}/{picture})" for picture, alt in pictures.items())
     return f"""\
 ## {entry.title}
-
-{first_paragraph}
 
 {entry.start_here}
 
