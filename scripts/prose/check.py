@@ -22,8 +22,19 @@ from prose.rules import Rule, house, of_comments  # noqa: E402
 from prose.text import CODE, END, Sentence, sentences  # noqa: E402
 
 ENTRY = "scripts/mixcontact"
-TALKING = ("preflight", "conversion", "run")
-"""Folders of the harness with messages to users."""
+TALKING = (
+    "collection",
+    "conversion",
+    "ecosystem",
+    "indentation",
+    "models",
+    "post",
+    "preflight",
+    "report",
+    "run",
+    "validate",
+)
+"""Folders of the harness, whose messages users read."""
 LISTED = re.compile(r"^  (?:[a-z-]+, )*[a-z-]+  +(?=\S)")
 """Names of commands at the start of a line of the entry's help."""
 COMMENT = re.compile(r"^(?P<code>(?:[^\"\n]|\"[^\"\n]*\")*?)///?<? ?(?P<words>.*)$")

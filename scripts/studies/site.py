@@ -86,6 +86,6 @@ def pages(
         if not check:
             path.write_text(text, encoding="utf-8")
         elif not path.is_file() or path.read_text(encoding="utf-8") != text:
-            raise HarnessError(f"{path} is not what `pages` writes; it writes it anew")
+            raise HarnessError(f"{path} is not what `pages` writes; it writes it again")
     if not check:
         sketches.draw(DOCS)

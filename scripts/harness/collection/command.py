@@ -85,4 +85,4 @@ def _collection(folder: Path, check: bool) -> None:
         return
     old = collection.outdated(folder)
     if old:
-        raise HarnessError(f"not those of the collection: {', '.join(old)} in {folder}; `models` writes them anew")
+        raise HarnessError(f"not those of the collection: {', '.join(old)} in {folder}; `models` writes them again")
