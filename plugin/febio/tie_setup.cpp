@@ -136,7 +136,6 @@ bool TieSetup::update(Tie& tie) const {
   if (reads_properties_again(parameters_, tie.effects())) {
     if (const auto found = materials()) tie.set_meshes(meshes(*found, tie.effects()));
   }
-  tie.set_breaking(breaking());
-  tie.set_laws(settings());
+  tie.set_laws(settings(), breaking());
   return can_break(tie);
 }

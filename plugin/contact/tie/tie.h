@@ -53,10 +53,9 @@ class Tie {
 
   Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking = Unbreakable());
 
-  /// Takes penalties and tolerances; multipliers stay.
-  void set_laws(const Settings& settings);
-  /// Takes how bonds break in a step: what depends on its length changes from step to step, and the type stays.
-  void set_breaking(const BreakingLaw& breaking) { breaking_ = breaking; }
+  /// Takes penalties and tolerances; multipliers stay. `breaking`: how bonds break in a step, of the type that they
+  /// have; without it that stays, too.
+  void set_laws(const Settings& settings, const std::optional<BreakingLaw>& breaking = std::nullopt);
   /// Takes the materials behind the facets, in the meshes, for automatic penalties.
   void set_meshes(PerSide<SurfaceMesh> mesh);
 
