@@ -21,6 +21,10 @@ constexpr int most_iterations = 50;
 /// which one with another matrix mostly does. The size is a choice, that of ActiveSetOptions::most_left.
 constexpr double most_left = 0.5;
 
+/// Matrices in a step with which corrections may leave too much, until each further iteration of the step has a matrix
+/// of its own. The size is a choice: one such matrix may be of a contact that has just changed.
+constexpr int most_spent = 1;
+
 /// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
 /// off by so much leaves as much to the next one.
 constexpr double left_by_sweeps = 1e-2;
@@ -89,7 +93,9 @@ bool KeptMatrix::is_spent() {
   const double left = norm(system_.solver().vectors().residual);
   const double before = std::exchange(served_.left, left);
   const bool has_been_corrected = served_.iterations > 0;
-  return has_been_corrected && left > most_left * before && system_.may_form_matrix();
+  const bool is_spent = has_been_corrected && left > most_left * before && system_.may_form_matrix();
+  if (is_spent) ++spent_;
+  return is_spent;
 }
 
 bool KeptMatrix::is_due() {
@@ -97,7 +103,7 @@ bool KeptMatrix::is_due() {
   const MatrixStrategy strategy = system_.strategy();
   // JFNK takes differences from a residual of its own.
   const bool is_kept = strategy == MatrixStrategy::updated || strategy == MatrixStrategy::unchanged;
-  if (!may_correct_ || !is_kept) return true;
+  if (!may_correct_ || !is_kept || spent_ >= most_spent) return true;
   if (strategy == MatrixStrategy::unchanged) return served_.iterations >= most_iterations;
   const int most_updates = system_.most_updates();
   return most_updates > 0 && served_.iterations + system_.updates() >= most_updates - 1;
@@ -224,6 +230,11 @@ void KeptMatrix::accept() {
 void KeptMatrix::force_next() {
   if (!reform_augment_) reform_augment_ = std::exchange(system_.forms_matrix_after_augmentations(), true);
   request(true);  // where a step begins
+}
+
+void KeptMatrix::end_step() {
+  spent_ = 0;
+  restore();
 }
 
 void KeptMatrix::serialize(DumpStream& ar) { ar & found_.needs_parts & found_.loses_pivots & reduction_; }

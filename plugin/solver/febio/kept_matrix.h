@@ -62,7 +62,7 @@ class KeptMatrix {
   /// Has FEBio form a matrix before the next iteration, also where that follows an augmentation.
   void force_next();
   /// A time step has been solved: FEBio has its own setting again, whether augmentations form matrices.
-  void end_step() { restore(); }
+  void end_step();
 
   void serialize(DumpStream& ar);
 
@@ -103,6 +103,7 @@ class KeptMatrix {
   Border border_;
   int number_ = 0;  ///< of the matrix, as FEBio counts them in a step
   Served served_;
+  int spent_ = 0;  ///< matrices in this step with which corrections have left too much
   bool is_requested_ = false;  ///< another one, by request()
   bool may_correct_ = true;    ///< whether conditions can be held with it
   Found found_;
